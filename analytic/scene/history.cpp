@@ -1,0 +1,17 @@
+#include "analytic/scene/history.hpp"
+
+#include <array>
+
+namespace rockstack {
+
+std::string name(EventKind kind) {
+  static constexpr std::array names{"opening", "impact", "closure", "rest", "topple"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::string name(Consistency consistency) {
+  static constexpr std::array names{"consistent", "other", "none"};
+  return names[static_cast<std::size_t>(consistency)];
+}
+
+}  // namespace rockstack

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/pattern.hpp"
+
+namespace rockstack {
+
+/// What happens between stretches of smooth motion.
+enum class EventKind {
+  opening,  ///< a closed interface starts to rock, without impact
+  impact,   ///< an open interface meets its full width
+  closure,  ///< the last of ever smaller impacts: the interface stays closed
+  rest,     ///< a closure after which no interface is open
+  topple,   ///< a block passes its toppling angle; the history ends
+};
+
+std::string name(EventKind kind);
+
+/// Whether the pattern that was chosen after an impact is one that pushing impulses can bring about.
+enum class Consistency {
+  consistent,  ///< the chosen pattern is the consistent one (or no impact took place)
+  other,       ///< another pattern would have been consistent
+  none,        ///< no pattern is: the blocks would have to lift off
+};
+
+std::string name(Consistency consistency);
+
+/// One event with the state on both sides of it. `interface` counts from 1; for `topple` it is the block.
+template <class Real>
+struct BasicEvent {
+  Real time{};  ///< s
+  EventKind kind{};
+  int interface = 0;
+  Pattern from, to;
+  std::vector<Real> angles;  ///< rad, one a block
+  std::vector<Real> before;  ///< angular velocities just before, rad/s
+  std::vector<Real> after;   ///< angular velocities just after, rad/s
+  Consistency consistency = Consistency::consistent;
+};
+
+/// Sampled motion of a stack, and the events where they are known. Engines know no patterns and no events: those
+/// two are empty then. Rows are samples; angles and velocities are stored row by row.
+template <class Real>
+struct BasicHistory {
+  int blocks = 0;
+  std::vector<Real> times;        ///< s, ascending
+  std::vector<Real> angles;       ///< rad, times.size() × blocks
+  std::vector<Real> velocities;   ///< rad/s, times.size() × blocks
+  std::vector<Pattern> patterns;  ///< times.size(), or empty
+  std::vector<BasicEvent<Real>> events;
+
+  std::size_t size() const { return times.size(); }
+  std::span<const Real> angles_at(std::size_t sample) const { return row(angles, sample); }
+  std::span<const Real> velocities_at(std::size_t sample) const { return row(velocities, sample); }
+
+ private:
+  std::span<const Real> row(const std::vector<Real>& values, std::size_t sample) const {
+    const auto width = static_cast<std::size_t>(blocks);
+    return {values.data() + sample * width, width};
+  }
+};
+
+using Event = BasicEvent<double>;
+using History = BasicHistory<double>;
+
+}  // namespace rockstack

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+
+#include "analytic/scene/pattern.hpp"
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack {
+
+/// One entry a block, held without heap memory.
+template <class Real>
+using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, max_blocks, 1>;
+template <class Real>
+using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, max_blocks, max_blocks>;
+/// One point or plane vector (x, y) a block, as columns.
+template <class Real>
+using Points = Eigen::Matrix<Real, 2, Eigen::Dynamic, 0, 2, max_blocks>;
+template <class Real>
+using Point = Eigen::Matrix<Real, 2, 1>;
+
+/// The constants of a stack in the number type of a calculation. SI units, one entry a block, bottom to top.
+template <class Real>
+struct Stack {
+  Vector<Real> half_width;  ///< of the interface under the block: w, not the block's own b
+  Vector<Real> half_height;
+  Vector<Real> mass;
+  Vector<Real> inertia;  ///< about the block's centre
+
+  int size() const { return static_cast<int>(mass.size()); }
+};
+
+template <class Real>
+Stack<Real> make_stack(const Scene& scene) {
+  const auto size = static_cast<Eigen::Index>(scene.blocks.size());
+  Stack<Real> stack{Vector<Real>(size), Vector<Real>(size), Vector<Real>(size), Vector<Real>(size)};
+  for (int k = 0; k < stack.size(); ++k) {
+    const Block& block = scene.blocks[static_cast<std::size_t>(k)];
+    stack.half_width[k] = Real(interface_half_width(scene, k));
+    stack.half_height[k] = Real(block.half_height);
+    stack.mass[k] = Real(block.mass);
+    stack.inertia[k] = Real(block.inertia);
+  }
+  return stack;
+}
+
+/// The stack as a chain of pivots: block k hangs between the pivot of interface k and that of interface k+1. A
+/// closed interface has its reference point in its middle. m.
+template <class Real>
+struct Chain {
+  Point<Real> foot;    ///< first pivot, from the middle of the lowest block's place at rest
+  Points<Real> arms;   ///< from pivot k to the centre of block k
+  Points<Real> links;  ///< from pivot k to pivot k+1 (for the top block: to the middle of its top)
+};
+
+/// A body vector (a, c) turned clockwise by an angle with the given cosine and sine.
+template <class Real>
+Point<Real> turned(Real a, Real c, Real cosine, Real sine) {
+  return {a * cosine + c * sine, c * cosine - a * sine};
+}
+
+/// Velocity of a point at `arm` from a pivot at unit clockwise angular velocity.
+template <class Real>
+Point<Real> quarter_turned(const Point<Real>& arm) {
+  return {arm.y(), -arm.x()};
+}
+
+/// Arms rₖ = (−σₖwₖ, hₖ) and links Lₖ = (σₖ₊₁wₖ₊₁ − σₖwₖ, 2hₖ), both turned by θₖ.
+template <class Real>
+Chain<Real> make_chain(const Stack<Real>& stack, const Pattern& pattern, const Vector<Real>& angles) {
+  using std::cos;
+  using std::sin;
+  const int size = stack.size();
+  const auto pivot = [&](int k) { return k < size ? Real(sign(pattern[k])) * stack.half_width[k] : Real(0); };
+  Chain<Real> chain{{pivot(0), Real(0)}, Points<Real>(2, size), Points<Real>(2, size)};
+  for (int k = 0; k < size; ++k) {
+    const Real cosine = cos(angles[k]);
+    const Real sine = sin(angles[k]);
+    const Real height = stack.half_height[k];
+    chain.arms.col(k) = turned<Real>(-pivot(k), height, cosine, sine);
+    chain.links.col(k) = turned<Real>(pivot(k + 1) - pivot(k), 2 * height, cosine, sine);
+  }
+  return chain;
+}
+
+/// Centres of mass, m.
+template <class Real>
+Points<Real> centres(const Chain<Real>& chain) {
+  Points<Real> result(2, chain.arms.cols());
+  Point<Real> pivot = chain.foot;
+  for (Eigen::Index k = 0; k < chain.arms.cols(); ++k) {
+    result.col(k) = pivot + chain.arms.col(k);
+    pivot += chain.links.col(k);
+  }
+  return result;
+}
+
+/// Velocities of the centres of mass, m/s, from angular velocities in rad/s, clockwise positive.
+template <class Real>
+Points<Real> centre_velocities(const Chain<Real>& chain, const Vector<Real>& angular_velocities) {
+  Points<Real> result(2, chain.arms.cols());
+  Point<Real> pivot = Point<Real>::Zero();
+  for (Eigen::Index k = 0; k < chain.arms.cols(); ++k) {
+    result.col(k) = pivot + angular_velocities[k] * quarter_turned<Real>(chain.arms.col(k));
+    pivot += angular_velocities[k] * quarter_turned<Real>(chain.links.col(k));
+  }
+  return result;
+}
+
+/// The pattern that relative angles have, and where they are zero, relative angular velocities.
+template <class Real>
+Pattern pattern_of(const Vector<Real>& relative_angles, const Vector<Real>& relative_velocities) {
+  Pattern pattern;
+  pattern.size = static_cast<int>(relative_angles.size());
+  for (int k = 0; k < pattern.size; ++k) {
+    const Real deciding = relative_angles[k] != 0 ? relative_angles[k] : relative_velocities[k];
+    pattern[k] = contact_of((deciding > 0) - (deciding < 0));
+  }
+  return pattern;
+}
+
+/// Differences from the block below: φₖ = θₖ − θₖ₋₁, θ₀ = 0.
+template <class Real>
+Vector<Real> relative(const Vector<Real>& absolute) {
+  Vector<Real> result = absolute;
+  for (Eigen::Index k = 1; k < absolute.size(); ++k) result[k] = absolute[k] - absolute[k - 1];
+  return result;
+}
+
+/// Sums from the ground up, the inverse of relative().
+template <class Real>
+Vector<Real> absolute(const Vector<Real>& relative_values) {
+  Vector<Real> result = relative_values;
+  for (Eigen::Index k = 1; k < result.size(); ++k) result[k] += result[k - 1];
+  return result;
+}
+
+}  // namespace rockstack

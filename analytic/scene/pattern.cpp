@@ -1,0 +1,30 @@
+#include "analytic/scene/pattern.hpp"
+
+#include <algorithm>
+
+namespace rockstack {
+
+Pattern closed_pattern(int size) {
+  Pattern pattern;
+  pattern.size = size;
+  return pattern;
+}
+
+bool is_closed(const Pattern& pattern) {
+  return std::all_of(pattern.contacts.begin(), pattern.contacts.begin() + pattern.size,
+                     [](Contact contact) { return contact == Contact::closed; });
+}
+
+std::string name(const Pattern& pattern) {
+  if (pattern.size == 2) {
+    // Rows: upper interface left, closed, right; columns: lower interface left, closed, right.
+    static constexpr std::array<std::array<const char*, 3>, 3> names{
+        {{"1b", "4b", "2a"}, {"3b", "rest", "3a"}, {"2b", "4a", "1a"}}};
+    return names[static_cast<std::size_t>(sign(pattern[1]) + 1)][static_cast<std::size_t>(sign(pattern[0]) + 1)];
+  }
+  std::string word;
+  for (int k = 0; k < pattern.size; ++k) word += "LCR"[sign(pattern[k]) + 1];
+  return word;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace rockstack {
+
+/// The most blocks a stack may have. States and patterns live on the stack memory up to this size.
+inline constexpr int max_blocks = 32;
+
+/// How an interface touches: closed (along its whole width), or open with the pivot at its left or right end.
+enum class Contact : std::int8_t { left = -1, closed = 0, right = 1 };
+
+inline int sign(Contact contact) { return static_cast<int>(contact); }
+inline Contact opposite(Contact contact) { return static_cast<Contact>(-sign(contact)); }
+inline Contact contact_of(int sign) { return static_cast<Contact>((sign > 0) - (sign < 0)); }
+
+/// The contact state of every interface, from the ground up: the paper's "pattern", for any number of blocks.
+/// Index 0 is interface 1, between the ground and the lowest block.
+struct Pattern {
+  int size = 0;  ///< number of blocks, 0 … max_blocks
+  std::array<Contact, max_blocks> contacts{};
+
+  Contact& operator[](int interface) { return contacts[static_cast<std::size_t>(interface)]; }
+  Contact operator[](int interface) const { return contacts[static_cast<std::size_t>(interface)]; }
+  bool operator==(const Pattern&) const = default;
+};
+
+/// A pattern of `size` closed interfaces: the stack at rest.
+Pattern closed_pattern(int size);
+
+/// True where every interface is closed.
+bool is_closed(const Pattern& pattern);
+
+/// The name of a pattern: for two blocks that of Spanos et al. 2001, Fig. 2 ("1a" … "4b", "rest"); otherwise a
+/// letter an interface from the ground up, L, C or R.
+std::string name(const Pattern& pattern);
+
+}  // namespace rockstack

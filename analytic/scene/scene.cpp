@@ -1,0 +1,98 @@
+#include "analytic/scene/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "analytic/scene/pattern.hpp"
+
+namespace rockstack {
+namespace {
+
+std::string text(double value) {
+  std::ostringstream stream;
+  stream.precision(17);
+  stream << value;
+  return stream.str();
+}
+
+void require_positive(const std::string& key, double value) {
+  if (!(value > 0) || !std::isfinite(value)) throw FieldError(key, text(value), "a finite number > 0");
+}
+
+void require_finite(const std::string& key, double value) {
+  if (!std::isfinite(value)) throw FieldError(key, text(value), "a finite number");
+}
+
+void validate_block(const Block& block, const std::string& key) {
+  require_positive(key + ".width", 2 * block.half_width);
+  require_positive(key + ".height", 2 * block.half_height);
+  require_positive(key + ".mass", block.mass);
+  require_positive(key + ".inertia", block.inertia);
+}
+
+void validate_initial(const Scene& scene) {
+  const auto check = [&](const std::string& key, const std::vector<double>& values) {
+    if (values.size() != scene.blocks.size()) {
+      throw FieldError(key, std::to_string(values.size()) + " numbers",
+                       "as long as there are blocks, " + std::to_string(scene.blocks.size()));
+    }
+    for (const double value : values) require_finite(key, value);
+  };
+  check("initial.angles", scene.initial.angles);
+  check("initial.velocities", scene.initial.velocities);
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const double limit = toppling_angle(scene, static_cast<int>(k));
+    if (std::abs(scene.initial.angles[k]) >= limit) {
+      throw FieldError("initial.angles", text(scene.initial.angles[k]),
+                       "between ±" + text(limit) + " for block " + std::to_string(k + 1) + ", its toppling angle");
+    }
+  }
+}
+
+void validate_motion(const GroundMotion& motion, const std::string& key) {
+  if (motion.empty()) return;
+  require_positive(key + ".interval", motion.interval);
+  for (const double sample : motion.samples) require_finite(key + ".samples", sample);
+}
+
+}  // namespace
+
+FieldError::FieldError(std::string field, const std::string& value, const std::string& allowed)
+    : std::invalid_argument(field + " = " + value + ": must be " + allowed), key(std::move(field)) {}
+
+double rectangle_inertia(double mass, double half_width, double half_height) {
+  return mass * (half_width * half_width + half_height * half_height) / 3;
+}
+
+double interface_half_width(const Scene& scene, int interface) {
+  const auto k = static_cast<std::size_t>(interface);
+  const double own = scene.blocks[k].half_width;
+  return k == 0 ? own : std::min(own, scene.blocks[k - 1].half_width);
+}
+
+double toppling_angle(const Scene& scene, int block) {
+  const double half_height = scene.blocks[static_cast<std::size_t>(block)].half_height;
+  const double balance = std::atan2(interface_half_width(scene, block), half_height);
+  return 0.5 * (balance + 0.5 * std::numbers::pi);
+}
+
+void validate(const Scene& scene) {
+  require_positive("duration", scene.duration);
+  require_positive("gravity", scene.gravity);
+  if (scene.blocks.empty() || scene.blocks.size() > static_cast<std::size_t>(max_blocks)) {
+    throw FieldError("blocks", std::to_string(scene.blocks.size()) + " blocks",
+                     "1 to " + std::to_string(max_blocks) + " blocks");
+  }
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    validate_block(scene.blocks[k], "blocks." + std::to_string(k + 1));
+  }
+  validate_initial(scene);
+  validate_motion(scene.horizontal, "ground.horizontal");
+  validate_motion(scene.vertical, "ground.vertical");
+  require_positive("engine.friction", scene.engine.friction);
+  require_positive("engine.depth", scene.engine.depth);
+}
+
+}  // namespace rockstack

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/ground_motion.hpp"
+
+namespace rockstack {
+
+//                       ___________
+//      y               |           |            θ₂ > 0 is clockwise: the block leans to the right and turns about
+//      ↑               |  block 2  |            its lower right corner, O₂.
+//      |               |     G₂    |
+//      |               |           | 2h₂        Interface k lies under block k; interface 1 is the ground.
+//      |          O₂'  |___________|  O₂        Its ends are the pivots: right O, left O'.
+//      |          ________________________
+//      |         |                        |     Angles are absolute, from the vertical; the relative angle of
+//      |         |        block 1         |     interface k is φ_k = θ_k − θ_{k−1}, with θ₀ = 0.
+//      |         |           G₁           | 2h₁
+//      |     O₁' |________________________|  O₁
+//      +-----------------------------------------→ x
+//                           2b₁
+
+/// One rigid block, uniform across its depth, its centre of mass at the middle. SI units.
+struct Block {
+  double half_width = 0;   ///< b, m, > 0
+  double half_height = 0;  ///< h, m, > 0
+  double mass = 0;         ///< kg, > 0
+  double inertia = 0;      ///< about the centre, kg·m², > 0
+};
+
+/// Moment of inertia of a uniform rectangle about its centre, m (b² + h²)/3, kg·m².
+double rectangle_inertia(double mass, double half_width, double half_height);
+
+/// Which pattern follows an impact; see analytic/impact.hpp.
+enum class Law { paper, consistent };
+
+/// The full equations of motion, or those with geometry frozen upright: Spanos et al. 2001, Eqs. (19)–(28).
+enum class Equations { nonlinear, linear };
+
+/// The state at t = 0. Relative angles that are zero with zero relative velocity mean closed interfaces.
+struct InitialState {
+  std::vector<double> angles;      ///< rad, one a block, clockwise positive
+  std::vector<double> velocities;  ///< rad/s, one a block
+};
+
+/// What engines need and the exact model does not.
+struct EngineSurface {
+  double friction = 1e3;  ///< coefficient between any two surfaces, > 0
+  double depth = 1.0;     ///< size out of the plane, m, > 0
+};
+
+/// One question: a stack of blocks, how it starts, how the ground moves, and for how long. SI units.
+struct Scene {
+  std::string title;
+  double duration = 0;    ///< s, > 0
+  double gravity = 9.81;  ///< m/s², > 0
+  Law law = Law::paper;
+  Equations equations = Equations::nonlinear;
+  std::vector<Block> blocks;  ///< bottom to top, 1 … max_blocks
+  InitialState initial;
+  GroundMotion horizontal;  ///< ẍg, positive to the right
+  GroundMotion vertical;    ///< ÿg, positive up
+  EngineSurface engine;
+};
+
+/// Half-width of interface k (index from 0): the narrower of the two blocks that meet there; the ground is endless.
+double interface_half_width(const Scene& scene, int interface);
+
+/// The angle at which block k counts as toppled: halfway between its unstable balance atan(w/h) over its own pivot
+/// and lying on its side, π/2. Past it free motion does not come back, and an engine's block that lies on the floor
+/// has passed it. rad.
+double toppling_angle(const Scene& scene, int block);
+
+/// A field of a scene is out of range. `key` is the scene file's name for it, e.g. "blocks.1.height".
+class FieldError : public std::invalid_argument {
+ public:
+  FieldError(std::string field, const std::string& value, const std::string& allowed);
+  std::string key;
+};
+
+/// Checks every number of a scene against its range; scene files go through the same check.
+/// @throws FieldError whose text is "key = value: must be …".
+void validate(const Scene& scene);
+
+}  // namespace rockstack

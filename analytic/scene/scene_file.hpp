@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack {
+
+/// Reads a scene file (TOML, SI units). `overrides` are `key=value` texts applied in order before anything is
+/// checked, e.g. "blocks.1.height=3" (blocks count from 1) or "law=consistent"; a path of a record is relative to
+/// the scene file.
+/// @throws InputError, one line with file:line (or the override), key, value and what is allowed: unknown keys,
+/// numbers out of range or not finite, wrong lengths, missing files, TOML syntax.
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+}  // namespace rockstack

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack {
+
+/// Every number that shapes an engine run, by the engine's own name for it; written into the results as it is.
+using Parameters = std::map<std::string, double>;
+
+/// A scene inside an engine, ready to step. Blocks count from 0, bottom to top.
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+
+  /// Advances by one time step; ground motion enters as its mean over the step.
+  virtual void step() = 0;
+
+  /// Writes the angles (rad, clockwise positive, from the rotation, unwrapped from the block's start) and angular
+  /// velocities (rad/s) of all blocks.
+  virtual void read(std::span<double> angles, std::span<double> velocities) const = 0;
+};
+
+/// A physics engine with one of its constraint solvers.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  virtual std::string name() const = 0;     ///< "bullet", "ode"
+  virtual std::string solver() const = 0;   ///< "sequential-impulse", "step", …
+  virtual std::string version() const = 0;  ///< of the library in use, e.g. "3.24, double precision"
+
+  /// What a user gets who sets nothing but friction and restitution.
+  virtual Parameters default_parameters() const = 0;
+
+  /// The set that suits this problem best; the adapter's head says why for each.
+  virtual Parameters tuned_parameters() const = 0;
+
+  /// Builds the scene anew. `parameters` holds exactly the keys of default_parameters().
+  /// @throws std::invalid_argument for an unknown or missing parameter, or one out of range; dt ≤ 0.
+  virtual std::unique_ptr<Simulation> start(const Scene& scene, double dt, const Parameters& parameters) const = 0;
+};
+
+/// The engines this program was built with. Those switched off are not there.
+const std::vector<std::unique_ptr<Engine>>& engines();
+
+/// Finds "bullet", "ode" or "bullet:sequential-impulse"; without a solver, the engine's first.
+/// @throws InputError naming what was asked for, what is there and what this build leaves out.
+const Engine& find_engine(const std::string& name);
+
+/// Names of engines that were left out when this program was built.
+std::vector<std::string> engines_left_out();
+
+/// Runs a scene for its duration and keeps the state at t = 0 and after every step.
+/// The history ends early where a block has toppled.
+/// @throws std::runtime_error with the time at which an angle stopped being finite.
+History simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters);
+
+/// Wall time of stepping alone, without building or reading, in s.
+struct SteppingTime {
+  double minimum = 0;
+  double median = 0;
+  int repeats = 0;  ///< after one warm-up run that is not counted
+};
+
+SteppingTime time_stepping(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters,
+                           int repeats);
+
+}  // namespace rockstack
