@@ -26,7 +26,8 @@ struct Stack {
   Vector<Real> half_width;  ///< of the interface under the block: w, not the block's own b
   Vector<Real> half_height;
   Vector<Real> mass;
-  Vector<Real> inertia;  ///< about the block's centre
+  Vector<Real> inertia;                      ///< about the block's centre
+  std::array<bool, max_blocks> overhangs{};  ///< the block is wider than the one below
 
   int size() const { return static_cast<int>(mass.size()); }
 };
@@ -34,19 +35,21 @@ struct Stack {
 template <class Real>
 Stack<Real> make_stack(const Scene& scene) {
   const auto size = static_cast<Eigen::Index>(scene.blocks.size());
-  Stack<Real> stack{Vector<Real>(size), Vector<Real>(size), Vector<Real>(size), Vector<Real>(size)};
+  Stack<Real> stack{Vector<Real>(size), Vector<Real>(size), Vector<Real>(size), Vector<Real>(size), {}};
   for (int k = 0; k < stack.size(); ++k) {
     const Block& block = scene.blocks[static_cast<std::size_t>(k)];
     stack.half_width[k] = Real(interface_half_width(scene, k));
     stack.half_height[k] = Real(block.half_height);
     stack.mass[k] = Real(block.mass);
     stack.inertia[k] = Real(block.inertia);
+    stack.overhangs[static_cast<std::size_t>(k)] =
+        k > 0 && block.half_width > scene.blocks[static_cast<std::size_t>(k - 1)].half_width;
   }
   return stack;
 }
 
-/// The stack as a chain of pivots: block k hangs between the pivot of interface k and that of interface k+1. A
-/// closed interface has its reference point in its middle. m.
+/// The stack as a chain of pivots: block k hangs between the pivot of interface k and that of interface k+1.
+/// A closed interface has its reference point in its middle. m.
 template <class Real>
 struct Chain {
   Point<Real> foot;    ///< first pivot, from the middle of the lowest block's place at rest

@@ -1,0 +1,182 @@
+#pragma once
+
+#include <bitset>
+#include <optional>
+
+#include "analytic/reactions.hpp"
+#include "analytic/scene/history.hpp"
+
+namespace rockstack {
+
+// An impact takes no time, does not bounce and does not slip. Once the pattern that follows is known, so are
+// the velocities: they are the allowed ones nearest to those before (dynamics.hpp). The pattern is chosen
+// among those in which every *touching* interface (the one that impacts, and every closed one) pivots left,
+// right, or stays closed:
+//
+//   kinematically admissible   each touching interface opens towards the side of its pivot,
+//   impulse admissible         each pivot pushes, and the impulse of each closed interface acts inside its
+//   width.
+//
+// Law `paper` (Spanos et al. 2001, Sections 3 and 4) tries, in this order, and takes the first that is
+// kinematically admissible:
+//   open     every touching interface pivots about the side that the impact comes from: patterns 1 and 2;
+//   joined   only the interface that impacts does so, the others stay closed: 3a → 3b and 4a → 4b;
+//   closed   every touching interface closes: pattern 3 after an impact between the blocks, Eqs. (84) and
+//   (125). The
+//            paper is silent where the base would have to leave the ground on the wrong side; this is where
+//            it lands.
+//
+// Law `consistent` takes the pattern that is admissible both ways. There is at most one: no slip is linear
+// and the corners' gaps are one-sided, so the velocities after are the nearest point of a convex cone to
+// those before, and the conditions are those of that nearest point. Where the nearest point lifts a block off
+// no pattern is consistent; the law then falls back on the paper's order and the event says so.
+
+/// A set of interfaces, by index from 0.
+using Interfaces = std::bitset<max_blocks>;
+
+/// An impact about to happen: the state just before, with the relative angles of `impacting` interfaces zero.
+template <class Real>
+struct Impact {
+  State<Real> before;
+  Interfaces impacting;
+
+  /// Interfaces that touch along their whole width.
+  Interfaces touching() const {
+    Interfaces result = impacting;
+    for (int k = 0; k < before.pattern.size; ++k) {
+      if (before.pattern[k] == Contact::closed) result.set(static_cast<std::size_t>(k));
+    }
+    return result;
+  }
+};
+
+/// The velocities that follow if `pattern` does, and the impulses that bring them about.
+template <class Real>
+struct Outcome {
+  Pattern pattern;
+  Vector<Real> velocities;  ///< relative, rad/s
+  Reactions<Real> impulses;
+  Real scale;  ///< of the impulses' rounding, N·s
+};
+
+template <class Real>
+Outcome<Real> project(const Model<Real>& model, const Impact<Real>& impact, const Pattern& pattern) {
+  const State<Real>& before = impact.before;
+  const Vector<Real> rates = absolute<Real>(before.velocities);
+  const Motion<Real> motion{centre_velocities(chain_at(model, before.pattern, before.angles), rates), rates};
+  const Chain<Real> chain = chain_at(model, pattern, before.angles);
+  Outcome<Real> outcome{pattern, nearest_allowed(model.stack, pattern, chain, motion), {}, Real(0)};
+  const Vector<Real> after = absolute<Real>(outcome.velocities);
+  outcome.impulses =
+      reactions(model, chain, before.angles,
+                Motion<Real>{centre_velocities(chain, after) - motion.centre, after - motion.rotation});
+  outcome.scale = (motion.centre.colwise().norm() * model.stack.mass)(0);
+  return outcome;
+}
+
+/// An interface whose condition fails, and the contact that would mend it.
+struct Violation {
+  int interface;
+  Contact mend;
+};
+
+/// The lowest touching interface that moves into itself or closes where its impulse would need to pull at an
+/// end. Values within `tolerance` (impulse, N·s) of admissible count as admissible.
+template <class Real>
+std::optional<Violation> first_violation(const Stack<Real>& stack, const Outcome<Real>& outcome,
+                                         const Interfaces& touching, const Real& tolerance) {
+  for (int k = 0; k < outcome.pattern.size; ++k) {
+    if (!touching.test(static_cast<std::size_t>(k))) continue;
+    const Contact contact = outcome.pattern[k];
+    if (contact == Contact::closed) {
+      const Margins<Real> margin = margins(stack, outcome.impulses, k);
+      const Real allowance = -tolerance * stack.half_width[k];
+      if (margin.right < allowance && margin.right <= margin.left) return Violation{k, Contact::right};
+      if (margin.left < allowance) return Violation{k, Contact::left};
+    } else if (Real(sign(contact)) * outcome.velocities[k] < 0) {
+      return Violation{k, Contact::closed};
+    }
+  }
+  return std::nullopt;
+}
+
+/// True where every touching interface that is open opens towards its side.
+template <class Real>
+bool kinematically_admissible(const Outcome<Real>& outcome, const Interfaces& touching) {
+  for (int k = 0; k < outcome.pattern.size; ++k) {
+    if (!touching.test(static_cast<std::size_t>(k)) || outcome.pattern[k] == Contact::closed) continue;
+    if (!(Real(sign(outcome.pattern[k])) * outcome.velocities[k] > 0)) return false;
+  }
+  return true;
+}
+
+/// Rounding of impulses: this times an outcome's scale counts as zero.
+template <class Real>
+Real impulse_rounding() {
+  return 1024 * std::numeric_limits<Real>::epsilon();
+}
+
+/// The pattern that is admissible both ways, if there is one: principal pivoting, lowest interface first.
+template <class Real>
+std::optional<Outcome<Real>> consistent_outcome(const Model<Real>& model, const Impact<Real>& impact) {
+  const Interfaces touching = impact.touching();
+  Pattern pattern = impact.before.pattern;
+  for (int k = 0; k < pattern.size; ++k) {
+    if (touching.test(static_cast<std::size_t>(k))) pattern[k] = Contact::closed;
+  }
+  const int limit = 16 * pattern.size;  // twice per interface is usual; no lift-off can cycle
+  for (int attempt = 0; attempt < limit; ++attempt) {
+    const Outcome<Real> outcome = project(model, impact, pattern);
+    const Real tolerance = impulse_rounding<Real>() * outcome.scale;
+    const auto violation = first_violation(model.stack, outcome, touching, tolerance);
+    if (!violation) {
+      const bool pushes = (outcome.impulses.normal.array() >= -tolerance).all();
+      return pushes ? std::optional(outcome) : std::nullopt;
+    }
+    pattern[violation->interface] = violation->mend;
+  }
+  return std::nullopt;
+}
+
+/// The paper's order: open, joined, closed.
+template <class Real>
+Outcome<Real> paper_outcome(const Model<Real>& model, const Impact<Real>& impact) {
+  const Interfaces touching = impact.touching();
+  int lowest = 0;
+  while (!impact.impacting.test(static_cast<std::size_t>(lowest))) ++lowest;
+  const Contact side = opposite(impact.before.pattern[lowest]);
+  Pattern open = impact.before.pattern;
+  Pattern joined = impact.before.pattern;
+  Pattern closed = impact.before.pattern;
+  for (int k = 0; k < open.size; ++k) {
+    const auto bit = static_cast<std::size_t>(k);
+    if (!touching.test(bit)) continue;
+    const bool impacts = impact.impacting.test(bit);
+    open[k] = impacts ? opposite(impact.before.pattern[k]) : side;
+    joined[k] = impacts ? open[k] : Contact::closed;
+    closed[k] = Contact::closed;
+  }
+  for (const Pattern& pattern : {open, joined}) {
+    const Outcome<Real> outcome = project(model, impact, pattern);
+    if (kinematically_admissible(outcome, touching)) return outcome;
+  }
+  return project(model, impact, closed);
+}
+
+/// What follows an impact under a law, and whether it is the consistent pattern.
+template <class Real>
+struct Resolution {
+  Outcome<Real> outcome;
+  Consistency consistency;
+};
+
+template <class Real>
+Resolution<Real> resolve(const Model<Real>& model, const Impact<Real>& impact, Law law) {
+  const auto consistent = consistent_outcome(model, impact);
+  if (law == Law::consistent && consistent) return {*consistent, Consistency::consistent};
+  const Outcome<Real> chosen = paper_outcome(model, impact);
+  if (!consistent) return {chosen, Consistency::none};
+  return {chosen, chosen.pattern == consistent->pattern ? Consistency::consistent : Consistency::other};
+}
+
+}  // namespace rockstack
