@@ -1,9 +1,8 @@
 #pragma once
 
-#include <bitset>
 #include <optional>
 
-#include "analytic/reactions.hpp"
+#include "analytic/outcome.hpp"
 #include "analytic/scene/history.hpp"
 
 namespace rockstack {
@@ -31,9 +30,6 @@ namespace rockstack {
 // those before, and the conditions are those of that nearest point. Where the nearest point lifts a block off
 // no pattern is consistent; the law then falls back on the paper's order and the event says so.
 
-/// A set of interfaces, by index from 0.
-using Interfaces = std::bitset<max_blocks>;
-
 /// An impact about to happen: the state just before, with the relative angles of `impacting` interfaces zero.
 template <class Real>
 struct Impact {
@@ -50,54 +46,14 @@ struct Impact {
   }
 };
 
-/// The velocities that follow if `pattern` does, and the impulses that bring them about.
+/// The velocities that follow if `pattern` does, in rad/s, and the impulses that bring them about, in N·s.
 template <class Real>
-struct Outcome {
-  Pattern pattern;
-  Vector<Real> velocities;  ///< relative, rad/s
-  Reactions<Real> impulses;
-  Real scale;  ///< of the impulses' rounding, N·s
-};
-
-template <class Real>
-Outcome<Real> project(const Model<Real>& model, const Impact<Real>& impact, const Pattern& pattern) {
+Outcome<Real> velocities_after(const Model<Real>& model, const Impact<Real>& impact, const Pattern& pattern) {
   const State<Real>& before = impact.before;
   const Vector<Real> rates = absolute<Real>(before.velocities);
   const Motion<Real> motion{centre_velocities(chain_at(model, before.pattern, before.angles), rates), rates};
   const Chain<Real> chain = chain_at(model, pattern, before.angles);
-  Outcome<Real> outcome{pattern, nearest_allowed(model.stack, pattern, chain, motion), {}, Real(0)};
-  const Vector<Real> after = absolute<Real>(outcome.velocities);
-  outcome.impulses =
-      reactions(model, chain, before.angles,
-                Motion<Real>{centre_velocities(chain, after) - motion.centre, after - motion.rotation});
-  outcome.scale = (motion.centre.colwise().norm() * model.stack.mass)(0);
-  return outcome;
-}
-
-/// An interface whose condition fails, and the contact that would mend it.
-struct Violation {
-  int interface;
-  Contact mend;
-};
-
-/// The lowest touching interface that moves into itself or closes where its impulse would need to pull at an
-/// end. Values within `tolerance` (impulse, N·s) of admissible count as admissible.
-template <class Real>
-std::optional<Violation> first_violation(const Stack<Real>& stack, const Outcome<Real>& outcome,
-                                         const Interfaces& touching, const Real& tolerance) {
-  for (int k = 0; k < outcome.pattern.size; ++k) {
-    if (!touching.test(static_cast<std::size_t>(k))) continue;
-    const Contact contact = outcome.pattern[k];
-    if (contact == Contact::closed) {
-      const Margins<Real> margin = margins(stack, outcome.impulses, k);
-      const Real allowance = -tolerance * stack.half_width[k];
-      if (margin.right < allowance && margin.right <= margin.left) return Violation{k, Contact::right};
-      if (margin.left < allowance) return Violation{k, Contact::left};
-    } else if (Real(sign(contact)) * outcome.velocities[k] < 0) {
-      return Violation{k, Contact::closed};
-    }
-  }
-  return std::nullopt;
+  return respond(model, pattern, before.angles, chain, motion);
 }
 
 /// True where every touching interface that is open opens towards its side.
@@ -105,37 +61,18 @@ template <class Real>
 bool kinematically_admissible(const Outcome<Real>& outcome, const Interfaces& touching) {
   for (int k = 0; k < outcome.pattern.size; ++k) {
     if (!touching.test(static_cast<std::size_t>(k)) || outcome.pattern[k] == Contact::closed) continue;
-    if (!(Real(sign(outcome.pattern[k])) * outcome.velocities[k] > 0)) return false;
+    if (!(Real(sign(outcome.pattern[k])) * outcome.relative[k] > 0)) return false;
   }
   return true;
 }
 
-/// Rounding of impulses: this times an outcome's scale counts as zero.
-template <class Real>
-Real impulse_rounding() {
-  return 1024 * std::numeric_limits<Real>::epsilon();
-}
-
-/// The pattern that is admissible both ways, if there is one: principal pivoting, lowest interface first.
+/// The pattern that is admissible both ways, if there is one.
 template <class Real>
 std::optional<Outcome<Real>> consistent_outcome(const Model<Real>& model, const Impact<Real>& impact) {
-  const Interfaces touching = impact.touching();
-  Pattern pattern = impact.before.pattern;
-  for (int k = 0; k < pattern.size; ++k) {
-    if (touching.test(static_cast<std::size_t>(k))) pattern[k] = Contact::closed;
-  }
-  const int limit = 16 * pattern.size;  // twice per interface is usual; no lift-off can cycle
-  for (int attempt = 0; attempt < limit; ++attempt) {
-    const Outcome<Real> outcome = project(model, impact, pattern);
-    const Real tolerance = impulse_rounding<Real>() * outcome.scale;
-    const auto violation = first_violation(model.stack, outcome, touching, tolerance);
-    if (!violation) {
-      const bool pushes = (outcome.impulses.normal.array() >= -tolerance).all();
-      return pushes ? std::optional(outcome) : std::nullopt;
-    }
-    pattern[violation->interface] = violation->mend;
-  }
-  return std::nullopt;
+  const auto outcome =
+      find_admissible(model.stack, impact.before.pattern, impact.touching(), Real(0),
+                      [&](const Pattern& pattern) { return velocities_after(model, impact, pattern); });
+  return outcome && pushes(*outcome) ? outcome : std::nullopt;
 }
 
 /// The paper's order: open, joined, closed.
@@ -157,10 +94,10 @@ Outcome<Real> paper_outcome(const Model<Real>& model, const Impact<Real>& impact
     closed[k] = Contact::closed;
   }
   for (const Pattern& pattern : {open, joined}) {
-    const Outcome<Real> outcome = project(model, impact, pattern);
+    const Outcome<Real> outcome = velocities_after(model, impact, pattern);
     if (kinematically_admissible(outcome, touching)) return outcome;
   }
-  return project(model, impact, closed);
+  return velocities_after(model, impact, closed);
 }
 
 /// What follows an impact under a law, and whether it is the consistent pattern.

@@ -27,6 +27,17 @@ Real slope(const Polynomial<Real, terms>& polynomial, const Real& s) {
   return sum;
 }
 
+/// The quartic through values at s = 0, 1/4, 1/2, 3/4 and 1 (Newton's forward differences).
+template <class Real>
+Polynomial<Real, 5> quartic_through(Polynomial<Real, 5> values) {
+  for (std::size_t order = 1; order < 5; ++order) {
+    for (std::size_t i = 4; i >= order; --i) values[i] -= values[i - 1];
+  }
+  const auto& [f, d1, d2, d3, d4] = values;
+  return {f, 4 * d1 - 2 * d2 + 4 * d3 / 3 - d4, 8 * d2 - 8 * d3 + 22 * d4 / 3, 32 * d3 / 3 - 16 * d4,
+          32 * d4 / 3};
+}
+
 /// Coefficients in the Bernstein basis: their hull holds the polynomial on [0, 1].
 template <class Real, std::size_t terms>
 Polynomial<Real, terms> bernstein(const Polynomial<Real, terms>& polynomial) {

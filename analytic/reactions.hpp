@@ -45,17 +45,6 @@ Reactions<Real> reactions(const Model<Real>& model, const Chain<Real>& chain,
   return result;
 }
 
-/// Reactions of a moving stack: gravity, ground motion (ẍg, ÿg) in m/s² and inertia.
-template <class Real>
-Reactions<Real> reaction_forces(const Model<Real>& model, const State<Real>& state,
-                                const Point<Real>& ground) {
-  const Chain<Real> chain = chain_at(model, state.pattern, state.angles);
-  const Motion<Real> free = free_acceleration(model, chain, state.velocities, ground);
-  const Vector<Real> angular = absolute<Real>(nearest_allowed(model.stack, state.pattern, chain, free));
-  return reactions(model, chain, state.angles,
-                   Motion<Real>{centre_velocities(chain, angular) - free.centre, angular - free.rotation});
-}
-
 /// How far the centre of pressure of a closed interface is from either end, times the normal force: N (w − x)
 /// and N (w + x), N·m. The interface opens about an end where the value for that end turns negative; so it
 /// does where it would have to pull.

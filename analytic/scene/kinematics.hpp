@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <bitset>
 
 #include "analytic/scene/pattern.hpp"
 #include "analytic/scene/scene.hpp"
@@ -19,6 +20,9 @@ template <class Real>
 using Points = Eigen::Matrix<Real, 2, Eigen::Dynamic, 0, 2, max_blocks>;
 template <class Real>
 using Point = Eigen::Matrix<Real, 2, 1>;
+
+/// A set of interfaces, by index from 0.
+using Interfaces = std::bitset<max_blocks>;
 
 /// The constants of a stack in the number type of a calculation. SI units, one entry a block, bottom to top.
 template <class Real>

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/scene.hpp"
+#include "analytic/solver.hpp"
+
+namespace rockstack {
+
+/// The exact motion of a scene in double precision. Other number types: Solver<Real> in solver.hpp.
+/// @throws FieldError for a scene out of range; std::invalid_argument for options out of range;
+/// std::runtime_error where the model cannot go on.
+History solve(const Scene& scene, const SolveOptions& options = {});
+
+/// 0, interval, 2 interval, … up to and including the duration (to within a millionth of the interval). s.
+std::vector<double> regular_times(double interval, double duration);
+
+}  // namespace rockstack
