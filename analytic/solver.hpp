@@ -34,8 +34,8 @@ class Solver {
     if (!(options.step > 0))
       throw std::invalid_argument("step = " + std::to_string(options.step) + ": must be > 0 s");
     const int size = model_.stack.size();
-    Vector<Real> angles(size);
-    Vector<Real> velocities(size);
+    Vector<Real> angles(model_.stack.mass.size());
+    Vector<Real> velocities(model_.stack.mass.size());
     for (int k = 0; k < size; ++k) {
       angles[k] = Real(scene.initial.angles[static_cast<std::size_t>(k)]);
       velocities[k] = Real(scene.initial.velocities[static_cast<std::size_t>(k)]);
@@ -158,7 +158,7 @@ class Solver {
   }
 
   /// Rule 2 at an instant: opens the closed interfaces whose centre of pressure would lie outside.
-  void settle(const Pattern& from) {
+  void settle(Pattern from) {
     Interfaces touching = fresh_;
     for (int k = 0; k < state_.pattern.size; ++k) {
       if (state_.pattern[k] == Contact::closed) touching.set(static_cast<std::size_t>(k));

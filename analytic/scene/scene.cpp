@@ -3,27 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
+#include "analytic/scene/number_text.hpp"
 #include "analytic/scene/pattern.hpp"
 
 namespace rockstack {
 namespace {
-
-std::string text(double value) {
-  std::ostringstream stream;
-  stream.precision(17);
-  stream << value;
-  return stream.str();
-}
-
-void require_positive(const std::string& key, double value) {
-  if (!(value > 0) || !std::isfinite(value)) throw FieldError(key, text(value), "a finite number > 0");
-}
-
-void require_finite(const std::string& key, double value) {
-  if (!std::isfinite(value)) throw FieldError(key, text(value), "a finite number");
-}
 
 void validate_block(const Block& block, const std::string& key) {
   require_positive(key + ".width", 2 * block.half_width);
@@ -32,21 +17,28 @@ void validate_block(const Block& block, const std::string& key) {
   require_positive(key + ".inertia", block.inertia);
 }
 
+void require_all_finite(const std::string& key, const std::vector<double>& values) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (!std::isfinite(values[k])) require_finite(key + "." + std::to_string(k + 1), values[k]);
+  }
+}
+
 void validate_initial(const Scene& scene) {
   const auto check = [&](const std::string& key, const std::vector<double>& values) {
     if (values.size() != scene.blocks.size()) {
-      throw FieldError(key, std::to_string(values.size()) + " numbers",
+      throw FieldError(key, "an array of " + std::to_string(values.size()),
                        "as long as there are blocks, " + std::to_string(scene.blocks.size()));
     }
-    for (const double value : values) require_finite(key, value);
+    require_all_finite(key, values);
   };
   check("initial.angles", scene.initial.angles);
   check("initial.velocities", scene.initial.velocities);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const double limit = toppling_angle(scene, static_cast<int>(k));
     if (std::abs(scene.initial.angles[k]) >= limit) {
-      throw FieldError("initial.angles", text(scene.initial.angles[k]),
-                       "between ±" + text(limit) + " for block " + std::to_string(k + 1) + ", its toppling angle");
+      throw FieldError(
+          "initial.angles." + std::to_string(k + 1), number_text(scene.initial.angles[k]),
+          "between ±" + number_text(limit) + " for block " + std::to_string(k + 1) + ", its toppling angle");
     }
   }
 }
@@ -54,7 +46,7 @@ void validate_initial(const Scene& scene) {
 void validate_motion(const GroundMotion& motion, const std::string& key) {
   if (motion.empty()) return;
   require_positive(key + ".interval", motion.interval);
-  for (const double sample : motion.samples) require_finite(key + ".samples", sample);
+  require_all_finite(key + ".samples", motion.samples);
 }
 
 }  // namespace
@@ -62,8 +54,21 @@ void validate_motion(const GroundMotion& motion, const std::string& key) {
 FieldError::FieldError(std::string field, const std::string& value, const std::string& allowed)
     : std::invalid_argument(field + " = " + value + ": must be " + allowed), key(std::move(field)) {}
 
+void require_positive(const std::string& key, double value) {
+  if (!(value > 0) || !std::isfinite(value)) throw FieldError(key, number_text(value), "a finite number > 0");
+}
+
+void require_finite(const std::string& key, double value) {
+  if (!std::isfinite(value)) throw FieldError(key, number_text(value), "a finite number");
+}
+
 double rectangle_inertia(double mass, double half_width, double half_height) {
   return mass * (half_width * half_width + half_height * half_height) / 3;
+}
+
+Block make_block(double width, double height, double density) {
+  const double mass = density * width * height;
+  return {width / 2, height / 2, mass, rectangle_inertia(mass, width / 2, height / 2)};
 }
 
 double interface_half_width(const Scene& scene, int interface) {

@@ -8,6 +8,7 @@
 
 namespace rockstack {
 
+// clang-format off
 //                       ___________
 //      y               |           |            θ₂ > 0 is clockwise: the block leans to the right and turns about
 //      ↑               |  block 2  |            its lower right corner, O₂.
@@ -21,6 +22,7 @@ namespace rockstack {
 //      |     O₁' |________________________|  O₁
 //      +-----------------------------------------→ x
 //                           2b₁
+// clang-format on
 
 /// One rigid block, uniform across its depth, its centre of mass at the middle. SI units.
 struct Block {
@@ -32,6 +34,9 @@ struct Block {
 
 /// Moment of inertia of a uniform rectangle about its centre, m (b² + h²)/3, kg·m².
 double rectangle_inertia(double mass, double half_width, double half_height);
+
+/// A uniform block of the given width and height in m and density in kg/m³ per metre of depth.
+Block make_block(double width, double height, double density);
 
 /// Which pattern follows an impact; see analytic/impact.hpp.
 enum class Law { paper, consistent };
@@ -65,12 +70,13 @@ struct Scene {
   EngineSurface engine;
 };
 
-/// Half-width of interface k (index from 0): the narrower of the two blocks that meet there; the ground is endless.
+/// Half-width of interface k (index from 0): the narrower of the two blocks that meet there; the ground is
+/// endless.
 double interface_half_width(const Scene& scene, int interface);
 
-/// The angle at which block k counts as toppled: halfway between its unstable balance atan(w/h) over its own pivot
-/// and lying on its side, π/2. Past it free motion does not come back, and an engine's block that lies on the floor
-/// has passed it. rad.
+/// The angle at which block k counts as toppled: halfway between its unstable balance atan(w/h) over its own
+/// pivot and lying on its side, π/2. Past it free motion does not come back, and an engine's block that lies
+/// on the floor has passed it. rad.
 double toppling_angle(const Scene& scene, int block);
 
 /// A field of a scene is out of range. `key` is the scene file's name for it, e.g. "blocks.1.height".
@@ -79,6 +85,10 @@ class FieldError : public std::invalid_argument {
   FieldError(std::string field, const std::string& value, const std::string& allowed);
   std::string key;
 };
+
+/// The two ranges that a scene's numbers have. @throws FieldError.
+void require_positive(const std::string& key, double value);
+void require_finite(const std::string& key, double value);
 
 /// Checks every number of a scene against its range; scene files go through the same check.
 /// @throws FieldError whose text is "key = value: must be …".

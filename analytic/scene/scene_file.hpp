@@ -9,10 +9,12 @@
 namespace rockstack {
 
 /// Reads a scene file (TOML, SI units). `overrides` are `key=value` texts applied in order before anything is
-/// checked, e.g. "blocks.1.height=3" (blocks count from 1) or "law=consistent"; a path of a record is relative to
-/// the scene file.
-/// @throws InputError, one line with file:line (or the override), key, value and what is allowed: unknown keys,
-/// numbers out of range or not finite, wrong lengths, missing files, TOML syntax.
+/// checked, e.g. "blocks.1.height=3" (blocks count from 1) or "law=consistent"; a path of a record is
+/// relative to the scene file. A title left out is the file's name; initial angles and velocities left out
+/// are zero. An override adds to the file and takes nothing away: setting mass where the file has density is
+/// an error, as it is inside the file; likewise peak beside scale, and samples beside record.
+/// @throws InputError, one line with file:line (or the override), key, value and what is allowed: unknown
+/// keys, numbers out of range or not finite, wrong lengths, missing files, TOML syntax.
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 }  // namespace rockstack

@@ -1,0 +1,70 @@
+#include "analytic/scene/ground_reader.hpp"
+
+#include <utility>
+
+#include "analytic/scene/fields.hpp"
+#include "analytic/scene/record.hpp"
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack {
+namespace {
+
+GroundMotion from_record(const Node& node, const std::filesystem::path& folder) {
+  const std::filesystem::path name = folder / text(node);
+  const std::filesystem::path file = record_file(name);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    throw wrong_value(node, "a record's file, none is at " + one_line(file.string()));
+  }
+  Record record = read_record(name);
+  return {record.interval, std::move(record.samples), node.text + " (" + record.format + ")"};
+}
+
+GroundMotion from_samples(const Node& table, const Node& samples) {
+  GroundMotion motion{required_number(table, "interval"), numbers(samples), "samples in the scene file"};
+  if (motion.empty()) throw wrong_value(samples, "at least one number");
+  return motion;
+}
+
+GroundMotion unscaled(const Node& table, const std::filesystem::path& folder) {
+  const Node* record = find(table, "record");
+  const Node* samples = find(table, "samples");
+  if (record == nullptr && samples == nullptr) {
+    throw missing_key(table, "record", "given, or samples and interval in its place");
+  }
+  if (record == nullptr) return from_samples(table, *samples);
+  for (const char* name : {"samples", "interval"}) {
+    if (const Node* other = find(table, name)) throw excluded_key(*other, *record);
+  }
+  return from_record(*record, folder);
+}
+
+void scale_by(GroundMotion& motion, const Node& node) {
+  const double factor = number(node);
+  require_finite(node.key, factor);
+  for (double& sample : motion.samples) sample *= factor;
+}
+
+void scale_to_peak(GroundMotion& motion, const Node& node) {
+  const double wanted = number(node);
+  require_positive(node.key, wanted);
+  const double largest = peak(motion);
+  if (largest == 0) throw wrong_value(node, "left out where every sample is zero");
+  // Divided first, so that the largest sample comes out as the peak to the last bit.
+  for (double& sample : motion.samples) sample = sample / largest * wanted;
+}
+
+}  // namespace
+
+GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& folder) {
+  require_table(table, {"record", "samples", "interval", "scale", "peak"});
+  const Node* scale = find(table, "scale");
+  const Node* wanted_peak = find(table, "peak");
+  if (scale != nullptr && wanted_peak != nullptr) throw excluded_key(*wanted_peak, *scale);
+  GroundMotion motion = unscaled(table, folder);
+  if (scale != nullptr) scale_by(motion, *scale);
+  if (wanted_peak != nullptr) scale_to_peak(motion, *wanted_peak);
+  return motion;
+}
+
+}  // namespace rockstack

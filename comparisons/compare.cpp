@@ -1,0 +1,95 @@
+#include "comparisons/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "analytic/scene/input_error.hpp"
+#include "comparisons/environment.hpp"
+#include "comparisons/files.hpp"
+#include "comparisons/measure.hpp"
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
+  std::vector<Job> jobs;
+  for (const Suite& suite : suites) {
+    for (const NamedScene& scene : suite.scenes) {
+      jobs.push_back({&suite, &scene, nullptr, suite.exact_step});
+      for (const EngineSeries& series : suite.series) {
+        for (const double dt : series.steps) jobs.push_back({&suite, &scene, &series, dt});
+      }
+    }
+  }
+  return jobs;
+}
+
+void require_compatible(const std::vector<Suite>& suites) {
+  std::set<std::string> names;
+  for (const Suite& suite : suites) {
+    if (suite.tolerance != suites.front().tolerance) {
+      throw InputError(fmt::format("tolerance = {}: must be the same in all suites of one comparison, {}",
+                                   suite.tolerance, suites.front().tolerance));
+    }
+    for (const NamedScene& scene : suite.scenes) {
+      if (!names.insert(scene.name).second) {
+        throw InputError(fmt::format(
+            "scene {}: must be in a comparison once; its results would share a folder", scene.name));
+      }
+    }
+  }
+}
+
+Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& rows,
+                     const std::string& command) {
+  Json json;
+  std::vector<std::string> titles;
+  json["scenes"] = Json::array();
+  for (const Suite& suite : suites) {
+    titles.push_back(suite.title);
+    for (const NamedScene& scene : suite.scenes) {
+      json["scenes"].push_back({{"name", scene.name},
+                                {"title", scene.scene.title},
+                                {"blocks", scene.scene.blocks.size()},
+                                {"duration", scene.scene.duration},
+                                {"chatter_speed", chatter_speed(scene.scene)},
+                                {"matching_window", matching_window(scene.scene)},
+                                {"toml", scene.text}});
+    }
+  }
+  json["title"] = fmt::format("{}", fmt::join(titles, "; "));
+  for (const Column& column : columns()) json["definitions"][column.name] = column.definition;
+  json["tolerance_rad"] = suites.front().tolerance;
+  json["left_out"] = engines_left_out();
+  json["environment"] = environment();
+  json["command"] = command;
+  json["rows"] = Json::array();
+  for (const Row& row : rows) {
+    Json cells;
+    for (const Column& column : columns()) cells[column.name] = column.cell(row);
+    json["rows"].push_back(std::move(cells));
+  }
+  return json;
+}
+
+}  // namespace
+
+std::vector<Row> compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
+                         const std::string& command, const Progress& progress) {
+  require_compatible(suites);
+  const std::vector<Job> jobs = jobs_of(suites);
+  std::vector<Row> rows;
+  for (const Job& job : jobs) {
+    progress(rows.size() + 1, jobs.size(), describe(job).run);
+    rows.push_back(measure(job, folder, command));
+  }
+  write_file(folder / "comparison.csv", comparison_csv(rows));
+  write_file(folder / "comparison.json", comparison_json(suites, rows, command).dump(2) + "\n");
+  return rows;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack {
+
+/// An impact as a comparison sees it.
+struct ImpactTime {
+  double time = 0;    ///< s
+  int interface = 0;  ///< from 1
+};
+
+/// Relative speed in rad/s below which an impact counts as chatter and is not compared: 0.02 √(g/H), H the
+/// height of the stack. A flight that starts at this speed stays below about 2e-4 rad.
+double chatter_speed(const Scene& scene);
+
+/// How far apart in time two impacts may be and still be the same one: 0.1 √(H/g), in s.
+double matching_window(const Scene& scene);
+
+/// The impacts that a solver reported, at `slowest` rad/s of relative speed or more.
+std::vector<ImpactTime> reported_impacts(const History& history, double slowest);
+
+/// The impacts in sampled motion, read from angles and angular velocities alone. Between two samples an
+/// interface impacts where it approaches at `slowest` rad/s or more at the first, and its relative angle has
+/// passed zero at the second (the time is interpolated), or would pass zero within a step and the approach
+/// has lost more than half its speed (the time is that of the first sample plus angle over speed).
+std::vector<ImpactTime> observed_impacts(const History& history, double slowest);
+
+}  // namespace rockstack

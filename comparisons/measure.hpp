@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "comparisons/results.hpp"
+#include "comparisons/suite.hpp"
+
+namespace rockstack {
+
+/// One run to be made; without a series it is the exact one.
+struct Job {
+  const Suite* suite;
+  const NamedScene* scene;
+  const EngineSeries* series;
+  double dt;
+};
+
+/// The row of a run before it is made: what is run, without results.
+Row describe(const Job& job);
+
+/// Makes one run of a comparison and writes FOLDER/runs/<run>/: history, events, summary, and for engines the
+/// difference from the exact solution and the impacts of both side by side. A failure ends up in the row.
+/// @throws std::runtime_error where a file cannot be written.
+Row measure(const Job& job, const std::filesystem::path& folder, const std::string& command);
+
+/// Solves a scene and writes history.csv, events.csv and summary.json into a folder. `step` of the integrator
+/// and `interval` of the samples in s.
+History solve_into(const NamedScene& scene, double step, double interval, const std::filesystem::path& folder,
+                   const std::string& command);
+
+/// Runs one engine and writes the same files; an engine reports no events, so events.csv has its header
+/// alone.
+History simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
+                      const std::filesystem::path& folder, const std::string& command);
+
+}  // namespace rockstack

@@ -1,0 +1,116 @@
+#include "comparisons/program/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/input_error.hpp"
+#include "comparisons/build.hpp"
+#include "comparisons/compare.hpp"
+#include "comparisons/files.hpp"
+#include "comparisons/measure.hpp"
+#include "comparisons/program/output.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/figures.hpp"
+#include "plots/report.hpp"
+#endif
+
+namespace rockstack {
+namespace {
+
+void require_positive_option(const char* option, double value) {
+  if (!(value > 0) || !std::isfinite(value)) {
+    throw InputError(fmt::format("{} = {}: must be a finite number > 0 s", option, value));
+  }
+}
+
+/// The file itself, or the one of that name among those shipped in `folder`.
+std::filesystem::path find_file(const std::string& input, const char* folder) {
+  const auto shipped = std::filesystem::path(folder) / (input + ".toml");
+  return !std::filesystem::exists(input) && std::filesystem::exists(shipped) ? shipped
+                                                                             : std::filesystem::path(input);
+}
+
+Suite read_input(const std::string& input, const Common& common) {
+  auto file = find_file(input, build::suites);
+  if (!std::filesystem::exists(file)) file = find_file(input, build::scenes);
+  return is_suite(file) ? read_suite(file, common.overrides)
+                        : suite_for(read_named_scene(file, common.overrides));
+}
+
+#ifdef ROCKSTACK_WITH_PLOTS
+void draw(const std::filesystem::path& results) {
+  draw_figures(results);
+  write_report(results);
+}
+#endif
+
+}  // namespace
+
+int solve_command(const SolveArguments& arguments, const Common& common) {
+  require_positive_option("--step", arguments.step);
+  require_positive_option("--interval", arguments.interval);
+  const auto scene = read_named_scene(find_file(arguments.scene, build::scenes), common.overrides);
+  prepare_folder(arguments.out);
+  const History history =
+      solve_into(scene, arguments.step, arguments.interval, arguments.out, common.command);
+  print_history(history, arguments.out, common);
+  return 0;
+}
+
+int simulate_command(const SimulateArguments& arguments, const Common& common) {
+  require_positive_option("--dt", arguments.dt);
+  const Engine& engine = find_engine(arguments.engine);
+  const auto scene = read_named_scene(find_file(arguments.scene, build::scenes), common.overrides);
+  prepare_folder(arguments.out);
+  const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt});
+  const History history = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
+  print_history(history, arguments.out, common);
+  return 0;
+}
+
+int compare_command(const CompareArguments& arguments, const Common& common) {
+  std::vector<Suite> suites;
+  for (const std::string& input : arguments.inputs) suites.push_back(read_input(input, common));
+  prepare_folder(arguments.out);
+  const std::vector<Row> rows = compare(suites, arguments.out, common.command, progress(common));
+#ifdef ROCKSTACK_WITH_PLOTS
+  draw(arguments.out);
+#endif
+  print_rows(rows, arguments.out, common);
+  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.status == "failed"; }) ? 1 : 0;
+}
+
+int plot_command(const std::filesystem::path& results, const Common& common) {
+#ifdef ROCKSTACK_WITH_PLOTS
+  draw(results);
+  print_report(results, common);
+  return 0;
+#else
+  static_cast<void>(common);
+  throw InputError(
+      fmt::format("plot {}: must be asked of a build with ROCKSTACK_PLOTS=ON", results.string()));
+#endif
+}
+
+int list_command(const std::string& what, const Common& common) {
+  std::vector<std::string> names;
+  if (what == "engines") {
+    for (const auto& engine : engines()) {
+      names.push_back(fmt::format("{}:{}  {}", engine->name(), engine->solver(), engine->version()));
+    }
+    for (const std::string& name : engines_left_out()) names.push_back(name + "  left out of this build");
+  } else {
+    const char* folder = what == "scenes" ? build::scenes : build::suites;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    }
+    std::sort(names.begin(), names.end());
+  }
+  print_list(names, common);
+  return 0;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rockstack {
+
+/// What every command takes.
+struct Common {
+  std::vector<std::string> overrides;  ///< key=value, of scenes
+  bool quiet = false;                  ///< print nothing but errors
+  bool json = false;                   ///< print the result as JSON
+  std::string command;                 ///< the whole command line, for the results
+};
+
+struct SolveArguments {
+  std::string scene;
+  std::filesystem::path out;
+  double step = 2e-4;      ///< s
+  double interval = 1e-3;  ///< of samples, s
+};
+
+struct SimulateArguments {
+  std::string scene;
+  std::filesystem::path out;
+  std::string engine;
+  std::string settings = "tuned";
+  double dt = 0;  ///< s
+};
+
+struct CompareArguments {
+  std::vector<std::string> inputs;  ///< scenes or suites
+  std::filesystem::path out;
+};
+
+// Each returns the program's exit code: 0, or 1 where a run failed. Bad input is thrown as InputError. Scenes
+// and suites are files, or names that `list` shows.
+int solve_command(const SolveArguments& arguments, const Common& common);
+int simulate_command(const SimulateArguments& arguments, const Common& common);
+int compare_command(const CompareArguments& arguments, const Common& common);
+int plot_command(const std::filesystem::path& results, const Common& common);
+int list_command(const std::string& what, const Common& common);
+
+}  // namespace rockstack

@@ -1,0 +1,118 @@
+#include "comparisons/program/output.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+std::string cell(const std::optional<Value>& value, fmt::format_string<const Value&> format) {
+  return value ? fmt::format(format, *value) : "";
+}
+
+void print_row(const Row& row) {
+  if (row.status == "failed") {
+    fmt::print("{:<26} {:<8} {:>7} failed: {}\n", row.engine + ":" + row.solver, row.settings,
+               cell(row.dt, "{}"), row.reason);
+    return;
+  }
+  const std::string impacts = row.impacts_matched ? fmt::format("{}/{}/{}", *row.impacts_matched,
+                                                                *row.impacts_missed, *row.impacts_extra)
+                                                  : "";
+  fmt::print("{:<26} {:<8} {:>7} {:>11} {:>9} {:>12} {:>9} {:>9} {:>10}\n", row.engine + ":" + row.solver,
+             row.settings, cell(row.dt, "{}"), cell(row.first_impact_time_difference, "{:+.1e}"), impacts,
+             cell(row.rms_angle_difference, "{:.2e}"), cell(row.largest_angle_difference, "{:.2e}"),
+             cell(row.agreement_time, "{:.4g}"), cell(row.stepping_time_minimum, "{:.2e}"));
+}
+
+std::vector<double> peaks(const History& history) {
+  std::vector<double> result(static_cast<std::size_t>(history.blocks));
+  for (std::size_t i = 0; i < history.angles.size(); ++i) {
+    double& peak = result[i % result.size()];
+    peak = std::max(peak, std::abs(history.angles[i]));
+  }
+  return result;
+}
+
+}  // namespace
+
+Progress progress(const Common& common) {
+  if (common.quiet || isatty(STDERR_FILENO) == 0) return [](std::size_t, std::size_t, const std::string&) {};
+  return [](std::size_t number, std::size_t total, const std::string& run) {
+    fmt::print(stderr, "\r\033[K[{}/{}] {}{}", number, total, run, number == total ? "\n" : "");
+    std::fflush(stderr);
+  };
+}
+
+void print_history(const History& history, const std::filesystem::path& folder, const Common& common) {
+  std::map<std::string, int> events;
+  for (const Event& event : history.events) ++events[name(event.kind)];
+  if (common.json) {
+    fmt::print(
+        "{}\n",
+        Json{{"events", events}, {"peak_angles", peaks(history)}, {"folder", folder.string()}}.dump(2));
+  } else if (!common.quiet) {
+    for (const auto& [kind, number] : events) fmt::print("{}: {}\n", kind, number);
+    for (std::size_t k = 0; const double peak : peaks(history))
+      fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak);
+    fmt::print("results: {}\n", folder.string());
+  }
+}
+
+void print_rows(const std::vector<Row>& rows, const std::filesystem::path& folder, const Common& common) {
+  if (common.json) {
+    Json list = Json::array();
+    for (const Row& row : rows) {
+      Json cells;
+      for (const Column& column : columns()) cells[column.name] = column.cell(row);
+      list.push_back(std::move(cells));
+    }
+    fmt::print("{}\n", list.dump(2));
+    return;
+  }
+  if (common.quiet) return;
+  std::string scene;
+  for (const Row& row : rows) {
+    if (row.scene != scene) {
+      fmt::print("{}{}\n{:<26} {:<8} {:>7} {:>11} {:>9} {:>12} {:>9} {:>9} {:>10}\n",
+                 scene.empty() ? "" : "\n", row.scene, "engine:solver", "settings", "dt (s)", "first (s)",
+                 "impacts", "rms (rad)", "max (rad)", "agree (s)", "time (s)");
+    }
+    scene = row.scene;
+    print_row(row);
+  }
+  fmt::print(
+      "\nfirst: first impact, engine less exact; impacts: matched/missed/extra; agree: time until which "
+      "angles "
+      "stay\nwithin the tolerance; time: least wall time of stepping alone\n");
+  for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
+  fmt::print("results: {}\n", folder.string());
+  print_report(folder, common);
+}
+
+void print_report(const std::filesystem::path& folder, const Common& common) {
+  if (common.quiet || common.json) return;
+#ifdef ROCKSTACK_WITH_PLOTS
+  fmt::print("report: {}\n", (folder / "report.html").string());
+#else
+  fmt::print("left out of this build: figures and the report in {}\n", folder.string());
+#endif
+}
+
+void print_list(const std::vector<std::string>& names, const Common& common) {
+  if (common.json) {
+    fmt::print("{}\n", Json(names).dump(2));
+    return;
+  }
+  for (const std::string& name : names) fmt::print("{}\n", name);
+}
+
+}  // namespace rockstack

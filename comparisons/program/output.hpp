@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/history.hpp"
+#include "comparisons/compare.hpp"
+#include "comparisons/program/commands.hpp"
+
+namespace rockstack {
+
+// What the program says on standard output; progress goes to standard error, and only to a terminal.
+
+/// A line that names the run in progress.
+Progress progress(const Common& common);
+
+/// Events by kind, peak angles, and where the files are.
+void print_history(const History& history, const std::filesystem::path& folder, const Common& common);
+
+/// The comparison as a table, and where the results are.
+void print_rows(const std::vector<Row>& rows, const std::filesystem::path& folder, const Common& common);
+
+/// Where figures and report are.
+void print_report(const std::filesystem::path& folder, const Common& common);
+
+/// One name a line.
+void print_list(const std::vector<std::string>& names, const Common& common);
+
+}  // namespace rockstack

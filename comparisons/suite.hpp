@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/scene.hpp"
+#include "engines/engine.hpp"
+
+namespace rockstack {
+
+/// A scene with the name and text that its results go by.
+struct NamedScene {
+  std::string name;  ///< of the file, without folder and ending
+  std::string text;  ///< the file as it was read
+  Scene scene;
+};
+
+/// One engine with one set of parameters, at several time steps.
+struct EngineSeries {
+  const Engine* engine = nullptr;
+  std::string settings;  ///< "default" or "tuned"
+  Parameters parameters;
+  std::vector<double> steps;  ///< s
+};
+
+/// An engine with its "default" or "tuned" parameters.
+EngineSeries make_series(const Engine& engine, const std::string& settings, std::vector<double> steps);
+
+/// What `compare` runs: every scene on the exact solver and on every series.
+struct Suite {
+  std::string title;
+  std::vector<NamedScene> scenes;
+  std::vector<EngineSeries> series;
+  double exact_step = 2e-4;  ///< of the exact solver's rk4, s
+  double tolerance = 0.01;   ///< up to which histories agree, rad
+  int repeats = 5;           ///< timed runs after the warm-up
+};
+
+/// Reads a scene and keeps its text. @throws InputError as read_scene().
+NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// True where a file is a suite: it has the key `scenes`. @throws InputError for a file that is not TOML.
+bool is_suite(const std::filesystem::path& file);
+
+/// Reads a suite file; paths in it are relative to it, `overrides` go to each of its scenes. Engines that
+/// this build leaves out are passed over (engines_left_out() names them).
+/// @throws InputError with file:line, key, value and what is allowed.
+Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// The suite for a single scene: every engine of this build, default and tuned, at 1e-2, 1e-3 and 1e-4 s.
+Suite suite_for(NamedScene scene);
+
+}  // namespace rockstack

@@ -1,0 +1,78 @@
+#include "comparisons/results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "analytic/solve.hpp"
+
+namespace rockstack {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+double number(const std::string& text) {
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+TEST(Results, NumbersReadBackToTheSameDouble) {
+  Scene scene;
+  scene.duration = 1;
+  scene.blocks = {make_block(0.3, 1.7, 1234.5)};
+  scene.initial = {{0.1}, {0}};
+  const History history = solve(scene, {1e-3, regular_times(0.01, 1)});
+  const auto lines = split(history_csv(history), '\n');
+  ASSERT_EQ(lines.size(), history.size() + 1);
+  EXPECT_EQ(lines[0], "time,theta_1,omega_1,pattern");
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const auto cells = split(lines[i + 1], ',');
+    EXPECT_EQ(number(cells[0]), history.times[i]);
+    EXPECT_EQ(number(cells[1]), history.angles[i]);
+    EXPECT_EQ(number(cells[2]), history.velocities[i]);
+    EXPECT_EQ(cells[3], name(history.patterns[i]));
+  }
+  EXPECT_EQ(split(events_csv(history), '\n').size(), history.events.size() + 1);
+}
+
+TEST(Results, EveryColumnHasANameOfItsOwnAndADefinition) {
+  std::set<std::string> names;
+  for (const Column& column : columns()) {
+    EXPECT_TRUE(names.insert(column.name).second) << column.name;
+    EXPECT_GT(std::string(column.definition).size(), 10u) << column.name;
+  }
+}
+
+TEST(Results, AFailedRunIsARowWithItsReasonAlone) {
+  Row row;
+  row.run = "a.b";
+  row.engine = "bullet";
+  row.status = "failed";
+  row.reason = "angle of block 1, and \"more\",\nis not finite";
+  const auto lines = split(comparison_csv({row}), '\n');
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_NE(lines[1].find("failed,\"angle of block 1, and \"\"more\"\", is not finite\",,"),
+            std::string::npos)
+      << lines[1];
+}
+
+TEST(Results, ImpactTablesSayWhatIsMissingOnEitherSide) {
+  const std::string text = impacts_csv({{1, 1, 0.5, 0.75}, {2, 2, 0.75, {}}, {1, {}, {}, 1.0}});
+  EXPECT_EQ(text,
+            "number,interface,exact_time,engine_time,difference,verdict\n"
+            "1,1,0.5,0.75,0.25,matched\n"
+            "2,2,0.75,,,missed\n"
+            ",1,,1,,extra\n");
+}
+
+}  // namespace
+}  // namespace rockstack

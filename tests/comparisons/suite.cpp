@@ -1,0 +1,113 @@
+#include "comparisons/suite.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "analytic/scene/input_error.hpp"
+#include "comparisons/compare.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr const char* block = R"(duration = 0.2
+[[blocks]]
+width = 0.5
+height = 2
+density = 2500
+[initial]
+angles = [0.05]
+)";
+
+/// The error of a suite of that text beside "block.toml", without the folder; empty where there is none.
+std::string error_of(const std::string& text) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  try {
+    read_suite(folder.write("suite.toml", text), {});
+  } catch (const InputError& error) {
+    std::string line = error.what();
+    const std::string before = folder.path().string() + "/";
+    if (line.starts_with(before)) line.erase(0, before.size());
+    return line;
+  }
+  return {};
+}
+
+TEST(Suites, ShippedOnesAreReadable) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(ROCKSTACK_SUITES)) {
+    EXPECT_TRUE(is_suite(entry.path()));
+    const Suite suite = read_suite(entry.path(), {});
+    EXPECT_FALSE(suite.scenes.empty()) << entry.path();
+    ++count;
+  }
+  EXPECT_GT(count, 0);
+}
+
+TEST(Suites, ErrorsNameLineKeyAndWhatIsAllowed) {
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
+  EXPECT_EQ(error_of(head), "");
+  EXPECT_TRUE(
+      error_of(head + "tolerance = 0\n").starts_with("suite.toml:3: tolerance = 0: must be a number > 0"));
+  EXPECT_TRUE(
+      error_of(head + "repeats = 1.5\n").starts_with("suite.toml:3: repeats = 1.5: must be a whole number"));
+  EXPECT_TRUE(error_of(head + "colour = 1\n").starts_with("suite.toml:3: colour"));
+  EXPECT_TRUE(error_of(head + "[[engines]]\nname = \"havok\"\n")
+                  .starts_with("suite.toml:4: engine = havok: must be one of"));
+  EXPECT_TRUE(error_of("title = \"a\"\nscenes = []\n").starts_with("suite.toml:2: scenes"));
+}
+
+TEST(Suites, OverridesReachEveryScene) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const auto file = folder.write("suite.toml", "title = \"a\"\nscenes = [\"block.toml\"]\n");
+  EXPECT_EQ(read_suite(file, {"gravity=1.62"}).scenes.at(0).scene.gravity, 1.62);
+}
+
+/// An engine that fails in the middle of a run.
+class Failing : public Engine {
+ public:
+  std::string name() const override { return "failing"; }
+  std::string solver() const override { return "none"; }
+  std::string version() const override { return "1"; }
+  Parameters default_parameters() const override { return {}; }
+  Parameters tuned_parameters() const override { return {}; }
+  std::unique_ptr<Simulation> start(const Scene&, double, const Parameters&) const override {
+    throw std::runtime_error("broken on purpose");
+  }
+};
+
+TEST(Compare, AFailingRunCostsItsOwnRow) {
+  const TemporaryFolder folder;
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  suite.repeats = 1;
+  const Failing failing;
+  for (EngineSeries& series : suite.series) series.steps = {1e-2};
+  suite.series.insert(suite.series.begin(), make_series(failing, "default", {1e-2}));
+  std::vector<std::string> started;
+  const auto rows =
+      compare({suite}, folder.path(), "rockstack compare",
+              [&](std::size_t, std::size_t, const std::string& run) { started.push_back(run); });
+  ASSERT_EQ(rows.size(), suite.series.size() + 1);
+  EXPECT_EQ(started.size(), rows.size());
+  EXPECT_EQ(rows[1].status, "failed");
+  EXPECT_EQ(rows[1].reason, "broken on purpose");
+  for (const Row& row : rows) {
+    EXPECT_EQ(row.status, row.engine == "failing" ? "failed" : "done") << row.reason;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs" / row.run / "summary.json"));
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "comparison.csv"));
+}
+
+TEST(Compare, ScenesThatWouldShareAFolderAreRefused) {
+  const TemporaryFolder folder;
+  const Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  EXPECT_THROW(
+      compare({suite, suite}, folder.path(), "", [](std::size_t, std::size_t, const std::string&) {}),
+      InputError);
+}
+
+}  // namespace
+}  // namespace rockstack
