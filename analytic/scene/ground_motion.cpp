@@ -6,8 +6,8 @@
 namespace rockstack {
 namespace {
 
-/// Integral over [from, to] inside one piece between samples; the value at the middle times the length is exact
-/// on a straight line.
+/// Integral over [from, to] inside one piece between samples; the value at the middle times the length is
+/// exact on a straight line.
 double piece_integral(const GroundMotion& motion, std::size_t piece, double from, double to) {
   const double start = motion.interval * static_cast<double>(piece);
   const double slope = (motion.samples[piece + 1] - motion.samples[piece]) / motion.interval;
@@ -15,10 +15,23 @@ double piece_integral(const GroundMotion& motion, std::size_t piece, double from
   return (to - from) * (motion.samples[piece] + slope * middle);
 }
 
+double mean_acceleration(const Pulse& pulse, double from, double to) {
+  const auto gained = [&](double t) {
+    return velocity(pulse, std::clamp(t - pulse.start, 0.0, length(pulse)));
+  };
+  return (gained(to) - gained(from)) / (to - from);
+}
+
 }  // namespace
+
+double GroundMotion::end() const {
+  if (pulse) return pulse->start + length(*pulse);
+  return samples.empty() ? 0 : interval * static_cast<double>(samples.size() - 1);
+}
 
 double acceleration(const GroundMotion& motion, double t) {
   if (motion.empty() || t > motion.end()) return 0;
+  if (motion.pulse) return t < motion.pulse->start ? 0 : acceleration(*motion.pulse, t - motion.pulse->start);
   const auto last = motion.samples.size() - 1;
   const auto piece = std::min(static_cast<std::size_t>(t / motion.interval), last);
   if (piece == last) return motion.samples[last];
@@ -27,6 +40,7 @@ double acceleration(const GroundMotion& motion, double t) {
 }
 
 double mean_acceleration(const GroundMotion& motion, double from, double to) {
+  if (motion.pulse) return mean_acceleration(*motion.pulse, from, to);
   const double end = std::min(to, motion.end());
   if (motion.empty() || end <= from) return 0;
   double sum = 0;

@@ -26,11 +26,35 @@ GroundMotion from_samples(const Node& table, const Node& samples) {
   return motion;
 }
 
+GroundMotion from_pulse(const Node& table, const Node& shape) {
+  Pulse pulse;
+  pulse.shape = choice<PulseShape>(shape, {{"sine", PulseShape::sine},
+                                           {"cosine", PulseShape::cosine},
+                                           {"half-sine", PulseShape::half_sine},
+                                           {"rectangle", PulseShape::rectangle},
+                                           {"ricker", PulseShape::ricker},
+                                           {"mavroeidis-papageorgiou", PulseShape::mavroeidis_papageorgiou}});
+  if (pulse.shape == PulseShape::mavroeidis_papageorgiou) {
+    require_table(table, {"pulse", "amplitude", "period", "start", "cycles", "phase"});
+    pulse.cycles = required_number(table, "cycles");
+    pulse.phase = number_or(table, "phase", pulse.phase);
+  } else {
+    require_table(table, {"pulse", "amplitude", "period", "start"});
+  }
+  pulse.amplitude = required_number(table, "amplitude");
+  pulse.period = required_number(table, "period");
+  pulse.start = number_or(table, "start", pulse.start);
+  GroundMotion motion;
+  motion.source = shape.text + " pulse";
+  motion.pulse = pulse;
+  return motion;
+}
+
 GroundMotion unscaled(const Node& table, const std::filesystem::path& folder) {
   const Node* record = find(table, "record");
   const Node* samples = find(table, "samples");
   if (record == nullptr && samples == nullptr) {
-    throw missing_key(table, "record", "given, or samples and interval in its place");
+    throw missing_key(table, "record", "given, or samples and interval, or a pulse in its place");
   }
   if (record == nullptr) return from_samples(table, *samples);
   for (const char* name : {"samples", "interval"}) {
@@ -57,7 +81,8 @@ void scale_to_peak(GroundMotion& motion, const Node& node) {
 }  // namespace
 
 GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& folder) {
-  require_table(table, {"record", "samples", "interval", "scale", "peak"});
+  if (const Node* pulse = find(table, "pulse")) return from_pulse(table, *pulse);
+  require_table(table, {"record", "samples", "interval", "pulse", "scale", "peak"});
   const Node* scale = find(table, "scale");
   const Node* wanted_peak = find(table, "peak");
   if (scale != nullptr && wanted_peak != nullptr) throw excluded_key(*wanted_peak, *scale);

@@ -42,8 +42,8 @@ struct BasicEvent {
   Consistency consistency = Consistency::consistent;
 };
 
-/// Sampled motion of a stack, and the events where they are known. Engines know no patterns and no events: those
-/// two are empty then. Rows are samples; angles and velocities are stored row by row.
+/// Sampled motion of a stack, and the events where they are known. Engines know no patterns and no events:
+/// those two are empty then. Rows are samples; angles and velocities are stored row by row.
 template <class Real>
 struct BasicHistory {
   int blocks = 0;

@@ -12,9 +12,15 @@ inline constexpr int max_blocks = 32;
 /// How an interface touches: closed (along its whole width), or open with the pivot at its left or right end.
 enum class Contact : std::int8_t { left = -1, closed = 0, right = 1 };
 
-inline int sign(Contact contact) { return static_cast<int>(contact); }
-inline Contact opposite(Contact contact) { return static_cast<Contact>(-sign(contact)); }
-inline Contact contact_of(int sign) { return static_cast<Contact>((sign > 0) - (sign < 0)); }
+inline int sign(Contact contact) {
+  return static_cast<int>(contact);
+}
+inline Contact opposite(Contact contact) {
+  return static_cast<Contact>(-sign(contact));
+}
+inline Contact contact_of(int sign) {
+  return static_cast<Contact>((sign > 0) - (sign < 0));
+}
 
 /// The contact state of every interface, from the ground up: the paper's "pattern", for any number of blocks.
 /// Index 0 is interface 1, between the ground and the lowest block.
@@ -33,8 +39,8 @@ Pattern closed_pattern(int size);
 /// True where every interface is closed.
 bool is_closed(const Pattern& pattern);
 
-/// The name of a pattern: for two blocks that of Spanos et al. 2001, Fig. 2 ("1a" … "4b", "rest"); otherwise a
-/// letter an interface from the ground up, L, C or R.
+/// The name of a pattern: for two blocks that of Spanos et al. 2001, Fig. 2 ("1a" … "4b", "rest"); otherwise
+/// a letter an interface from the ground up, L, C or R.
 std::string name(const Pattern& pattern);
 
 }  // namespace rockstack

@@ -43,8 +43,22 @@ void validate_initial(const Scene& scene) {
   }
 }
 
+void validate_pulse(const Pulse& pulse, const std::string& key) {
+  require_finite(key + ".amplitude", pulse.amplitude);
+  require_positive(key + ".period", pulse.period);
+  if (!(pulse.start >= 0) || !std::isfinite(pulse.start)) {
+    throw FieldError(key + ".start", number_text(pulse.start), "a finite number >= 0");
+  }
+  if (!(pulse.cycles > 1) && pulse.shape == PulseShape::mavroeidis_papageorgiou) {
+    throw FieldError(key + ".cycles", number_text(pulse.cycles), "a number > 1");
+  }
+  require_finite(key + ".cycles", pulse.cycles);
+  require_finite(key + ".phase", pulse.phase);
+}
+
 void validate_motion(const GroundMotion& motion, const std::string& key) {
   if (motion.empty()) return;
+  if (motion.pulse) return validate_pulse(*motion.pulse, key);
   require_positive(key + ".interval", motion.interval);
   require_all_finite(key + ".samples", motion.samples);
 }

@@ -82,9 +82,12 @@ TEST(SceneErrors, UnknownKeysListTheKnownOnes) {
        "scene.toml:12: initial.speeds: unknown key, must be one of angles, velocities"},
       {12, "[ground]\nsideways = 1",
        "scene.toml:13: ground.sideways: unknown key, must be one of horizontal, vertical"},
-      {12, "[ground.vertical]\npulse = \"sine\"",
-       "scene.toml:13: ground.vertical.pulse: unknown key, must be one of record, samples, interval, scale, "
-       "peak"},
+      {12, "[ground.vertical]\nspectrum = 1",
+       "scene.toml:13: ground.vertical.spectrum: unknown key, must be one of record, samples, interval, "
+       "pulse, "
+       "scale, peak"},
+      {12, "[ground.vertical]\npulse = \"sine\"\namplitude = 1\nperiod = 1\ncycles = 2",
+       "scene.toml:16: ground.vertical.cycles: unknown key, must be one of pulse, amplitude, period, start"},
       {12, "[engine]\ngrip = 1", "scene.toml:13: engine.grip: unknown key, must be one of friction, depth"},
   });
 }

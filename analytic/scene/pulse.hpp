@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace rockstack {
+
+/// Acceleration pulses as exact functions. With A the amplitude, T the period and t the time since the start:
+enum class PulseShape {
+  sine,       ///< A sin(2πt/T), one period
+  cosine,     ///< A cos(2πt/T), one period
+  half_sine,  ///< A sin(2πt/T), half a period
+  rectangle,  ///< A, for the time T
+  ricker,     ///< A (1 − 2z²) exp(−z²), z = π(t − 2T)/T, for 4T: what is cut off is below rounding
+  mavroeidis_papageorgiou,  ///< near-fault pulse of Mavroeidis & Papageorgiou 2003, see velocity below
+};
+
+/// One pulse. SI units. The pulse of Mavroeidis & Papageorgiou has the velocity
+/// (AT/4π) (1 + cos(2πs/(γT))) cos(2πs/T + ν) with s = t − γT/2, for the time γT; its peak acceleration is
+/// about A.
+struct Pulse {
+  PulseShape shape{};
+  double amplitude = 0;  ///< A, m/s²
+  double period = 0;     ///< T, s, > 0
+  double start = 0;      ///< s, ≥ 0
+  double cycles = 1;     ///< γ, > 1, of mavroeidis_papageorgiou alone
+  double phase = 0;      ///< ν, rad, of mavroeidis_papageorgiou alone
+};
+
+/// How long a pulse lasts, s.
+double length(const Pulse& pulse);
+
+/// The change of velocity from the start of a pulse to `t` s after it, 0 ≤ t ≤ length, m/s.
+double velocity(const Pulse& pulse, double t);
+
+/// Acceleration `t` s after the start of a pulse, 0 ≤ t ≤ length, m/s².
+template <class Real>
+Real acceleration(const Pulse& pulse, const Real& t) {
+  using std::cos;
+  using std::exp;
+  using std::sin;
+  const Real amplitude(pulse.amplitude);
+  const Real period(pulse.period);
+  const Real turn = 2 * std::numbers::pi_v<Real> / period;
+  switch (pulse.shape) {
+    case PulseShape::sine:
+    case PulseShape::half_sine:
+      return amplitude * sin(turn * t);
+    case PulseShape::cosine:
+      return amplitude * cos(turn * t);
+    case PulseShape::rectangle:
+      return amplitude;
+    case PulseShape::ricker: {
+      const Real z = turn / 2 * (t - 2 * period);
+      return amplitude * (1 - 2 * z * z) * exp(-z * z);
+    }
+    case PulseShape::mavroeidis_papageorgiou: {
+      const Real cycles(pulse.cycles);
+      const Real s = t - cycles * period / 2;
+      const Real carrier = turn * s + Real(pulse.phase);
+      const Real envelope = turn * s / cycles;
+      return -amplitude / 2 * (sin(envelope) * cos(carrier) / cycles + (1 + cos(envelope)) * sin(carrier));
+    }
+  }
+  return 0;
+}
+
+}  // namespace rockstack
