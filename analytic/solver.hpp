@@ -7,6 +7,7 @@
 #include "analytic/guards.hpp"
 #include "analytic/impact.hpp"
 #include "analytic/rk4.hpp"
+#include "analytic/validity.hpp"
 
 namespace rockstack {
 
@@ -14,6 +15,7 @@ namespace rockstack {
 struct SolveOptions {
   double step = 2e-4;                ///< longest step of the rk4 integrator, s, > 0
   std::vector<double> sample_times;  ///< when to sample the motion, s, ascending from ≥ 0; none: events alone
+  bool validity = false;  ///< whether to keep the demands on each interface, taken at the start of every step
 };
 
 /// Solves a valid scene exactly: smooth motion in a fixed pattern, interrupted by events that are located to
@@ -48,6 +50,10 @@ class Solver {
     slack_ = 500 * std::numeric_limits<Real>::epsilon() * rate_;
     settling_speed_ = 500 * std::numeric_limits<Real>::epsilon() * sqrt(rate_);
     history_.blocks = size;
+    if (options.validity) {
+      history_.forces.resize(static_cast<std::size_t>(size));
+      history_.impulses.resize(static_cast<std::size_t>(size));
+    }
   }
 
   /// @throws std::runtime_error where no pattern lets the motion go on, with the time; std::domain_error for
@@ -67,6 +73,8 @@ class Solver {
     const GroundPiece<Real>& piece = pieces_.current();
     const Real remaining = piece.length - offset_;
     if (!(remaining > 0)) return next_piece();
+    if (options_.validity)
+      note_demands(history_.forces, accelerate(model_, state_, piece.at(offset_)), time());
     // A stack at rest needs no steps where the ground's straight line alone decides when it opens.
     const bool whole = is_closed(state_.pattern) && piece.straight();
     const Real steps = whole ? Real(1) : ceil(remaining / Real(options_.step));
@@ -149,13 +157,13 @@ class Solver {
       outcome = velocities_after(model_, impact, slow);
       settled = true;
     }
+    if (options_.validity) note_demands(history_.impulses, outcome, time());
     state_.pattern = outcome.pattern;
     state_.velocities = outcome.relative;
     const EventKind kind = !settled                     ? EventKind::impact
                            : is_closed(outcome.pattern) ? EventKind::rest
                                                         : EventKind::closure;
-    record_event(kind, first, impact.before.pattern, impact.before.velocities,
-                 resolution.consistency);
+    record_event(kind, first, impact.before.pattern, impact.before.velocities, resolution.consistency);
   }
 
   /// The pattern of an outcome with the interfaces closed that part too slowly to be followed.

@@ -11,11 +11,14 @@
 #include "analytic/solve.hpp"
 #include "comparisons/environment.hpp"
 #include "comparisons/files.hpp"
+#include "comparisons/validity.hpp"
 
 namespace rockstack {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double sample_interval = 1e-3;  // of histories that have no step of their own, s
 
 Json summary(const Row& row, const NamedScene& scene, const Parameters& parameters,
              const std::string& command) {
@@ -27,6 +30,18 @@ Json summary(const Row& row, const NamedScene& scene, const Parameters& paramete
   json["environment"] = environment();
   json["command"] = command;
   return json;
+}
+
+/// Every number that shapes an engine run, with the friction that really acts.
+Parameters all_parameters(const EngineSeries& series, const Scene& scene) {
+  Parameters parameters = series.parameters;
+  parameters["friction"] = series.engine->friction(scene.engine.friction);
+  return parameters;
+}
+
+void add_validity(const Scene& scene, const History& history, Json& json) {
+  json["validity"] = validity_json(history);
+  json["validity_warnings"] = validity_warnings(scene, history);
 }
 
 std::string toppled(const History& history) {
@@ -46,7 +61,7 @@ std::string toppled(const Scene& scene, const History& history) {
 }
 
 /// Wall times of solving without samples, after a warm-up.
-void time_solving(const Scene& scene, double step, int repeats, Row& row) {
+SteppingTime time_solving(const Scene& scene, double step, int repeats) {
   const SolveOptions options{step, {}};
   solve(scene, options);
   std::vector<double> seconds;
@@ -55,10 +70,13 @@ void time_solving(const Scene& scene, double step, int repeats, Row& row) {
     solve(scene, options);
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  std::sort(seconds.begin(), seconds.end());
-  row.stepping_time_minimum = seconds.front();
-  row.stepping_time_median = 0.5 * (seconds[(seconds.size() - 1) / 2] + seconds[seconds.size() / 2]);
-  row.repeats = repeats;
+  return stepping_time(std::move(seconds));
+}
+
+void set_time(const SteppingTime& time, Row& row) {
+  row.stepping_time_minimum = time.minimum;
+  row.stepping_time_median = time.median;
+  row.repeats = time.repeats;
 }
 
 void write_history(const std::filesystem::path& folder, const History& history) {
@@ -66,58 +84,78 @@ void write_history(const std::filesystem::path& folder, const History& history) 
   write_file(folder / "events.csv", events_csv(history));
 }
 
-void run_exact(const Job& job, const std::filesystem::path& folder, Row& row) {
-  const Scene& scene = job.scene->scene;
-  const History history = solve(scene, {job.dt, regular_times(1e-3, scene.duration)});
+Json run_exact(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
+  const Scene& scene = job.scene.scene;
+  const History history = solve(scene, {job.dt, regular_times(sample_interval, scene.duration), true});
   row.toppled = toppled(history);
-  time_solving(scene, job.dt, job.suite->repeats, row);
+  set_time(time_solving(scene, job.dt, job.suite.repeats), row);
   write_history(folder, history);
+  Json json = summary(row, job.scene, {{"step", job.dt}}, command);
+  add_validity(scene, history, json);
+  return json;
 }
 
-void run_engine(const Job& job, const std::filesystem::path& folder, Row& row) {
-  const Scene& scene = job.scene->scene;
-  const EngineSeries& series = *job.series;
-  const History history = simulate(*series.engine, scene, job.dt, series.parameters);
-  const History exact = solve(scene, {job.suite->exact_step, history.times});
+/// What makes a row of another answer, and of its impacts, beside the exact solution at its own times.
+void compare_with_exact(const Job& job, const History& history, const std::vector<ImpactTime>& observed,
+                        const std::filesystem::path& folder, Row& row) {
+  const Scene& scene = job.scene.scene;
+  const History exact = solve(scene, {job.suite.exact_step, history.times});
   const Difference apart = difference(exact, history);
-  const double slowest = chatter_speed(scene);
-  const auto expected = reported_impacts(exact, slowest);
-  const auto observed = observed_impacts(history, slowest);
+  const auto expected = reported_impacts(exact, chatter_speed(scene));
   const auto alignment = align(expected, observed, matching_window(scene));
   const AlignmentCounts counts = count(alignment);
-  row.steps = static_cast<int>(history.size() - 1);
   row.largest_angle_difference = largest(apart);
   row.rms_angle_difference = root_mean_square(apart);
-  row.agreement_time = agreement_time(apart, job.suite->tolerance);
+  row.agreement_time = agreement_time(apart, job.suite.tolerance);
   if (!expected.empty() && !observed.empty()) {
     row.first_impact_time_difference = observed.front().time - expected.front().time;
   }
   row.impacts_matched = counts.matched;
   row.impacts_missed = counts.missed;
   row.impacts_extra = counts.extra;
-  row.toppled = toppled(scene, history);
-  const SteppingTime time =
-      time_stepping(*series.engine, scene, job.dt, series.parameters, job.suite->repeats);
-  row.stepping_time_minimum = time.minimum;
-  row.stepping_time_median = time.median;
-  row.repeats = time.repeats;
   write_history(folder, history);
   write_file(folder / "difference.csv", difference_csv(apart));
   write_file(folder / "impacts.csv", impacts_csv(alignment));
+}
+
+Json run_variant(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
+  const Scene scene = job.variant->apply(job.scene.scene);
+  const History history = solve(scene, {job.dt, regular_times(sample_interval, scene.duration), true});
+  row.toppled = toppled(history);
+  compare_with_exact(job, history, reported_impacts(history, chatter_speed(scene)), folder, row);
+  set_time(time_solving(scene, job.dt, job.suite.repeats), row);
+  Json json = summary(row, job.scene, {{"step", job.dt}}, command);
+  add_validity(scene, history, json);
+  return json;
+}
+
+Json run_engine(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
+  const Scene& scene = job.scene.scene;
+  const EngineSeries& series = *job.series;
+  const auto [history, warnings] = simulate(*series.engine, scene, job.dt, series.parameters);
+  row.steps = static_cast<int>(history.size() - 1);
+  row.warnings = static_cast<int>(warnings);
+  row.toppled = toppled(scene, history);
+  compare_with_exact(job, history, observed_impacts(history, chatter_speed(scene)), folder, row);
+  set_time(time_stepping(*series.engine, scene, job.dt, series.parameters, job.suite.repeats), row);
+  return summary(row, job.scene, all_parameters(series, scene), command);
 }
 
 }  // namespace
 
 Row describe(const Job& job) {
   Row row;
-  row.scene = job.scene->name;
-  row.engine = job.series == nullptr ? "exact" : job.series->engine->name();
-  row.solver = job.series == nullptr ? "rk4" : job.series->engine->solver();
+  row.scene = job.scene.name;
   row.dt = job.dt;
-  row.run = row.scene + ".exact";
   if (job.series != nullptr) {
+    row.engine = job.series->engine->name();
+    row.solver = job.series->engine->solver();
     row.settings = job.series->settings;
     row.run = fmt::format("{}.{}-{}-{}-{}", row.scene, row.engine, row.solver, row.settings, job.dt);
+  } else {
+    row.engine = job.variant != nullptr ? job.variant->name : "exact";
+    row.solver = "rk4";
+    row.run = row.scene + "." + row.engine;
   }
   return row;
 }
@@ -126,39 +164,43 @@ Row measure(const Job& job, const std::filesystem::path& folder, const std::stri
   Row row = describe(job);
   const auto own = folder / "runs" / row.run;
   std::filesystem::create_directories(own);
+  const auto make = job.series != nullptr ? run_engine : job.variant != nullptr ? run_variant : run_exact;
+  Json json;
   try {
-    job.series == nullptr ? run_exact(job, own, row) : run_engine(job, own, row);
+    json = make(job, own, row, command);
   } catch (const std::exception& failure) {
     row = describe(job);
     row.status = "failed";
     row.reason = failure.what();
+    json = summary(row, job.scene, {}, command);
   }
-  const Parameters parameters = job.series == nullptr ? Parameters{{"step", job.dt}} : job.series->parameters;
-  write_file(own / "summary.json", summary(row, *job.scene, parameters, command).dump(2) + "\n");
+  write_file(own / "summary.json", json.dump(2) + "\n");
   return row;
 }
 
 History solve_into(const NamedScene& scene, double step, double interval, const std::filesystem::path& folder,
                    const std::string& command) {
-  const History history = solve(scene.scene, {step, regular_times(interval, scene.scene.duration)});
-  const Suite suite;
-  Row row = describe({&suite, &scene, nullptr, step});
+  History history = solve(scene.scene, {step, regular_times(interval, scene.scene.duration), true});
+  Row row = describe({{}, scene, step});
   row.toppled = toppled(history);
   write_history(folder, history);
-  write_file(folder / "summary.json", summary(row, scene, {{"step", step}}, command).dump(2) + "\n");
+  Json json = summary(row, scene, {{"step", step}}, command);
+  add_validity(scene.scene, history, json);
+  write_file(folder / "summary.json", json.dump(2) + "\n");
   return history;
 }
 
 History simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
                       const std::filesystem::path& folder, const std::string& command) {
-  const History history = simulate(*series.engine, scene.scene, dt, series.parameters);
-  const Suite suite;
-  Row row = describe({&suite, &scene, &series, dt});
+  auto [history, warnings] = simulate(*series.engine, scene.scene, dt, series.parameters);
+  Row row = describe({{}, scene, dt, &series});
   row.steps = static_cast<int>(history.size() - 1);
+  row.warnings = static_cast<int>(warnings);
   row.toppled = toppled(scene.scene, history);
   write_history(folder, history);
-  write_file(folder / "summary.json", summary(row, scene, series.parameters, command).dump(2) + "\n");
-  return history;
+  const Parameters parameters = all_parameters(series, scene.scene);
+  write_file(folder / "summary.json", summary(row, scene, parameters, command).dump(2) + "\n");
+  return std::move(history);
 }
 
 }  // namespace rockstack

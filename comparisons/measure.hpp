@@ -8,12 +8,14 @@
 
 namespace rockstack {
 
-/// One run to be made; without a series it is the exact one.
+/// One run to be made: of a series at one step, of a variant, or with neither the exact one that all others
+/// are compared with.
 struct Job {
-  const Suite* suite;
-  const NamedScene* scene;
-  const EngineSeries* series;
-  double dt;
+  const Suite& suite;
+  const NamedScene& scene;
+  double dt;  ///< s
+  const EngineSeries* series = nullptr;
+  const Variant* variant = nullptr;
 };
 
 /// The row of a run before it is made: what is run, without results.

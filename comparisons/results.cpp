@@ -93,6 +93,8 @@ const std::vector<Column>& columns() {
       {"agreement_time",
        "time until which no angle differs by more than the tolerance; the end where none ever does, s",
        [](const Row& row) { return json(row.agreement_time); }},
+      {"warnings", "steps in which the engine said that its solver failed, and from which it went on",
+       [](const Row& row) { return json(row.warnings); }},
       {"toppled", "block that passed its toppling angle and when, which ends the run",
        [](const Row& row) { return Json(row.toppled); }},
   };

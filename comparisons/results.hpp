@@ -25,6 +25,7 @@ struct Row {
   std::optional<double> first_impact_time_difference;                    ///< s
   std::optional<int> impacts_matched, impacts_missed, impacts_extra;
   std::optional<double> agreement_time;  ///< s
+  std::optional<int> warnings;           ///< steps that the engine's solver said it could not solve
   std::string toppled;                   ///< "block at time", or empty
 };
 

@@ -46,6 +46,18 @@ std::vector<std::string> read_settings(const Node& table) {
   return settings;
 }
 
+std::vector<Variant> read_variants(const Node& array) {
+  if (array.kind != Node::Kind::array) throw wrong_value(array, "an array of names, e.g. [\"linear\"]");
+  std::vector<Variant> variants;
+  for (const Node& child : array.children) {
+    variants.push_back({choice<std::string>(child, {{"linear", "linear"},
+                                                    {"nonlinear", "nonlinear"},
+                                                    {"paper", "paper"},
+                                                    {"consistent", "consistent"}})});
+  }
+  return variants;
+}
+
 const Engine& read_engine(const Node& name) {
   try {
     return find_engine(text(name));
@@ -68,6 +80,14 @@ std::vector<EngineSeries> read_series(const Node& table) {
 
 }  // namespace
 
+Scene Variant::apply(Scene scene) const {
+  if (name == "linear") scene.equations = Equations::linear;
+  if (name == "nonlinear") scene.equations = Equations::nonlinear;
+  if (name == "paper") scene.law = Law::paper;
+  if (name == "consistent") scene.law = Law::consistent;
+  return scene;
+}
+
 EngineSeries make_series(const Engine& engine, const std::string& settings, std::vector<double> steps) {
   return {&engine, settings, settings == "tuned" ? engine.tuned_parameters() : engine.default_parameters(),
           std::move(steps)};
@@ -85,7 +105,7 @@ bool is_suite(const std::filesystem::path& file) {
 
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
-  require_table(root, {"title", "scenes", "engines", "exact_step", "tolerance", "repeats"});
+  require_table(root, {"title", "scenes", "variants", "engines", "exact_step", "tolerance", "repeats"});
   Suite suite;
   suite.title = text(required(root, "title", "a text"));
   for (const Node& scene : required(root, "scenes", "an array of scene files").children) {
@@ -98,6 +118,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
     suite.repeats = static_cast<int>(number(*node));
     if (suite.repeats != number(*node) || suite.repeats < 1) throw wrong_value(*node, "a whole number ≥ 1");
   }
+  if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);
   if (const Node* engines = find(root, "engines")) {
     for (const Node& table : engines->children) {
       for (EngineSeries& series : read_series(table)) suite.series.push_back(std::move(series));

@@ -24,13 +24,23 @@ struct EngineSeries {
   std::vector<double> steps;  ///< s
 };
 
+/// The exact solver with one choice of the scene changed, to be compared as if it were another engine: linear
+/// against nonlinear equations, or one impact law against the other.
+struct Variant {
+  std::string name;  ///< "linear", "nonlinear", "paper" or "consistent"
+
+  /// The scene with that choice made.
+  Scene apply(Scene scene) const;
+};
+
 /// An engine with its "default" or "tuned" parameters.
 EngineSeries make_series(const Engine& engine, const std::string& settings, std::vector<double> steps);
 
-/// What `compare` runs: every scene on the exact solver and on every series.
+/// What `compare` runs: every scene on the exact solver, on its variants and on every series.
 struct Suite {
   std::string title;
   std::vector<NamedScene> scenes;
+  std::vector<Variant> variants;
   std::vector<EngineSeries> series;
   double exact_step = 2e-4;  ///< of the exact solver's rk4, s
   double tolerance = 0.01;   ///< up to which histories agree, rad

@@ -11,7 +11,8 @@
 
 namespace rockstack {
 
-/// Every number that shapes an engine run, by the engine's own name for it; written into the results as it is.
+/// Every number that shapes an engine run, by the engine's own name for it; written into the results as it
+/// is.
 using Parameters = std::map<std::string, double>;
 
 /// A scene inside an engine, ready to step. Blocks count from 0, bottom to top.
@@ -22,9 +23,12 @@ class Simulation {
   /// Advances by one time step; ground motion enters as its mean over the step.
   virtual void step() = 0;
 
-  /// Writes the angles (rad, clockwise positive, from the rotation, unwrapped from the block's start) and angular
-  /// velocities (rad/s) of all blocks.
+  /// Writes the angles (rad, clockwise positive, from the rotation, unwrapped from the block's start) and
+  /// angular velocities (rad/s) of all blocks.
   virtual void read(std::span<double> angles, std::span<double> velocities) const = 0;
+
+  /// How often the engine has said that its solver failed in a step that it then went on from.
+  virtual std::size_t warnings() const { return 0; }
 };
 
 /// A physics engine with one of its constraint solvers.
@@ -42,9 +46,14 @@ class Engine {
   /// The set that suits this problem best; the adapter's head says why for each.
   virtual Parameters tuned_parameters() const = 0;
 
+  /// The coefficient of friction that acts where a scene asks for `asked`; smaller where the engine has a
+  /// limit.
+  virtual double friction(double asked) const { return asked; }
+
   /// Builds the scene anew. `parameters` holds exactly the keys of default_parameters().
   /// @throws std::invalid_argument for an unknown or missing parameter, or one out of range; dt ≤ 0.
-  virtual std::unique_ptr<Simulation> start(const Scene& scene, double dt, const Parameters& parameters) const = 0;
+  virtual std::unique_ptr<Simulation> start(const Scene& scene, double dt,
+                                            const Parameters& parameters) const = 0;
 };
 
 /// The engines this program was built with. Those switched off are not there.
@@ -57,10 +66,16 @@ const Engine& find_engine(const std::string& name);
 /// Names of engines that were left out when this program was built.
 std::vector<std::string> engines_left_out();
 
-/// Runs a scene for its duration and keeps the state at t = 0 and after every step.
-/// The history ends early where a block has toppled.
-/// @throws std::runtime_error with the time at which an angle stopped being finite.
-History simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters);
+/// What an engine made of a scene.
+struct EngineRun {
+  History history;  ///< the state at t = 0 and after every step; ends early where a block has toppled
+  std::size_t warnings = 0;  ///< as Simulation::warnings()
+};
+
+/// Runs a scene for its duration.
+/// @throws std::runtime_error with the time at which an angle stopped being finite, or the engine's own
+/// error.
+EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters);
 
 /// Wall time of stepping alone, without building or reading, in s.
 struct SteppingTime {
@@ -68,6 +83,9 @@ struct SteppingTime {
   double median = 0;
   int repeats = 0;  ///< after one warm-up run that is not counted
 };
+
+/// The summary of timed runs, at least one, s.
+SteppingTime stepping_time(std::vector<double> seconds);
 
 SteppingTime time_stepping(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters,
                            int repeats);

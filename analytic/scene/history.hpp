@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,6 +43,16 @@ struct BasicEvent {
   Consistency consistency = Consistency::consistent;
 };
 
+/// What an interface has to bear for the model to hold, over a whole history: it must push, and hold without
+/// slipping.
+template <class Real>
+struct BasicDemand {
+  Real least_normal = std::numeric_limits<Real>::infinity();  ///< N or N·s; negative: it would have to pull
+  Real least_normal_time{};                                   ///< s
+  Real friction{};                                            ///< largest |T|/N; infinite where N ≤ 0
+  Real friction_time{};                                       ///< s
+};
+
 /// Sampled motion of a stack, and the events where they are known. Engines know no patterns and no events:
 /// those two are empty then. Rows are samples; angles and velocities are stored row by row.
 template <class Real>
@@ -52,6 +63,8 @@ struct BasicHistory {
   std::vector<Real> velocities;   ///< rad/s, times.size() × blocks
   std::vector<Pattern> patterns;  ///< times.size(), or empty
   std::vector<BasicEvent<Real>> events;
+  std::vector<BasicDemand<Real>> forces;    ///< one an interface, of the motion; empty unless asked for
+  std::vector<BasicDemand<Real>> impulses;  ///< likewise, of the impacts
 
   std::size_t size() const { return times.size(); }
   std::span<const Real> angles_at(std::size_t sample) const { return row(angles, sample); }
@@ -64,6 +77,7 @@ struct BasicHistory {
   }
 };
 
+using Demand = BasicDemand<double>;
 using Event = BasicEvent<double>;
 using History = BasicHistory<double>;
 

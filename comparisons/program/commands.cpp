@@ -12,6 +12,7 @@
 #include "comparisons/files.hpp"
 #include "comparisons/measure.hpp"
 #include "comparisons/program/output.hpp"
+#include "comparisons/validity.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures.hpp"
 #include "plots/report.hpp"
@@ -56,7 +57,7 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
   prepare_folder(arguments.out);
   const History history =
       solve_into(scene, arguments.step, arguments.interval, arguments.out, common.command);
-  print_history(history, arguments.out, common);
+  print_history(history, validity_warnings(scene.scene, history), arguments.out, common);
   return 0;
 }
 
@@ -67,7 +68,7 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   prepare_folder(arguments.out);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt});
   const History history = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
-  print_history(history, arguments.out, common);
+  print_history(history, {}, arguments.out, common);
   return 0;
 }
 

@@ -52,17 +52,21 @@ Progress progress(const Common& common) {
   };
 }
 
-void print_history(const History& history, const std::filesystem::path& folder, const Common& common) {
+void print_history(const History& history, const std::vector<std::string>& warnings,
+                   const std::filesystem::path& folder, const Common& common) {
   std::map<std::string, int> events;
   for (const Event& event : history.events) ++events[name(event.kind)];
   if (common.json) {
-    fmt::print(
-        "{}\n",
-        Json{{"events", events}, {"peak_angles", peaks(history)}, {"folder", folder.string()}}.dump(2));
+    fmt::print("{}\n", Json{{"events", events},
+                            {"peak_angles", peaks(history)},
+                            {"warnings", warnings},
+                            {"folder", folder.string()}}
+                           .dump(2));
   } else if (!common.quiet) {
     for (const auto& [kind, number] : events) fmt::print("{}: {}\n", kind, number);
     for (std::size_t k = 0; const double peak : peaks(history))
       fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak);
+    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
     fmt::print("results: {}\n", folder.string());
   }
 }

@@ -15,8 +15,9 @@ namespace rockstack {
 /// A line that names the run in progress.
 Progress progress(const Common& common);
 
-/// Events by kind, peak angles, and where the files are.
-void print_history(const History& history, const std::filesystem::path& folder, const Common& common);
+/// Events by kind, peak angles, warnings, and where the files are.
+void print_history(const History& history, const std::vector<std::string>& warnings,
+                   const std::filesystem::path& folder, const Common& common);
 
 /// The comparison as a table, and where the results are.
 void print_rows(const std::vector<Row>& rows, const std::filesystem::path& folder, const Common& common);

@@ -1,0 +1,69 @@
+#include "engines/parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace rockstack {
+namespace {
+
+std::string range_of(const Setting& setting) {
+  const std::string kind = setting.whole ? "a whole number" : "a number";
+  if (setting.most == std::numeric_limits<double>::infinity()) {
+    return fmt::format("{} from {} up", kind, setting.least);
+  }
+  return fmt::format("{} from {} to {}", kind, setting.least, setting.most);
+}
+
+bool allows(const Setting& setting, double value) {
+  const bool inside = value >= setting.least && value <= setting.most;
+  return inside && (!setting.whole || value == std::floor(value));
+}
+
+std::string names_of(std::span<const Setting> settings) {
+  std::string names;
+  for (const Setting& setting : settings) names += (names.empty() ? "" : ", ") + std::string(setting.name);
+  return names;
+}
+
+}  // namespace
+
+Parameters standard_values(std::span<const Setting> settings) {
+  Parameters values;
+  for (const Setting& setting : settings) values[setting.name] = setting.standard;
+  return values;
+}
+
+Parameters tuned_values(std::span<const Setting> settings) {
+  Parameters values;
+  for (const Setting& setting : settings) values[setting.name] = setting.tuned;
+  return values;
+}
+
+void check(const std::string& engine, std::span<const Setting> settings, const Parameters& given, double dt) {
+  if (!(dt > 0) || !std::isfinite(dt)) {
+    throw std::invalid_argument(fmt::format("{}: dt = {}: must be a finite number > 0, in s", engine, dt));
+  }
+  for (const auto& [name, value] : given) {
+    const auto same_name = [&key = name](const Setting& setting) { return key == setting.name; };
+    const auto found = std::find_if(settings.begin(), settings.end(), same_name);
+    if (found == settings.end()) {
+      throw std::invalid_argument(fmt::format("{}: {} = {}: no such parameter; there are {}", engine, name,
+                                              value, names_of(settings)));
+    }
+    if (!allows(*found, value)) {
+      throw std::invalid_argument(
+          fmt::format("{}: {} = {}: must be {}", engine, name, value, range_of(*found)));
+    }
+  }
+  for (const Setting& setting : settings) {
+    if (given.count(setting.name) != 0) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: {} is missing: must be {}", engine, setting.name, range_of(setting)));
+  }
+}
+
+}  // namespace rockstack

@@ -1,0 +1,60 @@
+#include "engines/placement.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "analytic/scene/kinematics.hpp"
+
+namespace rockstack {
+namespace {
+
+Placement shape_of(const Block& block, double depth) {
+  Placement placement;
+  placement.width = 2 * block.half_width;
+  placement.height = 2 * block.half_height;
+  placement.depth = depth;
+  placement.mass = block.mass;
+  placement.inertia = block.inertia;
+  placement.inertia_about_x = rectangle_inertia(block.mass, 0.5 * depth, block.half_height);
+  placement.inertia_about_y = rectangle_inertia(block.mass, block.half_width, 0.5 * depth);
+  return placement;
+}
+
+Vector<double> vector_of(const std::vector<double>& values) {
+  return Vector<double>::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+}  // namespace
+
+std::vector<Placement> place(const Scene& scene) {
+  const Vector<double> angles = vector_of(scene.initial.angles);
+  const Vector<double> velocities = vector_of(scene.initial.velocities);
+  const Pattern pattern = pattern_of<double>(relative<double>(angles), relative<double>(velocities));
+  const Chain<double> chain = make_chain(make_stack<double>(scene), pattern, angles);
+  const Points<double> middles = centres(chain);
+  const Points<double> motions = centre_velocities(chain, velocities);
+
+  std::vector<Placement> placements;
+  for (Eigen::Index k = 0; k < angles.size(); ++k) {
+    Placement placement = shape_of(scene.blocks[static_cast<std::size_t>(k)], scene.engine.depth);
+    placement.x = middles(0, k);
+    placement.y = middles(1, k);
+    placement.velocity_x = motions(0, k);
+    placement.velocity_y = motions(1, k);
+    placement.angle = angles[k];
+    placement.angular_velocity = velocities[k];
+    placements.push_back(placement);
+  }
+  return placements;
+}
+
+BodyAcceleration body_acceleration(const Scene& scene, double from, double to) {
+  return {-mean_acceleration(scene.horizontal, from, to),
+          -scene.gravity - mean_acceleration(scene.vertical, from, to)};
+}
+
+double unwrap(double wrapped, double last) {
+  return last + std::remainder(wrapped - last, 2 * std::numbers::pi);
+}
+
+}  // namespace rockstack

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "plots/gnuplot.hpp"
+#include "plots/look.hpp"
+#include "plots/results.hpp"
+
+namespace rockstack::plots {
+
+/// Angles over time, a panel a block, with the exact impacts and the exact pattern.
+Drawing histories(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+
+/// Absolute angle differences over time, a panel a block, with the tolerance and the end of agreement.
+Drawing differences(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+
+/// Time differences of matched impacts by number; missed and extra ones in rows of their own.
+Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+
+/// RMS angle difference against stepping time, a line over time steps for each engine, solver and settings.
+Drawing error_time(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+
+}  // namespace rockstack::plots

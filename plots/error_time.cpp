@@ -1,0 +1,178 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plots/drawings.hpp"
+#include "plots/layout.hpp"
+#include "plots/selection.hpp"
+#include "plots/table.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// One run as a point: wall time a second of motion, and its error in rad.
+struct Cost {
+  double time, error, dt;
+};
+
+constexpr double panel_across = 1056, panel_up = 520;  ///< pixels
+
+struct CostLine {
+  Run run;  ///< any of the line
+  std::vector<Cost> costs;
+};
+
+std::vector<CostLine> cost_lines(const Comparison& comparison, const std::string& scene) {
+  std::vector<CostLine> lines;
+  for (const StepLine& runs : step_lines(comparison, scene)) {
+    CostLine line{runs.front(), {}};
+    for (const Run& run : runs) {
+      const Cost cost{run.stepping_time / (run.steps * run.dt), run.rms_angle_difference, run.dt};
+      if (std::isfinite(cost.time) && cost.time > 0 && cost.error > 0 && std::isfinite(cost.error))
+        line.costs.push_back(cost);
+    }
+    if (!line.costs.empty()) lines.push_back(line);
+  }
+  return lines;
+}
+
+/// Wall time a second of motion of the exact solver, 0 where it is not known.
+double exact_cost(const std::vector<Run>& exact) {
+  if (exact.empty() || !(exact.front().stepping_time > 0)) return 0;
+  const auto times = read_columns(exact.front().folder / "history.csv", {"time"});
+  const double end = times[0].empty() ? 0 : times[0].back();
+  return end > 0 ? exact.front().stepping_time / end : 0;
+}
+
+std::string line_data(std::size_t index, const CostLine& line) {
+  Curve curve;
+  for (const Cost& cost : line.costs) {
+    curve.times.push_back(cost.time);
+    curve.values.push_back(cost.error);
+  }
+  return data_block(fmt::format("line_{}", index), curve);
+}
+
+bool filled(const Run& run) {
+  return run.settings != "default";
+}
+
+std::string line_style(const CostLine& line, const Looks& looks) {
+  const Look& look = looks.at(solver_name(line.run));
+  return fmt::format("with linespoints lw 2 lc rgb '{}' dt {} pt {} ps 1.7*mark", look.colour,
+                     filled(line.run) ? "solid" : "(1,6)", look.mark + (filled(line.run) ? 1 : 0));
+}
+
+/// The panel's edges, and where its points lie in pixels from its lower left corner.
+struct Frame {
+  double fast = 1e300, slow = 0, small = 1e300, large = 0;
+
+  void add(double time) { fast = std::min(fast, time), slow = std::max(slow, time); }
+  std::string ranges() const {
+    return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", plain(fast), plain(slow), plain(small),
+                       plain(large));
+  }
+  double across(double time) const { return panel_across * std::log(time / fast) / std::log(slow / fast); }
+  double up(double error) const { return panel_up * std::log(error / small) / std::log(large / small); }
+};
+
+Frame frame_of(const std::vector<CostLine>& lines, double exact) {
+  Frame frame;
+  if (exact > 0) frame.add(exact);
+  for (const CostLine& line : lines)
+    for (const Cost& cost : line.costs) {
+      frame.add(cost.time);
+      frame.small = std::min(frame.small, cost.error);
+      frame.large = std::max(frame.large, cost.error);
+    }
+  constexpr double room = 2;
+  return {frame.fast / room, frame.slow * room, frame.small / room, frame.large * room};
+}
+
+/// A rectangle in pixels that is taken by a mark or a word.
+struct Box {
+  double left, right, low, high;
+
+  bool meets(const Box& other) const {
+    return left < other.right && other.left < right && low < other.high && other.low < high;
+  }
+};
+
+bool is_free(const std::vector<Box>& taken, const Box& box) {
+  return box.left > 0 && box.right < panel_across && box.low > 0 && box.high < panel_up &&
+         std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); });
+}
+
+/// The words of one mark at the first of four corners that is free, or none: the other runs with its time
+/// step lie beside it.
+std::string label(const Frame& frame, const Cost& cost, const std::string& colour, std::vector<Box>& taken) {
+  const std::string words = duration_text(cost.dt);
+  const double width = 9.5 * static_cast<double>(words.size()) + 4;
+  const double x = frame.across(cost.time), y = frame.up(cost.error);
+  constexpr double gap = 11, half_height = 8, rise = 9;
+  for (const double side : {1.0, -1.0})
+    for (const double lift : {rise, -rise}) {
+      const double near = x + side * gap, far = near + side * width;
+      const Box box{std::min(near, far), std::max(near, far), y + lift - half_height, y + lift + half_height};
+      if (!is_free(taken, box)) continue;
+      taken.push_back(box);
+      return fmt::format("set label '{}' at graph {}, graph {} {} font ',11' textcolor rgb '{}' front\n",
+                         words, plain(near / panel_across), plain((y + lift) / panel_up),
+                         side > 0 ? "left" : "right", colour);
+    }
+  return "";
+}
+
+std::string labels(const std::vector<CostLine>& lines, const Frame& frame, const Looks& looks) {
+  std::vector<Box> taken;
+  constexpr double half_mark = 7;
+  for (const CostLine& line : lines)
+    for (const Cost& cost : line.costs) {
+      const double x = frame.across(cost.time), y = frame.up(cost.error);
+      taken.push_back({x - half_mark, x + half_mark, y - half_mark, y + half_mark});
+    }
+  std::string text;
+  for (const CostLine& line : lines)
+    for (const Cost& cost : line.costs)
+      text += label(frame, cost, looks.at(solver_name(line.run)).colour, taken);
+  return text;
+}
+
+std::vector<std::string> plots_of(const std::vector<CostLine>& lines, const Looks& looks) {
+  std::vector<std::string> plots;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    plots.push_back(fmt::format("$line_{} using 1:2 {} notitle", i, line_style(lines[i], looks)));
+  return plots;
+}
+
+std::string exact_line(double cost) {
+  if (cost <= 0) return "";
+  return fmt::format(
+      "set arrow from {0}, graph 0 to {0}, graph 1 nohead lw 3 lc rgb '#000000' back\n"
+      "set label ' exact solver' at {0}, graph 0.04 left font ',12'\n",
+      plain(cost));
+}
+
+}  // namespace
+
+Drawing error_time(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+  const std::vector<CostLine> lines = cost_lines(comparison, scene.name);
+  if (lines.empty())
+    return empty_sheet(scene.title, "No engine run of this scene with both an error and a time.");
+  const double exact = exact_cost(shown_runs(comparison, scene.name).exact);
+  const Frame frame = frame_of(lines, exact);
+  Legend legend;
+  for (const CostLine& line : lines) legend.emplace_back(line_style(line, looks), line_label(line.run));
+  Sheet sheet(scene.title, legend);
+  for (std::size_t i = 0; i < lines.size(); ++i) sheet.data(line_data(i, lines[i]));
+  sheet.panel(panel_up, 0,
+              "set logscale xy\nset format xy '10^{%T}'\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
+              "set xlabel 'stepping time for one second of motion (s)'\n"
+              "set ylabel 'RMS angle difference (rad)' offset 0\n" +
+                  frame.ranges() + labels(lines, frame, looks) + exact_line(exact),
+              plots_of(lines, looks));
+  return sheet.finish();
+}
+
+}  // namespace rockstack::plots

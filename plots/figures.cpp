@@ -1,0 +1,63 @@
+#include "plots/figures.hpp"
+
+#include <array>
+
+#include "plots/drawings.hpp"
+
+namespace rockstack {
+namespace {
+
+using Draw = plots::Drawing (*)(const plots::Comparison&, const plots::ComparedScene&, const plots::Looks&);
+
+constexpr std::array<Draw, 4> draws{plots::histories, plots::differences, plots::impact_times,
+                                    plots::error_time};
+
+}  // namespace
+
+const std::vector<FigureKind>& figure_kinds() {
+  static const std::vector<FigureKind> kinds{
+      {"histories", "Angles over time",
+       "One panel a block. The thick grey line with a black core is the exact solution; each engine is shown "
+       "with its "
+       "smallest time step, tuned where it was tuned. Ticks along the upper edge are the exact impacts at "
+       "the "
+       "interface under that block; the band at the bottom names the exact pattern. A curve that leaves its "
+       "panel "
+       "goes on beyond it."},
+      {"differences", "Angle differences over time",
+       "How far each engine is from the exact angle, on a logarithmic axis, as the largest absolute value of "
+       "each "
+       "short stretch of time. The dashed line is the tolerance; the filled mark on it is where the run "
+       "first passes "
+       "it, in whichever block; a run without one stays within it."},
+      {"impact-times", "Impact times",
+       "Each mark is an exact impact that the engine has too: above zero the engine is late, below it is "
+       "early. The "
+       "axis is logarithmic on both sides and linear across the middle. The rows below hold the exact "
+       "impacts that "
+       "an engine misses, and those of its own that match none."},
+      {"error-time", "Error against computing time",
+       "Each mark is a run, labelled with its time step where there is room: lower is nearer to the exact "
+       "solution, further left is "
+       "faster. Filled marks are tuned settings, open ones defaults. The vertical line is the time the exact "
+       "solver "
+       "takes."},
+  };
+  return kinds;
+}
+
+std::filesystem::path figure_stem(const std::filesystem::path& results, const std::string& scene,
+                                  const std::string& kind) {
+  return results / "figures" / (scene + "." + kind);
+}
+
+void draw_figures(const std::filesystem::path& results) {
+  const plots::Comparison comparison = plots::read_comparison(results);
+  const plots::Looks looks = plots::assign_looks(comparison);
+  for (const plots::ComparedScene& scene : comparison.scenes)
+    for (std::size_t i = 0; i < draws.size(); ++i)
+      plots::draw(draws[i](comparison, scene, looks),
+                  figure_stem(results, scene.name, figure_kinds()[i].name));
+}
+
+}  // namespace rockstack

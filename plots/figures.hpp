@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rockstack {
+
+/// Draws every figure of every scene of a results folder, as results/figures/<scene>.<figure>.png and .svg.
+/// @throws InputError naming the file that is missing or malformed; std::runtime_error where gnuplot fails.
+void draw_figures(const std::filesystem::path& results);
+
+/// One kind of figure, in the order of a report.
+struct FigureKind {
+  std::string name;         ///< part of the file's name
+  std::string title;        ///< heading in the report
+  std::string explanation;  ///< how to read it
+};
+
+const std::vector<FigureKind>& figure_kinds();
+
+/// Where a figure lies, without .png or .svg.
+std::filesystem::path figure_stem(const std::filesystem::path& results, const std::string& scene,
+                                  const std::string& kind);
+
+}  // namespace rockstack

@@ -1,0 +1,75 @@
+#include "plots/look.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <set>
+#include <string_view>
+#include <vector>
+
+namespace rockstack::plots {
+namespace {
+
+struct NamedLook {
+  std::string_view solver;
+  std::string_view colour;
+  int mark;
+  std::string_view dash;
+};
+
+constexpr int square = 4, circle = 6, triangle = 8, triangle_down = 10, diamond = 12, pentagon = 14;
+
+// The colours of Okabe and Ito (2008), told apart by people with any form of colour blindness.
+// Gaps are wide because the line's round ends reach into them.
+constexpr std::array<NamedLook, 7> own{{
+    {"exact", "#000000", circle, "solid"},
+    {"bullet:sequential-impulse", "#0072B2", square, "solid"},
+    {"bullet:nncg", "#56B4E9", diamond, "(12,9)"},
+    {"bullet:mlcp-dantzig", "#009E73", triangle, "(8,7,1,7)"},
+    {"bullet:mlcp-pgs", "#CC79A7", triangle_down, "(1,6)"},
+    {"ode:step", "#D55E00", circle, "solid"},
+    {"ode:quickstep", "#E69F00", pentagon, "(12,9)"},
+}};
+
+constexpr std::array<NamedLook, 6> spare{{
+    {"", "#CC79A7", triangle_down, "(12,8,1,8)"},
+    {"", "#009E73", pentagon, "(5,8)"},
+    {"", "#56B4E9", triangle, "(1,6)"},
+    {"", "#E69F00", diamond, "(8,7,1,7)"},
+    {"", "#0072B2", circle, "(1,6)"},
+    {"", "#D55E00", square, "(8,7,1,7)"},
+}};
+
+constexpr std::array<std::string_view, 9> tints{"#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0",
+                                                "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"};
+
+Look look_from(const NamedLook& named) {
+  return {std::string(named.colour), named.mark, std::string(named.dash)};
+}
+
+}  // namespace
+
+Looks assign_looks(const Comparison& comparison) {
+  Looks looks;
+  for (const NamedLook& named : own) looks[std::string(named.solver)] = look_from(named);
+  std::size_t next = 0;
+  for (const Run& run : comparison.runs)
+    if (!looks.contains(solver_name(run))) looks[solver_name(run)] = look_from(spare[next++ % spare.size()]);
+  return looks;
+}
+
+std::string pattern_tint(std::size_t index) {
+  return std::string(tints[index % tints.size()]);
+}
+
+std::string curve_style(const Look& look, std::size_t order) {
+  return fmt::format("with linespoints lw 2 lc rgb '{}' dt {} pt {} ps 1.1*mark pn {}", look.colour,
+                     look.dash, look.mark, 6 + order);
+}
+
+std::string mark_style(const Look& look, bool filled, double size) {
+  return fmt::format("with points lw 2 lc rgb '{}' pt {} ps {:.2f}*mark", look.colour,
+                     look.mark + (filled ? 1 : 0), size);
+}
+
+}  // namespace rockstack::plots

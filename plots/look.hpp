@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "plots/results.hpp"
+
+namespace rockstack::plots {
+
+/// How one solver appears in every figure: its colour tells it on a screen, its mark and dash in grey.
+struct Look {
+  std::string colour;  ///< #rrggbb
+  int mark = 0;        ///< gnuplot's point type with the inside left open; the filled one is the next
+  std::string dash;    ///< gnuplot's dash type
+};
+
+/// A look for each solver of a comparison, by solver_name().
+using Looks = std::map<std::string, Look>;
+
+/// Solvers that have a look of their own keep it in every comparison; others get spare ones in the order of
+/// the file.
+Looks assign_looks(const Comparison& comparison);
+
+/// A tint for the band of patterns, pale enough for black letters; repeats after a while.
+std::string pattern_tint(std::size_t index);
+
+/// "with linespoints …" for a curve with a few marks on it; `order` sets marks of neighbouring curves apart.
+std::string curve_style(const Look& look, std::size_t order);
+
+/// "with points …", filled or open.
+std::string mark_style(const Look& look, bool filled, double size);
+
+}  // namespace rockstack::plots

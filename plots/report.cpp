@@ -1,0 +1,169 @@
+#include "plots/report.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "analytic/scene/input_error.hpp"
+#include "plots/figures.hpp"
+#include "plots/html.hpp"
+#include "plots/results.hpp"
+#include "plots/selection.hpp"
+#include "plots/summary.hpp"
+#include "plots/template.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file.string() + ": cannot be read; figures are drawn before the report");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string sentence_list(const std::vector<std::string>& sentences) {
+  std::string items;
+  for (const std::string& sentence : sentences) items += element("li", escaped(sentence)) + "\n";
+  return element("ul", items) + "\n";
+}
+
+std::string definition_list(const Facts& facts) {
+  std::string items;
+  for (const auto& [name, text] : facts)
+    items += element("dt", escaped(name)) + element("dd", escaped(text)) + "\n";
+  return element("dl", items);
+}
+
+/// The number in a cell, or nothing where it is text.
+std::optional<double> number_in(const std::string& cell) {
+  try {
+    std::size_t used = 0;
+    const double value = std::stod(cell, &used);
+    return used == cell.size() ? std::optional(value) : std::nullopt;
+  } catch (const std::logic_error&) {
+    return std::nullopt;
+  }
+}
+
+/// Counts stand as they are, other numbers with four digits; the whole number is kept for sorting and as a
+/// tooltip.
+std::string table_cell(const std::string& column, const std::string& cell) {
+  const bool is_count = cell.find_first_not_of("0123456789") == std::string::npos;
+  if (const std::optional<double> value = number_in(cell))
+    return element("td", is_count ? cell : fmt::format("{:.4g}", *value),
+                   fmt::format(" class=\"number\" data-value=\"{0}\" title=\"{0}\"", escaped(cell)));
+  return element("td", escaped(cell), column == "reason" && !cell.empty() ? " class=\"reason\"" : "");
+}
+
+std::string table_row(const Comparison& comparison, const Run& run) {
+  std::string cells = element("th", escaped(run.cells.front()), " scope=\"row\"");
+  for (std::size_t i = 1; i < run.cells.size(); ++i) cells += table_cell(comparison.columns[i], run.cells[i]);
+  const std::string kind = run.exact() ? " class=\"exact\"" : run.done() ? "" : " class=\"failed\"";
+  return element("tr", cells, kind) + "\n";
+}
+
+/// "rms_angle_difference" as words that may break into lines.
+std::string heading(std::string column) {
+  for (char& c : column)
+    if (c == '_') c = ' ';
+  return element("th", element("button", escaped(column), " type=\"button\""), " scope=\"col\"");
+}
+
+std::string table(const Comparison& comparison) {
+  std::string headings, rows;
+  for (const std::string& column : comparison.columns) headings += heading(column);
+  for (const Run& run : comparison.runs) rows += table_row(comparison, run);
+  return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
+}
+
+std::string scene_anchor(std::size_t scene) {
+  return fmt::format("scene-{}", scene + 1);
+}
+
+std::string figure(const fs::path& results, const Comparison& comparison, std::size_t scene,
+                   const FigureKind& kind) {
+  const ComparedScene& compared = comparison.scenes[scene];
+  const std::string file =
+      contents_of(fs::path(figure_stem(results, compared.name, kind.name)).concat(".svg"));
+  const std::string svg = inline_svg(file, fmt::format("s{}-{}-", scene + 1, kind.name),
+                                     fmt::format("{}: {}", kind.title, compared.title));
+  return element("h3", escaped(kind.title)) +
+         element("figure", svg + element("figcaption", escaped(kind.explanation))) + "\n";
+}
+
+std::string scene_section(const fs::path& results, const Comparison& comparison, std::size_t scene) {
+  const ComparedScene& compared = comparison.scenes[scene];
+  std::string body = element("h2", escaped(compared.title)) + "\n";
+  for (const FigureKind& kind : figure_kinds()) body += figure(results, comparison, scene, kind);
+  body += element("details", element("summary", fmt::format("The scene file of {}", escaped(compared.name))) +
+                                 element("pre", element("code", escaped(compared.toml))));
+  return element("section", "\n" + body, fmt::format(" id=\"{}\"", scene_anchor(scene))) + "\n";
+}
+
+/// A failed run may have stopped before it wrote anything.
+std::string parameters_of(const Run& run) {
+  const std::string name = element("summary", escaped(run.name));
+  if (!run.done() && !fs::exists(run.folder / "summary.json"))
+    return element("details", name + element("p", fmt::format("Failed: {}", escaped(run.reason)))) + "\n";
+  return element("details", name + definition_list(read_summary(run))) + "\n";
+}
+
+std::string contents_list(const Comparison& comparison) {
+  const auto item = [](const std::string& anchor, const std::string& words) {
+    return element("li", fmt::format("<a href=\"#{}\">{}</a>", anchor, escaped(words)));
+  };
+  std::string items = item("summary", "Summary") + item("runs", "All runs");
+  for (std::size_t i = 0; i < comparison.scenes.size(); ++i)
+    items += item(scene_anchor(i), comparison.scenes[i].title);
+  items += item("parameters", "Parameters") + item("columns", "Columns") + item("again", "To run it again");
+  return element("ul", items);
+}
+
+std::string whole_summary(const Comparison& comparison) {
+  std::string text = sentence_list(summary(comparison));
+  for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
+    const ComparedScene& scene = comparison.scenes[i];
+    text += element("h3", fmt::format("<a href=\"#{}\">{}</a>", scene_anchor(i), escaped(scene.title))) +
+            sentence_list(summary(comparison, scene));
+  }
+  return text;
+}
+
+std::string page(const fs::path& results, const Comparison& comparison) {
+  std::string scenes, parameters;
+  for (std::size_t i = 0; i < comparison.scenes.size(); ++i) scenes += scene_section(results, comparison, i);
+  for (const Run& run : comparison.runs) parameters += parameters_of(run);
+  return filled_in(page_html, {{"title", escaped(comparison.title)},
+                               {"css", std::string(page_css)},
+                               {"js", std::string(page_js)},
+                               {"contents", contents_list(comparison)},
+                               {"summary", whole_summary(comparison)},
+                               {"table", table(comparison)},
+                               {"scenes", scenes},
+                               {"parameters", parameters},
+                               {"definitions", definition_list(comparison.definitions)},
+                               {"command", escaped(comparison.command)},
+                               {"environment", definition_list(comparison.environment)}});
+}
+
+}  // namespace
+}  // namespace rockstack::plots
+
+namespace rockstack {
+
+void write_report(const std::filesystem::path& results) {
+  const std::string text = plots::page(results, plots::read_comparison(results));
+  const std::filesystem::path aside = results / ".report.html.part";
+  std::ofstream out(aside, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error((results / "report.html").string() + ": cannot be written");
+  std::filesystem::rename(aside, results / "report.html");
+}
+
+}  // namespace rockstack

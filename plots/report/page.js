@@ -1,0 +1,26 @@
+"use strict";
+// Sorts the table of runs by the column whose heading is chosen; rows without a value stay last.
+const value = (row, column) => row.cells[column].dataset.value ?? row.cells[column].textContent;
+
+const compare = (a, b) => {
+  if (a === "" || b === "") return (a === "") - (b === "");
+  const difference = Number(a) - Number(b);
+  return Number.isNaN(difference) ? a.localeCompare(b, "en", { numeric: true }) : difference;
+};
+
+const sort = (heading) => {
+  const descending = heading.getAttribute("aria-sort") === "ascending";
+  const body = heading.closest("table").tBodies[0];
+  const rows = Array.from(body.rows);
+  const empty = (row) => value(row, heading.cellIndex) === "";
+  rows.sort((a, b) => {
+    const order = compare(value(a, heading.cellIndex), value(b, heading.cellIndex));
+    return descending && !empty(a) && !empty(b) ? -order : order;
+  });
+  for (const other of heading.parentElement.cells) other.removeAttribute("aria-sort");
+  heading.setAttribute("aria-sort", descending ? "descending" : "ascending");
+  body.append(...rows);
+};
+
+for (const button of document.querySelectorAll("thead button"))
+  button.addEventListener("click", () => sort(button.closest("th")));

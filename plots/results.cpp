@@ -1,0 +1,152 @@
+#include "plots/results.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/input_error.hpp"
+#include "plots/table.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json read_json(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw InputError(file.string() + ": cannot be read");
+  try {
+    return Json::parse(in);
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+std::string text_of(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+void flatten(const Json& object, const std::string& prefix, Facts& facts) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) {
+      flatten(value, prefix + key + ".", facts);
+    } else {
+      facts.emplace_back(prefix + key, text_of(value));
+    }
+  }
+}
+
+Facts facts_of(const Json& object) {
+  Facts facts;
+  flatten(object, "", facts);
+  return facts;
+}
+
+void read_description(const Json& json, Comparison& comparison) {
+  comparison.title = json.at("title").get<std::string>();
+  comparison.command = json.at("command").get<std::string>();
+  for (const Json& scene : json.at("scenes"))
+    comparison.scenes.push_back({scene.at("name").get<std::string>(), scene.at("title").get<std::string>(),
+                                 scene.at("blocks").get<int>(), scene.at("toml").get<std::string>()});
+  comparison.definitions = facts_of(json.at("definitions"));
+  comparison.environment = facts_of(json.at("environment"));
+  comparison.tolerance = json.at("tolerance_rad").get<double>();
+  comparison.left_out = json.at("left_out").get<std::vector<std::string>>();
+}
+
+void check_description(const Comparison& comparison, const std::filesystem::path& file) {
+  if (!(comparison.tolerance > 0))
+    throw InputError(fmt::format("{}: tolerance_rad = {}: must be > 0", file.string(), comparison.tolerance));
+  for (const ComparedScene& scene : comparison.scenes)
+    if (scene.blocks < 1)
+      throw InputError(fmt::format("{}: scene {}: blocks = {}: must be at least 1", file.string(), scene.name,
+                                   scene.blocks));
+}
+
+/// Fills the fields of a run from its cells.
+class RowReader {
+ public:
+  RowReader(const Table& table, std::size_t row, const std::filesystem::path& file)
+      : table_(table), row_(row), file_(file) {}
+
+  void read(const std::string& name, std::string& field) const { field = cell(name); }
+  void read(const std::string& name, double& field) const {
+    field = number(cell(name), fmt::format("{}:{}", file_.string(), row_ + 2), name);
+  }
+
+ private:
+  const std::string& cell(const std::string& name) const {
+    return table_.rows[row_][column(table_, name, file_)];
+  }
+
+  const Table& table_;
+  std::size_t row_;
+  const std::filesystem::path& file_;
+};
+
+Run read_run(const RowReader& row) {
+  Run run;
+  row.read("run", run.name);
+  row.read("scene", run.scene);
+  row.read("engine", run.engine);
+  row.read("solver", run.solver);
+  row.read("settings", run.settings);
+  row.read("status", run.status);
+  row.read("reason", run.reason);
+  row.read("dt", run.dt);
+  row.read("steps", run.steps);
+  row.read("stepping_time_minimum", run.stepping_time);
+  row.read("largest_angle_difference", run.largest_angle_difference);
+  row.read("rms_angle_difference", run.rms_angle_difference);
+  row.read("first_impact_time_difference", run.first_impact_time_difference);
+  row.read("impacts_matched", run.impacts_matched);
+  row.read("impacts_missed", run.impacts_missed);
+  row.read("impacts_extra", run.impacts_extra);
+  row.read("agreement_time", run.agreement_time);
+  row.read("toppled", run.toppled);
+  return run;
+}
+
+}  // namespace
+
+Comparison read_comparison(const std::filesystem::path& results) {
+  Comparison comparison;
+  const std::filesystem::path description = results / "comparison.json";
+  try {
+    read_description(read_json(description), comparison);
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{}: {}", description.string(), error.what()));
+  }
+  check_description(comparison, description);
+  const std::filesystem::path file = results / "comparison.csv";
+  const Table table = read_table(file);
+  comparison.columns = table.columns;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    Run run = read_run(RowReader(table, i, file));
+    run.cells = table.rows[i];
+    run.folder = results / "runs" / run.name;
+    comparison.runs.push_back(std::move(run));
+  }
+  return comparison;
+}
+
+Facts read_summary(const Run& run) {
+  return facts_of(read_json(run.folder / "summary.json"));
+}
+
+std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene) {
+  std::vector<Run> runs;
+  for (const Run& run : comparison.runs)
+    if (run.done() && run.scene == scene) runs.push_back(run);
+  std::stable_partition(runs.begin(), runs.end(), [](const Run& run) { return run.exact(); });
+  return runs;
+}
+
+std::string solver_name(const Run& run) {
+  return run.exact() || run.solver.empty() ? run.engine : run.engine + ":" + run.solver;
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rockstack::plots {
+
+/// Names and texts in the order of the file.
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+/// One row of a comparison. SI units; NaN where the file has no value.
+struct Run {
+  std::string name, scene, engine, solver, settings, status, reason;
+  double dt = 0;                            ///< s
+  double steps = 0;                         ///< number of steps made
+  double stepping_time = 0;                 ///< smallest wall time of all steps together, s
+  double largest_angle_difference = 0;      ///< rad
+  double rms_angle_difference = 0;          ///< rad
+  double first_impact_time_difference = 0;  ///< s
+  double impacts_matched = 0, impacts_missed = 0, impacts_extra = 0;
+  double agreement_time = 0;  ///< s
+  std::string toppled;
+  std::vector<std::string> cells;  ///< the whole row as text, for Comparison::columns
+  std::filesystem::path folder;    ///< where its files are
+
+  bool done() const { return status == "done"; }
+  bool exact() const { return engine == "exact"; }
+};
+
+struct ComparedScene {
+  std::string name, title;
+  int blocks = 0;
+  std::string toml;  ///< the scene as text
+};
+
+/// What `rockstack compare` has written.
+struct Comparison {
+  std::string title, command;
+  std::vector<ComparedScene> scenes;
+  Facts definitions;     ///< what each column means
+  Facts environment;     ///< versions, compiler, processor
+  double tolerance = 0;  ///< rad, the difference up to which angles count as agreeing; > 0
+  std::vector<std::string> left_out;
+  std::vector<std::string> columns;
+  std::vector<Run> runs;
+};
+
+/// Reads comparison.json and comparison.csv.
+/// @throws InputError naming the file (and line) that is missing or malformed.
+Comparison read_comparison(const std::filesystem::path& results);
+
+/// Everything that a run's summary.json says, nested names joined by dots.
+/// @throws InputError naming the file that is missing or malformed.
+Facts read_summary(const Run& run);
+
+/// The runs of one scene that are done: the exact one first, engines in the order of the file.
+std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene);
+
+/// The engine with its solver, "bullet:sequential-impulse"; "exact" for the exact solver.
+std::string solver_name(const Run& run);
+
+}  // namespace rockstack::plots

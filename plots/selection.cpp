@@ -1,0 +1,79 @@
+#include "plots/selection.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rockstack::plots {
+namespace {
+
+bool same_solver(const Run& a, const Run& b) {
+  return solver_name(a) == solver_name(b);
+}
+
+bool has_tuned(const std::vector<StepLine>& lines, const Run& run) {
+  return std::any_of(lines.begin(), lines.end(), [&](const StepLine& line) {
+    return same_solver(line.front(), run) && line.front().settings == "tuned";
+  });
+}
+
+}  // namespace
+
+std::vector<StepLine> step_lines(const Comparison& comparison, const std::string& scene) {
+  std::vector<StepLine> lines;
+  for (const Run& run : done_runs(comparison, scene)) {
+    if (run.exact()) continue;
+    const auto found = std::find_if(lines.begin(), lines.end(), [&](const StepLine& line) {
+      return same_solver(line.front(), run) && line.front().settings == run.settings;
+    });
+    if (found == lines.end()) {
+      lines.push_back({run});
+    } else {
+      found->push_back(run);
+    }
+  }
+  for (StepLine& line : lines)
+    std::stable_sort(line.begin(), line.end(), [](const Run& a, const Run& b) { return a.dt < b.dt; });
+  return lines;
+}
+
+Shown shown_runs(const Comparison& comparison, const std::string& scene) {
+  Shown shown;
+  for (const Run& run : done_runs(comparison, scene))
+    if (run.exact() && shown.exact.empty()) shown.exact.push_back(run);
+  const std::vector<StepLine> lines = step_lines(comparison, scene);
+  for (const StepLine& line : lines)
+    if (line.front().settings != "default" || !has_tuned(lines, line.front()))
+      shown.engines.push_back(line.front());
+  return shown;
+}
+
+std::string line_label(const Run& run) {
+  if (run.exact()) return "exact";
+  std::string label = run.engine;
+  if (!run.solver.empty()) label += " " + run.solver;
+  if (!run.settings.empty()) label += ", " + run.settings;
+  return label;
+}
+
+std::string run_label(const Run& run) {
+  return run.exact() || std::isnan(run.dt) ? line_label(run) : line_label(run) + ", " + duration_text(run.dt);
+}
+
+std::string run_phrase(const Run& run) {
+  std::string label = run_label(run);
+  const std::size_t comma = label.find(", ");
+  return comma == std::string::npos ? label : label.replace(comma, 2, " (") + ")";
+}
+
+std::string duration_text(double seconds) {
+  const double size = std::abs(seconds);
+  if (size >= 1 || size == 0) return fmt::format("{:.4g} s", seconds);
+  if (size >= 1e-3) return fmt::format("{:.4g} ms", seconds * 1e3);
+  constexpr double smallest_in_ms = 0.99e-4;
+  if (size >= smallest_in_ms) return fmt::format("{:.3g} ms", seconds * 1e3);
+  return size >= 1e-6 ? fmt::format("{:.4g} µs", seconds * 1e6) : fmt::format("{:.4g} ns", seconds * 1e9);
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plots/results.hpp"
+
+namespace rockstack::plots {
+
+/// What a figure over time shows of a scene: the exact run and one run of each engine, solver and settings,
+/// that with the smallest time step; default settings only where there are no tuned ones.
+struct Shown {
+  std::vector<Run> exact;  ///< one run, or none where it failed
+  std::vector<Run> engines;
+};
+
+Shown shown_runs(const Comparison& comparison, const std::string& scene);
+
+/// Runs of one engine, solver and settings, by ascending time step.
+using StepLine = std::vector<Run>;
+
+/// All engine runs of a scene that are done, line by line in the order of the file.
+std::vector<StepLine> step_lines(const Comparison& comparison, const std::string& scene);
+
+/// "bullet sequential-impulse, tuned".
+std::string line_label(const Run& run);
+
+/// The same with its time step, "bullet sequential-impulse, tuned, 0.1 ms".
+std::string run_label(const Run& run);
+
+/// The same inside a sentence, "bullet sequential-impulse (tuned, 0.1 ms)".
+std::string run_phrase(const Run& run);
+
+/// A duration with a unit that suits it: "0.1 ms", "12 µs", "3.5 s".
+std::string duration_text(double seconds);
+
+}  // namespace rockstack::plots

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rockstack::plots {
+
+/// A small file of comma-separated values as text: one name a column, one vector of cells a row.
+struct Table {
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// Reads a file of comma-separated values with a header line; cells may be quoted, and hold no line breaks.
+/// @throws InputError with file:line: missing or empty file, a row with too many or too few cells, an open
+/// quote.
+Table read_table(const std::filesystem::path& file);
+
+/// The index of a column. @throws InputError naming the file and the column that is missing.
+std::size_t column(const Table& table, const std::string& name, const std::filesystem::path& file);
+
+/// Reads only the named columns, each as one vector of numbers; an empty cell is NaN. Meant for long files.
+/// @throws InputError as read_table(), and for a missing column or a cell that is not a number.
+std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
+                                              const std::vector<std::string>& names);
+
+/// The names `stem`1 … `stem`count, e.g. theta_1, theta_2.
+std::vector<std::string> numbered(const std::string& stem, int count);
+
+/// A cell as a number, NaN where it is empty. `place` is file:line for the error.
+/// @throws InputError naming place, column and text.
+double number(std::string_view cell, const std::string& place, const std::string& column_name);
+
+}  // namespace rockstack::plots

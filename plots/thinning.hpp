@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace rockstack::plots {
+
+/// Points of a curve, times ascending.
+struct Curve {
+  std::vector<double> times;   ///< s
+  std::vector<double> values;  ///< as many as times
+
+  std::size_t size() const { return times.size(); }
+};
+
+/// The same curve in fewer points: time is cut into `bins` equal bins and each keeps its smallest and its
+/// largest value at their own times, so that no peak is hidden; the first and the last point stay. A curve of
+/// no more than 2 × bins points stays as it is. Values that are not finite are dropped. Precondition: bins
+/// ≥ 1.
+Curve thin(const Curve& curve, std::size_t bins);
+
+/// The largest absolute value of each of `bins` equal bins of time, at its own time, but not under `floor`:
+/// what a logarithmic axis can show of a curve that crosses zero. Preconditions: bins ≥ 1, floor > 0.
+Curve envelope(const Curve& curve, std::size_t bins, double floor);
+
+}  // namespace rockstack::plots

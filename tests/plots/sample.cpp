@@ -1,0 +1,157 @@
+#include "tests/plots/sample.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ostream.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+
+namespace rockstack::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double duration = 5, period = 0.5;
+
+std::ofstream create(const fs::path& file) {
+  fs::create_directories(file.parent_path());
+  return std::ofstream(file);
+}
+
+double swing(double t, int block) {
+  return 0.15 / block * std::exp(-0.5 * t) * std::sin(std::numbers::pi * t / period);
+}
+
+void write_header(std::ostream& out, const std::string& stem, int blocks) {
+  for (int k = 1; k <= blocks; ++k) fmt::print(out, ",{}{}", stem, k);
+}
+
+/// A motion that lags by `lag` s for every second that passes.
+void write_history(const fs::path& folder, const Sample& sample, double dt, double lag, bool exact) {
+  std::ofstream history = create(folder / "history.csv");
+  history << "time";
+  write_header(history, "theta_", sample.blocks);
+  write_header(history, "omega_", sample.blocks);
+  history << (exact ? ",pattern\n" : "\n");
+  for (int i = 0; i <= std::lround(duration / dt); ++i) {
+    const double t = i * dt;
+    fmt::print(history, "{}", t);
+    for (int k = 1; k <= sample.blocks; ++k) fmt::print(history, ",{}", swing(t * (1 - lag), k));
+    for (int k = 1; k <= sample.blocks; ++k) history << ",0";
+    history << (exact ? (t < period ? ",1a\n" : ",2b\n") : "\n");
+  }
+}
+
+void write_events(const fs::path& folder, const Sample& sample) {
+  std::ofstream events = create(folder / "events.csv");
+  events << "time,kind,interface,from,to";
+  for (const char* stem : {"theta_", "omega_before_", "omega_after_"})
+    write_header(events, stem, sample.blocks);
+  events << ",consistency\n";
+  for (int i = 1; i <= sample.impacts; ++i) {
+    fmt::print(events, "{},impact,{},{},{}", i * period, 1 + i % sample.blocks, i % 2 == 1 ? "1a" : "2b",
+               i % 2 == 1 ? "2b" : "1a");
+    for (int k = 0; k < 3 * sample.blocks; ++k) events << ",0";
+    events << ",consistent\n";
+  }
+}
+
+void write_impacts(const fs::path& folder, const Sample& sample, double lag) {
+  std::ofstream impacts = create(folder / "impacts.csv");
+  impacts << "number,interface,exact_time,engine_time,difference,verdict\n";
+  for (int i = 1; i <= sample.impacts; ++i) {
+    const double time = i * period;
+    if (i % 7 == 0) {
+      fmt::print(impacts, "{},1,{},,,missed\n,2,,{},,extra\n", i, time, time + 0.1);
+    } else {
+      const double late = time * lag * (i % 5 == 0 ? -1 : 1);
+      fmt::print(impacts, "{},1,{},{},{},matched\n", i, time, time + late, late);
+    }
+  }
+}
+
+void write_difference(const fs::path& folder, const Sample& sample, double dt, double lag) {
+  std::ofstream difference = create(folder / "difference.csv");
+  difference << "time";
+  write_header(difference, "difference_", sample.blocks);
+  difference << "\n";
+  for (int i = 0; i <= std::lround(duration / dt); ++i) {
+    const double t = i * dt;
+    fmt::print(difference, "{}", t);
+    for (int k = 1; k <= sample.blocks; ++k)
+      fmt::print(difference, ",{}", swing(t * (1 - lag), k) - swing(t, k));
+    difference << "\n";
+  }
+}
+
+void write_json(const fs::path& folder, const Sample& sample) {
+  create(folder / "comparison.json")
+      << R"({"title": "A sample <comparison>", "scenes": [{"name": "sample", "title": ")" << sample.title
+      << R"(", "blocks": )" << sample.blocks << R"(, "toml": "duration = 5 # s & <b>not bold</b>\n"}],)"
+      << R"("definitions": {"run": "name of the run", "rms_angle_difference": "root mean square, rad"},)"
+      << R"("tolerance_rad": 0.01, "left_out": ["ode"], "environment": {"rockstack": "0.1.0", "eigen": "3.4.0"},)"
+      << R"("command": "rockstack compare sample.toml --out DIR", "rows": []})";
+}
+
+/// A few words of everything a run's folder holds besides its histories.
+void write_summary(const fs::path& folder, const std::string& run, double dt) {
+  create(folder / "summary.json") << fmt::format(
+      R"({{"run": "{}", "dt": {}, "parameters": {{"iterations": 50, "erp<1>": 0.2}}}})", run, dt);
+}
+
+void write_engine(const fs::path& folder, std::ostream& rows, const Sample& sample,
+                  const SampleEngine& engine, double dt) {
+  const std::string run =
+      fmt::format("sample.{}.{}.{}.{:g}", engine.engine, engine.solver, engine.settings, dt);
+  const double lag = engine.lateness * dt * 1e3;
+  const fs::path place = folder / "runs" / run;
+  write_history(place, sample, dt, lag, false);
+  write_impacts(place, sample, lag);
+  write_difference(place, sample, dt, lag);
+  write_summary(place, run, dt);
+  fmt::print(rows, "{},sample,{},{},{},{:g},done,,{},{},{},5,{},{},{},{},{},{},{},\n", run, engine.engine,
+             engine.solver, engine.settings, dt, duration / dt, 2e-5 / dt, 2.1e-5 / dt, 3 * lag, lag,
+             sample.impacts > 0 ? fmt::format("{}", period * lag) : "", sample.impacts, 1, 1,
+             std::min(duration, 0.02 / lag));
+}
+
+}  // namespace
+
+void write_sample(const fs::path& folder, const Sample& sample) {
+  write_json(folder, sample);
+  std::ofstream rows = create(folder / "comparison.csv");
+  rows
+      << "run,scene,engine,solver,settings,dt,status,reason,steps,stepping_time_minimum,stepping_time_median,"
+         "repeats,largest_angle_difference,rms_angle_difference,first_impact_time_difference,impacts_matched,"
+         "impacts_missed,impacts_extra,agreement_time,toppled\n";
+  rows << "sample.exact,sample,exact,rk4,,,done,,5000,0.004,0.0041,5,,,,,,,,\n";
+  const fs::path exact = folder / "runs" / "sample.exact";
+  write_history(exact, sample, 1e-3, 0, true);
+  write_events(exact, sample);
+  write_summary(exact, "sample.exact", 1e-3);
+  for (const SampleEngine& engine : sample.engines)
+    for (const double dt : sample.steps) write_engine(folder, rows, sample, engine, dt);
+  if (sample.failed_row)
+    rows << "sample.bad,sample,ode,step,default,0.1,failed,\"angle not finite, at t = 0.3 s "
+            "<nan>\",,,,,,,,,,,,\n";
+}
+
+fs::path fresh_folder() {
+  const ::testing::TestInfo* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  fs::path folder = fs::path(::testing::TempDir()) /
+                    fmt::format("rockstack-plots.{}.{}", test->test_suite_name(), test->name());
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace rockstack::testing

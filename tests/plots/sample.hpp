@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rockstack::testing {
+
+/// One engine of a made-up comparison: it runs late by a little more at each impact, the more so at larger
+/// steps.
+struct SampleEngine {
+  std::string engine, solver, settings;
+  double lateness;  ///< s for each impact and each millisecond of time step
+};
+
+/// What a made-up results folder holds. Nothing is solved: decaying zigzags stand for rocking.
+struct Sample {
+  std::string title = "A made-up scene";
+  int blocks = 2;
+  int impacts = 9;
+  std::vector<SampleEngine> engines{{"bullet", "sequential-impulse", "tuned", 2e-3}};
+  std::vector<double> steps{1e-2, 1e-3};  ///< s
+  bool failed_row = false;
+};
+
+/// Writes the sample as `rockstack compare` would, scene name "sample".
+void write_sample(const std::filesystem::path& folder, const Sample& sample);
+
+/// An empty folder for the running test.
+std::filesystem::path fresh_folder();
+
+/// The bytes of a file.
+std::string bytes_of(const std::filesystem::path& file);
+
+}  // namespace rockstack::testing
