@@ -1,10 +1,12 @@
 #include "analytic/scene/ground_reader.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "analytic/scene/fields.hpp"
 #include "analytic/scene/record.hpp"
 #include "analytic/scene/scene.hpp"
+#include "analytic/scene/synthetic.hpp"
 
 namespace rockstack {
 namespace {
@@ -50,11 +52,31 @@ GroundMotion from_pulse(const Node& table, const Node& shape) {
   return motion;
 }
 
+GroundMotion from_synthetic(const Node& table, const Node& seed) {
+  require_table(table, {"synthetic", "peak", "duration", "interval", "frequency", "damping"});
+  // Up to here a double holds every whole number.
+  constexpr double largest_seed = 0x1p53;
+  const double value = number(seed);
+  if (!(value >= 0 && value <= largest_seed) || value != std::floor(value)) {
+    throw wrong_value(seed, "a whole number from 0 to 9007199254740992");
+  }
+  SyntheticMotion motion;
+  motion.seed = static_cast<std::uint64_t>(value);
+  motion.peak = required_number(table, "peak");
+  motion.duration = number_or(table, "duration", motion.duration);
+  motion.interval = number_or(table, "interval", motion.interval);
+  motion.frequency = number_or(table, "frequency", motion.frequency);
+  motion.damping = number_or(table, "damping", motion.damping);
+  validate(motion, table.key);
+  return make_synthetic(motion);
+}
+
 GroundMotion unscaled(const Node& table, const std::filesystem::path& folder) {
   const Node* record = find(table, "record");
   const Node* samples = find(table, "samples");
   if (record == nullptr && samples == nullptr) {
-    throw missing_key(table, "record", "given, or samples and interval, or a pulse in its place");
+    throw missing_key(table, "record",
+                      "given, or samples and interval, or a pulse or synthetic in its place");
   }
   if (record == nullptr) return from_samples(table, *samples);
   for (const char* name : {"samples", "interval"}) {
@@ -82,7 +104,8 @@ void scale_to_peak(GroundMotion& motion, const Node& node) {
 
 GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& folder) {
   if (const Node* pulse = find(table, "pulse")) return from_pulse(table, *pulse);
-  require_table(table, {"record", "samples", "interval", "pulse", "scale", "peak"});
+  if (const Node* seed = find(table, "synthetic")) return from_synthetic(table, *seed);
+  require_table(table, {"record", "samples", "interval", "pulse", "synthetic", "scale", "peak"});
   const Node* scale = find(table, "scale");
   const Node* wanted_peak = find(table, "peak");
   if (scale != nullptr && wanted_peak != nullptr) throw excluded_key(*wanted_peak, *scale);
