@@ -90,7 +90,8 @@ Real bracketed_root(const Polynomial<Real, terms>& polynomial, Real low, Real hi
 }
 
 /// The first s in [0, 1] after which a polynomial is negative; nothing where it stays at or above zero.
-/// Touching zero without crossing is no crossing. Every crossing is found, however close to the next: an
+/// Touching zero without crossing is no crossing, but from within rounding of zero the two cannot be told
+/// apart: then it counts as one. Every crossing is found, however close to the next: an
 /// interval is dropped only where no Bernstein coefficient is negative, and searched by Newton only where
 /// their signs change once (Descartes).
 template <class Real, std::size_t terms>

@@ -76,7 +76,7 @@ class Solver {
     if (options_.validity)
       note_demands(history_.forces, accelerate(model_, state_, piece.at(offset_)), time());
     // A stack at rest needs no steps where the ground's straight line alone decides when it opens.
-    const bool whole = is_closed(state_.pattern) && piece.straight();
+    const bool whole = is_closed(state_.pattern) && piece.straight() && held_.none();
     const Real steps = whole ? Real(1) : ceil(remaining / Real(options_.step));
     const Flow<Real> flow = rk4_step(model_, state_, piece, offset_, Real(remaining / steps), fresh_);
     const Next<Real> next = Guards<Real>(model_, flow, piece, offset_).first(held_, toppling_angles_);

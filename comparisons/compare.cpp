@@ -9,6 +9,7 @@
 #include "comparisons/environment.hpp"
 #include "comparisons/files.hpp"
 #include "comparisons/measure.hpp"
+#include "comparisons/statements.hpp"
 
 namespace rockstack {
 namespace {
@@ -46,6 +47,27 @@ void require_compatible(const std::vector<Suite>& suites) {
   }
 }
 
+std::string ground_of(const Scene& scene) {
+  std::string text = scene.horizontal.source;
+  if (!scene.vertical.empty()) text += (text.empty() ? "" : "; ") + scene.vertical.source + ", vertical";
+  return text;
+}
+
+Json statements_json(const std::vector<Suite>& suites) {
+  Json list = Json::array();
+  for (const Suite& suite : suites) {
+    if (!suite.statements) continue;
+    for (const Statement& statement : judge(gather(suite))) {
+      list.push_back({{"source", statement.source},
+                      {"claim", statement.claim},
+                      {"verdict", name(statement.verdict)},
+                      {"criterion", statement.criterion},
+                      {"computed", statement.computed}});
+    }
+  }
+  return list;
+}
+
 Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& rows,
                      const std::string& command) {
   Json json;
@@ -58,6 +80,7 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& r
                                 {"title", scene.scene.title},
                                 {"blocks", scene.scene.blocks.size()},
                                 {"duration", scene.scene.duration},
+                                {"ground", ground_of(scene.scene)},
                                 {"chatter_speed", chatter_speed(scene.scene)},
                                 {"matching_window", matching_window(scene.scene)},
                                 {"toml", scene.text}});
@@ -69,6 +92,7 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& r
   json["left_out"] = engines_left_out();
   json["environment"] = environment();
   json["command"] = command;
+  json["statements"] = statements_json(suites);
   json["rows"] = Json::array();
   for (const Row& row : rows) {
     Json cells;

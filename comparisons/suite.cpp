@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "analytic/scene/fields.hpp"
+#include "analytic/scene/record.hpp"
 #include "analytic/scene/scene_file.hpp"
 #include "analytic/scene/toml_reader.hpp"
 
@@ -58,6 +59,18 @@ std::vector<Variant> read_variants(const Node& array) {
   return variants;
 }
 
+PaperScenes read_statements(const Node& table, const Suite& suite) {
+  require_table(table, {"free", "shaken"});
+  const auto scene = [&](const char* key) {
+    const Node& node = required(table, key, "the name of a scene of the suite");
+    for (const NamedScene& named : suite.scenes) {
+      if (named.name == text(node) && named.scene.blocks.size() == 2) return node.text;
+    }
+    throw wrong_value(node, "the name of a scene of the suite with two blocks");
+  };
+  return {scene("free"), scene("shaken")};
+}
+
 const Engine& read_engine(const Node& name) {
   try {
     return find_engine(text(name));
@@ -93,19 +106,39 @@ EngineSeries make_series(const Engine& engine, const std::string& settings, std:
           std::move(steps)};
 }
 
+const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name) {
+  return *std::find_if(scenes.begin(), scenes.end(),
+                       [&](const NamedScene& scene) { return scene.name == name; });
+}
+
 NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Scene scene = read_scene(file, overrides);
   std::ifstream stream(file, std::ios::binary);
   return {file.stem().string(), {std::istreambuf_iterator<char>(stream), {}}, std::move(scene)};
 }
 
+std::vector<EngineSeries> read_engines(const Node& root) {
+  std::vector<EngineSeries> list;
+  if (const Node* engines = find(root, "engines")) {
+    for (const Node& table : engines->children) {
+      for (EngineSeries& series : read_series(table)) list.push_back(std::move(series));
+    }
+  }
+  return list;
+}
+
 bool is_suite(const std::filesystem::path& file) {
   return find(read_toml(file), "scenes") != nullptr;
 }
 
+bool is_study(const std::filesystem::path& file) {
+  return find(read_toml(file), "study") != nullptr;
+}
+
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
-  require_table(root, {"title", "scenes", "variants", "engines", "exact_step", "tolerance", "repeats"});
+  require_table(
+      root, {"title", "scenes", "variants", "engines", "exact_step", "tolerance", "repeats", "statements"});
   Suite suite;
   suite.title = text(required(root, "title", "a text"));
   for (const Node& scene : required(root, "scenes", "an array of scene files").children) {
@@ -119,12 +152,30 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
     if (suite.repeats != number(*node) || suite.repeats < 1) throw wrong_value(*node, "a whole number ≥ 1");
   }
   if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);
-  if (const Node* engines = find(root, "engines")) {
-    for (const Node& table : engines->children) {
-      for (EngineSeries& series : read_series(table)) suite.series.push_back(std::move(series));
+  suite.series = read_engines(root);
+  if (const Node* table = find(root, "statements")) suite.statements = read_statements(*table, suite);
+  return suite;
+}
+
+void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::path& record) {
+  const Record replacement = read_record(record);
+  bool replaced = false;
+  for (Suite& suite : suites) {
+    for (NamedScene& scene : suite.scenes) {
+      GroundMotion& motion = scene.scene.horizontal;
+      if (!motion.made_up) continue;
+      GroundMotion real{replacement.interval, replacement.samples, ""};
+      const double factor = peak(motion) / peak(real);
+      for (double& sample : real.samples) sample *= factor;
+      real.source =
+          fmt::format("{} ({}), scaled by {:.4g}", record.filename().string(), replacement.format, factor);
+      motion = std::move(real);
+      replaced = true;
     }
   }
-  return suite;
+  if (!replaced)
+    throw InputError(
+        fmt::format("--record {}: no scene has a synthetic horizontal motion to replace", record.string()));
 }
 
 Suite suite_for(NamedScene scene) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "analytic/scene/document.hpp"
 #include "analytic/scene/scene.hpp"
 #include "engines/engine.hpp"
 
@@ -36,16 +38,26 @@ struct Variant {
 /// An engine with its "default" or "tuned" parameters.
 EngineSeries make_series(const Engine& engine, const std::string& settings, std::vector<double> steps);
 
+/// The names of the scenes that stand for the paper's two numerical examples.
+struct PaperScenes {
+  std::string free;    ///< Figs. 18 to 20
+  std::string shaken;  ///< Figs. 21 and 22
+};
+
 /// What `compare` runs: every scene on the exact solver, on its variants and on every series.
 struct Suite {
   std::string title;
   std::vector<NamedScene> scenes;
   std::vector<Variant> variants;
   std::vector<EngineSeries> series;
-  double exact_step = 2e-4;  ///< of the exact solver's rk4, s
-  double tolerance = 0.01;   ///< up to which histories agree, rad
-  int repeats = 5;           ///< timed runs after the warm-up
+  std::optional<PaperScenes> statements;  ///< where the suite is held against what the paper says
+  double exact_step = 2e-4;               ///< of the exact solver's rk4, s
+  double tolerance = 0.01;                ///< up to which histories agree, rad
+  int repeats = 5;                        ///< timed runs after the warm-up
 };
+
+/// The scene of that name. Precondition: it is there.
+const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name);
 
 /// Reads a scene and keeps its text. @throws InputError as read_scene().
 NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
@@ -53,10 +65,22 @@ NamedScene read_named_scene(const std::filesystem::path& file, const std::vector
 /// True where a file is a suite: it has the key `scenes`. @throws InputError for a file that is not TOML.
 bool is_suite(const std::filesystem::path& file);
 
+/// True where a file asks for a study in place of scenes: it has the key `study`. @throws InputError
+/// likewise.
+bool is_study(const std::filesystem::path& file);
+
+/// The tables [[engines]] of a suite or study. @throws InputError with file:line, key, value and what is
+/// allowed.
+std::vector<EngineSeries> read_engines(const Node& root);
+
 /// Reads a suite file; paths in it are relative to it, `overrides` go to each of its scenes. Engines that
 /// this build leaves out are passed over (engines_left_out() names them).
 /// @throws InputError with file:line, key, value and what is allowed.
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// Puts a record, scaled to the same peak, in the place of the made-up horizontal motion of every scene of a
+/// suite that has one. @throws InputError as read_record(), or where no scene has one.
+void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::path& record);
 
 /// The suite for a single scene: every engine of this build, default and tuned, at 1e-2, 1e-3 and 1e-4 s.
 Suite suite_for(NamedScene scene);

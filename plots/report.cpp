@@ -81,6 +81,26 @@ std::string table(const Comparison& comparison) {
   return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
 }
 
+/// What the paper says beside what was computed; nothing where no statements were asked for.
+std::string statements_section(const Comparison& comparison) {
+  if (comparison.statements.empty()) return "";
+  std::string headings, rows;
+  for (const char* words : {"Figure", "The paper says", "Verdict", "It holds if", "Computed"})
+    headings += element("th", words, " scope=\"col\"");
+  for (const PaperStatement& statement : comparison.statements)
+    rows += element("tr", element("td", escaped(statement.source)) + element("td", escaped(statement.claim)) +
+                              element("td", escaped(statement.verdict)) +
+                              element("td", escaped(statement.criterion)) +
+                              element("td", escaped(statement.computed))) +
+            "\n";
+  const std::string table =
+      element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
+  return element("section",
+                 element("h2", "What the paper says, and what was computed") + "\n" +
+                     element("div", table, " class=\"statements\""),
+                 " id=\"statements\"");
+}
+
 std::string scene_anchor(std::size_t scene) {
   return fmt::format("scene-{}", scene + 1);
 }
@@ -99,6 +119,8 @@ std::string figure(const fs::path& results, const Comparison& comparison, std::s
 std::string scene_section(const fs::path& results, const Comparison& comparison, std::size_t scene) {
   const ComparedScene& compared = comparison.scenes[scene];
   std::string body = element("h2", escaped(compared.title)) + "\n";
+  if (!compared.ground.empty())
+    body += element("p", escaped("The ground moves by: " + compared.ground)) + "\n";
   for (const FigureKind& kind : figure_kinds()) body += figure(results, comparison, scene, kind);
   body += element("details", element("summary", fmt::format("The scene file of {}", escaped(compared.name))) +
                                  element("pre", element("code", escaped(compared.toml))));
@@ -117,7 +139,9 @@ std::string contents_list(const Comparison& comparison) {
   const auto item = [](const std::string& anchor, const std::string& words) {
     return element("li", fmt::format("<a href=\"#{}\">{}</a>", anchor, escaped(words)));
   };
-  std::string items = item("summary", "Summary") + item("runs", "All runs");
+  std::string items = item("summary", "Summary");
+  if (!comparison.statements.empty()) items += item("statements", "What the paper says");
+  items += item("runs", "All runs");
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i)
     items += item(scene_anchor(i), comparison.scenes[i].title);
   items += item("parameters", "Parameters") + item("columns", "Columns") + item("again", "To run it again");
@@ -143,6 +167,7 @@ std::string page(const fs::path& results, const Comparison& comparison) {
                                {"js", std::string(page_js)},
                                {"contents", contents_list(comparison)},
                                {"summary", whole_summary(comparison)},
+                               {"statements", statements_section(comparison)},
                                {"table", table(comparison)},
                                {"scenes", scenes},
                                {"parameters", parameters},

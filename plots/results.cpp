@@ -50,11 +50,17 @@ void read_description(const Json& json, Comparison& comparison) {
   comparison.command = json.at("command").get<std::string>();
   for (const Json& scene : json.at("scenes"))
     comparison.scenes.push_back({scene.at("name").get<std::string>(), scene.at("title").get<std::string>(),
-                                 scene.at("blocks").get<int>(), scene.at("toml").get<std::string>()});
+                                 scene.at("blocks").get<int>(), scene.at("toml").get<std::string>(),
+                                 scene.value("ground", "")});
   comparison.definitions = facts_of(json.at("definitions"));
   comparison.environment = facts_of(json.at("environment"));
   comparison.tolerance = json.at("tolerance_rad").get<double>();
   comparison.left_out = json.at("left_out").get<std::vector<std::string>>();
+  for (const Json& statement : json.value("statements", Json::array()))
+    comparison.statements.push_back(
+        {statement.at("source").get<std::string>(), statement.at("claim").get<std::string>(),
+         statement.at("verdict").get<std::string>(), statement.at("criterion").get<std::string>(),
+         statement.at("computed").get<std::string>()});
 }
 
 void check_description(const Comparison& comparison, const std::filesystem::path& file) {

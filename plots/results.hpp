@@ -32,7 +32,13 @@ struct Run {
 struct ComparedScene {
   std::string name, title;
   int blocks = 0;
-  std::string toml;  ///< the scene as text
+  std::string toml;    ///< the scene as text
+  std::string ground;  ///< what moves the ground, empty where nothing does
+};
+
+/// A statement of the paper beside what was computed.
+struct PaperStatement {
+  std::string source, claim, verdict, criterion, computed;
 };
 
 /// What `rockstack compare` has written.
@@ -43,6 +49,7 @@ struct Comparison {
   Facts environment;     ///< versions, compiler, processor
   double tolerance = 0;  ///< rad, the difference up to which angles count as agreeing; > 0
   std::vector<std::string> left_out;
+  std::vector<PaperStatement> statements;  ///< none where the suite does not ask for them
   std::vector<std::string> columns;
   std::vector<Run> runs;
 };

@@ -10,11 +10,14 @@
 #include "comparisons/build.hpp"
 #include "comparisons/compare.hpp"
 #include "comparisons/files.hpp"
+#include "comparisons/impact_law_results.hpp"
 #include "comparisons/measure.hpp"
 #include "comparisons/program/output.hpp"
 #include "comparisons/validity.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures.hpp"
+#include "plots/impact_laws.hpp"
+#include "plots/record.hpp"
 #include "plots/report.hpp"
 #endif
 
@@ -34,19 +37,41 @@ std::filesystem::path find_file(const std::string& input, const char* folder) {
                                                                              : std::filesystem::path(input);
 }
 
+/// The suite or scene that an input of `compare` names.
+std::filesystem::path find_input(const std::string& input) {
+  const auto file = find_file(input, build::suites);
+  return std::filesystem::exists(file) ? file : find_file(input, build::scenes);
+}
+
 Suite read_input(const std::string& input, const Common& common) {
-  auto file = find_file(input, build::suites);
-  if (!std::filesystem::exists(file)) file = find_file(input, build::scenes);
+  const auto file = find_input(input);
   return is_suite(file) ? read_suite(file, common.overrides)
                         : suite_for(read_named_scene(file, common.overrides));
 }
 
 #ifdef ROCKSTACK_WITH_PLOTS
 void draw(const std::filesystem::path& results) {
+  if (has_impact_laws(results)) return draw_impact_laws(results);
   draw_figures(results);
   write_report(results);
 }
 #endif
+
+int study_command(const std::filesystem::path& file, const std::filesystem::path& out, const Common& common) {
+  const ImpactLawStudy study = read_impact_law_study(file);
+  prepare_folder(out);
+  const ImpactLawResults results = run_study(study);
+  write_results(study, results, out, common.command);
+#ifdef ROCKSTACK_WITH_PLOTS
+  draw_impact_laws(out);
+#endif
+  print_impact_laws(results, out, common);
+  const bool failed = std::any_of(results.cases.begin(), results.cases.end(), [](const AskedCase& asked) {
+    return std::any_of(asked.verdicts.begin(), asked.verdicts.end(),
+                       [](const EngineVerdict& verdict) { return !verdict.failure.empty(); });
+  });
+  return failed ? 1 : 0;
+}
 
 }  // namespace
 
@@ -73,8 +98,15 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
 }
 
 int compare_command(const CompareArguments& arguments, const Common& common) {
+  for (const std::string& input : arguments.inputs) {
+    const auto file = find_input(input);
+    if (!is_study(file)) continue;
+    if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
+    return study_command(file, arguments.out, common);
+  }
   std::vector<Suite> suites;
   for (const std::string& input : arguments.inputs) suites.push_back(read_input(input, common));
+  if (!arguments.record.empty()) replace_made_up_motion(suites, arguments.record);
   prepare_folder(arguments.out);
   const std::vector<Row> rows = compare(suites, arguments.out, common.command, progress(common));
 #ifdef ROCKSTACK_WITH_PLOTS
@@ -86,6 +118,10 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
 
 int plot_command(const std::filesystem::path& results, const Common& common) {
 #ifdef ROCKSTACK_WITH_PLOTS
+  if (std::filesystem::exists(results / "record.json")) {
+    draw_record(results);
+    return 0;
+  }
   draw(results);
   print_report(results, common);
   return 0;

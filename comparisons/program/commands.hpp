@@ -31,7 +31,14 @@ struct SimulateArguments {
 
 struct CompareArguments {
   std::vector<std::string> inputs;  ///< scenes or suites
+  std::filesystem::path record;     ///< in the place of made-up motions; empty: none
   std::filesystem::path out;
+};
+
+struct RecordArguments {
+  std::string file;  ///< may name a channel, see read_record()
+  std::filesystem::path out;
+  std::string base_line = "none";  ///< or "fitted", taken off before anything is measured
 };
 
 // Each returns the program's exit code: 0, or 1 where a run failed. Bad input is thrown as InputError. Scenes
@@ -40,6 +47,7 @@ int solve_command(const SolveArguments& arguments, const Common& common);
 int simulate_command(const SimulateArguments& arguments, const Common& common);
 int compare_command(const CompareArguments& arguments, const Common& common);
 int plot_command(const std::filesystem::path& results, const Common& common);
+int record_command(const RecordArguments& arguments, const Common& common);
 int list_command(const std::string& what, const Common& common);
 
 }  // namespace rockstack

@@ -54,11 +54,22 @@ int run(int count, char** words) {
       app.add_subcommand("compare", "run scenes or suites on the exact solver and the engines");
   compare_app->add_option("inputs", compare.inputs, "scene or suite files, or names from `rockstack list`")
       ->required();
+  compare_app->add_option("--record", compare.record,
+                          "record in the place of synthetic motions, scaled to their peak");
   compare_app->add_option("--out", compare.out, "folder for results")->required();
 
   std::filesystem::path results;
   CLI::App* plot_app = app.add_subcommand("plot", "draw figures and the report from a results folder");
-  plot_app->add_option("folder", results, "folder written by `rockstack compare`")->required();
+  plot_app->add_option("folder", results, "folder written by `rockstack compare` or `rockstack record`")
+      ->required();
+
+  RecordArguments record;
+  CLI::App* record_app = app.add_subcommand("record", "measure an accelerogram");
+  record_app->add_option("file", record.file, "record, or record:channel")->required();
+  record_app->add_option("--out", record.out, "folder for results");
+  record_app->add_option("--base-line", record.base_line, "line to take off the accelerations first")
+      ->check(CLI::IsMember({"none", "fitted"}))
+      ->capture_default_str();
 
   std::string what;
   CLI::App* list_app = app.add_subcommand("list", "list what there is");
@@ -77,6 +88,7 @@ int run(int count, char** words) {
   if (*simulate_app) return simulate_command(simulate, common);
   if (*compare_app) return compare_command(compare, common);
   if (*plot_app) return plot_command(results, common);
+  if (*record_app) return record_command(record, common);
   return list_command(what, common);
 }
 

@@ -102,6 +102,37 @@ void print_rows(const std::vector<Row>& rows, const std::filesystem::path& folde
   print_report(folder, common);
 }
 
+void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,
+                       const Common& common) {
+  const std::vector<KindShare> kinds = shares_by_kind(results.laws.shares);
+  if (common.json) {
+    Json list = Json::array();
+    for (const KindShare& kind : kinds) {
+      list.push_back(
+          {{"kind", kind.kind}, {"impacts", kind.impacts}, {"differ", kind.differ}, {"none", kind.none}});
+    }
+    fmt::print("{}\n", Json{{"kinds", list}, {"folder", folder.string()}}.dump(2));
+    return;
+  }
+  if (common.quiet) return;
+  fmt::print("{:<18} {:>8} {:>9} {:>9}\n", "impact", "number", "differ", "none");
+  for (const KindShare& kind : kinds) {
+    fmt::print("{:<18} {:>8} {:>8.2f}% {:>8.2f}%\n", kind.kind, kind.impacts,
+               100.0 * kind.differ / kind.impacts, 100.0 * kind.none / kind.impacts);
+  }
+  fmt::print("\n{:<26} {:>7} {:>11} {:>7} {:>8} {:>7}\n", "engine:solver", "dt (s)", "consistent", "paper",
+             "neither", "failed");
+  for (const EngineTally& tally : tallies(results.cases)) {
+    fmt::print("{:<26} {:>7} {:>11} {:>7} {:>8} {:>7}\n", tally.engine, tally.dt, tally.consistent,
+               tally.paper, tally.neither, tally.failed);
+  }
+  fmt::print(
+      "\ndiffer: the laws choose different patterns; none: no pattern is consistent; below: whose "
+      "pattern the\nengines show where the laws differ\n");
+  for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
+  fmt::print("results: {}\n", folder.string());
+}
+
 void print_report(const std::filesystem::path& folder, const Common& common) {
   if (common.quiet || common.json) return;
 #ifdef ROCKSTACK_WITH_PLOTS

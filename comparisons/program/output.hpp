@@ -6,6 +6,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "comparisons/compare.hpp"
+#include "comparisons/impact_law_results.hpp"
 #include "comparisons/program/commands.hpp"
 
 namespace rockstack {
@@ -21,6 +22,10 @@ void print_history(const History& history, const std::vector<std::string>& warni
 
 /// The comparison as a table, and where the results are.
 void print_rows(const std::vector<Row>& rows, const std::filesystem::path& folder, const Common& common);
+
+/// Shares by kind of impact, and what the engines follow.
+void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,
+                       const Common& common);
 
 /// Where figures and report are.
 void print_report(const std::filesystem::path& folder, const Common& common);

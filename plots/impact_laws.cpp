@@ -1,0 +1,203 @@
+#include "plots/impact_laws.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "plots/gnuplot.hpp"
+#include "plots/layout.hpp"
+#include "plots/table.hpp"
+
+namespace rockstack {
+namespace {
+
+/// One row of impact-laws.csv.
+struct Cell {
+  std::string kind;
+  double slenderness_from, slenderness_to, mass_ratio_from, mass_ratio_to;
+  double impacts, differ, none;
+};
+
+/// One map: a kind's cells and which of their counts is shown.
+struct Map {
+  std::string heading, kind;
+  std::vector<Cell> cells;
+  double Cell::*count;
+};
+
+using Cells = std::map<int, std::vector<Cell>>;  ///< by number of blocks
+
+std::filesystem::path file_of(const std::filesystem::path& results) {
+  return results / "impact-laws.csv";
+}
+
+Cells read_cells(const std::filesystem::path& results) {
+  const auto file = file_of(results);
+  const plots::Table table = plots::read_table(file);
+  const auto at = [&](const std::vector<std::string>& row, const char* name) {
+    return plots::number(row[plots::column(table, name, file)], file.string(), name);
+  };
+  Cells cells;
+  for (const auto& row : table.rows) {
+    cells[static_cast<int>(at(row, "blocks"))].push_back(
+        {row[plots::column(table, "kind", file)], at(row, "slenderness_from"), at(row, "slenderness_to"),
+         at(row, "mass_ratio_from"), at(row, "mass_ratio_to"), at(row, "impacts"), at(row, "differ"),
+         at(row, "none")});
+  }
+  return cells;
+}
+
+double sum(const std::vector<Cell>& cells, double Cell::*count) {
+  double total = 0;
+  for (const Cell& cell : cells) total += cell.*count;
+  return total;
+}
+
+constexpr double least_share = 0.01;  ///< of a kind's impacts that a map is drawn for
+
+std::vector<Map> maps_of(const std::vector<Cell>& cells) {
+  std::vector<std::string> kinds;
+  std::map<std::string, std::vector<Cell>> by_kind;
+  for (const Cell& cell : cells) {
+    if (by_kind[cell.kind].empty()) kinds.push_back(cell.kind);
+    by_kind[cell.kind].push_back(cell);
+  }
+  std::vector<Map> maps;
+  for (const auto& [heading, count] :
+       {std::pair{"laws differ", &Cell::differ}, std::pair{"no pattern consistent", &Cell::none}}) {
+    for (const std::string& kind : kinds) {
+      const auto& own = by_kind[kind];
+      if (sum(own, count) >= least_share * sum(own, &Cell::impacts) && sum(own, count) > 0)
+        maps.push_back({heading, kind, by_kind[kind], count});
+    }
+  }
+  return maps;
+}
+
+/// Grid coordinates by the lower edges of the cells.
+std::vector<double> edges(const Map& map, double Cell::*from, double Cell::*to) {
+  std::set<double> values;
+  for (const Cell& cell : map.cells) {
+    values.insert(cell.*from);
+    if (cell.*to > *values.rbegin() * (1 + 1e-9)) values.insert(cell.*to);
+  }
+  std::vector<double> list(values.begin(), values.end());
+  const auto same = [](double a, double b) { return b - a < 1e-9 * b; };
+  list.erase(std::unique(list.begin(), list.end(), same), list.end());
+  return list;
+}
+
+/// Every second edge as a tic, so that there is room for its number.
+std::string tics(const std::vector<double>& at) {
+  std::string text;
+  for (std::size_t i = 0; i < at.size(); i += 2) {
+    text += fmt::format("{}'{:.2g}' {}", text.empty() ? "" : ", ", at[i], plots::plain(std::log2(at[i])));
+  }
+  return "(" + text + ")";
+}
+
+std::string data_of(const Map& map, std::size_t index) {
+  std::string text = fmt::format("$map_{} << END\n", index);
+  for (const Cell& cell : map.cells) {
+    if (!(cell.impacts > 0)) continue;
+    const auto middle = [](double from, double to) { return (std::log2(from) + std::log2(to)) / 2; };
+    const auto half = [](double from, double to) { return (std::log2(to) - std::log2(from)) / 2; };
+    text += fmt::format("{} {} {} {} {}\n", plots::plain(middle(cell.slenderness_from, cell.slenderness_to)),
+                        plots::plain(middle(cell.mass_ratio_from, cell.mass_ratio_to)),
+                        plots::plain(half(cell.slenderness_from, cell.slenderness_to)),
+                        plots::plain(half(cell.mass_ratio_from, cell.mass_ratio_to)),
+                        plots::plain(100 * cell.*map.count / cell.impacts));
+  }
+  return text + "END\n";
+}
+
+constexpr int width = 1200;
+constexpr double left = 104, right = 110, top = 116, gap_across = 66, gap_down = 92, bottom = 84;
+
+/// Where panels lie, in pixels.
+struct Grid {
+  int columns, rows;
+  double side;  ///< of a panel
+
+  explicit Grid(std::size_t panels) {
+    constexpr std::size_t few = 6;
+    columns = panels > few ? 4 : 3;
+    rows = (static_cast<int>(panels) + columns - 1) / columns;
+    side = (width - left - right - (columns - 1) * gap_across) / columns;
+  }
+  double height() const { return top + bottom + rows * side + (rows - 1) * gap_down; }
+};
+
+std::string panel(const Map& map, std::size_t index, std::size_t panels, const Grid& grid) {
+  const auto place = static_cast<int>(index);
+  const double x = left + (place % grid.columns) * (grid.side + gap_across);
+  const double y = top + (place / grid.columns) * (grid.side + gap_down);
+  const bool lowest = index + static_cast<std::size_t>(grid.columns) >= panels;
+  const double share = 100 * sum(map.cells, map.count) / sum(map.cells, &Cell::impacts);
+  const auto across = edges(map, &Cell::slenderness_from, &Cell::slenderness_to);
+  const auto up = edges(map, &Cell::mass_ratio_from, &Cell::mass_ratio_to);
+  std::string text =
+      fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", plots::plain(x / width),
+                  plots::plain((x + grid.side) / width), plots::plain(1 - (y + grid.side) / grid.height()),
+                  plots::plain(1 - y / grid.height()));
+  text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset xtics {}\nset ytics {}\n",
+                      plots::plain(std::log2(across.front())), plots::plain(std::log2(across.back())),
+                      plots::plain(std::log2(up.front())), plots::plain(std::log2(up.back())), tics(across),
+                      tics(up));
+  text += lowest ? "set xlabel 'h/b of the top block'\n" : "unset xlabel\n";
+  text += place % grid.columns == 0 ? "set ylabel 'its mass over that below'\n" : "unset ylabel\n";
+  text += fmt::format("set label 1 {} noenhanced at graph 0, graph 1 offset 0,1.7 font ',13'\n",
+                      plots::quoted(map.kind));
+  text += fmt::format("set label 2 {} noenhanced at graph 0, graph 1 offset 0,0.7 font ',12'\n",
+                      plots::quoted(fmt::format("{}: {:.1f} %", map.heading, share)));
+  text += fmt::format("plot $map_{} using 1:2:3:4:5 with boxxyerror fs solid noborder lc palette notitle\n",
+                      index);
+  return text;
+}
+
+plots::Drawing drawing(int blocks, const std::vector<Map>& maps) {
+  const Grid grid(maps.size());
+  plots::Drawing result{width, static_cast<int>(grid.height()), {}, {}};
+  result.commands = fmt::format(
+      "set multiplot\nunset key\nset tics out nomirror scale 0.6 font ',10'\n"
+      "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb '#C8C8C8' fs solid noborder\n"
+      "set palette defined (0 '#FFFFFF', 25 '#C6DBEF', 50 '#6BAED6', 75 '#2171B5', 100 '#08306B')\n"
+      "set cbrange [0:100]\nset cblabel 'share of impacts (%)'\n"
+      "set colorbox user origin screen {}, screen {} size screen 0.014, screen {}\n"
+      "set label 9 {} noenhanced at screen 0.5, screen {} center font ',17'\n",
+      plots::plain(1 - (right - 22) / width), plots::plain(1 - (top + grid.side) / grid.height()),
+      plots::plain(grid.side / grid.height()),
+      plots::quoted(fmt::format("Which pattern follows an impact of {} blocks", blocks)),
+      plots::plain(1 - 22 / grid.height()));
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    result.data += data_of(maps[i], i);
+    result.commands += panel(maps[i], i, maps.size(), grid);
+    if (i == 0) result.commands += "unset label 9\nunset colorbox\n";
+  }
+  result.commands += "unset multiplot";
+  return result;
+}
+
+}  // namespace
+
+bool has_impact_laws(const std::filesystem::path& results) {
+  return std::filesystem::exists(file_of(results));
+}
+
+void draw_impact_laws(const std::filesystem::path& results) {
+  std::filesystem::create_directories(results / "figures");
+  for (const auto& [blocks, cells] : read_cells(results)) {
+    const std::string title = fmt::format("impact-laws.{}-blocks", blocks);
+    const std::vector<Map> maps = maps_of(cells);
+    plots::draw(maps.empty() ? plots::empty_sheet(title, "Both laws give the same pattern everywhere.")
+                             : drawing(blocks, maps),
+                results / "figures" / title);
+  }
+}
+
+}  // namespace rockstack
