@@ -69,10 +69,11 @@ bool kinematically_admissible(const Outcome<Real>& outcome, const Interfaces& to
 /// The pattern that is admissible both ways, if there is one.
 template <class Real>
 std::optional<Outcome<Real>> consistent_outcome(const Model<Real>& model, const Impact<Real>& impact) {
-  const auto outcome =
+  auto outcome =
       find_admissible(model.stack, impact.before.pattern, impact.touching(), Real(0),
                       [&](const Pattern& pattern) { return velocities_after(model, impact, pattern); });
-  return outcome && pushes(*outcome) ? outcome : std::nullopt;
+  if (outcome && !pushes(*outcome)) outcome.reset();
+  return outcome;
 }
 
 /// The paper's order: open, joined, closed.

@@ -24,14 +24,15 @@ void note_demand(BasicDemand<Real>& demand, const Real& normal, const Real& tang
   }
 }
 
-/// Takes an outcome into account; what is rounding is passed over.
+/// Takes an outcome into account; what is rounding counts as zero.
 template <class Real>
 void note_demands(std::vector<BasicDemand<Real>>& demands, const Outcome<Real>& outcome, const Real& time) {
   using std::abs;
   for (int k = 0; k < outcome.pattern.size; ++k) {
-    const Real& normal = outcome.reactions.normal[k];
+    const Real& raw = outcome.reactions.normal[k];
+    const Real normal = abs(raw) <= outcome.rounding ? Real(0) : raw;
     const Real& tangential = outcome.reactions.tangential[k];
-    if (abs(normal) <= outcome.rounding && abs(tangential) <= outcome.rounding) continue;
+    if (normal == 0 && abs(tangential) <= outcome.rounding) continue;
     note_demand(demands[static_cast<std::size_t>(k)], normal, tangential, time);
   }
 }

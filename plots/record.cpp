@@ -67,14 +67,15 @@ double largest(const Curve& curve) {
   return value;
 }
 
-/// A mark where a curve is furthest from zero, and its value in the panel's corner.
+/// A mark where a curve is furthest from zero, and its value in the panel's other right corner.
 std::string peak_mark(const Mark& mark, const std::string& unit) {
   constexpr auto colour = "#B03A00";
   return fmt::format(
       "set label '' at {}, {} point pt 6 ps 1.4*mark lc rgb '{}' front\n"
-      "set label {} noenhanced at graph 0.985, graph 0.88 right textcolor rgb '{}' front font ',12'\n",
+      "set label {} noenhanced at graph 0.985, graph {} right textcolor rgb '{}' front font ',12'\n",
       plain(mark.time), plain(mark.value), colour,
-      quoted(fmt::format("{:.4g} {} at {:.4g} s", mark.value, unit, mark.time)), colour);
+      quoted(fmt::format("{:.4g} {} at {:.4g} s", mark.value, unit, mark.time)), mark.value > 0 ? 0.12 : 0.88,
+      colour);
 }
 
 std::string significant_band(const RecordFacts& facts) {

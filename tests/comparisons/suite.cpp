@@ -6,6 +6,7 @@
 
 #include "analytic/scene/input_error.hpp"
 #include "comparisons/compare.hpp"
+#include "comparisons/impact_law_results.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -38,6 +39,10 @@ std::string error_of(const std::string& text) {
 TEST(Suites, ShippedOnesAreReadable) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(ROCKSTACK_SUITES)) {
+    if (is_study(entry.path())) {
+      EXPECT_NO_THROW(read_impact_law_study(entry.path())) << entry.path();
+      continue;
+    }
     EXPECT_TRUE(is_suite(entry.path()));
     const Suite suite = read_suite(entry.path(), {});
     EXPECT_FALSE(suite.scenes.empty()) << entry.path();

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "analytic/scene/scene_file.hpp"
+#include "analytic/scene/synthetic.hpp"
 #include "tests/analytic/scene/scene_text.hpp"
 
 namespace rockstack {
@@ -79,11 +80,41 @@ TEST(GroundReading, RecordAndSamplesExcludeEachOther) {
 TEST(GroundReading, OneSourceIsNeeded) {
   EXPECT_EQ(error_in(""),
             "scene.toml:13: ground.horizontal.record: missing, must be given, or samples and interval, or a "
-            "pulse in its place");
+            "pulse or synthetic in its place");
   EXPECT_EQ(error_in("samples = [1]\n"),
             "scene.toml:13: ground.horizontal.interval: missing, must be a number");
   EXPECT_EQ(error_in("samples = []\ninterval = 1\n"),
             "scene.toml:14: ground.horizontal.samples = an array of 0: must be at least one number");
+}
+
+TEST(GroundReading, ASyntheticMotionIsMadeFromItsSeed) {
+  const GroundMotion motion =
+      read("synthetic = 3\npeak = 2\nduration = 10\ninterval = 0.02\nfrequency = 2\ndamping = 0.4\n");
+  EXPECT_EQ(motion.samples, make_synthetic({3, 2, 10, 0.02, 2, 0.4}).samples);
+  EXPECT_EQ(read("synthetic = 3\npeak = 2\n").samples, make_synthetic({.seed = 3, .peak = 2}).samples);
+}
+
+TEST(GroundReading, ASyntheticMotionHasItsOwnKeysAndRanges) {
+  EXPECT_EQ(error_in("synthetic = 3\n"), "scene.toml:13: ground.horizontal.peak: missing, must be a number");
+  EXPECT_EQ(error_in("synthetic = -1\npeak = 1\n"),
+            "scene.toml:14: ground.horizontal.synthetic = -1: must be a whole number from 0 to "
+            "9007199254740992");
+  EXPECT_EQ(error_in("synthetic = 1.5\npeak = 1\n"),
+            "scene.toml:14: ground.horizontal.synthetic = 1.5: must be a whole number from 0 to "
+            "9007199254740992");
+  EXPECT_EQ(error_in("synthetic = 1\npeak = 1\nscale = 2\n"),
+            "scene.toml:16: ground.horizontal.scale: unknown key, must be one of synthetic, peak, duration, "
+            "interval, frequency, damping");
+  EXPECT_EQ(
+      error_in("synthetic = 1\npeak = 1\ninterval = 2\n"),
+      "scene.toml:16: ground.horizontal.interval = 2: must be from 0.001 to 1.25, the duration in 20000 "
+      "to 16 parts");
+  EXPECT_EQ(
+      error_in("synthetic = 1\npeak = 1\nfrequency = 30\n"),
+      "scene.toml:16: ground.horizontal.frequency = 30: must be from 0.05, one cycle in the duration, to "
+      "25 Hz");
+  EXPECT_EQ(error_in("synthetic = 1\npeak = -1\n"),
+            "scene.toml:15: ground.horizontal.peak = -1: must be a finite number > 0");
 }
 
 TEST(GroundReading, NumbersOutOfRangeAreRefused) {
