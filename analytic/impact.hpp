@@ -95,7 +95,7 @@ Outcome<Real> paper_outcome(const Model<Real>& model, const Impact<Real>& impact
     closed[k] = Contact::closed;
   }
   for (const Pattern& pattern : {open, joined}) {
-    const Outcome<Real> outcome = velocities_after(model, impact, pattern);
+    Outcome<Real> outcome = velocities_after(model, impact, pattern);
     if (kinematically_admissible(outcome, touching)) return outcome;
   }
   return velocities_after(model, impact, closed);

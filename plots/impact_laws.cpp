@@ -136,7 +136,8 @@ struct Grid {
 std::string panel(const Map& map, std::size_t index, std::size_t panels, const Grid& grid) {
   const auto place = static_cast<int>(index);
   const double x = left + (place % grid.columns) * (grid.side + gap_across);
-  const double y = top + (place / grid.columns) * (grid.side + gap_down);
+  const int row = place / grid.columns;
+  const double y = top + row * (grid.side + gap_down);
   const bool lowest = index + static_cast<std::size_t>(grid.columns) >= panels;
   const double share = 100 * sum(map.cells, map.count) / sum(map.cells, &Cell::impacts);
   const auto across = edges(map, &Cell::slenderness_from, &Cell::slenderness_to);

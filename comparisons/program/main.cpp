@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <memory>
 #include <stdexcept>
 
 #include "comparisons/program/commands.hpp"
@@ -18,6 +21,80 @@ std::string command_line(int count, char** words) {
   return line;
 }
 
+/// A subcommand with what it does once its options are read.
+struct Command {
+  CLI::App* app;
+  std::function<int()> run;
+};
+
+constexpr const char* scene_help = "scene file, or a name from `rockstack list scenes`";
+constexpr const char* out_help = "folder for results";
+
+Command add_solve(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<SolveArguments>();
+  CLI::App* command = app.add_subcommand("solve", "solve a scene exactly");
+  command->add_option("scene", arguments->scene, scene_help)->required();
+  command->add_option("--out", arguments->out, out_help)->required();
+  command->add_option("--step", arguments->step, "longest step of the rk4 integrator, s")
+      ->capture_default_str();
+  command->add_option("--interval", arguments->interval, "interval of samples in history.csv, s")
+      ->capture_default_str();
+  return {command, [arguments, &common] { return solve_command(*arguments, common); }};
+}
+
+Command add_simulate(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<SimulateArguments>();
+  CLI::App* command = app.add_subcommand("simulate", "run a scene in one physics engine");
+  command->add_option("scene", arguments->scene, scene_help)->required();
+  command->add_option("--engine", arguments->engine, "engine, or engine:solver")->required();
+  command->add_option("--dt", arguments->dt, "time step, s")->required();
+  command->add_option("--settings", arguments->settings, "parameter set")
+      ->check(CLI::IsMember({"default", "tuned"}))
+      ->capture_default_str();
+  command->add_option("--out", arguments->out, out_help)->required();
+  return {command, [arguments, &common] { return simulate_command(*arguments, common); }};
+}
+
+Command add_compare(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<CompareArguments>();
+  CLI::App* command =
+      app.add_subcommand("compare", "run scenes or suites on the exact solver and the engines");
+  command->add_option("inputs", arguments->inputs, "scene or suite files, or names from `rockstack list`")
+      ->required();
+  command->add_option("--record", arguments->record,
+                      "record in the place of synthetic motions, scaled to their peak");
+  command->add_option("--out", arguments->out, out_help)->required();
+  return {command, [arguments, &common] { return compare_command(*arguments, common); }};
+}
+
+Command add_plot(CLI::App& app, const Common& common) {
+  const auto results = std::make_shared<std::filesystem::path>();
+  CLI::App* command = app.add_subcommand("plot", "draw figures and the report from a results folder");
+  command->add_option("folder", *results, "folder written by `rockstack compare` or `rockstack record`")
+      ->required();
+  return {command, [results, &common] { return plot_command(*results, common); }};
+}
+
+Command add_record(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<RecordArguments>();
+  CLI::App* command = app.add_subcommand("record", "measure an accelerogram");
+  command->add_option("file", arguments->file, "record, or record:channel")->required();
+  command->add_option("--out", arguments->out, out_help);
+  command->add_option("--base-line", arguments->base_line, "line to take off the accelerations first")
+      ->check(CLI::IsMember({"none", "fitted"}))
+      ->capture_default_str();
+  return {command, [arguments, &common] { return record_command(*arguments, common); }};
+}
+
+Command add_list(CLI::App& app, const Common& common) {
+  const auto what = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("list", "list what there is");
+  command->add_option("what", *what, "scenes, suites or engines")
+      ->required()
+      ->check(CLI::IsMember({"scenes", "suites", "engines"}));
+  return {command, [what, &common] { return list_command(*what, common); }};
+}
+
 int run(int count, char** words) {
   CLI::App app{"Stacked rocking blocks: the exact theory beside physics engines", "rockstack"};
   app.require_subcommand(1);
@@ -28,55 +105,10 @@ int run(int count, char** words) {
       ->allow_extra_args(false);
   app.add_flag("--quiet", common.quiet, "print nothing but errors");
   app.add_flag("--json", common.json, "print the result as JSON");
-
-  SolveArguments solve;
-  CLI::App* solve_app = app.add_subcommand("solve", "solve a scene exactly");
-  solve_app->add_option("scene", solve.scene, "scene file, or a name from `rockstack list scenes`")
-      ->required();
-  solve_app->add_option("--out", solve.out, "folder for results")->required();
-  solve_app->add_option("--step", solve.step, "longest step of the rk4 integrator, s")->capture_default_str();
-  solve_app->add_option("--interval", solve.interval, "interval of samples in history.csv, s")
-      ->capture_default_str();
-
-  SimulateArguments simulate;
-  CLI::App* simulate_app = app.add_subcommand("simulate", "run a scene in one physics engine");
-  simulate_app->add_option("scene", simulate.scene, "scene file, or a name from `rockstack list scenes`")
-      ->required();
-  simulate_app->add_option("--engine", simulate.engine, "engine, or engine:solver")->required();
-  simulate_app->add_option("--dt", simulate.dt, "time step, s")->required();
-  simulate_app->add_option("--settings", simulate.settings, "parameter set")
-      ->check(CLI::IsMember({"default", "tuned"}))
-      ->capture_default_str();
-  simulate_app->add_option("--out", simulate.out, "folder for results")->required();
-
-  CompareArguments compare;
-  CLI::App* compare_app =
-      app.add_subcommand("compare", "run scenes or suites on the exact solver and the engines");
-  compare_app->add_option("inputs", compare.inputs, "scene or suite files, or names from `rockstack list`")
-      ->required();
-  compare_app->add_option("--record", compare.record,
-                          "record in the place of synthetic motions, scaled to their peak");
-  compare_app->add_option("--out", compare.out, "folder for results")->required();
-
-  std::filesystem::path results;
-  CLI::App* plot_app = app.add_subcommand("plot", "draw figures and the report from a results folder");
-  plot_app->add_option("folder", results, "folder written by `rockstack compare` or `rockstack record`")
-      ->required();
-
-  RecordArguments record;
-  CLI::App* record_app = app.add_subcommand("record", "measure an accelerogram");
-  record_app->add_option("file", record.file, "record, or record:channel")->required();
-  record_app->add_option("--out", record.out, "folder for results");
-  record_app->add_option("--base-line", record.base_line, "line to take off the accelerations first")
-      ->check(CLI::IsMember({"none", "fitted"}))
-      ->capture_default_str();
-
-  std::string what;
-  CLI::App* list_app = app.add_subcommand("list", "list what there is");
-  list_app->add_option("what", what, "scenes, suites or engines")
-      ->required()
-      ->check(CLI::IsMember({"scenes", "suites", "engines"}));
-
+  std::vector<Command> commands;
+  for (const auto add : {add_solve, add_simulate, add_compare, add_plot, add_record, add_list}) {
+    commands.push_back(add(app, common));
+  }
   try {
     app.parse(count, words);
   } catch (const CLI::Success& success) {
@@ -84,12 +116,9 @@ int run(int count, char** words) {
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(error.what());
   }
-  if (*solve_app) return solve_command(solve, common);
-  if (*simulate_app) return simulate_command(simulate, common);
-  if (*compare_app) return compare_command(compare, common);
-  if (*plot_app) return plot_command(results, common);
-  if (*record_app) return record_command(record, common);
-  return list_command(what, common);
+  return std::find_if(commands.begin(), commands.end(),
+                      [](const Command& command) { return command.app->parsed(); })
+      ->run();
 }
 
 }  // namespace

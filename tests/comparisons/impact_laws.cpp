@@ -135,7 +135,7 @@ TEST(ImpactLaws, TheBaseStaysExactlyWhereTheDerivedConditionSays) {
 
 /// The squat top of nearly the base's width: law paper keeps the base down, law consistent lifts it.
 Disagreement squat_top() {
-  const DrawnImpact drawn = falling_back(0.95, 1, 1, 3);
+  const DrawnImpact drawn = falling_back(0.95, 1, 0.9, 1);
   const Verdict verdict = judge(drawn);
   return {{drawn.impact.before.pattern, 1}, verdict.paper.pattern, verdict.consistent->pattern, 1, 1, drawn};
 }
@@ -149,7 +149,7 @@ TEST(ImpactLaws, ASquatTopThatFallsBackLiftsTheBaseOnlyUnderLawConsistent) {
 
 class ImpactLawsInEngine : public testing::TestWithParam<const Engine*> {};
 
-// The laws' velocities are 0.22 of the rate before apart. An engine's impact comes up to a step early or
+// The laws' velocities are 0.16 of the rate before apart. An engine's impact comes up to a step early or
 // late, and then velocities miss gravity's share of a step, some g dt/H: with dt = 1e-4 s, 5e-4 rad/s or 1e-3
 // of the rate before. 0.05 leaves room for what an iterative solver leaves of the impulses.
 TEST_P(ImpactLawsInEngine, ASquatTopThatFallsBackLiftsTheBase) {
@@ -158,7 +158,7 @@ TEST_P(ImpactLawsInEngine, ASquatTopThatFallsBackLiftsTheBase) {
   EXPECT_EQ(verdict.failure, "");
   EXPECT_EQ(verdict.follows, "consistent") << name(verdict.pattern);
   EXPECT_LT(verdict.from_consistent, 0.05);
-  EXPECT_GT(verdict.from_paper, 0.15);
+  EXPECT_GT(verdict.from_paper, 0.1);
 }
 
 /// The error of a study of that text, without the folder; empty where there is none.
@@ -178,8 +178,9 @@ TEST(ImpactLaws, ErrorsOfAStudyNameLineKeyAndWhatIsAllowed) {
   EXPECT_EQ(error_of(head + "samples = 0\n"),
             "study.toml:3: samples = 0: must be a whole number from 1 to 1000000");
   EXPECT_EQ(error_of(head + "speed = [2, 1]\n"),
-            "study.toml:3: speed = [2, 1]: must be two numbers > 0, the smaller one first");
-  EXPECT_EQ(error_of(head + "blocks = [4]\n"), "study.toml:3: blocks = [4]: must be an array of 2 and 3");
+            "study.toml:3: speed = an array of 2: must be two numbers > 0, the smaller one first");
+  EXPECT_EQ(error_of(head + "blocks = [4]\n"),
+            "study.toml:3: blocks = an array of 1: must be an array of 2 and 3");
   EXPECT_TRUE(error_of(head + "colour = 1\n").starts_with("study.toml:3: colour"));
   EXPECT_TRUE(error_of("study = \"other\"\n").starts_with("study.toml:1: study = \"other\": must be"));
 }
