@@ -8,7 +8,7 @@ int main() {
   scene.initial.angles = {0.15, 0.15};  // rad, clockwise positive
   scene.initial.velocities = {0, 0};
   for (const rockstack::Event& event : rockstack::solve(scene).events) {
-    std::printf("%.6f s  %s at interface %d: %s -> %s\n", event.time, name(event.kind).c_str(), event.interface,
-                name(event.from).c_str(), name(event.to).c_str());
+    std::printf("%.6f s  %s at interface %d: %s -> %s\n", event.time, name(event.kind).c_str(),
+                event.interface, name(event.from).c_str(), name(event.to).c_str());
   }
 }

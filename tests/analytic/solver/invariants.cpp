@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include "tests/analytic/solver/stacks.hpp"
+
+namespace rockstack {
+namespace {
+
+TEST(Invariants, MassesScaledByAPowerOfTwoGiveTheSameBits) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    testing::Draw draw(4000 + seed);
+    const Scene scene = testing::random_scene(draw, 1 + draw.below(4), seed % 2 == 1);
+    Scene heavier = scene;
+    for (Block& block : heavier.blocks) {
+      block.mass *= 4;
+      block.inertia *= 4;
+    }
+    const SolveOptions options{1e-3, regular_times(0.01, scene.duration)};
+    const History one = solve(scene, options);
+    const History other = solve(heavier, options);
+    EXPECT_EQ(one.angles, other.angles);
+    EXPECT_EQ(testing::listing(one), testing::listing(other));
+  }
+}
+
+TEST(Invariants, LengthsTimesFourAndTimesTimesTwoGiveTheSameBits) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    testing::Draw draw(4100 + seed);
+    const Scene scene = testing::random_scene(draw, 1 + draw.below(4), seed % 2 == 1);
+    Scene larger = scene;
+    larger.duration *= 2;
+    larger.horizontal.interval *= 2;
+    larger.vertical.interval *= 2;
+    for (double& velocity : larger.initial.velocities) velocity /= 2;
+    for (Block& block : larger.blocks) {
+      block.half_width *= 4;
+      block.half_height *= 4;
+      block.inertia *= 16;
+    }
+    std::vector<double> times = regular_times(0.01, scene.duration);
+    const History one = solve(scene, {1e-3, times});
+    for (double& time : times) time *= 2;
+    const History other = solve(larger, {2e-3, times});
+    EXPECT_EQ(one.angles, other.angles);
+    ASSERT_EQ(one.events.size(), other.events.size());
+    for (std::size_t i = 0; i < one.events.size(); ++i) {
+      EXPECT_EQ(2 * one.events[i].time, other.events[i].time);
+      EXPECT_TRUE(one.events[i].to == other.events[i].to);
+    }
+  }
+}
+
+TEST(Invariants, VerticalGroundAccelerationIsMoreGravity) {
+  testing::Draw draw(42);
+  for (int i = 0; i < 500; ++i) {
+    const int size = 1 + draw.below(4);
+    auto model = make_model<double>(testing::random_stack(draw, size));
+    const auto state = testing::random_state<double>(draw, size);
+    const Vector<double> lifted = accelerations(model, state, Point<double>(3, 2.5));
+    model.gravity += 2.5;
+    EXPECT_EQ(lifted, accelerations(model, state, Point<double>(3, 0)));
+  }
+}
+
+// A constant ground acceleration is gravity turned by β: the stack turned along with it accelerates alike.
+TEST(Invariants, ConstantGroundAccelerationIsGravityTurned) {
+  testing::Draw draw(43);
+  for (int i = 0; i < 500; ++i) {
+    const int size = 1 + draw.below(4);
+    auto model = make_model<double>(testing::random_stack(draw, size));
+    State<double> state = testing::random_state<double>(draw, size);
+    const double turn = draw.between(-0.3, 0.3);
+    const double strength = draw.between(5, 15);
+    // Pull seen from the ground: (−ẍg, −g − ÿg) = −strength (sin β, cos β); turning all by β makes it
+    // straight down.
+    const Point<double> ground{strength * std::sin(turn), strength * std::cos(turn) - model.gravity};
+    if (state.pattern[0] == Contact::closed) continue;
+    const Vector<double> inclined = accelerations(model, state, ground);
+    state.angles[0] -= turn;
+    model.gravity = strength;
+    const Vector<double> upright = accelerations(model, state, Point<double>(0, 0));
+    const double scale = 1 + upright.cwiseAbs().maxCoeff();
+    EXPECT_LE((inclined - upright).cwiseAbs().maxCoeff(), 1e-11 * scale);  // rounding, mass ratios 10³
+  }
+}
+
+// Two blocks of the same kind, welded, are the rectangle that they make up: its centre is at mid-height.
+TEST(Invariants, AStackThatStaysClosedRocksAsOneBlock) {
+  const Scene stack = testing::released({testing::block(0.5, 1.0), testing::block(0.5, 0.25)}, {0.1, 0.1}, 3);
+  const Scene whole = testing::released({testing::block(0.5, 1.25)}, {0.1}, 3);
+  const auto compound = make_model<double>(stack);
+  const auto single = make_model<double>(whole);
+  Pattern welded = closed_pattern(2);
+  welded[0] = Contact::right;
+  Pattern alone = closed_pattern(1);
+  alone[0] = Contact::right;
+  for (const double angle : {0.0, 0.1, 0.3}) {
+    const State<double> pair{welded, Vector<double>{{angle, 0}}, Vector<double>{{0.7, 0}}};
+    const State<double> one{alone, Vector<double>{{angle}}, Vector<double>{{0.7}}};
+    const Point<double> ground{2, 1};
+    EXPECT_NEAR(accelerations(compound, pair, ground)[0], accelerations(single, one, ground)[0], 1e-13);
+    EXPECT_NEAR(energy(compound, pair), energy(single, one), 1e-9);
+  }
+  // Up to the first impact the top stays where it is.
+  const History history = solve(stack);
+  const History expected = solve(whole);
+  ASSERT_FALSE(history.events.empty());
+  EXPECT_EQ(history.events[0].kind, EventKind::impact);
+  EXPECT_NEAR(history.events[0].time, expected.events.at(0).time, 1e-13);
+}
+
+// Mass ratio 1e-12: the base's impacts move by that share, amplified by its few impacts.
+TEST(Invariants, AFeatherweightTopLeavesTheBaseAHousnerBlock) {
+  for (const Law law : {Law::paper, Law::consistent}) {
+    Scene stack = testing::released({testing::block(0.5, 2), testing::block(0.4, 0.6)}, {0.12, 0.12}, 2);
+    stack.law = law;
+    stack.blocks[1].mass *= 1e-12;
+    stack.blocks[1].inertia *= 1e-12;
+    const History history = solve(stack);
+    const History alone = solve(testing::released({testing::block(0.5, 2)}, {0.12}, 2));
+    std::vector<Event> base;
+    for (const Event& event : history.events) {
+      if (event.kind == EventKind::impact && event.interface == 1) base.push_back(event);
+    }
+    ASSERT_GE(base.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_NEAR(base[i].time, alone.events.at(i).time, 1e-9);
+      EXPECT_NEAR(base[i].after[0], alone.events[i].after[0], 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rockstack
