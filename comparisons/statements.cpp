@@ -23,6 +23,7 @@ Verdict verdict(bool holds) {
 template <class Number>
 std::string each(const std::vector<Answer>& answers, const Number& number) {
   std::vector<std::string> parts;
+  parts.reserve(answers.size());
   for (const Answer& answer : answers)
     parts.push_back(fmt::format("{} {:.4g}", answer.name, number(answer.history)));
   return fmt::format("{}", fmt::join(parts, ", "));
@@ -130,6 +131,7 @@ Statement amplitudes(const Evidence& evidence) {
     return fmt::format("{}", fmt::join(peaks, " "));
   };
   std::vector<std::string> parts;
+  parts.reserve(evidence.free_answers.size());
   for (const Answer& answer : evidence.free_answers)
     parts.push_back(answer.name + " " + first_four(answer.history));
   return {

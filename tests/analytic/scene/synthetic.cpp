@@ -53,7 +53,9 @@ Complex envelope_transform(const SyntheticMotion& motion, double frequency) {
 /// half at minus its frequency, spread by the envelope.
 double expected_periodogram(const SyntheticMotion& motion, double frequency) {
   double sum = 0, variance = 0;
-  for (double each = 0.25 / motion.duration; each < 25; each += 0.5 / motion.duration) {
+  const int waves = static_cast<int>(std::lround(2 * 25 * motion.duration));
+  for (int wave = 0; wave < waves; ++wave) {
+    const double each = (0.5 * wave + 0.25) / motion.duration;
     const double share = target(motion, each);
     variance += share;
     sum += share / 2 *
