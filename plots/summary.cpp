@@ -65,7 +65,7 @@ void add_agreement(const Comparison& comparison, const std::vector<Run>& runs,
   const auto as_long = std::count_if(runs.begin(), runs.end(), [&](const Run& run) {
     return !run.exact() && run.agreement_time == longest->agreement_time;
   });
-  const std::string who = as_long > 1 ? fmt::format("{} engine runs", as_long) : run_phrase(*longest);
+  const std::string who = as_long > 1 ? fmt::format("{} runs", as_long) : run_phrase(*longest);
   sentences.push_back(fmt::format("Within {:.3g} rad of it in every angle: {} for longest, until {:.4g} s",
                                   comparison.tolerance, who, longest->agreement_time));
   sentences.back() += shortest->agreement_time == longest->agreement_time
@@ -101,7 +101,7 @@ void add_impacts(const std::vector<Run>& runs, std::vector<std::string>& sentenc
   }
   if (compared > 0)
     sentences.push_back(fmt::format("Of {}, {} the exact sequence of impacts, none missed and none extra.",
-                                    counted(compared, "engine run"),
+                                    counted(compared, "other run"),
                                     all == 0   ? "none has"
                                     : all == 1 ? "1 has"
                                                : fmt::format("{} have", all)));
