@@ -259,7 +259,6 @@ TEST_P(Laws, HistoryEndsWhereABlockTopples) {
 }
 
 TEST_P(Laws, PaperSceneMeetsTheGroundWithinTwoStepsOfTheEventDrivenSolution) {
-  if (!GetParam().tuned) GTEST_SKIP() << "asked of the tuned set only";
   const double dt = 1e-4;
   EXPECT_NEAR(first_ground_impact(run(paper_scene(0.65), dt)), 0.60565, 2 * dt);
 }
