@@ -5,6 +5,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/table.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -20,12 +22,7 @@ std::string csv_cell(const Json& value) {
   if (value.is_null()) return "";
   if (value.is_number_float()) return fmt::format("{}", value.get<double>());
   if (!value.is_string()) return value.dump();
-  const auto& text = value.get_ref<const std::string&>();
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text)
-    quoted += letter == '"' ? "\"\"" : std::string(1, letter == '\n' ? ' ' : letter);
-  return quoted + '"';
+  return text_cell(value.get_ref<const std::string&>());
 }
 
 /// Text that grows line by line.

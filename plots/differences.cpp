@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/table.hpp"
 #include "plots/drawings.hpp"
 #include "plots/layout.hpp"
 #include "plots/selection.hpp"
-#include "plots/table.hpp"
 
 namespace rockstack::plots {
 namespace {

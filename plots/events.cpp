@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analytic/scene/input_error.hpp"
-#include "plots/table.hpp"
+#include "comparisons/table.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -5,11 +5,11 @@
 #include <limits>
 #include <map>
 
+#include "comparisons/table.hpp"
 #include "plots/drawings.hpp"
 #include "plots/events.hpp"
 #include "plots/layout.hpp"
 #include "plots/selection.hpp"
-#include "plots/table.hpp"
 
 namespace rockstack::plots {
 namespace {

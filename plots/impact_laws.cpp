@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/table.hpp"
 #include "plots/gnuplot.hpp"
 #include "plots/layout.hpp"
-#include "plots/table.hpp"
 
 namespace rockstack {
 namespace {
@@ -38,14 +38,14 @@ std::filesystem::path file_of(const std::filesystem::path& results) {
 
 Cells read_cells(const std::filesystem::path& results) {
   const auto file = file_of(results);
-  const plots::Table table = plots::read_table(file);
+  const Table table = read_table(file);
   const auto at = [&](const std::vector<std::string>& row, const char* name) {
-    return plots::number(row[plots::column(table, name, file)], file.string(), name);
+    return number(row[column(table, name, file)], file.string(), name);
   };
   Cells cells;
   for (const auto& row : table.rows) {
     cells[static_cast<int>(at(row, "blocks"))].push_back(
-        {row[plots::column(table, "kind", file)], at(row, "slenderness_from"), at(row, "slenderness_to"),
+        {row[column(table, "kind", file)], at(row, "slenderness_from"), at(row, "slenderness_to"),
          at(row, "mass_ratio_from"), at(row, "mass_ratio_to"), at(row, "impacts"), at(row, "differ"),
          at(row, "none")});
   }

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/input_error.hpp"
+#include "comparisons/table.hpp"
 #include "plots/layout.hpp"
-#include "plots/table.hpp"
 
 namespace rockstack {
 namespace {

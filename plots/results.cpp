@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/input_error.hpp"
-#include "plots/table.hpp"
+#include "comparisons/table.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/table.hpp"
 #include "plots/events.hpp"
 #include "plots/selection.hpp"
-#include "plots/table.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -1,20 +1,18 @@
-#include "plots/table.hpp"
+#include "comparisons/table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "analytic/scene/input_error.hpp"
-#include "tests/plots/sample.hpp"
+#include "tests/temporary_folder.hpp"
 
-namespace rockstack::plots {
+namespace rockstack {
 namespace {
 
 std::filesystem::path file_with(const std::string& text) {
-  std::filesystem::path file = testing::fresh_folder() / "table.csv";
-  std::ofstream(file) << text;
-  return file;
+  static const TemporaryFolder folder;
+  return folder.write("table.csv", text);
 }
 
 /// The error that `read` raises; the test fails where there is none.
@@ -39,6 +37,13 @@ TEST(Table, ReadsQuotedCellsAndEmptyOnes) {
   ASSERT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(table.rows[0], (std::vector<std::string>{"1", "x, \"y\"", ""}));
   EXPECT_EQ(table.rows[1], (std::vector<std::string>{"", "", "3"}));
+}
+
+TEST(Table, TextCellsReadBackAsTheyWere) {
+  for (const std::string text : {"plain", "with, comma", "with \"quotes\"", ""}) {
+    EXPECT_EQ(read_table(file_with("a,b\n" + text_cell(text) + ",\n")).rows[0][0], text);
+  }
+  EXPECT_EQ(text_cell("two\nlines"), "\"two lines\"");
 }
 
 TEST(Table, NumbersReadBackToTheSameDoubleAndEmptyIsNotANumber) {
@@ -73,4 +78,4 @@ TEST(Table, OpenQuotesEmptyFilesAndMissingFilesAreErrors) {
 }
 
 }  // namespace
-}  // namespace rockstack::plots
+}  // namespace rockstack
