@@ -11,15 +11,16 @@
 namespace rockstack {
 namespace {
 
-GroundMotion from_record(const Node& node, const std::filesystem::path& folder) {
+GroundMotion from_record(const Node& node, const std::filesystem::path& folder, MotionLibrary& library) {
   const std::filesystem::path name = folder / text(node);
   const std::filesystem::path file = record_file(name);
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
     throw wrong_value(node, "a record's file, none is at " + one_line(file.string()));
   }
-  Record record = read_record(name);
-  return {record.interval, std::move(record.samples), node.text + " (" + record.format + ")"};
+  GroundMotion motion = *library.record(name);
+  motion.source = node.text + " (" + motion.source + ")";
+  return motion;
 }
 
 GroundMotion from_samples(const Node& table, const Node& samples) {
@@ -52,7 +53,7 @@ GroundMotion from_pulse(const Node& table, const Node& shape) {
   return motion;
 }
 
-GroundMotion from_synthetic(const Node& table, const Node& seed) {
+GroundMotion from_synthetic(const Node& table, const Node& seed, MotionLibrary& library) {
   require_table(table, {"synthetic", "peak", "duration", "interval", "frequency", "damping"});
   // Up to here a double holds every whole number.
   constexpr double largest_seed = 0x1p53;
@@ -68,10 +69,12 @@ GroundMotion from_synthetic(const Node& table, const Node& seed) {
   motion.frequency = number_or(table, "frequency", motion.frequency);
   motion.damping = number_or(table, "damping", motion.damping);
   validate(motion, table.key);
-  return make_synthetic(motion);
+  GroundMotion result = *library.synthetic(motion);
+  for (double& sample : result.samples) sample *= motion.peak;
+  return result;
 }
 
-GroundMotion unscaled(const Node& table, const std::filesystem::path& folder) {
+GroundMotion unscaled(const Node& table, const std::filesystem::path& folder, MotionLibrary& library) {
   const Node* record = find(table, "record");
   const Node* samples = find(table, "samples");
   if (record == nullptr && samples == nullptr) {
@@ -82,7 +85,7 @@ GroundMotion unscaled(const Node& table, const std::filesystem::path& folder) {
   for (const char* name : {"samples", "interval"}) {
     if (const Node* other = find(table, name)) throw excluded_key(*other, *record);
   }
-  return from_record(*record, folder);
+  return from_record(*record, folder, library);
 }
 
 void scale_by(GroundMotion& motion, const Node& node) {
@@ -102,14 +105,15 @@ void scale_to_peak(GroundMotion& motion, const Node& node) {
 
 }  // namespace
 
-GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& folder) {
+GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& folder,
+                                MotionLibrary& library) {
   if (const Node* pulse = find(table, "pulse")) return from_pulse(table, *pulse);
-  if (const Node* seed = find(table, "synthetic")) return from_synthetic(table, *seed);
+  if (const Node* seed = find(table, "synthetic")) return from_synthetic(table, *seed, library);
   require_table(table, {"record", "samples", "interval", "pulse", "synthetic", "scale", "peak"});
   const Node* scale = find(table, "scale");
   const Node* wanted_peak = find(table, "peak");
   if (scale != nullptr && wanted_peak != nullptr) throw excluded_key(*wanted_peak, *scale);
-  GroundMotion motion = unscaled(table, folder);
+  GroundMotion motion = unscaled(table, folder, library);
   if (scale != nullptr) scale_by(motion, *scale);
   if (wanted_peak != nullptr) scale_to_peak(motion, *wanted_peak);
   return motion;

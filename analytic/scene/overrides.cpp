@@ -1,5 +1,6 @@
 #include "analytic/scene/overrides.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "analytic/scene/toml_reader.hpp"
@@ -50,10 +51,15 @@ Node& child(Node& parent, const std::string& name, const std::string& place) {
   return parent.children.emplace_back(make_child(parent, name, place));
 }
 
-Node text_node(Node target, std::string text) {
-  target.kind = Node::Kind::text;
-  target.text = std::move(text);
-  return target;
+/// The node of a dotted key, made where it is missing, under the place given.
+Node& target(Node& root, const std::vector<std::string>& path, const std::string& place) {
+  Node* node = &root;
+  for (const std::string& part : path) node = &child(*node, part, place);
+  return *node;
+}
+
+bool has_empty_part(const std::vector<std::string>& path) {
+  return std::find(path.begin(), path.end(), "") != path.end();
 }
 
 }  // namespace
@@ -62,19 +68,36 @@ void apply_override(Node& root, const std::string& override_text) {
   const std::string place = "--set " + one_line(override_text);
   const auto equals = override_text.find('=');
   const auto path = parts(trimmed(override_text.substr(0, equals)));
-  bool readable = equals != std::string::npos;
-  for (const std::string& part : path) readable = readable && !part.empty();
-  if (!readable) throw InputError(place + ": must be key=value, e.g. blocks.1.height=3 or law=consistent");
-
-  Node* node = &root;
-  for (const std::string& part : path) node = &child(*node, part, place);
+  if (equals == std::string::npos || has_empty_part(path)) {
+    throw InputError(place + ": must be key=value, e.g. blocks.1.height=3 or law=consistent");
+  }
+  Node& node = target(root, path, place);
   Node fresh;
-  fresh.name = node->name;
-  fresh.key = node->key;
+  fresh.name = node.name;
+  fresh.key = node.key;
   fresh.place = place;
   const std::string text = trimmed(override_text.substr(equals + 1));
-  auto value = parse_toml_value(text, fresh);
-  *node = value ? std::move(*value) : text_node(std::move(fresh), text);
+  if (auto value = parse_toml_value(text, fresh)) {
+    node = std::move(*value);
+  } else {
+    fresh.kind = Node::Kind::text;
+    fresh.text = text;
+    node = std::move(fresh);
+  }
+}
+
+void set_value(Node& root, const std::string& key, const Node& value) {
+  const auto path = parts(key);
+  if (has_empty_part(path)) {
+    throw InputError(value.place + ": key = " + one_line(key) +
+                     ": must be a scene's key, e.g. blocks.1.height");
+  }
+  Node& node = target(root, path, value.place);
+  node.kind = value.kind;
+  node.place = value.place;
+  node.number = value.number;
+  node.text = value.text;
+  node.children = value.children;
 }
 
 }  // namespace rockstack

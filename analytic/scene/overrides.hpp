@@ -13,4 +13,7 @@ namespace rockstack {
 /// array.
 void apply_override(Node& root, const std::string& override_text);
 
+/// Sets the value at a dotted key to that of `value`, whose place it takes over. Otherwise as above.
+void set_value(Node& root, const std::string& key, const Node& value);
+
 }  // namespace rockstack

@@ -49,12 +49,16 @@ InitialState read_initial(const Node& root, std::size_t size) {
   return initial;
 }
 
-void read_ground(const Node& root, const std::filesystem::path& folder, Scene& scene) {
-  const Node* ground = find(root, "ground");
+void read_ground(const SceneDocument& document, MotionLibrary& library, Scene& scene) {
+  const Node* ground = find(document.root, "ground");
   if (ground == nullptr) return;
   require_table(*ground, {"horizontal", "vertical"});
-  if (const Node* table = find(*ground, "horizontal")) scene.horizontal = read_ground_motion(*table, folder);
-  if (const Node* table = find(*ground, "vertical")) scene.vertical = read_ground_motion(*table, folder);
+  if (const Node* table = find(*ground, "horizontal")) {
+    scene.horizontal = read_ground_motion(*table, document.folder, library);
+  }
+  if (const Node* table = find(*ground, "vertical")) {
+    scene.vertical = read_ground_motion(*table, document.folder, library);
+  }
 }
 
 EngineSurface read_engine(const Node& root) {
@@ -67,12 +71,13 @@ EngineSurface read_engine(const Node& root) {
   return surface;
 }
 
-Scene scene_from(const Node& root, const std::filesystem::path& file) {
+Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
+  const Node& root = document.root;
   require_table(
       root, {"title", "duration", "gravity", "law", "equations", "blocks", "initial", "ground", "engine"});
   Scene scene;
   const Node* title = find(root, "title");
-  scene.title = title == nullptr ? file.stem().string() : text(*title);
+  scene.title = title == nullptr ? document.title : text(*title);
   scene.duration = required_number(root, "duration");
   scene.gravity = number_or(root, "gravity", scene.gravity);
   if (const Node* law = find(root, "law")) {
@@ -84,23 +89,32 @@ Scene scene_from(const Node& root, const std::filesystem::path& file) {
   }
   scene.blocks = read_blocks(root);
   scene.initial = read_initial(root, scene.blocks.size());
-  read_ground(root, file.parent_path(), scene);
+  read_ground(document, library, scene);
   scene.engine = read_engine(root);
   return scene;
 }
 
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  Node root = read_toml(file);
-  for (const std::string& each : overrides) apply_override(root, each);
+SceneDocument read_document(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  SceneDocument document{read_toml(file), file.parent_path(), file.stem().string()};
+  for (const std::string& each : overrides) apply_override(document.root, each);
+  return document;
+}
+
+Scene make_scene(const SceneDocument& document, MotionLibrary& library) {
   try {
-    Scene scene = scene_from(root, file);
+    Scene scene = scene_from(document, library);
     validate(scene);
     return scene;
   } catch (const FieldError& error) {
-    throw InputError(nearest(root, error.key).place + ": " + error.what());
+    throw InputError(nearest(document.root, error.key).place + ": " + error.what());
   }
+}
+
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  MotionLibrary library;
+  return make_scene(read_document(file, overrides), library);
 }
 
 }  // namespace rockstack

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "analytic/scene/document.hpp"
+#include "analytic/scene/motion_library.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
@@ -16,5 +18,20 @@ namespace rockstack {
 /// @throws InputError, one line with file:line (or the override), key, value and what is allowed: unknown
 /// keys, numbers out of range or not finite, wrong lengths, missing files, TOML syntax.
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// A scene file that is read but not yet understood: what many scenes that differ in a few values start from.
+struct SceneDocument {
+  Node root;
+  std::filesystem::path folder;  ///< paths of records are relative to it
+  std::string title;             ///< of scenes that say none
+};
+
+/// Reads a scene file and applies overrides. @throws InputError where either is not of its form.
+SceneDocument read_document(const std::filesystem::path& file,
+                            const std::vector<std::string>& overrides = {});
+
+/// The scene that a document describes; records and synthetic motions come from `library`.
+/// @throws InputError as read_scene().
+Scene make_scene(const SceneDocument& document, MotionLibrary& library);
 
 }  // namespace rockstack
