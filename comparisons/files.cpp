@@ -31,11 +31,17 @@ void prepare_folder(const std::filesystem::path& folder) {
 }
 
 void write_file(const std::filesystem::path& file, std::string_view content) {
+  write_file(file, [content](std::ostream& stream) {
+    stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  });
+}
+
+void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
   auto partial = file;
   partial += ".partial";
   errno = 0;
   std::ofstream stream(partial, std::ios::binary);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  write(stream);
   stream.close();
   if (!stream) {
     const std::string reason = std::strerror(errno);

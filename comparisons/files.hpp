@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <string_view>
 
 namespace rockstack {
@@ -12,5 +14,8 @@ void prepare_folder(const std::filesystem::path& folder);
 /// Writes a file whole or not at all: beside its place first, then renamed.
 /// @throws std::runtime_error naming the file and the reason.
 void write_file(const std::filesystem::path& file, std::string_view content);
+
+/// The same, of what `write` puts out.
+void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 
 }  // namespace rockstack

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
-#include <functional>
 #include <limits>
 #include <sstream>
 
@@ -51,11 +50,10 @@ void split(std::string_view rest, Cells& cells, const std::string& file, std::si
   }
 }
 
-using RowReader = std::function<void(const Cells&, std::size_t line)>;
+}  // namespace
 
-/// Calls `read_header`, then `read_row` for every further line.
-void read_lines(const std::filesystem::path& file, const std::function<void(const Cells&)>& read_header,
-                const RowReader& read_row) {
+void read_rows(const std::filesystem::path& file, const std::function<void(const Cells&)>& header,
+               const std::function<void(const Cells&, std::size_t line)>& row) {
   std::ifstream in(file);
   if (!in) throw InputError(file.string() + ": cannot be read");
   std::string text;
@@ -66,21 +64,19 @@ void read_lines(const std::filesystem::path& file, const std::function<void(cons
     split(text, cells, file.string(), line);
     if (line == 1) {
       width = cells.size();
-      read_header(cells);
+      header(cells);
     } else if (cells.size() != width) {
       throw InputError(fmt::format("{}: {} cells; must be {}", place(file, line), cells.size(), width));
     } else {
-      read_row(cells, line);
+      row(cells, line);
     }
   }
   if (width == 0) throw InputError(place(file, 1) + ": empty; must start with a header line");
 }
 
-}  // namespace
-
 Table read_table(const std::filesystem::path& file) {
   Table table;
-  read_lines(
+  read_rows(
       file, [&](const Cells& cells) { table.columns = cells; },
       [&](const Cells& cells, std::size_t) { table.rows.push_back(cells); });
   return table;
@@ -108,7 +104,7 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
       columns[i].push_back(whole ? value : number(cell, place(file, line), names[i]));
     }
   };
-  read_lines(file, read_header, read_row);
+  read_rows(file, read_header, read_row);
   return columns;
 }
 

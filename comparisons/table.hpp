@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,12 @@ Table read_table(const std::filesystem::path& file);
 
 /// The index of a column. @throws InputError naming the file and the column that is missing.
 std::size_t column(const Table& table, const std::string& name, const std::filesystem::path& file);
+
+/// Reads a file row by row: calls `header` with the names, then `row` with the cells and number of each line.
+/// @throws InputError as read_table().
+void read_rows(const std::filesystem::path& file,
+               const std::function<void(const std::vector<std::string>&)>& header,
+               const std::function<void(const std::vector<std::string>&, std::size_t line)>& row);
 
 /// Reads only the named columns, each as one vector of numbers; an empty cell is NaN. Meant for long files.
 /// @throws InputError as read_table(), and for a missing column or a cell that is not a number.

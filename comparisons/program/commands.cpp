@@ -30,13 +30,6 @@ void require_positive_option(const char* option, double value) {
   }
 }
 
-/// The file itself, or the one of that name among those shipped in `folder`.
-std::filesystem::path find_file(const std::string& input, const char* folder) {
-  const auto shipped = std::filesystem::path(folder) / (input + ".toml");
-  return !std::filesystem::exists(input) && std::filesystem::exists(shipped) ? shipped
-                                                                             : std::filesystem::path(input);
-}
-
 /// The suite or scene that an input of `compare` names.
 std::filesystem::path find_input(const std::string& input) {
   const auto file = find_file(input, build::suites);
@@ -74,6 +67,13 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
 }
 
 }  // namespace
+
+std::filesystem::path find_file(const std::string& input, const char* folder) {
+  const auto shipped = std::filesystem::path(folder) / (input + ".toml");
+  return !std::filesystem::is_regular_file(input) && std::filesystem::exists(shipped)
+             ? shipped
+             : std::filesystem::path(input);
+}
 
 int solve_command(const SolveArguments& arguments, const Common& common) {
   require_positive_option("--step", arguments.step);
@@ -140,7 +140,9 @@ int list_command(const std::string& what, const Common& common) {
     }
     for (const std::string& name : engines_left_out()) names.push_back(name + "  left out of this build");
   } else {
-    const char* folder = what == "scenes" ? build::scenes : build::suites;
+    const char* folder = what == "scenes"   ? build::scenes
+                         : what == "suites" ? build::suites
+                                            : build::ensembles;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
     }

@@ -41,13 +41,23 @@ struct RecordArguments {
   std::string base_line = "none";  ///< or "fitted", taken off before anything is measured
 };
 
-// Each returns the program's exit code: 0, or 1 where a run failed. Bad input is thrown as InputError. Scenes
-// and suites are files, or names that `list` shows.
+struct SweepArguments {
+  std::string ensemble;
+  std::filesystem::path out;
+  std::size_t threads = 0;  ///< 0: as many as the machine runs at once
+};
+
+// Each returns the program's exit code: 0, or 1 where a run failed. Bad input is thrown as InputError.
+// Scenes, suites and ensembles are files, or names that `list` shows.
 int solve_command(const SolveArguments& arguments, const Common& common);
 int simulate_command(const SimulateArguments& arguments, const Common& common);
 int compare_command(const CompareArguments& arguments, const Common& common);
 int plot_command(const std::filesystem::path& results, const Common& common);
 int record_command(const RecordArguments& arguments, const Common& common);
+int sweep_command(const SweepArguments& arguments, const Common& common);
 int list_command(const std::string& what, const Common& common);
+
+/// The file itself, or the one of that name among those shipped in `folder`.
+std::filesystem::path find_file(const std::string& input, const char* folder);
 
 }  // namespace rockstack

@@ -67,10 +67,24 @@ Command add_compare(CLI::App& app, const Common& common) {
   return {command, [arguments, &common] { return compare_command(*arguments, common); }};
 }
 
+Command add_sweep(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<SweepArguments>();
+  CLI::App* command = app.add_subcommand("sweep", "solve a scene many times with values varied");
+  command
+      ->add_option("ensemble", arguments->ensemble,
+                   "ensemble file, or a name from `rockstack list ensembles`")
+      ->required();
+  command->add_option("--threads", arguments->threads, "threads, as many as the machine has if left out")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--out", arguments->out, "folder for results; a sweep that was stopped goes on there")
+      ->required();
+  return {command, [arguments, &common] { return sweep_command(*arguments, common); }};
+}
+
 Command add_plot(CLI::App& app, const Common& common) {
   const auto results = std::make_shared<std::filesystem::path>();
   CLI::App* command = app.add_subcommand("plot", "draw figures and the report from a results folder");
-  command->add_option("folder", *results, "folder written by `rockstack compare` or `rockstack record`")
+  command->add_option("folder", *results, "folder written by `rockstack compare`, `sweep` or `record`")
       ->required();
   return {command, [results, &common] { return plot_command(*results, common); }};
 }
@@ -89,9 +103,9 @@ Command add_record(CLI::App& app, const Common& common) {
 Command add_list(CLI::App& app, const Common& common) {
   const auto what = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("list", "list what there is");
-  command->add_option("what", *what, "scenes, suites or engines")
+  command->add_option("what", *what, "scenes, suites, ensembles or engines")
       ->required()
-      ->check(CLI::IsMember({"scenes", "suites", "engines"}));
+      ->check(CLI::IsMember({"scenes", "suites", "ensembles", "engines"}));
   return {command, [what, &common] { return list_command(*what, common); }};
 }
 
@@ -106,7 +120,7 @@ int run(int count, char** words) {
   app.add_flag("--quiet", common.quiet, "print nothing but errors");
   app.add_flag("--json", common.json, "print the result as JSON");
   std::vector<Command> commands;
-  for (const auto add : {add_solve, add_simulate, add_compare, add_plot, add_record, add_list}) {
+  for (const auto add : {add_solve, add_simulate, add_compare, add_sweep, add_plot, add_record, add_list}) {
     commands.push_back(add(app, common));
   }
   try {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -33,6 +34,17 @@ void print_row(const Row& row) {
              cell(row.agreement_time, "{:.4g}"), cell(row.stepping_time_minimum, "{:.2e}"));
 }
 
+bool shows_progress(const Common& common) {
+  return !common.quiet && isatty(STDERR_FILENO) != 0;
+}
+
+/// A time to be waited for, in the largest unit that fits.
+std::string waiting_time(double seconds) {
+  if (seconds < 60) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 3600) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
 std::vector<double> peaks(const History& history) {
   std::vector<double> result(static_cast<std::size_t>(history.blocks));
   for (std::size_t i = 0; i < history.angles.size(); ++i) {
@@ -45,11 +57,43 @@ std::vector<double> peaks(const History& history) {
 }  // namespace
 
 Progress progress(const Common& common) {
-  if (common.quiet || isatty(STDERR_FILENO) == 0) return [](std::size_t, std::size_t, const std::string&) {};
+  if (!shows_progress(common)) return [](std::size_t, std::size_t, const std::string&) {};
   return [](std::size_t number, std::size_t total, const std::string& run) {
     fmt::print(stderr, "\r\033[K[{}/{}] {}{}", number, total, run, number == total ? "\n" : "");
     std::fflush(stderr);
   };
+}
+
+std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const Common& common) {
+  if (!shows_progress(common)) return [](std::size_t, std::size_t, std::size_t) {};
+  using Clock = std::chrono::steady_clock;
+  return [start = Clock::now(), last = Clock::time_point{}](std::size_t done, std::size_t begun_with,
+                                                            std::size_t runs) mutable {
+    const auto now = Clock::now();
+    const bool end = done == runs;
+    if (!end && now - last < std::chrono::milliseconds(100)) return;
+    last = now;
+    const double seconds = std::chrono::duration<double>(now - start).count();
+    const double rest = seconds * static_cast<double>(runs - done) / static_cast<double>(done - begun_with);
+    const std::string remaining =
+        end || done == begun_with ? "" : fmt::format(", {} to go", waiting_time(rest));
+    fmt::print(stderr, "\r\033[K{} of {} runs{}{}", done, runs, remaining, end ? "\n" : "");
+    std::fflush(stderr);
+  };
+}
+
+void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common) {
+  if (common.json) {
+    fmt::print("{}\n", Json{{"runs", result.runs},
+                            {"done", result.done},
+                            {"computed", result.computed},
+                            {"seconds", result.seconds},
+                            {"folder", folder.string()}}
+                           .dump(2));
+  } else if (!common.quiet) {
+    fmt::print("runs: {}, {} of them now in {:.3g} s\nresults: {}\n", result.runs, result.computed,
+               result.seconds, folder.string());
+  }
 }
 
 void print_history(const History& history, const std::vector<std::string>& warnings,

@@ -6,6 +6,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "comparisons/compare.hpp"
+#include "comparisons/ensemble/sweep.hpp"
 #include "comparisons/impact_law_results.hpp"
 #include "comparisons/program/commands.hpp"
 
@@ -15,6 +16,12 @@ namespace rockstack {
 
 /// A line that names the run in progress.
 Progress progress(const Common& common);
+
+/// A line that counts runs done and says how long the rest will take.
+std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const Common& common);
+
+/// Runs done and toppled, and where the results are.
+void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common);
 
 /// Events by kind, peak angles, warnings, and where the files are.
 void print_history(const History& history, const std::vector<std::string>& warnings,

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace rockstack {
+
+/// The runs at one level of intensity.
+struct Level {
+  double intensity = 0;
+  std::size_t runs = 0;  ///< without those that failed
+  std::size_t toppled = 0;
+  std::size_t failed = 0;
+};
+
+/// Limits of a probability.
+struct Bounds {
+  double lower = 0, upper = 1;
+};
+
+/// The 95 % confidence interval of Wilson 1927 (Journal of the American Statistical Association 22, 209–212)
+/// for a probability of which `hits` of `trials` are known; from 0 to 1 where trials = 0.
+Bounds wilson_bounds(std::size_t hits, std::size_t trials);
+
+/// The probability Φ(ln(x/median)/beta) of toppling at intensity x.
+struct Fragility {
+  double median = 0;  ///< in the intensity's unit
+  double beta = 0;    ///< standard deviation of the logarithm
+  double log_likelihood = 0;
+};
+
+/// The curve of greatest likelihood (Baker 2015, Earthquake Spectra 31, 579–599). None where there is none:
+/// where one intensity parts all that topple from all that do not, toppling does not grow with intensity, or
+/// an intensity is not > 0.
+std::optional<Fragility> fit_fragility(const std::vector<Level>& levels);
+
+double probability(const Fragility& curve, double intensity);
+
+}  // namespace rockstack

@@ -1,0 +1,61 @@
+#include "comparisons/ensemble/run_one.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analytic/solve.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr double sample_interval = 1e-3;  // s
+
+void raise(std::vector<double>& peaks, std::span<const double> angles) {
+  for (std::size_t k = 0; k < peaks.size(); ++k) peaks[k] = std::max(peaks[k], std::abs(angles[k]));
+}
+
+/// The worst of all interfaces.
+Demand worst(const std::vector<Demand>& demands) {
+  Demand result;
+  for (const Demand& demand : demands) {
+    result.least_normal = std::min(result.least_normal, demand.least_normal);
+    result.friction = std::max(result.friction, demand.friction);
+  }
+  return result;
+}
+
+bool is_impact(const Event& event) {
+  return event.kind == EventKind::impact || event.kind == EventKind::closure || event.kind == EventKind::rest;
+}
+
+}  // namespace
+
+RunOutcome run_one(const Scene& scene) {
+  const History history =
+      solve(scene, {.sample_times = regular_times(sample_interval, scene.duration), .validity = true});
+  RunOutcome outcome;
+  outcome.peaks.resize(scene.blocks.size());
+  // Peaks are those of close samples and of the events between them.
+  for (std::size_t i = 0; i < history.size(); ++i) raise(outcome.peaks, history.angles_at(i));
+  for (const Event& event : history.events) raise(outcome.peaks, event.angles);
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const double slenderness = std::atan2(scene.blocks[k].half_width, scene.blocks[k].half_height);
+    outcome.peak_ratio = std::max(outcome.peak_ratio, outcome.peaks[k] / slenderness);
+  }
+  outcome.events = history.events.size();
+  outcome.impacts =
+      static_cast<std::size_t>(std::count_if(history.events.begin(), history.events.end(), is_impact));
+  if (!history.events.empty()) {
+    const Event& last = history.events.back();
+    outcome.last_event_time = last.time;
+    if (last.kind == EventKind::topple) {
+      outcome.toppled = last.interface;
+      outcome.topple_time = last.time;
+    }
+  }
+  outcome.force = worst(history.forces);
+  outcome.impulse = worst(history.impulses);
+  return outcome;
+}
+
+}  // namespace rockstack

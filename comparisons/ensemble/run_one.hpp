@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack {
+
+/// What a sweep keeps of one run. SI units.
+struct RunOutcome {
+  std::vector<double> peaks;   ///< largest absolute angle of each block, rad
+  double peak_ratio = 0;       ///< the largest of these over the block's slenderness
+  int toppled = 0;             ///< number of the block that toppled first, from 1; 0: none
+  double topple_time = 0;      ///< s, where one has toppled
+  std::size_t impacts = 0;     ///< with those that end chatter
+  std::size_t events = 0;      ///< of any kind
+  double last_event_time = 0;  ///< s, where there is an event
+  Demand force;                ///< on whichever interface bears the most, by forces
+  Demand impulse;              ///< likewise, by impulses
+};
+
+/// Solves a scene exactly and sums it up. @throws as solve().
+RunOutcome run_one(const Scene& scene);
+
+}  // namespace rockstack

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rockstack {
+
+/// Work in parts that can be worked on in any order.
+struct Work {
+  std::function<std::string(std::size_t part)> compute;               ///< from any thread
+  std::function<void(std::size_t part, const std::string&)> deliver;  ///< from one thread at a time
+  std::function<bool()> stopped;  ///< true: no further part is begun, those begun are finished
+};
+
+/// Those who work on the parts of some work: threads of this process, or processes on several machines of
+/// which one leads and the others only compute.
+class Workers {
+ public:
+  Workers() = default;
+  virtual ~Workers() = default;
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  /// How many compute at a time, for reports: "2 threads".
+  virtual std::string description() const = 0;
+
+  /// True where this process gives out the parts and keeps what is delivered.
+  virtual bool leads() const = 0;
+
+  /// Of the leader: has every part computed and delivered. @throws what compute and deliver throw.
+  virtual void run(const std::vector<std::size_t>& parts, const Work& work) = 0;
+
+  /// Of the others: computes parts until the leader has no more.
+  virtual void serve(const std::function<std::string(std::size_t part)>& compute) = 0;
+};
+
+/// Threads of this process. Precondition: count ≥ 1.
+std::unique_ptr<Workers> make_threads(std::size_t count);
+
+}  // namespace rockstack
