@@ -19,6 +19,7 @@
 #include "plots/impact_laws.hpp"
 #include "plots/record.hpp"
 #include "plots/report.hpp"
+#include "plots/sweep.hpp"
 #endif
 
 namespace rockstack {
@@ -120,6 +121,10 @@ int plot_command(const std::filesystem::path& results, const Common& common) {
 #ifdef ROCKSTACK_WITH_PLOTS
   if (std::filesystem::exists(results / "record.json")) {
     draw_record(results);
+    return 0;
+  }
+  if (has_sweep(results)) {
+    draw_sweep(results);
     return 0;
   }
   draw(results);

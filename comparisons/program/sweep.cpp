@@ -9,6 +9,9 @@
 #include "comparisons/files.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/sweep.hpp"
+#endif
 
 namespace rockstack {
 namespace {
@@ -43,6 +46,9 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
                result.done, result.runs);
     return 1;
   }
+#ifdef ROCKSTACK_WITH_PLOTS
+  draw_sweep(arguments.out);
+#endif
   print_sweep(result, arguments.out, common);
   return 0;
 }
