@@ -44,7 +44,7 @@ struct RecordArguments {
 struct SweepArguments {
   std::string ensemble;
   std::filesystem::path out;
-  std::size_t threads = 0;  ///< 0: as many as the machine runs at once
+  std::size_t threads = 0;  ///< 0: as many as the machine runs at once; without effect under mpirun
 };
 
 // Each returns the program's exit code: 0, or 1 where a run failed. Bad input is thrown as InputError.

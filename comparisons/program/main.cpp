@@ -74,7 +74,9 @@ Command add_sweep(CLI::App& app, const Common& common) {
       ->add_option("ensemble", arguments->ensemble,
                    "ensemble file, or a name from `rockstack list ensembles`")
       ->required();
-  command->add_option("--threads", arguments->threads, "threads, as many as the machine has if left out")
+  command
+      ->add_option("--threads", arguments->threads,
+                   "threads, as many as the machine has if left out; under mpirun, one a rank")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", arguments->out, "folder for results; a sweep that was stopped goes on there")
       ->required();

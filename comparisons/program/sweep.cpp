@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <csignal>
+#include <memory>
+#include <optional>
 #include <thread>
 
 #include "comparisons/build.hpp"
@@ -9,6 +11,9 @@
 #include "comparisons/files.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
+#ifdef ROCKSTACK_WITH_MPI
+#include "comparisons/ranks/ranks.hpp"
+#endif
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/sweep.hpp"
 #endif
@@ -23,21 +28,40 @@ extern "C" void interrupt(int /*signal*/) {
   interrupted = true;
 }
 
-std::size_t thread_count(std::size_t asked) {
-  if (asked > 0) return asked;
-  return std::max(1U, std::thread::hardware_concurrency());
+/// The ranks that mpirun has started, or threads.
+std::unique_ptr<Workers> make_workers(std::size_t threads) {
+#ifdef ROCKSTACK_WITH_MPI
+  if (auto ranks = find_ranks()) return ranks;
+#endif
+  return make_threads(threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency()));
+}
+
+Ensemble read_ensemble(const SweepArguments& arguments, const Common& common, MotionLibrary& library) {
+  return read_ensemble(find_file(arguments.ensemble, build::ensembles), common.overrides, library);
+}
+
+/// What a process does that does not lead. It reads the ensemble only when it is given a block, so that of
+/// bad input the leader alone speaks.
+int serve(Workers& workers, const SweepArguments& arguments, const Common& common) {
+  MotionLibrary library;
+  std::optional<Ensemble> ensemble;
+  workers.serve([&](std::size_t block) {
+    if (!ensemble) ensemble = read_ensemble(arguments, common, library);
+    return block_lines(*ensemble, block, library);
+  });
+  return 0;
 }
 
 }  // namespace
 
 int sweep_command(const SweepArguments& arguments, const Common& common) {
-  MotionLibrary library;
-  const Ensemble ensemble =
-      read_ensemble(find_file(arguments.ensemble, build::ensembles), common.overrides, library);
-  prepare_folder(arguments.out);
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
-  const auto workers = make_threads(thread_count(arguments.threads));
+  const auto workers = make_workers(arguments.threads);
+  if (!workers->leads()) return serve(*workers, arguments, common);
+  MotionLibrary library;
+  const Ensemble ensemble = read_ensemble(arguments, common, library);
+  prepare_folder(arguments.out);
   const SweepResult result =
       sweep(ensemble, library, *workers,
             {arguments.out, common.command, sweep_progress(common), [] { return interrupted.load(); }});
