@@ -26,7 +26,7 @@ std::shared_ptr<const GroundMotion> MotionLibrary::kept(const std::string& name,
     if (found != motions_.end()) return found->second;
   }
   // Made without the lock: two threads may make the same one, which costs time alone.
-  const auto motion = std::make_shared<const GroundMotion>(make());
+  auto motion = std::make_shared<const GroundMotion>(make());
   const std::lock_guard lock(mutex_);
   const auto [place, added] = motions_.emplace(name, motion);
   if (!added) return place->second;

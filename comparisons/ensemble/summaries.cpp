@@ -95,6 +95,7 @@ void write_fragility(const std::vector<Run>& runs, const std::filesystem::path& 
     if (run.toppled) ++level.toppled;
   }
   std::vector<Level> levels;
+  levels.reserve(by_intensity.size());
   for (const auto& [intensity, level] : by_intensity) levels.push_back(level);
   const auto fit = fit_fragility(levels);
   std::string text = "intensity,runs,toppled,failed,fraction,lower,upper,fitted\n";
@@ -128,6 +129,7 @@ void write_incremental(std::vector<Run> runs, const std::filesystem::path& folde
   for (const Run& run : runs) numbers.emplace(run.others, numbers.size());
   if (numbers.size() == runs.size()) return;
   std::vector<std::pair<std::size_t, const Run*>> ordered;
+  ordered.reserve(runs.size());
   for (const Run& run : runs) ordered.emplace_back(numbers[run.others], &run);
   std::stable_sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) {
     return std::pair(a.first, a.second->intensity) < std::pair(b.first, b.second->intensity);

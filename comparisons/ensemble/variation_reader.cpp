@@ -34,22 +34,26 @@ std::vector<Value> read_values(const Node& array) {
   return values;
 }
 
+constexpr double most_values = 1e6;  // of one table
+
 std::vector<Value> read_range(const Node& table) {
   require_table(table, {"from", "to", "count", "spacing"});
   const double from = required_number(table, "from");
   const double to = required_number(table, "to");
-  const double count = whole_number(required(table, "count", "a whole number"), 1, most_runs);
+  const auto count =
+      static_cast<std::size_t>(whole_number(required(table, "count", "a whole number"), 1, most_values));
   const Node* spacing = find(table, "spacing");
   const bool logarithmic = spacing != nullptr && choice<bool>(*spacing, {{"linear", false}, {"log", true}});
   if (logarithmic && !(from > 0 && to > 0)) {
     throw wrong_value(*spacing, "\"linear\" where from or to is not > 0");
   }
-  std::vector<Value> values;
-  for (double i = 0; i < count; ++i) {
-    const double share = count > 1 ? i / (count - 1) : 0;
+  std::vector<Value> values{number_value(from, table.place)};
+  const auto steps = static_cast<double>(count - 1);
+  for (std::size_t i = 1; i < count; ++i) {
+    const auto step = static_cast<double>(i);
     const double inner =
-        logarithmic ? from * std::pow(to / from, share) : from + (to - from) * i / std::max(count - 1, 1.0);
-    values.push_back(number_value(share == 1 ? to : inner, table.place));
+        logarithmic ? from * std::pow(to / from, step / steps) : from + (to - from) * step / steps;
+    values.push_back(number_value(i + 1 == count ? to : inner, table.place));
   }
   return values;
 }

@@ -65,7 +65,7 @@ TEST(Draws, HalfOfAllStayBelowTheMedian) {
     for (std::uint64_t run = 0; run < n; ++run) {
       if (draw(distribution, {5, run, 0}) < median(distribution)) ++below;
     }
-    EXPECT_NEAR(below, n / 2, 5 * std::sqrt(n / 4.0));
+    EXPECT_NEAR(below, n / 2.0, 5 * std::sqrt(n / 4.0));
   }
 }
 

@@ -51,7 +51,7 @@ TEST(Summaries, OneSineFirstReachesTheSlendernessWherePublished) {
 TEST(Summaries, TheOverturningSpectrumHasASafeBay) {
   const TemporaryFolder folder;
   std::string amplitudes;
-  for (double unit = 0.9; unit < 14; unit += 0.1) amplitudes += std::to_string(unit) + " ";
+  for (int tenths = 9; tenths < 140; ++tenths) amplitudes += std::to_string(0.1 * tenths) + " ";
   Ensemble ensemble = sine_on_block(1.0, amplitudes, 6);
   sweep_into(folder.path(), ensemble, {.threads = 2});
   const auto cells =
