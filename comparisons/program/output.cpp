@@ -82,6 +82,11 @@ std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const 
   };
 }
 
+void print_stopped(const SweepResult& result, const Common& common) {
+  fmt::print(stderr, "{}rockstack: stopped after {} of {} runs; the same command goes on from there\n",
+             shows_progress(common) ? "\n" : "", result.done, result.runs);
+}
+
 void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common) {
   if (common.json) {
     fmt::print("{}\n", Json{{"runs", result.runs},

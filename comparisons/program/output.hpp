@@ -20,7 +20,10 @@ Progress progress(const Common& common);
 /// A line that counts runs done and says how long the rest will take.
 std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const Common& common);
 
-/// Runs done and toppled, and where the results are.
+/// How far a sweep came that was stopped, and how to go on; on standard error.
+void print_stopped(const SweepResult& result, const Common& common);
+
+/// Runs done, and where the results are.
 void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common);
 
 /// Events by kind, peak angles, warnings, and where the files are.

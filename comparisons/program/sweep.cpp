@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <atomic>
 #include <csignal>
 #include <memory>
@@ -66,8 +64,7 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
       sweep(ensemble, library, *workers,
             {arguments.out, common.command, sweep_progress(common), [] { return interrupted.load(); }});
   if (!result.finished()) {
-    fmt::print(stderr, "rockstack: stopped after {} of {} runs; the same command goes on from there\n",
-               result.done, result.runs);
+    print_stopped(result, common);
     return 1;
   }
 #ifdef ROCKSTACK_WITH_PLOTS

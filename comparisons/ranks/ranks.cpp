@@ -54,7 +54,7 @@ class Ranks : public Workers {
 
   /// The leader lets all others go, whatever has happened to itself.
   ~Ranks() override {
-    while (leads() && busy_ > 0) dismiss(receive().rank);
+    while (rank_ == leader && busy_ > 0) dismiss(receive().rank);
     MPI_Finalize();
   }
   Ranks(const Ranks&) = delete;
