@@ -125,7 +125,8 @@ TEST(SceneErrors, ThirtyTwoBlocksAreTheMost) {
 }
 
 TEST(SceneErrors, BrokenTomlNamesItsLine) {
-  for (const char* broken : {"width = ", "width 1.0", "width = 1.0.0", "width = \"\x01\""}) {
+  for (const char* broken :
+       {"width = ", "width 1.0", "width = 1.0.0", "width = \"\x01\"", "é = 1", "width = 1.0 é"}) {
     const std::string line = error_of(with_line(7, broken));
     EXPECT_EQ(line.substr(0, 28), "scene.toml:7: must be TOML: ") << broken;
     EXPECT_EQ(line.find('\n'), std::string::npos) << broken;
