@@ -1,9 +1,30 @@
 #include "tests/analytic/solver/stacks.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 namespace rockstack::testing {
+namespace {
+
+GroundMotion random_motion(Draw& draw, double strength) {
+  GroundMotion motion;
+  const int kind = draw.below(3);
+  if (kind == 1) {
+    motion.interval = draw.between(0.005, 0.02);
+    for (int i = 0; i < 50; ++i) motion.samples.push_back(draw.between(-strength, strength));
+  } else if (kind == 2) {
+    motion.pulse = Pulse{.shape = static_cast<PulseShape>(draw.below(6)),
+                         .amplitude = draw.between(-strength, strength),
+                         .period = draw.between(0.05, 0.6),
+                         .start = draw.between(0, 0.2),
+                         .cycles = draw.between(1.1, 3),
+                         .phase = draw.between(0, 2 * std::numbers::pi)};
+  }
+  return motion;
+}
+
+}  // namespace
 
 Block block(double width, double height) {
   const double mass = 2500 * width * height;
@@ -54,6 +75,12 @@ Scene random_scene(Draw& draw, int size, bool shaken) {
   scene.vertical.interval = 0.013;
   for (int i = 0; i < 50; ++i) scene.vertical.samples.push_back(draw.between(-strength, strength) / 3);
   return scene;
+}
+
+void shake(Draw& draw, Scene& scene) {
+  const double strength = scene.gravity * draw.between(0.1, 2);
+  scene.horizontal = random_motion(draw, strength);
+  scene.vertical = random_motion(draw, strength / 3);
 }
 
 std::string listing(const History& history) {

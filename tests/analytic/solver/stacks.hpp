@@ -37,6 +37,10 @@ Scene random_stack(Draw& draw, int size);
 /// motion of 0.1 … 2 g, on both axes or one.
 Scene random_scene(Draw& draw, int size, bool shaken);
 
+/// Replaces the ground motion by one of 0.1 … 2 g along each axis (a third of that vertically): none, samples
+/// or any pulse.
+void shake(Draw& draw, Scene& scene);
+
 /// A state of random contacts: closed, or open by up to 0.4 rad at up to 1 rad/s.
 template <class Real>
 State<Real> random_state(Draw& draw, int size) {
