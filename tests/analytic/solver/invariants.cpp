@@ -105,51 +105,5 @@ TEST(Invariants, ConstantGroundAccelerationIsGravityTurned) {
   }
 }
 
-// Two blocks of the same kind, welded, are the rectangle that they make up: its centre is at mid-height.
-TEST(Invariants, AStackThatStaysClosedRocksAsOneBlock) {
-  const Scene stack = testing::released({testing::block(0.5, 1.0), testing::block(0.5, 0.25)}, {0.1, 0.1}, 3);
-  const Scene whole = testing::released({testing::block(0.5, 1.25)}, {0.1}, 3);
-  const auto compound = make_model<double>(stack);
-  const auto single = make_model<double>(whole);
-  Pattern welded = closed_pattern(2);
-  welded[0] = Contact::right;
-  Pattern alone = closed_pattern(1);
-  alone[0] = Contact::right;
-  for (const double angle : {0.0, 0.1, 0.3}) {
-    const State<double> pair{welded, Vector<double>{{angle, 0}}, Vector<double>{{0.7, 0}}};
-    const State<double> one{alone, Vector<double>{{angle}}, Vector<double>{{0.7}}};
-    const Point<double> ground{2, 1};
-    EXPECT_NEAR(accelerations(compound, pair, ground)[0], accelerations(single, one, ground)[0], 1e-13);
-    EXPECT_NEAR(energy(compound, pair), energy(single, one), 1e-9);
-  }
-  // Up to the first impact the top stays where it is.
-  const History history = solve(stack);
-  const History expected = solve(whole);
-  ASSERT_FALSE(history.events.empty());
-  EXPECT_EQ(history.events[0].kind, EventKind::impact);
-  EXPECT_NEAR(history.events[0].time, expected.events.at(0).time, 1e-13);
-}
-
-// Mass ratio 1e-12: the base's impacts move by that share, amplified by its few impacts.
-TEST(Invariants, AFeatherweightTopLeavesTheBaseAHousnerBlock) {
-  for (const Law law : {Law::paper, Law::consistent}) {
-    Scene stack = testing::released({testing::block(0.5, 2), testing::block(0.4, 0.6)}, {0.12, 0.12}, 2);
-    stack.law = law;
-    stack.blocks[1].mass *= 1e-12;
-    stack.blocks[1].inertia *= 1e-12;
-    const History history = solve(stack);
-    const History alone = solve(testing::released({testing::block(0.5, 2)}, {0.12}, 2));
-    std::vector<Event> base;
-    for (const Event& event : history.events) {
-      if (event.kind == EventKind::impact && event.interface == 1) base.push_back(event);
-    }
-    ASSERT_GE(base.size(), 2U);
-    for (std::size_t i = 0; i < 2; ++i) {
-      EXPECT_NEAR(base[i].time, alone.events.at(i).time, 1e-9);
-      EXPECT_NEAR(base[i].after[0], alone.events[i].after[0], 1e-9);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace rockstack
