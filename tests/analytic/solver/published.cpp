@@ -92,8 +92,8 @@ TEST(Published, RectangularPulseOfHousnerInTheSlenderLimit) {
 
 // Zhang & Makris 2001 (p = 2.14 rad/s, α = 0.25, velocity ratio 0.9, one sine with ω_p/p = 5): with rising
 // amplitude a block survives, topples with one impact, is safe again, and topples without impact. Their
-// brackets, in a/(αg), are those of equations linear in α − θ: from 3.01, safe from 6.33, from 7.18. The full
-// equations keep the sequence, with brackets of their own: 3.0323, 6.7430 and 7.4930.
+// brackets, in a/(αg), are those of equations linear in α − θ (published_overturning.cpp). The full equations
+// keep the sequence, with brackets of their own: 3.0323, 6.7430 and 7.4930.
 TEST(Published, SafeBayBetweenTopplingWithAndWithoutImpact) {
   const double gravity = 9.81;
   const double slenderness = 0.25;
