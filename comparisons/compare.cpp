@@ -102,6 +102,16 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& r
   return json;
 }
 
+void write_ground(const std::vector<Suite>& suites, const std::filesystem::path& folder) {
+  for (const Suite& suite : suites) {
+    for (const NamedScene& scene : suite.scenes) {
+      if (scene.scene.horizontal.empty() && scene.scene.vertical.empty()) continue;
+      prepare_folder(folder / "ground");
+      write_file(folder / "ground" / (scene.name + ".csv"), ground_csv(scene.scene));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Row> compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
@@ -113,6 +123,7 @@ std::vector<Row> compare(const std::vector<Suite>& suites, const std::filesystem
     progress(rows.size() + 1, jobs.size(), describe(job).run);
     rows.push_back(measure(job, folder, command));
   }
+  write_ground(suites, folder);
   write_file(folder / "comparison.csv", comparison_csv(rows));
   write_file(folder / "comparison.json", comparison_json(suites, rows, command).dump(2) + "\n");
   return rows;

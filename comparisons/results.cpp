@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -47,6 +48,19 @@ class Lines {
  private:
   fmt::memory_buffer buffer_;
 };
+
+/// Times that show all of the ground motion up to the end of the scene, s.
+std::vector<double> ground_times(const Scene& scene) {
+  std::vector<double> times{0, scene.duration};
+  for (const GroundMotion* motion : {&scene.horizontal, &scene.vertical}) {
+    const double interval = motion->pulse ? 1e-3 : motion->interval;
+    const double end = std::min(motion->end(), scene.duration);
+    for (int i = 1; interval > 0 && i * interval <= end; ++i) times.push_back(i * interval);
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
 
 }  // namespace
 
@@ -148,6 +162,14 @@ std::string events_csv(const History& history) {
     lines.add_numbers(event.after);
     lines.add(",{}\n", name(event.consistency));
   }
+  return lines.text();
+}
+
+std::string ground_csv(const Scene& scene) {
+  Lines lines;
+  lines.add("time,horizontal,vertical\n");
+  for (const double time : ground_times(scene))
+    lines.add("{},{},{}\n", time, acceleration(scene.horizontal, time), acceleration(scene.vertical, time));
   return lines.text();
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analytic/scene/history.hpp"
+#include "analytic/scene/scene.hpp"
 #include "comparisons/alignment.hpp"
 #include "comparisons/difference.hpp"
 
@@ -46,6 +47,9 @@ std::string history_csv(const History& history);
 
 /// time,kind,interface,from,to,theta_1,…,omega_before_1,…,omega_after_1,…,consistency.
 std::string events_csv(const History& history);
+
+/// time,horizontal,vertical in s and m/s²: where samples lie, and every millisecond of a pulse.
+std::string ground_csv(const Scene& scene);
 
 /// time,difference_1,…
 std::string difference_csv(const Difference& difference);

@@ -18,4 +18,7 @@ Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, c
 /// RMS angle difference against stepping time, a line over time steps for each engine, solver and settings.
 Drawing error_time(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
 
+/// The ground's acceleration, a panel for each axis that moves. Precondition: the scene has a ground motion.
+Drawing ground_motion(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+
 }  // namespace rockstack::plots

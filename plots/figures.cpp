@@ -9,13 +9,19 @@ namespace {
 
 using Draw = plots::Drawing (*)(const plots::Comparison&, const plots::ComparedScene&, const plots::Looks&);
 
-constexpr std::array<Draw, 4> draws{plots::histories, plots::differences, plots::impact_times,
-                                    plots::error_time};
+constexpr std::array<Draw, 5> draws{plots::ground_motion, plots::histories, plots::differences,
+                                    plots::impact_times, plots::error_time};
+
+constexpr auto ground_kind = "ground-motion";
 
 }  // namespace
 
 const std::vector<FigureKind>& figure_kinds() {
   static const std::vector<FigureKind> kinds{
+      {ground_kind, "Ground acceleration",
+       "What shakes the blocks, to the right and upwards positive, up to the end of the scene. The mark is "
+       "the "
+       "largest absolute value."},
       {"histories", "Angles over time",
        "One panel a block. The thick grey line with a black core is the exact solution; each engine is shown "
        "with its "
@@ -46,6 +52,10 @@ const std::vector<FigureKind>& figure_kinds() {
   return kinds;
 }
 
+bool has_figure(const plots::ComparedScene& scene, const FigureKind& kind) {
+  return kind.name != ground_kind || !scene.ground_motion.empty();
+}
+
 std::filesystem::path figure_stem(const std::filesystem::path& results, const std::string& scene,
                                   const std::string& kind) {
   return results / "figures" / (scene + "." + kind);
@@ -56,8 +66,8 @@ void draw_figures(const std::filesystem::path& results) {
   const plots::Looks looks = plots::assign_looks(comparison);
   for (const plots::ComparedScene& scene : comparison.scenes)
     for (std::size_t i = 0; i < draws.size(); ++i)
-      plots::draw(draws[i](comparison, scene, looks),
-                  figure_stem(results, scene.name, figure_kinds()[i].name));
+      if (const FigureKind& kind = figure_kinds()[i]; has_figure(scene, kind))
+        plots::draw(draws[i](comparison, scene, looks), figure_stem(results, scene.name, kind.name));
 }
 
 }  // namespace rockstack

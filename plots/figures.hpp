@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "plots/results.hpp"
+
 namespace rockstack {
 
 /// Draws every figure of every scene of a results folder, as results/figures/<scene>.<figure>.png and .svg.
@@ -18,6 +20,9 @@ struct FigureKind {
 };
 
 const std::vector<FigureKind>& figure_kinds();
+
+/// True where a scene has that figure: all have, but for the ground's motion where the ground is still.
+bool has_figure(const plots::ComparedScene& scene, const FigureKind& kind);
 
 /// Where a figure lies, without .png or .svg.
 std::filesystem::path figure_stem(const std::filesystem::path& results, const std::string& scene,

@@ -121,7 +121,8 @@ std::string scene_section(const fs::path& results, const Comparison& comparison,
   std::string body = element("h2", escaped(compared.title)) + "\n";
   if (!compared.ground.empty())
     body += element("p", escaped("The ground moves by: " + compared.ground)) + "\n";
-  for (const FigureKind& kind : figure_kinds()) body += figure(results, comparison, scene, kind);
+  for (const FigureKind& kind : figure_kinds())
+    if (has_figure(compared, kind)) body += figure(results, comparison, scene, kind);
   body += element("details", element("summary", fmt::format("The scene file of {}", escaped(compared.name))) +
                                  element("pre", element("code", escaped(compared.toml))));
   return element("section", "\n" + body, fmt::format(" id=\"{}\"", scene_anchor(scene))) + "\n";

@@ -49,9 +49,12 @@ void read_description(const Json& json, Comparison& comparison) {
   comparison.title = json.at("title").get<std::string>();
   comparison.command = json.at("command").get<std::string>();
   for (const Json& scene : json.at("scenes"))
-    comparison.scenes.push_back({scene.at("name").get<std::string>(), scene.at("title").get<std::string>(),
-                                 scene.at("blocks").get<int>(), scene.at("toml").get<std::string>(),
-                                 scene.value("ground", "")});
+    comparison.scenes.push_back({scene.at("name").get<std::string>(),
+                                 scene.at("title").get<std::string>(),
+                                 scene.at("blocks").get<int>(),
+                                 scene.at("toml").get<std::string>(),
+                                 scene.value("ground", ""),
+                                 {}});
   comparison.definitions = facts_of(json.at("definitions"));
   comparison.environment = facts_of(json.at("environment"));
   comparison.tolerance = json.at("tolerance_rad").get<double>();
@@ -130,6 +133,10 @@ Comparison read_comparison(const std::filesystem::path& results) {
   const std::filesystem::path file = results / "comparison.csv";
   const Table table = read_table(file);
   comparison.columns = table.columns;
+  for (ComparedScene& scene : comparison.scenes) {
+    const std::filesystem::path ground = results / "ground" / (scene.name + ".csv");
+    if (std::filesystem::exists(ground)) scene.ground_motion = ground;
+  }
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     Run run = read_run(RowReader(table, i, file));
     run.cells = table.rows[i];

@@ -32,8 +32,9 @@ struct Run {
 struct ComparedScene {
   std::string name, title;
   int blocks = 0;
-  std::string toml;    ///< the scene as text
-  std::string ground;  ///< what moves the ground, empty where nothing does
+  std::string toml;                          ///< the scene as text
+  std::string ground;                        ///< what moves the ground, empty where nothing does
+  std::filesystem::path ground_motion = {};  ///< its file, empty where nothing moves it
 };
 
 /// A statement of the paper beside what was computed.

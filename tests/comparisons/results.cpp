@@ -44,6 +44,24 @@ TEST(Results, NumbersReadBackToTheSameDouble) {
   EXPECT_EQ(split(events_csv(history), '\n').size(), history.events.size() + 1);
 }
 
+TEST(Results, GroundMotionHoldsEverySampleAndEveryMillisecondOfAPulse) {
+  Scene scene;
+  scene.duration = 0.25;
+  scene.horizontal = {0.1, {0, 2, -1, 3}, {}, {}};  // to 0.3 s, past the end
+  scene.vertical.pulse = Pulse{.shape = PulseShape::sine, .amplitude = 1, .period = 0.02, .start = 0.01};
+  const auto lines = split(ground_csv(scene), '\n');
+  EXPECT_EQ(lines[0], "time,horizontal,vertical");
+  // 0, 30 milliseconds up to the pulse's end, two samples and the end.
+  ASSERT_EQ(lines.size(), 1u + 1 + 30 + 2 + 1);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const auto cells = split(lines[i], ',');
+    const double time = number(cells[0]);
+    EXPECT_EQ(number(cells[1]), acceleration(scene.horizontal, time)) << time;
+    EXPECT_EQ(number(cells[2]), acceleration(scene.vertical, time)) << time;
+  }
+  EXPECT_EQ(number(split(lines.back(), ',')[0]), scene.duration);
+}
+
 TEST(Results, EveryColumnHasANameOfItsOwnAndADefinition) {
   std::set<std::string> names;
   for (const Column& column : columns()) {

@@ -97,6 +97,15 @@ void write_json(const fs::path& folder, const Sample& sample) {
       << R"("command": "rockstack compare sample.toml --out DIR", "rows": []})";
 }
 
+void write_ground(const fs::path& folder) {
+  std::ofstream ground = create(folder / "ground" / "sample.csv");
+  ground << "time,horizontal,vertical\n";
+  for (int i = 0; i <= 500; ++i) {
+    const double t = 0.01 * i;
+    fmt::print(ground, "{},{},{}\n", t, 7 * swing(t, 1), -3 * swing(t, 2));
+  }
+}
+
 /// A few words of everything a run's folder holds besides its histories.
 void write_summary(const fs::path& folder, const std::string& run, double dt) {
   create(folder / "summary.json") << fmt::format(
@@ -123,6 +132,7 @@ void write_engine(const fs::path& folder, std::ostream& rows, const Sample& samp
 
 void write_sample(const fs::path& folder, const Sample& sample) {
   write_json(folder, sample);
+  if (sample.shaken) write_ground(folder);
   std::ofstream rows = create(folder / "comparison.csv");
   rows
       << "run,scene,engine,solver,settings,dt,status,reason,steps,stepping_time_minimum,stepping_time_median,"

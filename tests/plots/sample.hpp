@@ -21,6 +21,7 @@ struct Sample {
   std::vector<SampleEngine> engines{{"bullet", "sequential-impulse", "tuned", 2e-3}};
   std::vector<double> steps{1e-2, 1e-3};  ///< s
   bool failed_row = false;
+  bool shaken = false;  ///< whether the ground moves, along both axes
 };
 
 /// Writes the sample as `rockstack compare` would, scene name "sample".
