@@ -5,17 +5,24 @@
 
 namespace rockstack {
 
+/// How far the centre of pressure of a closed interface stays from either end, times the normal force, as
+/// polynomials up to a positive factor: N (w − x) and N (w + x). Without terms where nobody watches.
+template <class Real>
+struct MarginCourses {
+  Polynomial<Real> right, left;
+};
+
 /// Motion over one step as polynomials in s = τ/length, 0 ≤ s ≤ 1: one a relative angle, rad. Events and
 /// samples are read from these alone, whatever integrator made them.
-template <class Real>
+template <class Real, int N = Eigen::Dynamic>
 struct Flow {
-  static constexpr std::size_t terms = 6;
   Real length;  ///< s
-  State<Real> start;
-  std::array<Polynomial<Real, terms>, max_blocks> angles;  ///< of open interfaces; zero where closed
+  State<Real, N> start;
+  std::array<Polynomial<Real>, capacity(N)> angles{};      ///< of open interfaces; without terms where closed
+  std::array<MarginCourses<Real>, capacity(N)> margins{};  ///< of closed interfaces
 
-  State<Real> at(const Real& s) const {
-    State<Real> state = start;
+  State<Real, N> at(const Real& s) const {
+    State<Real, N> state = start;
     for (int k = 0; k < state.pattern.size; ++k) {
       if (state.pattern[k] == Contact::closed) continue;
       const auto& angle = angles[static_cast<std::size_t>(k)];

@@ -31,9 +31,9 @@ namespace rockstack {
 // no pattern is consistent; the law then falls back on the paper's order and the event says so.
 
 /// An impact about to happen: the state just before, with the relative angles of `impacting` interfaces zero.
-template <class Real>
+template <class Real, int N = Eigen::Dynamic>
 struct Impact {
-  State<Real> before;
+  State<Real, N> before;
   Interfaces impacting;
 
   /// Interfaces that touch along their whole width.
@@ -47,18 +47,20 @@ struct Impact {
 };
 
 /// The velocities that follow if `pattern` does, in rad/s, and the impulses that bring them about, in N·s.
-template <class Real>
-Outcome<Real> velocities_after(const Model<Real>& model, const Impact<Real>& impact, const Pattern& pattern) {
-  const State<Real>& before = impact.before;
-  const Vector<Real> rates = absolute<Real>(before.velocities);
-  const Motion<Real> motion{centre_velocities(chain_at(model, before.pattern, before.angles), rates), rates};
-  const Chain<Real> chain = chain_at(model, pattern, before.angles);
+template <class Real, int N>
+Outcome<Real, N> velocities_after(const Model<Real, N>& model, const Impact<Real, N>& impact,
+                                  const Pattern& pattern) {
+  const State<Real, N>& before = impact.before;
+  const Vector<Real, N> rates = absolute(before.velocities);
+  const Motion<Real, N> motion{centre_velocities(chain_at(model, before.pattern, before.angles), rates),
+                               rates};
+  const Chain<Real, N> chain = chain_at(model, pattern, before.angles);
   return respond(model, pattern, before.angles, chain, motion);
 }
 
 /// True where every touching interface that is open opens towards its side.
-template <class Real>
-bool kinematically_admissible(const Outcome<Real>& outcome, const Interfaces& touching) {
+template <class Real, int N>
+bool kinematically_admissible(const Outcome<Real, N>& outcome, const Interfaces& touching) {
   for (int k = 0; k < outcome.pattern.size; ++k) {
     if (!touching.test(static_cast<std::size_t>(k)) || outcome.pattern[k] == Contact::closed) continue;
     if (!(Real(sign(outcome.pattern[k])) * outcome.relative[k] > 0)) return false;
@@ -67,8 +69,9 @@ bool kinematically_admissible(const Outcome<Real>& outcome, const Interfaces& to
 }
 
 /// The pattern that is admissible both ways, if there is one.
-template <class Real>
-std::optional<Outcome<Real>> consistent_outcome(const Model<Real>& model, const Impact<Real>& impact) {
+template <class Real, int N>
+std::optional<Outcome<Real, N>> consistent_outcome(const Model<Real, N>& model,
+                                                   const Impact<Real, N>& impact) {
   auto outcome =
       find_admissible(model.stack, impact.before.pattern, impact.touching(), Real(0),
                       [&](const Pattern& pattern) { return velocities_after(model, impact, pattern); });
@@ -77,8 +80,8 @@ std::optional<Outcome<Real>> consistent_outcome(const Model<Real>& model, const 
 }
 
 /// The paper's order: open, joined, closed.
-template <class Real>
-Outcome<Real> paper_outcome(const Model<Real>& model, const Impact<Real>& impact) {
+template <class Real, int N>
+Outcome<Real, N> paper_outcome(const Model<Real, N>& model, const Impact<Real, N>& impact) {
   const Interfaces touching = impact.touching();
   int lowest = 0;
   while (!impact.impacting.test(static_cast<std::size_t>(lowest))) ++lowest;
@@ -95,24 +98,24 @@ Outcome<Real> paper_outcome(const Model<Real>& model, const Impact<Real>& impact
     closed[k] = Contact::closed;
   }
   for (const Pattern& pattern : {open, joined}) {
-    Outcome<Real> outcome = velocities_after(model, impact, pattern);
+    Outcome<Real, N> outcome = velocities_after(model, impact, pattern);
     if (kinematically_admissible(outcome, touching)) return outcome;
   }
   return velocities_after(model, impact, closed);
 }
 
 /// What follows an impact under a law, and whether it is the consistent pattern.
-template <class Real>
+template <class Real, int N = Eigen::Dynamic>
 struct Resolution {
-  Outcome<Real> outcome;
+  Outcome<Real, N> outcome;
   Consistency consistency;
 };
 
-template <class Real>
-Resolution<Real> resolve(const Model<Real>& model, const Impact<Real>& impact, Law law) {
+template <class Real, int N>
+Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& impact, Law law) {
   const auto consistent = consistent_outcome(model, impact);
   if (law == Law::consistent && consistent) return {*consistent, Consistency::consistent};
-  const Outcome<Real> chosen = paper_outcome(model, impact);
+  const Outcome<Real, N> chosen = paper_outcome(model, impact);
   if (!consistent) return {chosen, Consistency::none};
   return {chosen, chosen.pattern == consistent->pattern ? Consistency::consistent : Consistency::other};
 }

@@ -8,30 +8,32 @@
 namespace rockstack {
 
 /// What a pattern leads to: relative accelerations and forces, or relative velocities and impulses.
-template <class Real>
+template <class Real, int N = Eigen::Dynamic>
 struct Outcome {
   Pattern pattern;
-  Vector<Real> relative;      ///< φ̈ in rad/s², or φ̇ in rad/s; zero at closed interfaces
-  Reactions<Real> reactions;  ///< N and N·m, or N·s and N·m·s
-  Real rounding;              ///< reactions below this are rounding, N or N·s
+  Vector<Real, N> relative;      ///< φ̈ in rad/s², or φ̇ in rad/s; zero at closed interfaces
+  Reactions<Real, N> reactions;  ///< N and N·m, or N·s and N·m·s
+  Real rounding;                 ///< reactions below this are rounding, N or N·s
 };
 
 /// The allowed motion nearest to `free` (with any bias already taken off) and what brings it about.
-template <class Real>
-Outcome<Real> respond(const Model<Real>& model, const Pattern& pattern, const Vector<Real>& relative_angles,
-                      const Chain<Real>& chain, const Motion<Real>& free) {
-  const Vector<Real> relative_motion = nearest_allowed(model.stack, pattern, chain, free);
-  const Vector<Real> rotation = absolute<Real>(relative_motion);
-  const Motion<Real> change{centre_velocities(chain, rotation) - free.centre, rotation - free.rotation};
+template <class Real, int N>
+Outcome<Real, N> respond(const Model<Real, N>& model, const Pattern& pattern,
+                         const Vector<Real, N>& relative_angles, const Chain<Real, N>& chain,
+                         const Motion<Real, N>& free) {
+  const Vector<Real, N> relative_motion = nearest_allowed(model.stack, pattern, chain, free);
+  const Vector<Real, N> rotation = absolute(relative_motion);
+  const Motion<Real, N> change{centre_velocities(chain, rotation) - free.centre, rotation - free.rotation};
   const Real scale = free.centre.colwise().norm().dot(model.stack.mass);
   return {pattern, relative_motion, reactions(model, chain, relative_angles, change),
           1024 * std::numeric_limits<Real>::epsilon() * scale};
 }
 
 /// The accelerations of a moving stack and the forces it is under; `ground` is (ẍg, ÿg) in m/s².
-template <class Real>
-Outcome<Real> accelerate(const Model<Real>& model, const State<Real>& state, const Point<Real>& ground) {
-  const Chain<Real> chain = chain_at(model, state.pattern, state.angles);
+template <class Real, int N>
+Outcome<Real, N> accelerate(const Model<Real, N>& model, const State<Real, N>& state,
+                            const Point<Real>& ground) {
+  const Chain<Real, N> chain = chain_at(model, state.pattern, state.angles);
   return respond(model, state.pattern, state.angles, chain,
                  free_acceleration(model, chain, state.velocities, ground));
 }
@@ -44,8 +46,8 @@ struct Violation {
 
 /// The lowest touching interface that is open and moves into itself (by more than `slack`, in the unit of the
 /// relative motion), or is closed with its centre of pressure outside.
-template <class Real>
-std::optional<Violation> first_violation(const Stack<Real>& stack, const Outcome<Real>& outcome,
+template <class Real, int N>
+std::optional<Violation> first_violation(const Stack<Real, N>& stack, const Outcome<Real, N>& outcome,
                                          const Interfaces& touching, const Real& slack) {
   for (int k = 0; k < outcome.pattern.size; ++k) {
     if (!touching.test(static_cast<std::size_t>(k))) continue;
@@ -65,16 +67,16 @@ std::optional<Violation> first_violation(const Stack<Real>& stack, const Outcome
 /// Finds a pattern without violations among those in which the touching interfaces may pivot either way or
 /// stay closed, by principal pivoting from all closed, lowest interface first. `evaluate` maps a pattern to
 /// its outcome. Nothing is found where blocks would have to lift off.
-template <class Real, class Evaluate>
-std::optional<Outcome<Real>> find_admissible(const Stack<Real>& stack, Pattern pattern,
-                                             const Interfaces& touching, const Real& slack,
-                                             const Evaluate& evaluate) {
+template <class Real, int N, class Evaluate>
+std::optional<Outcome<Real, N>> find_admissible(const Stack<Real, N>& stack, Pattern pattern,
+                                                const Interfaces& touching, const Real& slack,
+                                                const Evaluate& evaluate) {
   for (int k = 0; k < pattern.size; ++k) {
     if (touching.test(static_cast<std::size_t>(k))) pattern[k] = Contact::closed;
   }
   const int limit = 16 * pattern.size;  // two changes an interface are usual; a cycle never ends
   for (int attempt = 0; attempt < limit; ++attempt) {
-    const Outcome<Real> outcome = evaluate(pattern);
+    const Outcome<Real, N> outcome = evaluate(pattern);
     const auto violation = first_violation(stack, outcome, touching, slack);
     if (!violation) return outcome;
     pattern[violation->interface] = violation->mend;
@@ -83,8 +85,8 @@ std::optional<Outcome<Real>> find_admissible(const Stack<Real>& stack, Pattern p
 }
 
 /// True where no interface is pulled at.
-template <class Real>
-bool pushes(const Outcome<Real>& outcome) {
+template <class Real, int N>
+bool pushes(const Outcome<Real, N>& outcome) {
   return (outcome.reactions.normal.array() >= -outcome.rounding).all();
 }
 

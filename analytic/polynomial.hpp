@@ -3,33 +3,74 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 
 namespace rockstack {
 
-/// c₀ + c₁s + … over one step, s in [0, 1].
-template <class Real, std::size_t terms>
-using Polynomial = std::array<Real, terms>;
+/// The most terms of a series in a number type. A Taylor series to d digits costs least at an order of about
+/// d ln 2 / 2 (Jorba & Zou 2005, Experimental Mathematics 14, 99–117); a little above it the steps between
+/// events are longest.
+template <class Real>
+inline constexpr std::size_t max_terms = std::numeric_limits<Real>::digits * 2 / 5 + 1;
 
-template <class Real, std::size_t terms>
-Real value(const Polynomial<Real, terms>& polynomial, const Real& s) {
+/// c₀ + c₁s + … over one step, s in [0, 1]. Coefficients from `terms` on are zero.
+template <class Real>
+struct Polynomial {
+  std::size_t terms = 0;
+  std::array<Real, max_terms<Real>> coefficients{};
+
+  Polynomial() = default;
+  Polynomial(std::initializer_list<Real> values) {
+    for (const Real& coefficient : values) coefficients[terms++] = coefficient;
+  }
+
+  Real& operator[](std::size_t i) { return coefficients[i]; }
+  const Real& operator[](std::size_t i) const { return coefficients[i]; }
+  Real* begin() { return coefficients.data(); }
+  Real* end() { return coefficients.data() + terms; }
+  const Real* begin() const { return coefficients.data(); }
+  const Real* end() const { return coefficients.data() + terms; }
+};
+
+template <class Real>
+Real value(const Polynomial<Real>& polynomial, const Real& s) {
   Real sum = 0;
-  for (std::size_t i = terms; i-- > 0;) sum = sum * s + polynomial[i];
+  for (std::size_t i = polynomial.terms; i-- > 0;) sum = sum * s + polynomial[i];
   return sum;
 }
 
 /// Derivative with respect to s.
-template <class Real, std::size_t terms>
-Real slope(const Polynomial<Real, terms>& polynomial, const Real& s) {
+template <class Real>
+Real slope(const Polynomial<Real>& polynomial, const Real& s) {
   Real sum = 0;
-  for (std::size_t i = terms; i-- > 1;) sum = sum * s + Real(i) * polynomial[i];
+  for (std::size_t i = polynomial.terms; i-- > 1;) sum = sum * s + Real(i) * polynomial[i];
   return sum;
+}
+
+/// Sum of the sizes of all coefficients but the first: how far the polynomial gets from its start, at most.
+template <class Real>
+Real reach(const Polynomial<Real>& polynomial) {
+  using std::abs;
+  Real sum = 0;
+  for (std::size_t i = 1; i < polynomial.terms; ++i) sum += abs(polynomial[i]);
+  return sum;
+}
+
+/// The polynomial in s/ratio: what a step becomes that is `ratio` times as long.
+template <class Real>
+void rescale(Polynomial<Real>& polynomial, const Real& ratio) {
+  Real power = 1;
+  for (Real& coefficient : polynomial) {
+    coefficient *= power;
+    power *= ratio;
+  }
 }
 
 /// The quartic through values at s = 0, 1/4, 1/2, 3/4 and 1 (Newton's forward differences).
 template <class Real>
-Polynomial<Real, 5> quartic_through(Polynomial<Real, 5> values) {
+Polynomial<Real> quartic_through(std::array<Real, 5> values) {
   for (std::size_t order = 1; order < 5; ++order) {
     for (std::size_t i = 4; i >= order; --i) values[i] -= values[i - 1];
   }
@@ -39,9 +80,10 @@ Polynomial<Real, 5> quartic_through(Polynomial<Real, 5> values) {
 }
 
 /// Coefficients in the Bernstein basis: their hull holds the polynomial on [0, 1].
-template <class Real, std::size_t terms>
-Polynomial<Real, terms> bernstein(const Polynomial<Real, terms>& polynomial) {
-  Polynomial<Real, terms> result = polynomial;
+template <class Real>
+Polynomial<Real> bernstein(const Polynomial<Real>& polynomial) {
+  const std::size_t terms = polynomial.terms;
+  Polynomial<Real> result = polynomial;
   Real binomial = 1;
   for (std::size_t i = 1; i < terms; ++i) {
     binomial = binomial * Real(terms - i) / Real(i);
@@ -54,14 +96,16 @@ Polynomial<Real, terms> bernstein(const Polynomial<Real, terms>& polynomial) {
 }
 
 /// The two halves of a polynomial in Bernstein form (de Casteljau).
-template <class Real, std::size_t terms>
+template <class Real>
 struct Halves {
-  Polynomial<Real, terms> left, right;
+  Polynomial<Real> left, right;
 };
 
-template <class Real, std::size_t terms>
-Halves<Real, terms> halve(Polynomial<Real, terms> coefficients) {
-  Halves<Real, terms> halves;
+template <class Real>
+Halves<Real> halve(Polynomial<Real> coefficients) {
+  const std::size_t terms = coefficients.terms;
+  Halves<Real> halves;
+  halves.left.terms = halves.right.terms = terms;
   for (std::size_t level = 0; level < terms; ++level) {
     halves.left[level] = coefficients[0];
     halves.right[terms - 1 - level] = coefficients[terms - 1 - level];
@@ -73,8 +117,8 @@ Halves<Real, terms> halve(Polynomial<Real, terms> coefficients) {
 
 /// Where a polynomial that is positive on the left of its only sign change in (low, high) crosses zero:
 /// Newton's method kept inside the bracket by bisection, to rounding.
-template <class Real, std::size_t terms>
-Real bracketed_root(const Polynomial<Real, terms>& polynomial, Real low, Real high) {
+template <class Real>
+Real bracketed_root(const Polynomial<Real>& polynomial, Real low, Real high) {
   Real s = (low + high) / 2;
   for (int iteration = 0; iteration < 4 * std::numeric_limits<Real>::digits; ++iteration) {
     const Real height = value(polynomial, s);
@@ -89,22 +133,33 @@ Real bracketed_root(const Polynomial<Real, terms>& polynomial, Real low, Real hi
   return s;
 }
 
+/// The polynomial divided by the power of s that it holds: what is left after a start exactly at zero.
+template <class Real>
+Polynomial<Real> deflated(const Polynomial<Real>& polynomial) {
+  std::size_t zeros = 0;
+  while (zeros < polynomial.terms && polynomial[zeros] == 0) ++zeros;
+  if (zeros == 0) return polynomial;
+  Polynomial<Real> result;
+  for (std::size_t i = zeros; i < polynomial.terms; ++i) result[result.terms++] = polynomial[i];
+  return result;
+}
+
 /// The first s in [0, 1] after which a polynomial is negative; nothing where it stays at or above zero.
 /// Touching zero without crossing is no crossing, but from within rounding of zero the two cannot be told
 /// apart: then it counts as one. Every crossing is found, however close to the next: an
 /// interval is dropped only where no Bernstein coefficient is negative, and searched by Newton only where
-/// their signs change once (Descartes).
-template <class Real, std::size_t terms>
-std::optional<Real> first_crossing(const Polynomial<Real, terms>& polynomial) {
-  using std::abs;
-  Real reach = 0;
-  for (std::size_t i = 1; i < terms; ++i) reach += abs(polynomial[i]);
-  if (polynomial[0] >= reach) return std::nullopt;
+/// their signs change once (Descartes). Most steps need none of that: a bound on the coefficients excludes a
+/// crossing.
+template <class Real>
+std::optional<Real> first_crossing(const Polynomial<Real>& whole) {
+  if (whole.terms == 0 || (whole[0] > 0 && whole[0] >= reach(whole))) return std::nullopt;
+  const Polynomial<Real> polynomial = deflated(whole);
+  if (polynomial.terms == 0 || (polynomial[0] > 0 && polynomial[0] >= reach(polynomial))) return std::nullopt;
 
   struct Search {
-    const Polynomial<Real, terms>& polynomial;
+    const Polynomial<Real>& polynomial;
 
-    std::optional<Real> operator()(const Polynomial<Real, terms>& coefficients, Real low, Real width) const {
+    std::optional<Real> operator()(const Polynomial<Real>& coefficients, Real low, Real width) const {
       int changes = 0;
       int last = 0;
       for (const Real& coefficient : coefficients) {

@@ -6,25 +6,26 @@ namespace rockstack {
 
 /// What each interface carries from the block below to the block above, per interface: forces in N and
 /// moments in N·m, or impulses in N·s and N·m·s.
-template <class Real>
+template <class Real, int N = Eigen::Dynamic>
 struct Reactions {
-  Vector<Real> normal;      ///< along the normal of the face, pushing positive
-  Vector<Real> tangential;  ///< along the face, to the right positive
-  Vector<Real> moment;      ///< clockwise, about the pivot, or about the middle where closed
+  Vector<Real, N> normal;      ///< along the normal of the face, pushing positive
+  Vector<Real, N> tangential;  ///< along the face, to the right positive
+  Vector<Real, N> moment;      ///< clockwise, about the pivot, or about the middle where closed
 };
 
 /// Newton–Euler from the top down: what has to act for the blocks to move by `change` more than they freely
 /// would.
-template <class Real>
-Reactions<Real> reactions(const Model<Real>& model, const Chain<Real>& chain,
-                          const Vector<Real>& relative_angles, const Motion<Real>& change) {
+template <class Real, int N>
+Reactions<Real, N> reactions(const Model<Real, N>& model, const Chain<Real, N>& chain,
+                             const Vector<Real, N>& relative_angles, const Motion<Real, N>& change) {
   using std::cos;
   using std::sin;
-  const Stack<Real>& stack = model.stack;
+  const Stack<Real, N>& stack = model.stack;
   const int size = stack.size();
   const bool upright = model.equations == Equations::linear;
-  const Vector<Real> angles = absolute<Real>(relative_angles);
-  Reactions<Real> result{Vector<Real>(size), Vector<Real>(size), Vector<Real>(size)};
+  const Vector<Real, N> angles = absolute(relative_angles);
+  const Vector<Real, N> zero = Vector<Real, N>::Zero(size);
+  Reactions<Real, N> result{zero, zero, zero};
   Point<Real> force = Point<Real>::Zero();
   Real moment = 0;
   for (int k = size - 1; k >= 0; --k) {
@@ -48,14 +49,14 @@ Reactions<Real> reactions(const Model<Real>& model, const Chain<Real>& chain,
 /// How far the centre of pressure of a closed interface is from either end, times the normal force: N (w − x)
 /// and N (w + x), N·m. The interface opens about an end where the value for that end turns negative; so it
 /// does where it would have to pull.
-template <class Real>
+template <class Real, int N = Eigen::Dynamic>
 struct Margins {
   Real right;
   Real left;
 };
 
-template <class Real>
-Margins<Real> margins(const Stack<Real>& stack, const Reactions<Real>& reaction, int interface) {
+template <class Real, int N>
+Margins<Real> margins(const Stack<Real, N>& stack, const Reactions<Real, N>& reaction, int interface) {
   const Real push = reaction.normal[interface] * stack.half_width[interface];
   return {push + reaction.moment[interface], push - reaction.moment[interface]};
 }

@@ -1,53 +1,106 @@
 #pragma once
 
+#include <string>
+
 #include "analytic/flow.hpp"
 #include "analytic/ground_pieces.hpp"
+#include "analytic/linkage.hpp"
+#include "analytic/outcome.hpp"
+#include "analytic/solve_options.hpp"
 
 namespace rockstack {
 
-/// One step of the classical fourth-order Runge–Kutta method from `offset` into a ground piece, with the
-/// quintic that has the angle, velocity and acceleration of both its ends: its error, of order length⁶, stays
-/// below the method's own. The increments enter as they are, not as differences of end states, so that
-/// motions that start from zero keep their relative precision.
-///
-/// An interface that has just opened accelerates towards its side; `fresh` holds those whose acceleration may
-/// round to the other one.
-template <class Real>
-Flow<Real> rk4_step(const Model<Real>& model, const State<Real>& state, const GroundPiece<Real>& piece,
-                    const Real& offset, const Real& length, const Interfaces& fresh) {
-  const auto derivative = [&](const Vector<Real>& angles, const Vector<Real>& velocities, const Real& tau) {
-    return accelerations(model, State<Real>{state.pattern, angles, velocities}, piece.at(offset + tau));
-  };
-  const Real half = length / 2;
-  const Vector<Real>& start = state.velocities;
-  const Vector<Real> a1 = derivative(state.angles, start, Real(0));
-  const Vector<Real> v2 = start + half * a1;
-  const Vector<Real> a2 = derivative(state.angles + half * start, v2, half);
-  const Vector<Real> v3 = start + half * a2;
-  const Vector<Real> a3 = derivative(state.angles + half * v2, v3, half);
-  const Vector<Real> v4 = start + length * a3;
-  const Vector<Real> a4 = derivative(state.angles + length * v3, v4, length);
-  // Increments beyond uniform motion: of the mean velocity over the step, and of the velocity at its end.
-  const Vector<Real> mean = length / 6 * (a1 + a2 + a3);
-  const Vector<Real> gain = length / 6 * (a1 + 2 * (a2 + a3) + a4);
-  const Vector<Real> end =
-      derivative(state.angles + length * (start + mean), Vector<Real>(start + gain), length);
-
-  Flow<Real> flow{length, state, {}};
-  for (int k = 0; k < state.pattern.size; ++k) {
-    if (state.pattern[k] == Contact::closed) continue;
-    Real first = length * a1[k];
-    if (fresh.test(static_cast<std::size_t>(k)) && first * Real(sign(state.pattern[k])) < 0) first = 0;
-    const Real last = length * end[k];
-    const Real curve = first / 2;
-    flow.angles[static_cast<std::size_t>(k)] = {state.angles[k],
-                                                length * start[k],
-                                                length * curve,
-                                                length * (10 * mean[k] - 4 * gain[k] - 3 * curve + last / 2),
-                                                length * (7 * gain[k] - 15 * mean[k] + 3 * curve - last),
-                                                length * (6 * mean[k] - 3 * gain[k] - curve + last / 2)};
+/// Makes steps by the classical fourth-order Runge–Kutta method from the general rule (dynamics.hpp): the
+/// baseline, and an answer independent of the Taylor series.
+template <class Real, int N>
+class Rk4Steps {
+ public:
+  /// Keeps a reference to `model`. @throws std::invalid_argument for a step that is not > 0.
+  Rk4Steps(const Model<Real, N>& model, const SolveOptions& options) : model_(model), step_(options.step) {
+    if (!(options.step > 0))
+      throw std::invalid_argument("step = " + std::to_string(options.step) + ": must be > 0 s");
   }
-  return flow;
-}
+
+  /// A step from `offset` into a ground piece, no longer than `remaining`, with margins of `watched`
+  /// interfaces: the quintic that has the angle, velocity and acceleration of both its ends. Its error, of
+  /// order length⁶, stays below the method's own. The increments enter as they are, not as differences of end
+  /// states, so that motions that start from zero keep their relative precision.
+  Flow<Real, N> operator()(const State<Real, N>& state, const Linkage<Real, N>&,
+                           const GroundPiece<Real>& piece, const Real& offset, const Real& remaining,
+                           const Interfaces& watched) const {
+    using std::ceil;
+    // A stack at rest needs no steps where the ground's straight line alone decides when it opens.
+    const bool whole = is_closed(state.pattern) && piece.straight();
+    const Real length = whole ? remaining : remaining / ceil(remaining / step_);
+    Flow<Real, N> flow = free_motion(state, piece, offset, length);
+    if (watched.any()) add_margins(piece, offset, watched, flow);
+    return flow;
+  }
+
+ private:
+  static constexpr std::size_t nodes = 5;  ///< points of a step at which margins are evaluated
+
+  Flow<Real, N> free_motion(const State<Real, N>& state, const GroundPiece<Real>& piece, const Real& offset,
+                            const Real& length) const {
+    const auto derivative = [&](const Vector<Real, N>& angles, const Vector<Real, N>& velocities,
+                                const Real& tau) {
+      return accelerations(model_, State<Real, N>{state.pattern, angles, velocities}, piece.at(offset + tau));
+    };
+    const Real half = length / 2;
+    const Vector<Real, N>& start = state.velocities;
+    const Vector<Real, N> a1 = derivative(state.angles, start, Real(0));
+    const Vector<Real, N> v2 = start + half * a1;
+    const Vector<Real, N> a2 = derivative(state.angles + half * start, v2, half);
+    const Vector<Real, N> v3 = start + half * a2;
+    const Vector<Real, N> a3 = derivative(state.angles + half * v2, v3, half);
+    const Vector<Real, N> v4 = start + length * a3;
+    const Vector<Real, N> a4 = derivative(state.angles + length * v3, v4, length);
+    // Increments beyond uniform motion: of the mean velocity over the step, and of the velocity at its end.
+    const Vector<Real, N> mean = length / 6 * (a1 + a2 + a3);
+    const Vector<Real, N> gain = length / 6 * (a1 + 2 * (a2 + a3) + a4);
+    const Vector<Real, N> end = derivative(state.angles + length * (start + mean), start + gain, length);
+
+    Flow<Real, N> flow{length, state, {}, {}};
+    for (int k = 0; k < state.pattern.size; ++k) {
+      if (state.pattern[k] == Contact::closed) continue;
+      const Real curve = length * a1[k] / 2;
+      const Real last = length * end[k];
+      flow.angles[static_cast<std::size_t>(k)] = {
+          state.angles[k],
+          length * start[k],
+          length * curve,
+          length * (10 * mean[k] - 4 * gain[k] - 3 * curve + last / 2),
+          length * (7 * gain[k] - 15 * mean[k] + 3 * curve - last),
+          length * (6 * mean[k] - 3 * gain[k] - curve + last / 2)};
+    }
+    return flow;
+  }
+
+  /// The quartics through five points of the step.
+  void add_margins(const GroundPiece<Real>& piece, const Real& offset, const Interfaces& watched,
+                   Flow<Real, N>& flow) const {
+    std::array<std::array<Margins<Real>, nodes>, capacity(N)> values;
+    for (std::size_t i = 0; i < nodes; ++i) {
+      const Real s = Real(i) / Real(nodes - 1);
+      const auto outcome = accelerate(model_, flow.at(s), piece.at(offset + s * flow.length));
+      for (int k = 0; k < flow.start.pattern.size; ++k) {
+        values[static_cast<std::size_t>(k)][i] = margins(model_.stack, outcome.reactions, k);
+      }
+    }
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (!watched.test(k)) continue;
+      std::array<Real, nodes> right;
+      std::array<Real, nodes> left;
+      for (std::size_t i = 0; i < nodes; ++i) {
+        right[i] = values[k][i].right;
+        left[i] = values[k][i].left;
+      }
+      flow.margins[k] = {quartic_through(right), quartic_through(left)};
+    }
+  }
+
+  const Model<Real, N>& model_;
+  Real step_;
+};
 
 }  // namespace rockstack

@@ -5,9 +5,26 @@
 
 namespace rockstack {
 
+namespace {
+
+template <int N>
+History solve_stack_of(const Scene& scene, const SolveOptions& options) {
+  return options.integrator == Integrator::rk4 ? Solver<double, N, Rk4Steps>(scene, options).run()
+                                               : Solver<double, N, TaylorSteps>(scene, options).run();
+}
+
+}  // namespace
+
 History solve(const Scene& scene, const SolveOptions& options) {
   validate(scene);
-  return Solver<double>(scene, options).run();
+  switch (scene.blocks.size()) {
+    case 1:
+      return solve_stack_of<1>(scene, options);
+    case 2:
+      return solve_stack_of<2>(scene, options);
+    default:
+      return solve_stack_of<Eigen::Dynamic>(scene, options);
+  }
 }
 
 std::vector<double> regular_times(double interval, double duration) {

@@ -7,16 +7,10 @@
 #include "analytic/guards.hpp"
 #include "analytic/impact.hpp"
 #include "analytic/rk4.hpp"
+#include "analytic/taylor_step.hpp"
 #include "analytic/validity.hpp"
 
 namespace rockstack {
-
-/// How to solve, and what to keep.
-struct SolveOptions {
-  double step = 2e-4;                ///< longest step of the rk4 integrator, s, > 0
-  std::vector<double> sample_times;  ///< when to sample the motion, s, ascending from ≥ 0; none: events alone
-  bool validity = false;  ///< whether to keep the demands on each interface, taken at the start of every step
-};
 
 /// Solves a valid scene exactly: smooth motion in a fixed pattern, interrupted by events that are located to
 /// rounding.
@@ -26,29 +20,35 @@ struct SolveOptions {
 /// What is left out are excursions of at most u²/(2a) rad, a the relative acceleration that brings them back,
 /// and the kinetic energy of a relative motion at speed u. As each impact takes its share of the speed, the
 /// number of impacts is at most ln(u₀/u)/ln(1/η), for a speed u₀ at first and a velocity ratio η.
-template <class Real>
+template <class Real, int N = Eigen::Dynamic, template <class, int> class Steps = TaylorSteps>
 class Solver {
  public:
   /// Keeps references to `scene` and `options`.
-  /// @throws std::invalid_argument for a step that is not > 0.
+  /// @throws std::invalid_argument for options out of range.
   Solver(const Scene& scene, const SolveOptions& options)
-      : scene_(scene), options_(options), model_(make_model<Real>(scene)), pieces_(scene) {
-    if (!(options.step > 0))
-      throw std::invalid_argument("step = " + std::to_string(options.step) + ": must be > 0 s");
+      : scene_(scene),
+        options_(options),
+        model_(make_model<Real, N>(scene)),
+        pieces_(scene),
+        steps_(model_, options) {
     const int size = model_.stack.size();
-    Vector<Real> angles(model_.stack.mass.size());
-    Vector<Real> velocities(model_.stack.mass.size());
+    Vector<Real, N> angles = Vector<Real, N>::Zero(size);
+    Vector<Real, N> velocities = angles;
     for (int k = 0; k < size; ++k) {
       angles[k] = Real(scene.initial.angles[static_cast<std::size_t>(k)]);
       velocities[k] = Real(scene.initial.velocities[static_cast<std::size_t>(k)]);
       toppling_angles_[static_cast<std::size_t>(k)] = Real(toppling_angle(scene, k));
     }
-    state_ = {{}, relative<Real>(angles), relative<Real>(velocities)};
-    state_.pattern = pattern_of<Real>(state_.angles, state_.velocities);
+    state_ = {{}, relative(angles), relative(velocities)};
+    state_.pattern = pattern_of(state_.angles, state_.velocities);
     rate_ = model_.gravity / (2 * model_.stack.half_height.sum());
     using std::sqrt;
     slack_ = 500 * std::numeric_limits<Real>::epsilon() * rate_;
     settling_speed_ = 500 * std::numeric_limits<Real>::epsilon() * sqrt(rate_);
+    resolution_ = options.resolution > 0 ? Real(options.resolution) : std::numeric_limits<Real>::epsilon();
+    slowest_flight_ = 100 * sqrt(resolution_ * rate_);
+    brief_ = Real(1e-4) / sqrt(rate_);
+    demand_interval_ = Real(2e-3) / sqrt(rate_);
     history_.blocks = size;
     if (options.validity) {
       history_.forces.resize(static_cast<std::size_t>(size));
@@ -73,22 +73,62 @@ class Solver {
     const GroundPiece<Real>& piece = pieces_.current();
     const Real remaining = piece.length - offset_;
     if (!(remaining > 0)) return next_piece();
-    if (options_.validity)
-      note_demands(history_.forces, accelerate(model_, state_, piece.at(offset_)), time());
-    // A stack at rest needs no steps where the ground's straight line alone decides when it opens.
-    const bool whole = is_closed(state_.pattern) && piece.straight() && held_.none();
-    const Real steps = whole ? Real(1) : ceil(remaining / Real(options_.step));
-    const Flow<Real> flow = rk4_step(model_, state_, piece, offset_, Real(remaining / steps), fresh_);
-    const Next<Real> next = Guards<Real>(model_, flow, piece, offset_).first(held_, toppling_angles_);
+    const Real longest = held_.any() ? std::min(remaining, brief_) : remaining;
+    Flow<Real, N> flow = steps_(state_, linkage(), piece, offset_, longest, watched());
+    keep_fresh_open(flow);
+    const Next<Real> next = first_event(flow, toppling_angles_);
     record_samples(flow, next.s);
+    if (options_.validity) note_forces(flow, piece, next.s);
     state_ = flow.at(next.s);
     note_progress(next.s);
-    if (steps <= 1 && next.s == 1) {
+    if (flow.length >= remaining && next.s == 1) {
       next_piece();
     } else {
       offset_ += next.s * flow.length;
     }
     if (next.happens()) handle(next);
+  }
+
+  const Linkage<Real, N>& linkage() {
+    if (linkage_.blocks == 0 || !(linked_ == state_.pattern)) {
+      linkage_ = make_linkage(model_.stack, state_.pattern);
+      linked_ = state_.pattern;
+    }
+    return linkage_;
+  }
+
+  /// Closed interfaces that may open within the next step.
+  Interfaces watched() const {
+    Interfaces result;
+    for (int k = 0; k < state_.pattern.size; ++k) {
+      const auto bit = static_cast<std::size_t>(k);
+      result.set(bit, state_.pattern[k] == Contact::closed && !held_.test(bit));
+    }
+    return result;
+  }
+
+  /// An interface that has just opened accelerates towards its side, though its acceleration may round to the
+  /// other.
+  void keep_fresh_open(Flow<Real, N>& flow) const {
+    for (int k = 0; k < state_.pattern.size; ++k) {
+      Polynomial<Real>& angle = flow.angles[static_cast<std::size_t>(k)];
+      if (fresh_.test(static_cast<std::size_t>(k)) && angle.terms > 2 &&
+          angle[2] * Real(sign(state_.pattern[k])) < 0)
+        angle[2] = 0;
+    }
+  }
+
+  /// The demands of a step up to s of its length. The forces on a stack at rest are as straight as the
+  /// ground's line.
+  void note_forces(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& s) {
+    using std::ceil;
+    const bool straight = is_closed(state_.pattern) && piece.straight();
+    const Real points = straight ? Real(1) : ceil(s * flow.length / demand_interval_) + 1;
+    for (Real i = 0; i < points; i += 1) {
+      const Real tau = i / points * s * flow.length;
+      note_demands(history_.forces, accelerate(model_, flow.at(tau / flow.length), piece.at(offset_ + tau)),
+                   time() + tau);
+    }
   }
 
   void next_piece() {
@@ -148,9 +188,9 @@ class Solver {
     for (int k = 0; k < state_.pattern.size; ++k) {
       if (closing.test(static_cast<std::size_t>(k))) state_.angles[k] = 0;
     }
-    const Impact<Real> impact{state_, closing};
-    const Resolution<Real> resolution = resolve(model_, impact, scene_.law);
-    Outcome<Real> outcome = resolution.outcome;
+    const Impact<Real, N> impact{state_, closing};
+    const Resolution<Real, N> resolution = resolve(model_, impact, scene_.law);
+    Outcome<Real, N> outcome = resolution.outcome;
     bool settled = false;
     for (Pattern slow = without_slow(outcome, impact.touching()); !(slow == outcome.pattern);
          slow = without_slow(outcome, impact.touching())) {
@@ -167,13 +207,19 @@ class Solver {
   }
 
   /// The pattern of an outcome with the interfaces closed that part too slowly to be followed.
-  Pattern without_slow(const Outcome<Real>& outcome, const Interfaces& touching) const {
+  Pattern without_slow(const Outcome<Real, N>& outcome, const Interfaces& touching) const {
     using std::abs;
     Pattern pattern = outcome.pattern;
     for (int k = 0; k < pattern.size; ++k) {
-      if (touching.test(static_cast<std::size_t>(k)) && abs(outcome.relative[k]) <= settling_speed_) {
-        pattern[k] = Contact::closed;
+      const Real speed = abs(outcome.relative[k]);
+      if (!touching.test(static_cast<std::size_t>(k)) || pattern[k] == Contact::closed) continue;
+      bool slow = speed <= settling_speed_;
+      if (!slow && speed <= slowest_flight_) {
+        const State<Real, N> parting{outcome.pattern, state_.angles, outcome.relative};
+        const Vector<Real, N> back = accelerations(model_, parting, pieces_.current().at(offset_));
+        slow = speed * speed <= -2 * resolution_ * back[k] * Real(sign(pattern[k]));
       }
+      if (slow) pattern[k] = Contact::closed;
     }
     return pattern;
   }
@@ -186,7 +232,7 @@ class Solver {
     }
     const Point<Real> ground = pieces_.current().at(offset_);
     const auto evaluate = [&](const Pattern& pattern) {
-      return accelerate(model_, State<Real>{pattern, state_.angles, state_.velocities}, ground);
+      return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, ground);
     };
     if (first_violation(model_.stack, evaluate(state_.pattern), touching, slack_)) {
       const auto found = find_admissible(model_.stack, state_.pattern, touching, slack_, evaluate);
@@ -208,10 +254,10 @@ class Solver {
     return k;
   }
 
-  void record_event(EventKind kind, int interface, const Pattern& from, const Vector<Real>& before,
+  void record_event(EventKind kind, int interface, const Pattern& from, const Vector<Real, N>& before,
                     Consistency consistency) {
-    const auto list = [](const Vector<Real>& relative_values) {
-      const Vector<Real> values = absolute<Real>(relative_values);
+    const auto list = [](const Vector<Real, N>& relative_values) {
+      const Vector<Real, N> values = absolute(relative_values);
       return std::vector<Real>(values.begin(), values.end());
     };
     history_.events.push_back({time(), kind, interface + 1, from, state_.pattern, list(state_.angles),
@@ -223,7 +269,7 @@ class Solver {
   }
 
   /// Samples of a step up to, and without, s of its length.
-  void record_samples(const Flow<Real>& flow, const Real& end) {
+  void record_samples(const Flow<Real, N>& flow, const Real& end) {
     for (; next_sample_ < options_.sample_times.size();) {
       const Real sample(options_.sample_times[next_sample_]);
       const Real s = ((sample - pieces_.current().start) - offset_) / flow.length;
@@ -232,10 +278,10 @@ class Solver {
     }
   }
 
-  void record_sample(const State<Real>& state) {
+  void record_sample(const State<Real, N>& state) {
     history_.times.push_back(Real(options_.sample_times[next_sample_++]));
-    const Vector<Real> angles = absolute<Real>(state.angles);
-    const Vector<Real> velocities = absolute<Real>(state.velocities);
+    const Vector<Real, N> angles = absolute(state.angles);
+    const Vector<Real, N> velocities = absolute(state.velocities);
     history_.angles.insert(history_.angles.end(), angles.begin(), angles.end());
     history_.velocities.insert(history_.velocities.end(), velocities.begin(), velocities.end());
     history_.patterns.push_back(state.pattern);
@@ -243,16 +289,23 @@ class Solver {
 
   const Scene& scene_;
   const SolveOptions& options_;
-  Model<Real> model_;
+  Model<Real, N> model_;
   GroundPieces<Real> pieces_;
+  Steps<Real, N> steps_;
+  Linkage<Real, N> linkage_;
+  Pattern linked_;   ///< the pattern of linkage_
   Real offset_ = 0;  ///< into the current piece, s
-  State<Real> state_;
+  State<Real, N> state_;
   Interfaces fresh_;  ///< opened at this instant
-  Interfaces held_;   ///< opened and closed again at this instant: stay closed for one step
+  Interfaces held_;   ///< opened and closed again at this instant: stay closed for a brief step
   std::array<Real, max_blocks> toppling_angles_{};
-  Real rate_{};            ///< g/H, the stack's height H, 1/s²
-  Real slack_{};           ///< relative accelerations below this are rounding, rad/s²
-  Real settling_speed_{};  ///< rad/s
+  Real rate_{};             ///< g/H, the stack's height H, 1/s²
+  Real slack_{};            ///< relative accelerations below this are rounding, rad/s²
+  Real settling_speed_{};   ///< rad/s
+  Real resolution_{};       ///< rad
+  Real slowest_flight_{};   ///< above this a flight cannot stay below the resolution, rad/s
+  Real brief_{};            ///< s
+  Real demand_interval_{};  ///< s
   int instant_events_ = 0;
   bool toppled_ = false;
   std::size_t next_sample_ = 0;

@@ -25,8 +25,9 @@ void note_demand(BasicDemand<Real>& demand, const Real& normal, const Real& tang
 }
 
 /// Takes an outcome into account; what is rounding counts as zero.
-template <class Real>
-void note_demands(std::vector<BasicDemand<Real>>& demands, const Outcome<Real>& outcome, const Real& time) {
+template <class Real, int N>
+void note_demands(std::vector<BasicDemand<Real>>& demands, const Outcome<Real, N>& outcome,
+                  const Real& time) {
   using std::abs;
   for (int k = 0; k < outcome.pattern.size; ++k) {
     const Real& raw = outcome.reactions.normal[k];

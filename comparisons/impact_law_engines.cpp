@@ -45,7 +45,7 @@ LawRun run_law(Scene scene, Law law) {
   const History events = solve(scene);
   if (events.events.empty()) throw std::runtime_error("nothing happens");
   const Event impact = events.events.front();
-  const History history = solve(scene, {2e-4, {impact.time + follow / 2, impact.time + follow}});
+  const History history = solve(scene, {.sample_times = {impact.time + follow / 2, impact.time + follow}});
   if (history.size() < 2) throw std::runtime_error("a block topples");
   const auto count = std::count_if(events.events.begin(), events.events.end(), [&](const Event& event) {
     return event.kind != EventKind::opening && event.time <= impact.time + follow;
@@ -76,7 +76,7 @@ std::optional<ImpactCase> make_case(const Disagreement& disagreement) {
   }
   result.time = consistent.impact.time;
   result.before = consistent.impact.before;
-  result.largest_rate = relative<double>(vector_of(result.before)).cwiseAbs().maxCoeff();
+  result.largest_rate = relative(vector_of(result.before)).cwiseAbs().maxCoeff();
   result.paper = paper.rates;
   result.consistent = consistent.rates;
   result.scene.duration = result.time + follow;
@@ -85,9 +85,9 @@ std::optional<ImpactCase> make_case(const Disagreement& disagreement) {
 
 Pattern pattern_at(const ImpactCase& question, std::span<const double> angles) {
   const double least = open_share * question.largest_rate * follow;
-  Vector<double> opening = relative<double>(vector_of(angles));
+  Vector<double> opening = relative(vector_of(angles));
   for (double& angle : opening) angle = std::abs(angle) > least ? angle : 0;
-  return pattern_of<double>(opening, Vector<double>::Zero(opening.size()));
+  return pattern_of(opening, Vector<double>::Zero(opening.size()));
 }
 
 }  // namespace
@@ -96,9 +96,9 @@ Scene scene_before(const DrawnImpact& drawn) {
   Scene scene = drawn.scene;
   const State<double>& state = drawn.impact.before;
   scene.duration = 4 * lead + follow;
-  const Vector<double> rates = absolute<double>(state.velocities);
+  const Vector<double> rates = absolute(state.velocities);
   scene.initial.velocities = list_of(rates);
-  scene.initial.angles = list_of(absolute<double>(state.angles) - lead * rates);
+  scene.initial.angles = list_of(absolute(state.angles) - lead * rates);
   // Closed interfaces are those whose angles are equal to the last bit.
   for (int k = 0; k < state.pattern.size; ++k) {
     const auto block = static_cast<std::size_t>(k);

@@ -95,9 +95,8 @@ bool admissible(const Model<double>& model, const Outcome<double>& outcome, cons
 double clearness(const DrawnImpact& drawn, const Verdict& verdict) {
   const State<double>& before = drawn.impact.before;
   const Interfaces touching = drawn.impact.touching();
-  double least = (absolute<double>(verdict.paper.relative) - absolute<double>(verdict.consistent->relative))
-                     .cwiseAbs()
-                     .maxCoeff();
+  double least =
+      (absolute(verdict.paper.relative) - absolute(verdict.consistent->relative)).cwiseAbs().maxCoeff();
   for (int k = 0; k < before.pattern.size; ++k) {
     if (drawn.impact.impacting.test(static_cast<std::size_t>(k)))
       least = std::min(least, std::abs(before.velocities[k]));

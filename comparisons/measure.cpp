@@ -61,13 +61,12 @@ std::string toppled(const Scene& scene, const History& history) {
 }
 
 /// Wall times of solving without samples, after a warm-up.
-SteppingTime time_solving(const Scene& scene, double step, int repeats) {
-  const SolveOptions options{step, {}};
-  solve(scene, options);
+SteppingTime time_solving(const Scene& scene, int repeats) {
+  solve(scene);
   std::vector<double> seconds;
   for (int i = 0; i < repeats; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    solve(scene, options);
+    solve(scene);
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   return stepping_time(std::move(seconds));
@@ -84,13 +83,17 @@ void write_history(const std::filesystem::path& folder, const History& history) 
   write_file(folder / "events.csv", events_csv(history));
 }
 
+SolveOptions sampled(const Scene& scene) {
+  return {.sample_times = regular_times(sample_interval, scene.duration), .validity = true};
+}
+
 Json run_exact(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
   const Scene& scene = job.scene.scene;
-  const History history = solve(scene, {job.dt, regular_times(sample_interval, scene.duration), true});
+  const History history = solve(scene, sampled(scene));
   row.toppled = toppled(history);
-  set_time(time_solving(scene, job.dt, job.suite.repeats), row);
+  set_time(time_solving(scene, job.suite.repeats), row);
   write_history(folder, history);
-  Json json = summary(row, job.scene, {{"step", job.dt}}, command);
+  Json json = summary(row, job.scene, {}, command);
   add_validity(scene, history, json);
   return json;
 }
@@ -99,7 +102,7 @@ Json run_exact(const Job& job, const std::filesystem::path& folder, Row& row, co
 void compare_with_exact(const Job& job, const History& history, const std::vector<ImpactTime>& observed,
                         const std::filesystem::path& folder, Row& row) {
   const Scene& scene = job.scene.scene;
-  const History exact = solve(scene, {job.suite.exact_step, history.times});
+  const History exact = solve(scene, {.sample_times = history.times});
   const Difference apart = difference(exact, history);
   const auto expected = reported_impacts(exact, chatter_speed(scene));
   const auto alignment = align(expected, observed, matching_window(scene));
@@ -120,11 +123,11 @@ void compare_with_exact(const Job& job, const History& history, const std::vecto
 
 Json run_variant(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
   const Scene scene = job.variant->apply(job.scene.scene);
-  const History history = solve(scene, {job.dt, regular_times(sample_interval, scene.duration), true});
+  const History history = solve(scene, sampled(scene));
   row.toppled = toppled(history);
   compare_with_exact(job, history, reported_impacts(history, chatter_speed(scene)), folder, row);
-  set_time(time_solving(scene, job.dt, job.suite.repeats), row);
-  Json json = summary(row, job.scene, {{"step", job.dt}}, command);
+  set_time(time_solving(scene, job.suite.repeats), row);
+  Json json = summary(row, job.scene, {}, command);
   add_validity(scene, history, json);
   return json;
 }
@@ -146,15 +149,15 @@ Json run_engine(const Job& job, const std::filesystem::path& folder, Row& row, c
 Row describe(const Job& job) {
   Row row;
   row.scene = job.scene.name;
-  row.dt = job.dt;
   if (job.series != nullptr) {
+    row.dt = job.dt;
     row.engine = job.series->engine->name();
     row.solver = job.series->engine->solver();
     row.settings = job.series->settings;
     row.run = fmt::format("{}.{}-{}-{}-{}", row.scene, row.engine, row.solver, row.settings, job.dt);
   } else {
     row.engine = job.variant != nullptr ? job.variant->name : "exact";
-    row.solver = "rk4";
+    row.solver = "taylor";
     row.run = row.scene + "." + row.engine;
   }
   return row;
@@ -178,13 +181,15 @@ Row measure(const Job& job, const std::filesystem::path& folder, const std::stri
   return row;
 }
 
-History solve_into(const NamedScene& scene, double step, double interval, const std::filesystem::path& folder,
+History solve_into(const NamedScene& scene, const SolveOptions& options, const std::filesystem::path& folder,
                    const std::string& command) {
-  History history = solve(scene.scene, {step, regular_times(interval, scene.scene.duration), true});
-  Row row = describe({{}, scene, step});
+  History history = solve(scene.scene, options);
+  const bool baseline = options.integrator == Integrator::rk4;
+  Row row = describe({{}, scene, {}});
+  row.solver = baseline ? "rk4" : "taylor";
   row.toppled = toppled(history);
   write_history(folder, history);
-  Json json = summary(row, scene, {{"step", step}}, command);
+  Json json = summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, command);
   add_validity(scene.scene, history, json);
   write_file(folder / "summary.json", json.dump(2) + "\n");
   return history;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "analytic/solve_options.hpp"
 #include "comparisons/results.hpp"
 #include "comparisons/suite.hpp"
 
@@ -13,7 +14,7 @@ namespace rockstack {
 struct Job {
   const Suite& suite;
   const NamedScene& scene;
-  double dt;  ///< s
+  double dt;  ///< of a series, s
   const EngineSeries* series = nullptr;
   const Variant* variant = nullptr;
 };
@@ -26,9 +27,8 @@ Row describe(const Job& job);
 /// @throws std::runtime_error where a file cannot be written.
 Row measure(const Job& job, const std::filesystem::path& folder, const std::string& command);
 
-/// Solves a scene and writes history.csv, events.csv and summary.json into a folder. `step` of the integrator
-/// and `interval` of the samples in s.
-History solve_into(const NamedScene& scene, double step, double interval, const std::filesystem::path& folder,
+/// Solves a scene and writes history.csv, events.csv and summary.json into a folder.
+History solve_into(const NamedScene& scene, const SolveOptions& options, const std::filesystem::path& folder,
                    const std::string& command);
 
 /// Runs one engine and writes the same files; an engine reports no events, so events.csv has its header

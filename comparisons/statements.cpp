@@ -248,7 +248,7 @@ Statement ends_before_the_record(const Evidence& evidence) {
 }
 
 std::vector<Answer> answers(const Suite& suite, const Scene& scene) {
-  std::vector<Answer> list{{"exact", solve(scene, {suite.exact_step, regular_times(1e-4, scene.duration)})}};
+  std::vector<Answer> list{{"exact", solve(scene, {.sample_times = regular_times(1e-4, scene.duration)})}};
   for (const EngineSeries& series : suite.series) {
     if (series.settings != "tuned") continue;
     const double step = *std::min_element(series.steps.begin(), series.steps.end());
@@ -276,7 +276,7 @@ Evidence gather(const Suite& suite) {
   evidence.shaken_answers = answers(suite, evidence.shaken);
   Scene linear = evidence.free;
   linear.equations = Equations::linear;
-  evidence.free_linear = solve(linear, {suite.exact_step, evidence.free_answers.front().history.times});
+  evidence.free_linear = solve(linear, {.sample_times = evidence.free_answers.front().history.times});
   return evidence;
 }
 

@@ -137,15 +137,13 @@ bool is_study(const std::filesystem::path& file) {
 
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
-  require_table(
-      root, {"title", "scenes", "variants", "engines", "exact_step", "tolerance", "repeats", "statements"});
+  require_table(root, {"title", "scenes", "variants", "engines", "tolerance", "repeats", "statements"});
   Suite suite;
   suite.title = text(required(root, "title", "a text"));
   for (const Node& scene : required(root, "scenes", "an array of scene files").children) {
     suite.scenes.push_back(read_named_scene(file.parent_path() / text(scene), overrides));
   }
   if (suite.scenes.empty()) throw wrong_value(*find(root, "scenes"), "an array of at least one scene file");
-  if (const Node* node = find(root, "exact_step")) suite.exact_step = positive(*node);
   if (const Node* node = find(root, "tolerance")) suite.tolerance = positive(*node);
   if (const Node* node = find(root, "repeats")) {
     suite.repeats = static_cast<int>(number(*node));

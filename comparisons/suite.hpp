@@ -51,7 +51,6 @@ struct Suite {
   std::vector<Variant> variants;
   std::vector<EngineSeries> series;
   std::optional<PaperScenes> statements;  ///< where the suite is held against what the paper says
-  double exact_step = 2e-4;               ///< of the exact solver's rk4, s
   double tolerance = 0.01;                ///< up to which histories agree, rad
   int repeats = 5;                        ///< timed runs after the warm-up
 };

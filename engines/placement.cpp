@@ -29,7 +29,7 @@ Vector<double> vector_of(const std::vector<double>& values) {
 std::vector<Placement> place(const Scene& scene) {
   const Vector<double> angles = vector_of(scene.initial.angles);
   const Vector<double> velocities = vector_of(scene.initial.velocities);
-  const Pattern pattern = pattern_of<double>(relative<double>(angles), relative<double>(velocities));
+  const Pattern pattern = pattern_of(relative(angles), relative(velocities));
   const Chain<double> chain = make_chain(make_stack<double>(scene), pattern, angles);
   const Points<double> middles = centres(chain);
   const Points<double> motions = centre_velocities(chain, velocities);

@@ -4,20 +4,27 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
+#include <type_traits>
 
 #include "analytic/scene/pattern.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
 
+/// How many blocks the memory of a stack of N blocks is for. N is the number of blocks where the compiler is
+/// to know it (short stacks are several times faster so), and Eigen::Dynamic for any number up to max_blocks.
+constexpr int capacity(int blocks) {
+  return blocks == Eigen::Dynamic ? max_blocks : blocks;
+}
+
 /// One entry a block, held without heap memory.
-template <class Real>
-using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, max_blocks, 1>;
-template <class Real>
-using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, max_blocks, max_blocks>;
+template <class Real, int N = Eigen::Dynamic>
+using Vector = Eigen::Matrix<Real, N, 1, 0, capacity(N), 1>;
+template <class Real, int N = Eigen::Dynamic>
+using Matrix = Eigen::Matrix<Real, N, N, 0, capacity(N), capacity(N)>;
 /// One point or plane vector (x, y) a block, as columns.
-template <class Real>
-using Points = Eigen::Matrix<Real, 2, Eigen::Dynamic, 0, 2, max_blocks>;
+template <class Real, int N = Eigen::Dynamic>
+using Points = Eigen::Matrix<Real, 2, N, 0, 2, capacity(N)>;
 template <class Real>
 using Point = Eigen::Matrix<Real, 2, 1>;
 
@@ -25,21 +32,22 @@ using Point = Eigen::Matrix<Real, 2, 1>;
 using Interfaces = std::bitset<max_blocks>;
 
 /// The constants of a stack in the number type of a calculation. SI units, one entry a block, bottom to top.
-template <class Real>
+template <class Real, int N = Eigen::Dynamic>
 struct Stack {
-  Vector<Real> half_width;  ///< of the interface under the block: w, not the block's own b
-  Vector<Real> half_height;
-  Vector<Real> mass;
-  Vector<Real> inertia;                      ///< about the block's centre
+  Vector<Real, N> half_width;  ///< of the interface under the block: w, not the block's own b
+  Vector<Real, N> half_height;
+  Vector<Real, N> mass;
+  Vector<Real, N> inertia;                   ///< about the block's centre
   std::array<bool, max_blocks> overhangs{};  ///< the block is wider than the one below
 
   int size() const { return static_cast<int>(mass.size()); }
 };
 
-template <class Real>
-Stack<Real> make_stack(const Scene& scene) {
+template <class Real, int N = Eigen::Dynamic>
+Stack<Real, N> make_stack(const Scene& scene) {
   const auto size = static_cast<Eigen::Index>(scene.blocks.size());
-  Stack<Real> stack{Vector<Real>(size), Vector<Real>(size), Vector<Real>(size), Vector<Real>(size), {}};
+  const Vector<Real, N> zero = Vector<Real, N>::Zero(size);
+  Stack<Real, N> stack{zero, zero, zero, zero, {}};
   for (int k = 0; k < stack.size(); ++k) {
     const Block& block = scene.blocks[static_cast<std::size_t>(k)];
     stack.half_width[k] = Real(interface_half_width(scene, k));
@@ -54,11 +62,11 @@ Stack<Real> make_stack(const Scene& scene) {
 
 /// The stack as a chain of pivots: block k hangs between the pivot of interface k and that of interface k+1.
 /// A closed interface has its reference point in its middle. m.
-template <class Real>
+template <class Real, int N = Eigen::Dynamic>
 struct Chain {
-  Point<Real> foot;    ///< first pivot, from the middle of the lowest block's place at rest
-  Points<Real> arms;   ///< from pivot k to the centre of block k
-  Points<Real> links;  ///< from pivot k to pivot k+1 (for the top block: to the middle of its top)
+  Point<Real> foot;       ///< first pivot, from the middle of the lowest block's place at rest
+  Points<Real, N> arms;   ///< from pivot k to the centre of block k
+  Points<Real, N> links;  ///< from pivot k to pivot k+1 (for the top block: to the middle of its top)
 };
 
 /// A body vector (a, c) turned clockwise by an angle with the given cosine and sine.
@@ -74,13 +82,14 @@ Point<Real> quarter_turned(const Point<Real>& arm) {
 }
 
 /// Arms rₖ = (−σₖwₖ, hₖ) and links Lₖ = (σₖ₊₁wₖ₊₁ − σₖwₖ, 2hₖ), both turned by θₖ.
-template <class Real>
-Chain<Real> make_chain(const Stack<Real>& stack, const Pattern& pattern, const Vector<Real>& angles) {
+template <class Real, int N>
+Chain<Real, N> make_chain(const Stack<Real, N>& stack, const Pattern& pattern,
+                          const std::type_identity_t<Vector<Real, N>>& angles) {
   using std::cos;
   using std::sin;
   const int size = stack.size();
   const auto pivot = [&](int k) { return k < size ? Real(sign(pattern[k])) * stack.half_width[k] : Real(0); };
-  Chain<Real> chain{{pivot(0), Real(0)}, Points<Real>(2, size), Points<Real>(2, size)};
+  Chain<Real, N> chain{{pivot(0), Real(0)}, Points<Real, N>::Zero(2, size), Points<Real, N>::Zero(2, size)};
   for (int k = 0; k < size; ++k) {
     const Real cosine = cos(angles[k]);
     const Real sine = sin(angles[k]);
@@ -92,9 +101,9 @@ Chain<Real> make_chain(const Stack<Real>& stack, const Pattern& pattern, const V
 }
 
 /// Centres of mass, m.
-template <class Real>
-Points<Real> centres(const Chain<Real>& chain) {
-  Points<Real> result(2, chain.arms.cols());
+template <class Real, int N>
+Points<Real, N> centres(const Chain<Real, N>& chain) {
+  Points<Real, N> result = Points<Real, N>::Zero(2, chain.arms.cols());
   Point<Real> pivot = chain.foot;
   for (Eigen::Index k = 0; k < chain.arms.cols(); ++k) {
     result.col(k) = pivot + chain.arms.col(k);
@@ -104,9 +113,10 @@ Points<Real> centres(const Chain<Real>& chain) {
 }
 
 /// Velocities of the centres of mass, m/s, from angular velocities in rad/s, clockwise positive.
-template <class Real>
-Points<Real> centre_velocities(const Chain<Real>& chain, const Vector<Real>& angular_velocities) {
-  Points<Real> result(2, chain.arms.cols());
+template <class Real, int N>
+Points<Real, N> centre_velocities(const Chain<Real, N>& chain,
+                                  const std::type_identity_t<Vector<Real, N>>& angular_velocities) {
+  Points<Real, N> result = Points<Real, N>::Zero(2, chain.arms.cols());
   Point<Real> pivot = Point<Real>::Zero();
   for (Eigen::Index k = 0; k < chain.arms.cols(); ++k) {
     result.col(k) = pivot + angular_velocities[k] * quarter_turned<Real>(chain.arms.col(k));
@@ -116,29 +126,30 @@ Points<Real> centre_velocities(const Chain<Real>& chain, const Vector<Real>& ang
 }
 
 /// The pattern that relative angles have, and where they are zero, relative angular velocities.
-template <class Real>
-Pattern pattern_of(const Vector<Real>& relative_angles, const Vector<Real>& relative_velocities) {
+template <class Angles, class Velocities>
+Pattern pattern_of(const Eigen::MatrixBase<Angles>& relative_angles,
+                   const Eigen::MatrixBase<Velocities>& relative_velocities) {
   Pattern pattern;
   pattern.size = static_cast<int>(relative_angles.size());
   for (int k = 0; k < pattern.size; ++k) {
-    const Real deciding = relative_angles[k] != 0 ? relative_angles[k] : relative_velocities[k];
+    const auto deciding = relative_angles[k] != 0 ? relative_angles[k] : relative_velocities[k];
     pattern[k] = contact_of((deciding > 0) - (deciding < 0));
   }
   return pattern;
 }
 
 /// Differences from the block below: φₖ = θₖ − θₖ₋₁, θ₀ = 0.
-template <class Real>
-Vector<Real> relative(const Vector<Real>& absolute) {
-  Vector<Real> result = absolute;
+template <class Derived>
+typename Derived::PlainObject relative(const Eigen::MatrixBase<Derived>& absolute) {
+  typename Derived::PlainObject result = absolute;
   for (Eigen::Index k = 1; k < absolute.size(); ++k) result[k] = absolute[k] - absolute[k - 1];
   return result;
 }
 
 /// Sums from the ground up, the inverse of relative().
-template <class Real>
-Vector<Real> absolute(const Vector<Real>& relative_values) {
-  Vector<Real> result = relative_values;
+template <class Derived>
+typename Derived::PlainObject absolute(const Eigen::MatrixBase<Derived>& relative_values) {
+  typename Derived::PlainObject result = relative_values;
   for (Eigen::Index k = 1; k < result.size(); ++k) result[k] += result[k - 1];
   return result;
 }

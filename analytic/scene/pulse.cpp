@@ -16,7 +16,7 @@ double length(const Pulse& pulse) {
 }
 
 double velocity(const Pulse& pulse, double t) {
-  const double turn = 2 * std::numbers::pi / pulse.period;
+  const double turn = 2 * pi<double> / pulse.period;
   switch (pulse.shape) {
     case PulseShape::sine:
     case PulseShape::half_sine: {

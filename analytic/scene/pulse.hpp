@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
 namespace rockstack {
@@ -28,6 +27,13 @@ struct Pulse {
   double phase = 0;      ///< ν, rad, of mavroeidis_papageorgiou alone
 };
 
+/// π in any number type.
+template <class Real>
+inline const Real pi = [] {
+  using std::acos;
+  return acos(Real(-1));
+}();
+
 /// How long a pulse lasts, s.
 double length(const Pulse& pulse);
 
@@ -42,7 +48,7 @@ Real acceleration(const Pulse& pulse, const Real& t) {
   using std::sin;
   const Real amplitude(pulse.amplitude);
   const Real period(pulse.period);
-  const Real turn = 2 * std::numbers::pi_v<Real> / period;
+  const Real turn = 2 * pi<Real> / period;
   switch (pulse.shape) {
     case PulseShape::sine:
     case PulseShape::half_sine:

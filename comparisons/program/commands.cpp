@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/input_error.hpp"
+#include "analytic/solve.hpp"
 #include "comparisons/build.hpp"
 #include "comparisons/compare.hpp"
 #include "comparisons/files.hpp"
@@ -81,8 +82,12 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
   require_positive_option("--interval", arguments.interval);
   const auto scene = read_named_scene(find_file(arguments.scene, build::scenes), common.overrides);
   prepare_folder(arguments.out);
-  const History history =
-      solve_into(scene, arguments.step, arguments.interval, arguments.out, common.command);
+  const SolveOptions options{
+      .integrator = arguments.integrator == "rk4" ? Integrator::rk4 : Integrator::taylor,
+      .sample_times = regular_times(arguments.interval, scene.scene.duration),
+      .validity = true,
+      .step = arguments.step};
+  const History history = solve_into(scene, options, arguments.out, common.command);
   print_history(history, validity_warnings(scene.scene, history), arguments.out, common);
   return 0;
 }

@@ -17,8 +17,9 @@ struct Common {
 struct SolveArguments {
   std::string scene;
   std::filesystem::path out;
-  double step = 2e-4;      ///< s
-  double interval = 1e-3;  ///< of samples, s
+  std::string integrator = "taylor";  ///< or "rk4"
+  double step = 2e-4;                 ///< of rk4, s
+  double interval = 1e-3;             ///< of samples, s
 };
 
 struct SimulateArguments {

@@ -35,8 +35,10 @@ Command add_solve(CLI::App& app, const Common& common) {
   CLI::App* command = app.add_subcommand("solve", "solve a scene exactly");
   command->add_option("scene", arguments->scene, scene_help)->required();
   command->add_option("--out", arguments->out, out_help)->required();
-  command->add_option("--step", arguments->step, "longest step of the rk4 integrator, s")
+  command->add_option("--integrator", arguments->integrator, "what makes the steps; rk4 is the baseline")
+      ->check(CLI::IsMember({"taylor", "rk4"}))
       ->capture_default_str();
+  command->add_option("--step", arguments->step, "longest step of rk4, s")->capture_default_str();
   command->add_option("--interval", arguments->interval, "interval of samples in history.csv, s")
       ->capture_default_str();
   return {command, [arguments, &common] { return solve_command(*arguments, common); }};

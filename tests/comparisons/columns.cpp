@@ -109,7 +109,7 @@ class ColumnsInEngine : public testing::TestWithParam<const Engine*> {};
 /// The largest angle difference between an engine and the exact solution, rad.
 double apart(const Engine& engine, const Scene& scene, double dt) {
   const History history = simulate(engine, scene, dt, engine.tuned_parameters()).history;
-  return largest(difference(solve(scene, {2e-4, history.times}), history));
+  return largest(difference(solve(scene, {.sample_times = history.times}), history));
 }
 
 // Semi-implicit Euler runs ahead by dt/2, and finds each of n impacts up to a step late: time off by

@@ -20,7 +20,7 @@ Scene free_rocking() {
 TEST(Impacts, ObservedInSamplesOfTheExactSolutionAreTheReportedOnes) {
   const Scene scene = free_rocking();
   const double interval = 1e-4;
-  const History history = solve(scene, {2e-4, regular_times(interval, scene.duration)});
+  const History history = solve(scene, {.sample_times = regular_times(interval, scene.duration)});
   const double slowest = chatter_speed(scene);
   const auto reported = reported_impacts(history, slowest);
   const auto observed = observed_impacts(history, slowest);

@@ -30,7 +30,7 @@ TEST(Results, NumbersReadBackToTheSameDouble) {
   scene.duration = 1;
   scene.blocks = {make_block(0.3, 1.7, 1234.5)};
   scene.initial = {{0.1}, {0}};
-  const History history = solve(scene, {1e-3, regular_times(0.01, 1)});
+  const History history = solve(scene, {.sample_times = regular_times(0.01, 1)});
   const auto lines = split(history_csv(history), '\n');
   ASSERT_EQ(lines.size(), history.size() + 1);
   EXPECT_EQ(lines[0], "time,theta_1,omega_1,pattern");

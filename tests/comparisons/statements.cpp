@@ -51,11 +51,12 @@ Evidence evidence() {
   shaken.initial = {{0, 0}, {0, 0}};
   shaken.horizontal = {0.5, {0, 7.0, -7.0, 0}, "a zigzag", true};
   const auto answer = [](const Scene& scene) {
-    return std::vector<Answer>{{"exact", solve(scene, {1e-3, regular_times(1e-3, scene.duration)})}};
+    return std::vector<Answer>{
+        {"exact", solve(scene, {.sample_times = regular_times(1e-3, scene.duration)})}};
   };
   Scene linear = free;
   linear.equations = Equations::linear;
-  return {free, answer(free), solve(linear, {1e-3, regular_times(1e-3, free.duration)}), shaken,
+  return {free, answer(free), solve(linear, {.sample_times = regular_times(1e-3, free.duration)}), shaken,
           answer(shaken)};
 }
 
@@ -86,7 +87,7 @@ TEST(Statements, FollowTheMotionThatTheyAreAbout) {
   // A stack that never separates: the claim about turning as one body then holds.
   Evidence squat = evidence();
   squat.free.blocks = {make_block(1.25, 1.25, 2500), make_block(1.25, 0.1, 2500)};
-  squat.free_answers.front().history = solve(squat.free, {1e-3, regular_times(1e-3, 5)});
+  squat.free_answers.front().history = solve(squat.free, {.sample_times = regular_times(1e-3, 5)});
   squat.free_linear = squat.free_answers.front().history;
   const auto statements = judge(squat);
   EXPECT_EQ(statements.front().verdict, Verdict::holds) << statements.front().computed;

@@ -21,7 +21,7 @@ Scene block_at_rest(double horizontal, double vertical) {
 }
 
 History solved(const Scene& scene) {
-  return solve(scene, {2e-4, {}, true});
+  return solve(scene, {.validity = true});
 }
 
 TEST(Validity, ABlockCarriedAlongNeedsFrictionOfItsAccelerationOverItsWeight) {

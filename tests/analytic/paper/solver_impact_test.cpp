@@ -29,8 +29,7 @@ Velocities solver_after(const Draw& d, const Pivots& before, const Pivots& after
   const State<double> state = state_of(pattern_with(d.S * before.base, d.S * before.top), s);
   const Pattern next = pattern_with(d.S * after.base, d.S * after.top);
   const Model<double> model = model_of(d.q, 9.81, Equations::nonlinear);
-  const Vector<double> rates =
-      absolute<double>(velocities_after(model, Impact<double>{state, {}}, next).relative);
+  const Vector<double> rates = absolute(velocities_after(model, Impact<double>{state, {}}, next).relative);
   return {d.S * rates[0], d.S * rates[1]};
 }
 

@@ -27,7 +27,7 @@ void on_draws(const Test& test) {
 
 /// A motion with the solver's accelerations in place of the drawn ones.
 Motion solved(const Geometry& q, Motion s, Equations equations, const Pattern& pattern) {
-  const Vector<double> spin = absolute<double>(
+  const Vector<double> spin = absolute(
       accelerate(model_of(q, s, equations), state_of(pattern, s), Point<double>(s.xg, s.yg)).relative);
   s.a1 = spin[0];
   s.a2 = spin[1];

@@ -26,7 +26,7 @@ State<double> state_of(const Pattern& pattern, const Motion& s) {
   Vector<double> rates(2);
   angles << s.angle.u1, s.angle.u2;
   rates << s.velocity.base, s.velocity.top;
-  return {pattern, relative<double>(angles), relative<double>(rates)};
+  return {pattern, relative(angles), relative(rates)};
 }
 
 }  // namespace rockstack::paper

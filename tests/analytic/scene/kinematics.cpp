@@ -112,7 +112,7 @@ TEST(Kinematics, AMirroredStackHasMirroredCentresToTheLastBit) {
   const auto here = centres(chain);
   const auto there = centres(mirror);
   const auto velocity_here = centre_velocities(chain, rates);
-  const auto velocity_there = centre_velocities<double>(mirror, -rates);
+  const auto velocity_there = centre_velocities(mirror, -rates);
   for (int k = 0; k < 3; ++k) {
     EXPECT_EQ(there(0, k), -here(0, k));
     EXPECT_EQ(there(1, k), here(1, k));

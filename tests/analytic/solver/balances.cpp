@@ -18,7 +18,7 @@ State<double> state_of(const History& history, std::size_t sample) {
   const auto relative_of = [](std::span<const double> row) {
     Vector<double> values(static_cast<Eigen::Index>(row.size()));
     std::copy(row.begin(), row.end(), values.begin());
-    return relative<double>(values);
+    return relative(values);
   };
   return {history.patterns[sample], relative_of(history.angles_at(sample)),
           relative_of(history.velocities_at(sample))};
@@ -108,7 +108,7 @@ Budget budget(const Scene& scene, const History& history, const Nodes& nodes, do
     const Point<double> ground{acceleration(scene.horizontal, nodes.times[i]),
                                acceleration(scene.vertical, nodes.times[i])};
     const auto speeds =
-        centre_velocities(chain_at(model, state.pattern, state.angles), absolute<double>(state.velocities));
+        centre_velocities(chain_at(model, state.pattern, state.angles), absolute(state.velocities));
     result.work -= nodes.weights[i] * (speeds * model.stack.mass).dot(ground);
     const double pull = std::hypot(ground.x(), ground.y() + scene.gravity);
     result.rate = std::max(result.rate, fastest_rate(scene, pull));
@@ -159,7 +159,7 @@ TEST(Balances, BetweenEventsEnergyChangesByTheWorkOfTheGround) {
 Column velocities_of(const testing::Placement& placement, const std::vector<double>& absolute_velocities) {
   Vector<Number> values(static_cast<Eigen::Index>(absolute_velocities.size()));
   std::copy(absolute_velocities.begin(), absolute_velocities.end(), values.begin());
-  return testing::velocities(placement, relative<Number>(values));
+  return testing::velocities(placement, relative(values));
 }
 
 TEST(Balances, EveryImpactKeepsTheAngularMomentumAboutEachNewPivot) {
@@ -172,7 +172,7 @@ TEST(Balances, EveryImpactKeepsTheAngularMomentumAboutEachNewPivot) {
       ++impacts;
       Vector<Number> angles(static_cast<Eigen::Index>(event.angles.size()));
       std::copy(event.angles.begin(), event.angles.end(), angles.begin());
-      angles = relative<Number>(angles);
+      angles = relative(angles);
       const auto place = testing::place(model, event.to, angles);
       const auto before = velocities_of(testing::place(model, event.from, angles), event.before);
       const auto after = velocities_of(place, event.after);

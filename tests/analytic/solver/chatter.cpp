@@ -79,7 +79,7 @@ TEST(Chatter, ABurstOfEventsStaysBelowTheProductOfWhatEachInterfaceTakesAlone) {
     testing::Draw draw(12000 + seed);
     Scene scene = testing::random_scene(draw, 2 + draw.below(3), false);
     if (seed % 2 == 1) testing::shake(draw, scene);
-    const History history = solve(scene, {1e-3, {}});
+    const History history = solve(scene);
     for (std::size_t i = 0; i < history.events.size();) {
       const Burst burst = burst_from(scene, history.events, i);
       ASSERT_LE(static_cast<double>(burst.events), burst.bound) << seed << " at " << history.events[i].time;

@@ -48,7 +48,7 @@ TEST(Dynamics, ReactionsAreTheConstraintForces) {
     const auto found = accelerate(model, state, ground).reactions;
     const auto expected =
         testing::accelerate(make_model<Number>(scene), widened(state), ground.cast<Number>());
-    const Vector<double> tilts = absolute<double>(state.angles);
+    const Vector<double> tilts = absolute(state.angles);
     for (int k = 0; k < size; ++k) {
       const int face = model.stack.overhangs[static_cast<std::size_t>(k)] ? k : k - 1;
       const double tilt = scene.equations == Equations::linear || face < 0 ? 0 : tilts[face];
@@ -104,7 +104,7 @@ TEST(Dynamics, EnergyChangesByThePowerOfTheGround) {
     const Number step = 1e-5L;
     const Number found = (at(step) - at(-step)) / (2 * step);
     const auto speeds =
-        centre_velocities(chain_at(model, state.pattern, state.angles), absolute<Number>(state.velocities));
+        centre_velocities(chain_at(model, state.pattern, state.angles), absolute(state.velocities));
     const Number power = -(speeds * model.stack.mass).dot(ground);
     const Number scale = energy(model, state) + model.stack.mass.sum() * 100;
     EXPECT_NEAR(static_cast<double>(found), static_cast<double>(power), static_cast<double>(1e-6L * scale));

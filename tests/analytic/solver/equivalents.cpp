@@ -80,7 +80,7 @@ TEST(Equivalents, ConstantGroundAccelerationIsGravityTurned) {
     inclined.horizontal = constant(upright.gravity * std::sin(turn), inclined.duration);
     inclined.vertical = constant(upright.gravity * std::cos(turn) - inclined.gravity, inclined.duration);
     for (double& angle : upright.initial.angles) angle -= turn;
-    const SolveOptions options{step, regular_times(0.01, inclined.duration)};
+    const SolveOptions options{.sample_times = regular_times(0.01, inclined.duration)};
     const History one = solve(inclined, options);
     const History other = solve(upright, options);
     const double end =
@@ -128,7 +128,7 @@ TEST(Equivalents, LayersThatStayTogetherRockAsOneBlock) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     testing::Draw draw(11000 + seed);
     const Cut cut = random_cut(draw);
-    const SolveOptions options{step, regular_times(0.01, cut.whole.duration)};
+    const SolveOptions options{.sample_times = regular_times(0.01, cut.whole.duration)};
     const History one = solve(cut.whole, options);
     const History layers = solve(cut.layers, options);
     const double end = first_event(cut.layers, layers, [](const Event& event) {
@@ -163,7 +163,7 @@ TEST(Equivalents, AFeatherweightTopLeavesTheBaseAHousnerBlock) {
     alone.blocks.pop_back();
     alone.initial.angles.pop_back();
     alone.initial.velocities.pop_back();
-    const SolveOptions options{step, regular_times(0.01, stack.duration)};
+    const SolveOptions options{.sample_times = regular_times(0.01, stack.duration)};
     const History one = solve(alone, options);
     const History other = solve(stack, options);
     for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) {

@@ -42,7 +42,7 @@ TEST(GroundMotion, BelowTheThresholdNothingHappens) {
   scene.horizontal.interval = 0.01;
   // The lesser of both ratios is the top's 1/4; the stack's own is that of its common centre, about 0.29.
   for (int i = 0; i < 150; ++i) scene.horizontal.samples.push_back(draw.between(-0.249, 0.249) * gravity);
-  const History history = solve(scene, {2e-4, regular_times(0.1, 2)});
+  const History history = solve(scene, {.sample_times = regular_times(0.1, 2)});
   EXPECT_TRUE(history.events.empty());
   for (const double angle : history.angles) EXPECT_EQ(angle, 0);
 }
@@ -91,7 +91,7 @@ TEST(GroundMotion, ComponentsOfDifferentIntervalsAreFollowedExactly) {
 TEST(GroundMotion, FinerSamplesOfTheSameLinesGiveTheSameMotion) {
   Scene scene = testing::released({testing::block(0.5, 2)}, {0.1}, 0.6);
   scene.horizontal = {0.25, {1, -3, 2}, {}, {}};
-  const SolveOptions options{2e-4, regular_times(0.037, 0.6)};
+  const SolveOptions options{.sample_times = regular_times(0.037, 0.6)};
   const History coarse = solve(scene, options);
   scene.horizontal = {0.0625, {1, 0, -1, -2, -3, -1.75, -0.5, 0.75, 2}, {}, {}};
   const History fine = solve(scene, options);
@@ -105,7 +105,7 @@ TEST(GroundMotion, FinerSamplesOfTheSameLinesGiveTheSameMotion) {
 TEST(GroundMotion, AStrongPushTopplesAndEndsTheHistory) {
   Scene scene = at_rest({testing::block(0.5, 2)}, 20);
   scene.horizontal = {10, {-4, -4, -4}, {}, {}};
-  const History history = solve(scene, {2e-4, regular_times(0.05, 20)});
+  const History history = solve(scene, {.sample_times = regular_times(0.05, 20)});
   const Event& last = history.events.back();
   EXPECT_EQ(last.kind, EventKind::topple);
   EXPECT_EQ(last.interface, 1);

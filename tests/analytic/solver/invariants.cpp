@@ -59,13 +59,13 @@ TEST(Invariants, ScaledMassesOrLengthsGiveTheSameMotionBitForBit) {
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     const Scene scene = seeded_scene(seed);
     std::vector<double> times = regular_times(0.01, scene.duration);
-    const History one = solve(scene, {1e-3, times});
-    const History heavier = solve(heavier_by_four(scene), {1e-3, times});
+    const History one = solve(scene, {.sample_times = times});
+    const History heavier = solve(heavier_by_four(scene), {.sample_times = times});
     ASSERT_EQ(one.angles, heavier.angles) << seed;
     ASSERT_EQ(one.velocities, heavier.velocities) << seed;
     expect_same_events(one, heavier, 1, seed);
     for (double& time : times) time *= 2;
-    const History larger = solve(larger_by_four(scene), {2e-3, times});
+    const History larger = solve(larger_by_four(scene), {.sample_times = times});
     ASSERT_EQ(one.angles, larger.angles) << seed;
     expect_same_events(one, larger, 2, seed);
   }

@@ -15,7 +15,7 @@ TEST(LongRuns, AnHourAtRestIsOneStepAPieceAndHasNoEvents) {
   scene.blocks = {make_block(1.25, 1.25, 2500), make_block(1.0, 2.5, 2500)};
   scene.initial = {{0, 0}, {0, 0}};
   // With validity, forces are noted once a step: a step of 3600 s is the only one, at t = 0.
-  const History history = solve(scene, {2e-4, {0, 1800, 3600}, true});
+  const History history = solve(scene, {.sample_times = {0, 1800, 3600}, .validity = true});
   EXPECT_TRUE(history.events.empty());
   ASSERT_EQ(history.size(), 3u);
   for (const double angle : history.angles) EXPECT_EQ(angle, 0);
@@ -49,7 +49,7 @@ double growth(std::uint64_t seed) {
   scene.horizontal = make_synthetic(motion);
   Scene nearby = scene;
   for (double& sample : nearby.horizontal.samples) sample *= 1 + 1e-10;
-  const SolveOptions options{1e-3, regular_times(0.01, scene.duration)};
+  const SolveOptions options{.sample_times = regular_times(0.01, scene.duration)};
   const History first = solve(scene, options);
   const History second = solve(nearby, options);
   double apart = 0;

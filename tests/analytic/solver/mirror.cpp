@@ -47,7 +47,7 @@ TEST(Mirror, AMirroredSceneHasTheMirroredHistoryBitForBit) {
     testing::Draw draw(3000 + seed);
     Scene scene = testing::random_scene(draw, 1 + draw.below(4), false);
     if (seed % 4 != 0) testing::shake(draw, scene);
-    const SolveOptions options{1e-3, regular_times(0.01, scene.duration)};
+    const SolveOptions options{.sample_times = regular_times(0.01, scene.duration)};
     expect_mirrored(solve(scene, options), solve(mirror_image(scene), options));
   }
 }
@@ -56,7 +56,7 @@ TEST(Mirror, TheSameSceneGivesTheSameBits) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     testing::Draw draw(3500 + seed);
     const Scene scene = testing::random_scene(draw, 3, true);
-    const SolveOptions options{1e-3, regular_times(0.01, scene.duration)};
+    const SolveOptions options{.sample_times = regular_times(0.01, scene.duration)};
     const History one = solve(scene, options);
     const History other = solve(scene, options);
     EXPECT_EQ(one.angles, other.angles);

@@ -11,7 +11,7 @@ TEST(Opening, EveryChangeOfPatternIsAnEvent) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     testing::Draw draw(6000 + seed);
     const Scene scene = testing::random_scene(draw, 2 + draw.below(3), seed % 2 == 1);
-    const History history = solve(scene, {1e-3, {}});
+    const History history = solve(scene);
     for (std::size_t i = 1; i < history.events.size(); ++i) {
       ASSERT_TRUE(history.events[i - 1].to == history.events[i].from) << "seed " << seed << '\n'
                                                                       << testing::listing(history);
@@ -21,7 +21,7 @@ TEST(Opening, EveryChangeOfPatternIsAnEvent) {
 
 TEST(Opening, AnOpeningAtTheStartIsAnEvent) {
   Scene scene = testing::released({testing::block(1, 1), testing::block(0.2, 2)}, {0.2, 0.2}, 0.01);
-  const History history = solve(scene, {1e-3, {0.005}});
+  const History history = solve(scene, {.sample_times = {0.005}});
   ASSERT_EQ(history.events.size(), 1U);
   EXPECT_EQ(history.events[0].time, 0);
   EXPECT_EQ(history.events[0].kind, EventKind::opening);

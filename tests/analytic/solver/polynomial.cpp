@@ -8,11 +8,11 @@
 namespace rockstack {
 namespace {
 
-using Quintic = Polynomial<double, 6>;
+using Quintic = Polynomial<double>;
 
 /// sign × (s − r₁)(s − r₂)…, rounded once a root.
 Quintic product(double factor, const std::vector<double>& roots) {
-  Quintic result{factor};
+  Quintic result{factor, 0, 0, 0, 0, 0};
   for (const double root : roots) {
     for (std::size_t i = 5; i > 0; --i) result[i] = result[i - 1] - root * result[i];
     result[0] *= -root;
@@ -50,7 +50,7 @@ TEST(Polynomial, FirstCrossingAgreesWithAScan) {
   std::normal_distribution<double> coefficient;
   int crossings = 0;
   for (int i = 0; i < 5000; ++i) {
-    Quintic polynomial;
+    Quintic polynomial{0, 0, 0, 0, 0, 0};
     for (double& c : polynomial) c = coefficient(generator);
     polynomial[0] = std::abs(polynomial[0]) * 0.3;
     const auto crossing = first_crossing(polynomial);
@@ -134,20 +134,20 @@ TEST(Polynomial, BernsteinFormKeepsEndsAndHalvesMeet) {
   std::mt19937_64 generator(3);
   std::uniform_real_distribution<double> coefficient(-1, 1);
   for (int i = 0; i < 1000; ++i) {
-    Quintic polynomial;
+    Quintic polynomial{0, 0, 0, 0, 0, 0};
     for (double& c : polynomial) c = coefficient(generator);
     const Quintic form = bernstein(polynomial);
     // Sums of six numbers of size 1, some dozen roundings.
     const double error = 1e-14;
-    EXPECT_EQ(form.front(), polynomial[0]);
-    EXPECT_NEAR(form.back(), value(polynomial, 1.0), error);
+    EXPECT_EQ(form[0], polynomial[0]);
+    EXPECT_NEAR(form[5], value(polynomial, 1.0), error);
     const auto halves = halve(form);
-    EXPECT_EQ(halves.left.front(), form.front());
-    EXPECT_EQ(halves.right.back(), form.back());
-    EXPECT_EQ(halves.left.back(), halves.right.front());
-    EXPECT_NEAR(halves.left.back(), value(polynomial, 0.5), error);
+    EXPECT_EQ(halves.left[0], form[0]);
+    EXPECT_EQ(halves.right[5], form[5]);
+    EXPECT_EQ(halves.left[5], halves.right[0]);
+    EXPECT_NEAR(halves.left[5], value(polynomial, 0.5), error);
     const auto quarter = halve(halves.left);
-    EXPECT_NEAR(quarter.left.back(), value(polynomial, 0.25), error);
+    EXPECT_NEAR(quarter.left[5], value(polynomial, 0.25), error);
     const auto [least, most] = std::minmax_element(form.begin(), form.end());
     for (int j = 0; j <= 16; ++j) {
       EXPECT_GE(value(polynomial, j / 16.0), *least - error);
@@ -160,9 +160,9 @@ TEST(Polynomial, QuarticThroughFivePointsIsTheQuartic) {
   std::mt19937_64 generator(4);
   std::uniform_real_distribution<double> coefficient(-1, 1);
   for (int i = 0; i < 1000; ++i) {
-    Polynomial<double, 5> quartic;
+    Quintic quartic{0, 0, 0, 0, 0};
     for (double& c : quartic) c = coefficient(generator);
-    Polynomial<double, 5> values;
+    std::array<double, 5> values{};
     for (std::size_t j = 0; j < 5; ++j) values[j] = value(quartic, static_cast<double>(j) / 4);
     const auto found = quartic_through(values);
     // Rounding of values (5 ε) times the sum of the weights, below 512.

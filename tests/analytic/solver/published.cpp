@@ -33,14 +33,14 @@ Scene under_pulse(const Case& block, PulseShape shape, double amplitude, double 
 }
 
 bool topples(const Scene& scene) {
-  const History history = solve(scene, {1e-3, {}});
+  const History history = solve(scene);
   return !history.events.empty() && history.events.back().kind == EventKind::topple;
 }
 
 /// True where the block leans by α or more before the pulse ends, or topples later.
 bool topples_or_passes_balance(const Case& block, double amplitude, double period) {
   const Scene scene = under_pulse(block, PulseShape::sine, amplitude, period, 20);
-  const History history = solve(scene, {1e-3, regular_times(1e-3, period)});
+  const History history = solve(scene, {.sample_times = regular_times(1e-3, period)});
   for (const double angle : history.angles) {
     if (std::abs(angle) >= block.slenderness) return true;
   }
@@ -108,7 +108,7 @@ TEST(Published, SafeBayBetweenTopplingWithAndWithoutImpact) {
   };
   const auto fate = [&](double amplitude) {
     const Scene scene = under_pulse(block, PulseShape::sine, amplitude * slenderness * gravity, period, 12);
-    const History history = solve(scene, {1e-3, {}});
+    const History history = solve(scene);
     std::size_t impacts = 0;
     for (const Event& event : history.events) impacts += event.kind == EventKind::impact ? 1 : 0;
     return Fate{history.events.back().kind == EventKind::topple, impacts};

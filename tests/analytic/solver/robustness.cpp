@@ -56,7 +56,7 @@ TEST(Robustness, TwoThousandRandomStacksMoveByTheRules) {
     const bool shaken = draw.coin();
     const Scene scene = testing::random_scene(draw, 1 + draw.below(4), shaken);
     History history;
-    ASSERT_NO_THROW(history = solve(scene, {1e-3, regular_times(0.005, scene.duration)})) << seed;
+    ASSERT_NO_THROW(history = solve(scene, {.sample_times = regular_times(0.005, scene.duration)})) << seed;
     expect_sides(history, seed);
     expect_events(scene, history, seed);
   }
@@ -69,7 +69,7 @@ TEST(Robustness, ChatterOfTwoInterfacesInOneInstantEnds) {
   testing::Draw draw(10134);
   const bool shaken = draw.coin();
   const Scene scene = testing::random_scene(draw, 1 + draw.below(4), shaken);
-  EXPECT_NO_THROW(solve(scene, {1e-3, {}}));
+  EXPECT_NO_THROW(solve(scene));
 }
 
 TEST(Robustness, EqualBlocksReleasedByANanoRadianComeToRest) {
@@ -79,7 +79,7 @@ TEST(Robustness, EqualBlocksReleasedByANanoRadianComeToRest) {
                                     std::vector<double>(count, 1e-9), 0.5);
     for (const Law law : {Law::paper, Law::consistent}) {
       scene.law = law;
-      const History history = solve(scene, {1e-3, {0.5}});
+      const History history = solve(scene, {.sample_times = {0.5}});
       EXPECT_TRUE(is_closed(history.patterns.at(0))) << testing::listing(history);
     }
   }
@@ -102,7 +102,7 @@ TEST(Robustness, AColumnOfEightDrumsIsFollowedUnderBothLaws) {
   for (int i = 0; i < 60; ++i) scene.horizontal.samples.push_back(draw.between(-6, 6));
   for (const Law law : {Law::paper, Law::consistent}) {
     scene.law = law;
-    const History history = solve(scene, {1e-3, regular_times(0.01, 1.5)});
+    const History history = solve(scene, {.sample_times = regular_times(0.01, 1.5)});
     EXPECT_FALSE(history.events.empty());
     expect_sides(history, 71);
   }

@@ -89,7 +89,7 @@ TEST(SingleBlock, PeaksFallAsHousnerSays) {
   const double radius_squared = 1;
   const double inertia = scene.blocks[0].inertia + scene.blocks[0].mass * radius_squared;
   const double ratio = 1 - scene.blocks[0].mass * radius_squared / inertia * (1 - std::cos(2 * slenderness));
-  const History history = solve(scene, {2e-4, regular_times(1e-3, 6)});
+  const History history = solve(scene, {.sample_times = regular_times(1e-3, 6)});
   std::vector<double> peaks{0};
   std::size_t event = 0;
   for (std::size_t i = 0; i < history.size(); ++i) {
@@ -109,7 +109,7 @@ TEST(SingleBlock, PeaksFallAsHousnerSays) {
 TEST(SingleBlock, DecayEndsAtRestWithinTheStatedNumberOfImpacts) {
   for (const double slenderness : {0.1, 0.3, 0.7}) {
     const Scene scene = slab(slenderness, 0.7, 60);
-    const History history = solve(scene, {1e-3, {}});
+    const History history = solve(scene);
     ASSERT_FALSE(history.events.empty());
     EXPECT_EQ(history.events.back().kind, EventKind::rest);
     EXPECT_TRUE(is_closed(history.events.back().to));

@@ -63,8 +63,8 @@ Real energy_above_rest(const Scene& scene, const Pattern& pattern, const std::ve
     state.angles[k] = angles[static_cast<std::size_t>(k)];
     state.velocities[k] = velocities[static_cast<std::size_t>(k)];
   }
-  state.angles = relative<Real>(state.angles);
-  state.velocities = relative<Real>(state.velocities);
+  state.angles = relative(state.angles);
+  state.velocities = relative(state.velocities);
   const Vector<Real> still = 0 * model.stack.mass;
   return energy(model, state) - energy(model, State<Real>{closed_pattern(pattern.size), still, still});
 }

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "analytic/dynamics.hpp"
+
+namespace rockstack {
+
+template <class Real, int N>
+using PerBlock = std::array<Real, static_cast<std::size_t>(capacity(N))>;
+
+/// What a stack is while its pattern lasts: a chain of pendulums. Block k turns by ψₖ about its pivot. With
+/// constant Lₖ (from its pivot to the next) and Sₖ = mₖrₖ + (mass above) Lₖ in its own frame, both turned by
+/// ψₖ, a dot a time derivative and ⊥ a quarter turn, Lagrange's equation of ψₖ is
+///
+///     Jₖ ψ̈ₖ + Lₖ⊥ · Σ_{j>k} S̈ⱼ + Sₖ⊥ · (Σ_{j<k} L̈ⱼ − pull) = moment about the pivot of k − that about k + 1
+///
+/// so that the left sides from k up add up to the moment about pivot k: zero where that interface is open.
+template <class Real, int N>
+struct Linkage {
+  int blocks = 0;
+  PerBlock<Real, N> moment_x, moment_y;  ///< S, kg·m
+  PerBlock<Real, N> link_x, link_y;      ///< L, m
+  PerBlock<Real, N> inertia;             ///< J = I + m r² + (mass above) L², kg·m²
+  PerBlock<Real, N> mass;                ///< of the block and all above, kg
+  PerBlock<Real, N> width;               ///< w, m
+  PerBlock<Real, N> free;                ///< 1 where the interface below is open, 0 where it is closed
+
+  std::size_t size() const { return static_cast<std::size_t>(N == Eigen::Dynamic ? blocks : N); }
+};
+
+template <class Real, int N>
+Linkage<Real, N> make_linkage(const Stack<Real, N>& stack, const Pattern& pattern) {
+  const Chain<Real, N> chain = make_chain(stack, pattern, Vector<Real, N>::Zero(stack.size()));
+  Linkage<Real, N> linkage;
+  linkage.blocks = stack.size();
+  Real above = 0;
+  for (int block = linkage.blocks - 1; block >= 0; --block) {
+    const auto k = static_cast<std::size_t>(block);
+    const Point<Real> arm = chain.arms.col(block);
+    const Point<Real> link = chain.links.col(block);
+    const Point<Real> moment = stack.mass[block] * arm + above * link;
+    linkage.moment_x[k] = moment.x();
+    linkage.moment_y[k] = moment.y();
+    linkage.link_x[k] = link.x();
+    linkage.link_y[k] = link.y();
+    linkage.inertia[k] =
+        stack.inertia[block] + stack.mass[block] * arm.squaredNorm() + above * link.squaredNorm();
+    above += stack.mass[block];
+    linkage.mass[k] = above;
+    linkage.width[k] = stack.half_width[block];
+    linkage.free[k] = pattern[block] == Contact::closed ? Real(0) : Real(1);
+  }
+  return linkage;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <string>
+
+#include "analytic/flow.hpp"
+#include "analytic/solve_options.hpp"
+#include "analytic/taylor.hpp"
+
+namespace rockstack {
+
+/// Makes steps from Taylor series: as long as the ground's course is smooth, or as the highest order allows.
+/// The order is the lowest whose last coefficients are below the tolerance.
+template <class Real, int N>
+class TaylorSteps {
+ public:
+  /// Keeps a reference to `model`. @throws std::invalid_argument for a tolerance below zero.
+  TaylorSteps(const Model<Real, N>& model, const SolveOptions& options)
+      : model_(model),
+        tolerance_(std::max<Real>(Real(options.tolerance), 4 * std::numeric_limits<Real>::epsilon())) {
+    if (!(options.tolerance >= 0))
+      throw std::invalid_argument("tolerance = " + std::to_string(options.tolerance) + ": must be ≥ 0");
+    using std::sqrt;
+    rate_ = sqrt(model.gravity / (2 * model.stack.half_height.sum()));
+    longest_ = 1 / rate_;
+  }
+
+  /// A step from `offset` into a ground piece, no longer than `remaining`, with margins of `watched`
+  /// interfaces.
+  Flow<Real, N> operator()(const State<Real, N>& state, const Linkage<Real, N>& linkage,
+                           const GroundPiece<Real>& piece, const Real& offset, const Real& remaining,
+                           const Interfaces& watched) {
+    const Real length = std::min(remaining, longest_);
+    const Pull<Real> pull = make_pull(model_.gravity, piece, offset, length);
+    PerBlock<Real, N> angles{};
+    PerBlock<Real, N> advances{};
+    for (std::size_t k = 0; k < linkage.size(); ++k) {
+      angles[k] = state.angles[static_cast<int>(k)];
+      advances[k] = state.velocities[static_cast<int>(k)] * length;
+    }
+    ChainSeries<Real, N> series(linkage, model_.equations == Equations::linear, angles, advances);
+    const std::size_t pulls = std::max(pull.x.terms, pull.y.terms);
+    Real scale = 0;
+    Real earlier = std::numeric_limits<Real>::infinity();
+    std::size_t orders = 0;
+    Real excess = 1;
+    for (;;) {
+      series.extend(orders, pull.x, pull.y);
+      Real last = 0;
+      for (std::size_t k = 0; k < linkage.size(); ++k) {
+        using std::abs;
+        last = std::max<Real>(last, abs(series.relative(k, orders)));
+        scale = std::max<Real>(
+            scale, abs(advances[k]) + abs(series.relative(k, orders)) + abs(angles[k]) * length * rate_);
+      }
+      ++orders;
+      excess = std::max<Real>(last, earlier / 64) / (tolerance_ * Real(orders) * scale);
+      if (last == 0 && earlier == 0) excess = 0;
+      earlier = last;
+      if ((excess <= 1 && orders >= pulls) || orders + 2 == max_terms<Real>) break;
+    }
+    Flow<Real, N> flow{length, state, {}, {}};
+    read(linkage, series, orders, angles, advances, watched, flow);
+    fit(excess, orders, remaining, flow);
+    return flow;
+  }
+
+ private:
+  void read(const Linkage<Real, N>& linkage, const ChainSeries<Real, N>& series, std::size_t orders,
+            const PerBlock<Real, N>& angles, const PerBlock<Real, N>& advances, const Interfaces& watched,
+            Flow<Real, N>& flow) const {
+    for (std::size_t k = 0; k < linkage.size(); ++k) {
+      if (flow.start.pattern[static_cast<int>(k)] != Contact::closed) {
+        Polynomial<Real>& angle = flow.angles[k];
+        angle.terms = orders + 2;
+        angle[0] = angles[k];
+        angle[1] = advances[k];
+        for (std::size_t n = 0; n < orders; ++n)
+          angle[n + 2] = series.relative(k, n) * reciprocals<Real>[n + 1] * reciprocals<Real>[n + 2];
+      } else if (watched.test(k)) {
+        MarginCourses<Real>& margin = flow.margins[k];
+        margin.right.terms = margin.left.terms = orders;
+        for (std::size_t n = 0; n < orders; ++n) {
+          const Real push = series.push(k, n) * model_.stack.half_width[static_cast<int>(k)];
+          margin.right[n] = push + series.reaction(k, n);
+          margin.left[n] = push - series.reaction(k, n);
+        }
+      }
+    }
+  }
+
+  /// Shortens a step whose series did not get down to the tolerance; lengthens the next where it did easily.
+  void fit(const Real& excess, std::size_t orders, const Real& remaining, Flow<Real, N>& flow) {
+    using std::pow;
+    if (excess > 1) {
+      const Real ratio = pow(excess, Real(-1) / Real(orders - 1)) * Real(0.9);
+      flow.length *= ratio;
+      longest_ = flow.length;
+      for (auto& angle : flow.angles) rescale(angle, ratio);
+      for (auto& margin : flow.margins) {
+        rescale(margin.right, ratio);
+        rescale(margin.left, ratio);
+      }
+    } else if (flow.length < remaining && orders + 4 < max_terms<Real>) {
+      longest_ *= Real(1.25);
+    }
+  }
+
+  const Model<Real, N>& model_;
+  Real tolerance_;
+  Real rate_;     ///< √(g/H), 1/s
+  Real longest_;  ///< s, for the next step
+};
+
+}  // namespace rockstack
