@@ -49,8 +49,9 @@ class TaylorSteps {
       for (std::size_t k = 0; k < linkage.size(); ++k) {
         using std::abs;
         last = std::max<Real>(last, abs(series.relative(k, orders)));
-        scale = std::max<Real>(
-            scale, abs(advances[k]) + abs(series.relative(k, orders)) + abs(angles[k]) * length * rate_);
+        if (orders < 2)
+          scale = std::max<Real>(
+              scale, abs(advances[k]) + abs(series.relative(k, orders)) + abs(angles[k]) * length * rate_);
       }
       ++orders;
       excess = std::max<Real>(last, earlier / 64) / (tolerance_ * Real(orders) * scale);
