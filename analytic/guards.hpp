@@ -68,8 +68,7 @@ void find_toppling(const Flow<Real, N>& flow, const std::array<Real, max_blocks>
   for (int k = 0; k < flow.start.pattern.size; ++k) {
     const auto block = static_cast<std::size_t>(k);
     const Polynomial<Real>& relative = flow.angles[block];
-    angle.terms = std::max(angle.terms, relative.terms);
-    for (std::size_t i = 0; i < relative.terms; ++i) angle[i] += relative[i];
+    add(relative, angle);
     if (abs(angle[0]) + reach(angle) < toppling_angles[block]) continue;
     Polynomial<Real> room = angle;
     for (Real& coefficient : room) coefficient *= angle[0] > 0 ? Real(-1) : Real(1);

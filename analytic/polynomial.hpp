@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -68,6 +69,12 @@ void rescale(Polynomial<Real>& polynomial, const Real& ratio) {
   }
 }
 
+template <class Real>
+void add(const Polynomial<Real>& summand, Polynomial<Real>& sum) {
+  sum.terms = std::max(sum.terms, summand.terms);
+  for (std::size_t i = 0; i < summand.terms; ++i) sum[i] += summand[i];
+}
+
 /// The quartic through values at s = 0, 1/4, 1/2, 3/4 and 1 (Newton's forward differences).
 template <class Real>
 Polynomial<Real> quartic_through(std::array<Real, 5> values) {
@@ -113,6 +120,28 @@ Halves<Real> halve(Polynomial<Real> coefficients) {
       coefficients[i] = (coefficients[i] + coefficients[i + 1]) / 2;
   }
   return halves;
+}
+
+/// The largest of `least` and all values on [0, 1], to rounding: the hull of a piece tells whether it may
+/// hold more.
+template <class Real>
+Real maximum(const Polynomial<Real>& polynomial, Real least) {
+  struct Search {
+    Real& best;
+
+    void operator()(const Polynomial<Real>& coefficients) const {
+      best = std::max({best, coefficients[0], coefficients[coefficients.terms - 1]});
+      const Real highest = *std::max_element(coefficients.begin(), coefficients.end());
+      using std::abs;
+      if (highest <= best + 4 * std::numeric_limits<Real>::epsilon() * abs(best)) return;
+      const auto halves = halve(coefficients);
+      (*this)(halves.left);
+      (*this)(halves.right);
+    }
+  };
+  if (polynomial.terms == 0 || polynomial[0] + reach(polynomial) <= least) return least;
+  Search{least}(bernstein(polynomial));
+  return least;
 }
 
 /// Where a polynomial that is positive on the left of its only sign change in (low, high) crosses zero:

@@ -50,6 +50,7 @@ class Solver {
     brief_ = Real(1e-4) / sqrt(rate_);
     demand_interval_ = Real(2e-3) / sqrt(rate_);
     history_.blocks = size;
+    if (options.peaks) history_.peaks.assign(static_cast<std::size_t>(size), Real(0));
     if (options.validity) {
       history_.forces.resize(static_cast<std::size_t>(size));
       history_.impulses.resize(static_cast<std::size_t>(size));
@@ -79,6 +80,7 @@ class Solver {
     const Next<Real> next = first_event(flow, toppling_angles_);
     record_samples(flow, next.s);
     if (options_.validity) note_forces(flow, piece, next.s);
+    if (options_.peaks) note_peaks(flow, next.s);
     state_ = flow.at(next.s);
     note_progress(next.s);
     if (flow.length >= remaining && next.s == 1) {
@@ -115,6 +117,20 @@ class Solver {
       if (fresh_.test(static_cast<std::size_t>(k)) && angle.terms > 2 &&
           angle[2] * Real(sign(state_.pattern[k])) < 0)
         angle[2] = 0;
+    }
+  }
+
+  /// The largest angles of a step up to s of its length.
+  void note_peaks(const Flow<Real, N>& flow, const Real& s) {
+    Polynomial<Real> angle;  // absolute
+    for (std::size_t k = 0; k < history_.peaks.size(); ++k) {
+      add(flow.angles[k], angle);
+      for (const Real side : {Real(1), Real(-1)}) {
+        Polynomial<Real> part = angle;
+        for (Real& coefficient : part) coefficient *= side;
+        rescale(part, s);
+        history_.peaks[k] = maximum(part, history_.peaks[k]);
+      }
     }
   }
 

@@ -5,7 +5,7 @@
 
 #include "plots/drawings.hpp"
 #include "plots/layout.hpp"
-#include "plots/table.hpp"
+#include "comparisons/table.hpp"
 
 namespace rockstack::plots {
 namespace {

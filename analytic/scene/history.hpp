@@ -63,6 +63,7 @@ struct BasicHistory {
   std::vector<Real> velocities;   ///< rad/s, times.size() × blocks
   std::vector<Pattern> patterns;  ///< times.size(), or empty
   std::vector<BasicEvent<Real>> events;
+  std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
   std::vector<BasicDemand<Real>> forces;    ///< one an interface, of the motion; empty unless asked for
   std::vector<BasicDemand<Real>> impulses;  ///< likewise, of the impacts
 

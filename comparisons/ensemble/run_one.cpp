@@ -8,12 +8,6 @@
 namespace rockstack {
 namespace {
 
-constexpr double sample_interval = 1e-3;  // s
-
-void raise(std::vector<double>& peaks, std::span<const double> angles) {
-  for (std::size_t k = 0; k < peaks.size(); ++k) peaks[k] = std::max(peaks[k], std::abs(angles[k]));
-}
-
 /// The worst of all interfaces.
 Demand worst(const std::vector<Demand>& demands) {
   Demand result;
@@ -31,13 +25,9 @@ bool is_impact(const Event& event) {
 }  // namespace
 
 RunOutcome run_one(const Scene& scene) {
-  const History history =
-      solve(scene, {.sample_times = regular_times(sample_interval, scene.duration), .validity = true});
+  const History history = solve(scene, {.validity = true, .peaks = true});
   RunOutcome outcome;
-  outcome.peaks.resize(scene.blocks.size());
-  // Peaks are those of close samples and of the events between them.
-  for (std::size_t i = 0; i < history.size(); ++i) raise(outcome.peaks, history.angles_at(i));
-  for (const Event& event : history.events) raise(outcome.peaks, event.angles);
+  outcome.peaks = history.peaks;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const double slenderness = std::atan2(scene.blocks[k].half_width, scene.blocks[k].half_height);
     outcome.peak_ratio = std::max(outcome.peak_ratio, outcome.peaks[k] / slenderness);

@@ -69,14 +69,10 @@ double kinetic_energy(const Model<double>& model, const State<double>& state) {
   return energy(model, state) - energy(model, {state.pattern, state.angles, 0 * state.velocities});
 }
 
-/// What happens to the energy in the frame of the ground between two events.
-struct Budget {
-  double work = 0;  ///< of the inertial force −m(ẍg, ÿg), J
-};
-
-Budget budget(const Scene& scene, const History& history, const Nodes& nodes, double from, double to) {
+/// Of the inertial force −m(ẍg, ÿg) in the frame of the ground, J.
+double work(const Scene& scene, const History& history, const Nodes& nodes, double from, double to) {
   const auto model = make_model<double>(scene);
-  Budget result;
+  double result = 0;
   const auto first = std::lower_bound(nodes.times.begin(), nodes.times.end(), from) - nodes.times.begin();
   for (auto i = static_cast<std::size_t>(first); i < history.size() && nodes.times[i] < to; ++i) {
     const State<double> state = state_of(history, i);
@@ -84,7 +80,7 @@ Budget budget(const Scene& scene, const History& history, const Nodes& nodes, do
                                acceleration(scene.vertical, nodes.times[i])};
     const auto speeds =
         centre_velocities(chain_at(model, state.pattern, state.angles), absolute(state.velocities));
-    result.work -= nodes.weights[i] * (speeds * model.stack.mass).dot(ground);
+    result -= nodes.weights[i] * (speeds * model.stack.mass).dot(ground);
   }
   return result;
 }
@@ -118,9 +114,9 @@ TEST(Balances, BetweenEventsEnergyChangesByTheWorkOfTheGround) {
       const Event& last = history.events[i];
       const double start = testing::energy_above_rest(scene, first.to, first.angles, first.after);
       const double end = testing::energy_above_rest(scene, last.from, last.angles, last.before);
-      const Budget span = budget(scene, history, nodes, first.time, last.time);
+      const double done = work(scene, history, nodes, first.time, last.time);
       // Of the work the rule leaves out (λh)⁶/2016000, below 1e-11 up to λ = 80/s; of the energy rounding.
-      ASSERT_NEAR(end - start, span.work, 1e-11 * (weight + kinetic))
+      ASSERT_NEAR(end - start, done, 1e-11 * (weight + kinetic))
           << "seed " << seed << " from " << first.time << " to " << last.time;
     }
   }

@@ -156,6 +156,21 @@ TEST(Polynomial, BernsteinFormKeepsEndsAndHalvesMeet) {
   }
 }
 
+TEST(Polynomial, TheMaximumIsThatOfAScanAndNoLess) {
+  std::mt19937_64 generator(5);
+  std::uniform_real_distribution<double> coefficient(-1, 1);
+  for (int i = 0; i < 1000; ++i) {
+    Quintic polynomial{0, 0, 0, 0, 0, 0};
+    for (double& c : polynomial) c = coefficient(generator);
+    double scanned = value(polynomial, 0.0);
+    for (int j = 1; j <= 1000; ++j) scanned = std::max(scanned, value(polynomial, j / 1000.0));
+    // A parabola of curvature below 2·(1 + 3 + 6 + 10) falls by 5e-6 in half a step of the scan.
+    EXPECT_GE(maximum(polynomial, -10.0), scanned - 1e-14);
+    EXPECT_LE(maximum(polynomial, -10.0), scanned + 40 * 0.5e-3 * 0.5e-3 / 2);
+    EXPECT_EQ(maximum(polynomial, 7.0), 7.0);  // six coefficients of size 1
+  }
+}
+
 TEST(Polynomial, QuarticThroughFivePointsIsTheQuartic) {
   std::mt19937_64 generator(4);
   std::uniform_real_distribution<double> coefficient(-1, 1);
