@@ -1,8 +1,27 @@
 #pragma once
 
+#include <vector>
+
 #include "analytic/flow.hpp"
+#include "analytic/scene/history.hpp"
 
 namespace rockstack {
+
+/// Where a gap or margin comes within rounding of zero and goes again, so that rounding decides whether it
+/// crosses; nothing where it clearly does, or clearly does not, and where the step starts or ends that close.
+template <class Real>
+std::optional<Real> grazing(const Polynomial<Real>& course) {
+  if (course.terms == 0) return std::nullopt;
+  const Real extent = reach(course);
+  const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (course[0] + extent);
+  if (course[0] - extent > rounding || course[0] <= rounding || value(course, Real(1)) <= rounding)
+    return std::nullopt;
+  Polynomial<Real> lower = course;
+  Polynomial<Real> higher = course;
+  lower[0] -= rounding;
+  higher[0] += rounding;
+  return first_crossing(higher) ? std::nullopt : first_crossing(lower);
+}
 
 /// What comes first within a step, at s of its length; nothing, at s = 1, where neither an interface closes
 /// or opens nor a block topples.
@@ -11,8 +30,9 @@ struct Next {
   Real s = 1;
   Interfaces closing;
   Interfaces opening;
-  Pattern opened;     ///< the sides that opening interfaces open to
-  int toppling = -1;  ///< block, from 0
+  Pattern opened;                        ///< the sides that opening interfaces open to
+  int toppling = -1;                     ///< block, from 0
+  std::vector<BasicGraze<Real>> grazes;  ///< with s of the step for the time
 
   bool happens() const { return closing.any() || opening.any() || toppling >= 0; }
 
@@ -20,7 +40,7 @@ struct Next {
   /// later.
   bool admit(const std::optional<Real>& crossing) {
     if (!crossing || *crossing > s) return false;
-    if (*crossing < s) *this = Next{*crossing, {}, {}, opened, -1};
+    if (*crossing < s) *this = Next{*crossing, {}, {}, opened, -1, std::move(grazes)};
     return true;
   }
 };
@@ -38,7 +58,9 @@ void find_closing(const Flow<Real, N>& flow, Next<Real>& next) {
   const Pattern& pattern = flow.start.pattern;
   for (int k = 0; k < pattern.size; ++k) {
     if (pattern[k] == Contact::closed) continue;
-    if (next.admit(first_crossing(gap(flow, k)))) next.closing.set(static_cast<std::size_t>(k));
+    const Polynomial<Real> course = gap(flow, k);
+    if (next.admit(first_crossing(course))) next.closing.set(static_cast<std::size_t>(k));
+    if (const auto s = grazing(course)) next.grazes.push_back({*s, EventKind::impact, k + 1});
   }
   if (next.closing.none()) return;
   // What rounding has carried past zero by then closes at the same time.
@@ -53,7 +75,9 @@ void find_opening(const Flow<Real, N>& flow, Next<Real>& next) {
   for (int k = 0; k < flow.start.pattern.size; ++k) {
     const auto& margin = flow.margins[static_cast<std::size_t>(k)];
     for (const Contact side : {Contact::right, Contact::left}) {
-      if (!next.admit(first_crossing(side == Contact::right ? margin.right : margin.left))) continue;
+      const Polynomial<Real>& course = side == Contact::right ? margin.right : margin.left;
+      if (const auto s = grazing(course)) next.grazes.push_back({*s, EventKind::opening, k + 1});
+      if (!next.admit(first_crossing(course))) continue;
       next.opening.set(static_cast<std::size_t>(k));
       next.opened[k] = side;
     }

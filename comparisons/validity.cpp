@@ -54,6 +54,11 @@ std::vector<std::string> validity_warnings(const Scene& scene, const History& hi
   std::vector<std::string> lines;
   add_warnings(scene, history.forces, "force", "N", lines);
   add_warnings(scene, history.impulses, "impulse", "N s", lines);
+  for (const auto& graze : history.grazes) {
+    lines.push_back(
+        fmt::format("interface {} grazes at t = {:.6g} s: rounding decides whether there is an {}",
+                    graze.interface, graze.time, name(graze.kind)));
+  }
   return lines;
 }
 

@@ -43,6 +43,15 @@ struct BasicEvent {
   Consistency consistency = Consistency::consistent;
 };
 
+/// A gap, or the margin of a closed interface, that touched zero to rounding: whether there was an impact, or
+/// an opening, the numbers cannot tell, and what follows depends on it.
+template <class Real>
+struct BasicGraze {
+  Real time{};        ///< s
+  EventKind kind{};   ///< of the event in doubt
+  int interface = 0;  ///< from 1
+};
+
 /// What an interface has to bear for the model to hold, over a whole history: it must push, and hold without
 /// slipping.
 template <class Real>
@@ -63,6 +72,7 @@ struct BasicHistory {
   std::vector<Real> velocities;   ///< rad/s, times.size() × blocks
   std::vector<Pattern> patterns;  ///< times.size(), or empty
   std::vector<BasicEvent<Real>> events;
+  std::vector<BasicGraze<Real>> grazes;  ///< events in doubt
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
   std::vector<BasicDemand<Real>> forces;    ///< one an interface, of the motion; empty unless asked for
   std::vector<BasicDemand<Real>> impulses;  ///< likewise, of the impacts

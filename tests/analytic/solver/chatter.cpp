@@ -90,5 +90,23 @@ TEST(Chatter, ABurstOfEventsStaysBelowTheProductOfWhatEachInterfaceTakesAlone) {
   EXPECT_GT(longest, 200U) << "the draws must include nested chatter";
 }
 
+// The base of the paper's example chatters to rest by 0.964 s; a second later the angles must feel no more of
+// how early the chatter was ended than the resolution.
+TEST(Chatter, EndingItEarlyMovesTheMotionByLessThanTheResolution) {
+  Scene scene = testing::paper_example();
+  scene.duration = 2;
+  const auto angles = [&](double resolution) {
+    const SolveOptions options{.sample_times = {1.5, 2.0}, .resolution = resolution};
+    return Solver<long double, 2>(scene, options).run().angles;
+  };
+  const auto exact = angles(1e-19);
+  for (const double resolution : {1e-6, 1e-8, 1e-10, 1e-12}) {
+    const auto ended = angles(resolution);
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      EXPECT_NEAR(static_cast<double>(ended[i] - exact[i]), 0, resolution) << resolution;
+    EXPECT_NE(ended[1], exact[1]) << resolution;
+  }
+}
+
 }  // namespace
 }  // namespace rockstack

@@ -141,8 +141,8 @@ Brackets brackets() {
 
 // Zhang & Makris print brackets of 0.01: topples from 3.00 … 3.01, safe from 6.32 … 6.33, topples from 7.17 …
 // 7.18. Their equations have 3.0186, 6.3181 and 7.1681, by closed form, step by step, and (the last) by the
-// condition below: within one unit of the last printed digit, but outside each bracket. The first two move by
-// 0.012 for a thousandth of the velocity ratio, so that a ratio printed as 0.9 does not fix their digits.
+// condition below: within one unit of the last printed digit, but outside each bracket; why is open. The
+// first two move by 0.012 for a thousandth of the velocity ratio, the third does not depend on it.
 void expect_brackets_of_the_linear_equations(const Brackets& found) {
   EXPECT_NEAR(found.first, 3.0186, 1e-4);
   EXPECT_NEAR(found.safe, 6.3181, 1e-4);
