@@ -22,10 +22,10 @@ namespace {
 std::vector<std::unique_ptr<Engine>> make_engines() {
   std::vector<std::unique_ptr<Engine>> list;
 #ifdef ROCKSTACK_WITH_BULLET
-  list.push_back(make_bullet());
+  for (auto& engine : make_bullet()) list.push_back(std::move(engine));
 #endif
 #ifdef ROCKSTACK_WITH_ODE
-  list.push_back(make_ode());
+  for (auto& engine : make_ode()) list.push_back(std::move(engine));
 #endif
   return list;
 }

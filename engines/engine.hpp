@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -8,12 +7,9 @@
 
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
+#include "engines/parameters.hpp"
 
 namespace rockstack {
-
-/// Every number that shapes an engine run, by the engine's own name for it; written into the results as it
-/// is.
-using Parameters = std::map<std::string, double>;
 
 /// A scene inside an engine, ready to step. Blocks count from 0, bottom to top.
 class Simulation {
@@ -40,11 +36,11 @@ class Engine {
   virtual std::string solver() const = 0;   ///< "sequential-impulse", "step", …
   virtual std::string version() const = 0;  ///< of the library in use, e.g. "3.24, double precision"
 
-  /// What a user gets who sets nothing but friction and restitution.
-  virtual Parameters default_parameters() const = 0;
-
-  /// The set that suits this problem best; the adapter's head says why for each.
-  virtual Parameters tuned_parameters() const = 0;
+  /// Every setting, with its value in either set: `default` is what a user gets who sets nothing but
+  /// friction and restitution, `tuned` suits this problem best; the adapter's head says why.
+  virtual std::vector<Setting> settings() const = 0;
+  Parameters default_parameters() const { return standard_values(settings()); }
+  Parameters tuned_parameters() const { return tuned_values(settings()); }
 
   /// The coefficient of friction that acts where a scene asks for `asked`; smaller where the engine has a
   /// limit.

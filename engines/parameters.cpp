@@ -23,42 +23,46 @@ bool allows(const Setting& setting, double value) {
   return inside && (!setting.whole || value == std::floor(value));
 }
 
-std::string names_of(std::span<const Setting> settings) {
+std::string names_of(const std::vector<Setting>& settings) {
   std::string names;
-  for (const Setting& setting : settings) names += (names.empty() ? "" : ", ") + std::string(setting.name);
+  for (const Setting& setting : settings) names += (names.empty() ? "" : ", ") + setting.name;
   return names;
 }
 
 }  // namespace
 
-Parameters standard_values(std::span<const Setting> settings) {
+Parameters standard_values(const std::vector<Setting>& settings) {
   Parameters values;
   for (const Setting& setting : settings) values[setting.name] = setting.standard;
   return values;
 }
 
-Parameters tuned_values(std::span<const Setting> settings) {
+Parameters tuned_values(const std::vector<Setting>& settings) {
   Parameters values;
   for (const Setting& setting : settings) values[setting.name] = setting.tuned;
   return values;
 }
 
-void check(const std::string& engine, std::span<const Setting> settings, const Parameters& given, double dt) {
+void check_value(const std::string& engine, const std::vector<Setting>& settings, const std::string& name,
+                 double value) {
+  const auto found = std::find_if(settings.begin(), settings.end(),
+                                  [&](const Setting& setting) { return setting.name == name; });
+  if (found == settings.end()) {
+    throw std::invalid_argument(
+        fmt::format("{}: {} = {}: no such parameter; there are {}", engine, name, value, names_of(settings)));
+  }
+  if (!allows(*found, value)) {
+    throw std::invalid_argument(
+        fmt::format("{}: {} = {}: must be {}", engine, name, value, range_of(*found)));
+  }
+}
+
+void check(const std::string& engine, const std::vector<Setting>& settings, const Parameters& given,
+           double dt) {
   if (!(dt > 0) || !std::isfinite(dt)) {
     throw std::invalid_argument(fmt::format("{}: dt = {}: must be a finite number > 0, in s", engine, dt));
   }
-  for (const auto& [name, value] : given) {
-    const auto same_name = [&key = name](const Setting& setting) { return key == setting.name; };
-    const auto found = std::find_if(settings.begin(), settings.end(), same_name);
-    if (found == settings.end()) {
-      throw std::invalid_argument(fmt::format("{}: {} = {}: no such parameter; there are {}", engine, name,
-                                              value, names_of(settings)));
-    }
-    if (!allows(*found, value)) {
-      throw std::invalid_argument(
-          fmt::format("{}: {} = {}: must be {}", engine, name, value, range_of(*found)));
-    }
-  }
+  for (const auto& [name, value] : given) check_value(engine, settings, name, value);
   for (const Setting& setting : settings) {
     if (given.count(setting.name) != 0) continue;
     throw std::invalid_argument(

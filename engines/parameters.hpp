@@ -1,29 +1,37 @@
 #pragma once
 
-#include <span>
+#include <map>
 #include <string>
-
-#include "engines/engine.hpp"
+#include <vector>
 
 namespace rockstack {
+
+/// Every number that shapes an engine run, by the engine's own name for it; written into the results as it
+/// is.
+using Parameters = std::map<std::string, double>;
 
 /// One setting of an engine: its own name for it, what the engine starts with, what suits rocking blocks
 /// best, and the range an adapter takes.
 struct Setting {
-  const char* name;
-  double standard;
-  double tuned;
-  double least;
-  double most;
+  std::string name;
+  double standard = 0;
+  double tuned = 0;
+  double least = 0;
+  double most = 0;
   bool whole = false;  ///< only whole numbers
 };
 
-Parameters standard_values(std::span<const Setting> settings);
-Parameters tuned_values(std::span<const Setting> settings);
+Parameters standard_values(const std::vector<Setting>& settings);
+Parameters tuned_values(const std::vector<Setting>& settings);
+
+/// Checks one value. @throws std::invalid_argument naming the engine, the setting, its value and what is
+/// allowed: unknown or out of range.
+void check_value(const std::string& engine, const std::vector<Setting>& settings, const std::string& name,
+                 double value);
 
 /// Checks what Engine::start was given.
-/// @throws std::invalid_argument naming the engine, the setting, its value and what is allowed: unknown,
-/// missing or out of range; dt not finite or ≤ 0.
-void check(const std::string& engine, std::span<const Setting> settings, const Parameters& given, double dt);
+/// @throws std::invalid_argument as above, or for one that is missing; dt not finite or ≤ 0.
+void check(const std::string& engine, const std::vector<Setting>& settings, const Parameters& given,
+           double dt);
 
 }  // namespace rockstack

@@ -77,8 +77,7 @@ class Failing : public Engine {
   std::string name() const override { return "failing"; }
   std::string solver() const override { return "none"; }
   std::string version() const override { return "1"; }
-  Parameters default_parameters() const override { return {}; }
-  Parameters tuned_parameters() const override { return {}; }
+  std::vector<Setting> settings() const override { return {}; }
   std::unique_ptr<Simulation> start(const Scene&, double, const Parameters&) const override {
     throw std::runtime_error("broken on purpose");
   }

