@@ -67,6 +67,14 @@ Json statements_json(const std::vector<Suite>& suites) {
   return list;
 }
 
+std::vector<const EngineSeries*> all_series(const std::vector<Suite>& suites) {
+  std::vector<const EngineSeries*> list;
+  for (const Suite& suite : suites) {
+    for (const EngineSeries& series : suite.series) list.push_back(&series);
+  }
+  return list;
+}
+
 Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& rows,
                      const std::string& command) {
   Json json;
@@ -89,7 +97,7 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& r
   for (const Column& column : columns()) json["definitions"][column.name] = column.definition;
   json["tolerance_rad"] = suites.front().tolerance;
   json["left_out"] = engines_left_out();
-  json["environment"] = environment();
+  json["environment"] = environment(all_series(suites));
   json["command"] = command;
   json["statements"] = statements_json(suites);
   json["rows"] = Json::array();

@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "comparisons/build.hpp"
-#include "engines/engine.hpp"
 
 namespace rockstack {
 namespace {
@@ -22,7 +21,7 @@ std::string processor() {
 
 }  // namespace
 
-std::map<std::string, std::string> environment() {
+std::map<std::string, std::string> environment(const std::vector<const EngineSeries*>& series) {
   std::map<std::string, std::string> facts{
       {"rockstack", build::version},
       {"compiler", build::compiler},
@@ -30,7 +29,7 @@ std::map<std::string, std::string> environment() {
       {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
       {"processor", processor()},
   };
-  for (const auto& engine : engines()) facts[engine->name()] = engine->version();
+  for (const EngineSeries* one : series) facts[one->engine->name()] = one->engine->version();
   return facts;
 }
 

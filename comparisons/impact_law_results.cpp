@@ -172,7 +172,9 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
                                {"parameters", series.parameters}});
   }
   json["left_out"] = engines_left_out();
-  json["environment"] = environment();
+  std::vector<const EngineSeries*> asked;
+  for (const EngineSeries& series : study.series) asked.push_back(&series);
+  json["environment"] = environment(asked);
   json["command"] = command;
   return json;
 }

@@ -11,6 +11,7 @@
 #include "analytic/solve.hpp"
 #include "comparisons/environment.hpp"
 #include "comparisons/files.hpp"
+#include "comparisons/stepping_time.hpp"
 #include "comparisons/validity.hpp"
 
 namespace rockstack {
@@ -21,13 +22,13 @@ using Json = nlohmann::ordered_json;
 constexpr double sample_interval = 1e-3;  // of histories that have no step of their own, s
 
 Json summary(const Row& row, const NamedScene& scene, const Parameters& parameters,
-             const std::string& command) {
+             const std::vector<const EngineSeries*>& series, const std::string& command) {
   Json json;
   for (const Column& column : columns()) json[column.name] = column.cell(row);
   json["title"] = scene.scene.title;
   json["parameters"] = parameters;
   json["scene_file"] = scene.text;
-  json["environment"] = environment();
+  json["environment"] = environment(series);
   json["command"] = command;
   return json;
 }
@@ -75,6 +76,7 @@ SteppingTime time_solving(const Scene& scene, int repeats) {
 void set_time(const SteppingTime& time, Row& row) {
   row.stepping_time_minimum = time.minimum;
   row.stepping_time_median = time.median;
+  row.stepping_time_spread = time.spread;
   row.repeats = time.repeats;
 }
 
@@ -93,7 +95,7 @@ Json run_exact(const Job& job, const std::filesystem::path& folder, Row& row, co
   row.toppled = toppled(history);
   set_time(time_solving(scene, job.suite.repeats), row);
   write_history(folder, history);
-  Json json = summary(row, job.scene, {}, command);
+  Json json = summary(row, job.scene, {}, {}, command);
   add_validity(scene, history, json);
   return json;
 }
@@ -127,7 +129,7 @@ Json run_variant(const Job& job, const std::filesystem::path& folder, Row& row, 
   row.toppled = toppled(history);
   compare_with_exact(job, history, reported_impacts(history, chatter_speed(scene)), folder, row);
   set_time(time_solving(scene, job.suite.repeats), row);
-  Json json = summary(row, job.scene, {}, command);
+  Json json = summary(row, job.scene, {}, {}, command);
   add_validity(scene, history, json);
   return json;
 }
@@ -135,13 +137,21 @@ Json run_variant(const Job& job, const std::filesystem::path& folder, Row& row, 
 Json run_engine(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
   const Scene& scene = job.scene.scene;
   const EngineSeries& series = *job.series;
-  const auto [history, warnings] = simulate(*series.engine, scene, job.dt, series.parameters);
-  row.steps = static_cast<int>(history.size() - 1);
-  row.warnings = static_cast<int>(warnings);
-  row.toppled = toppled(scene, history);
-  compare_with_exact(job, history, observed_impacts(history, chatter_speed(scene)), folder, row);
-  set_time(time_stepping(*series.engine, scene, job.dt, series.parameters, job.suite.repeats), row);
-  return summary(row, job.scene, all_parameters(series, scene), command);
+  const WorkerRun made =
+      run_in_worker(*series.engine, scene, job.dt, series.parameters, job.suite.repeats, job.suite.limits);
+  row.processor_time = made.processor_time;
+  if (made.peak_memory > 0) row.peak_memory = made.peak_memory;
+  row.status = made.status;
+  row.reason = made.reason;
+  if (made.status == "done") {
+    const auto& [history, warnings] = made.run;
+    row.steps = static_cast<int>(history.size() - 1);
+    row.warnings = static_cast<int>(warnings);
+    row.toppled = toppled(scene, history);
+    compare_with_exact(job, history, observed_impacts(history, chatter_speed(scene)), folder, row);
+    set_time(stepping_time(made.seconds), row);
+  }
+  return summary(row, job.scene, all_parameters(series, scene), {&series}, command);
 }
 
 }  // namespace
@@ -175,7 +185,7 @@ Row measure(const Job& job, const std::filesystem::path& folder, const std::stri
     row = describe(job);
     row.status = "failed";
     row.reason = failure.what();
-    json = summary(row, job.scene, {}, command);
+    json = summary(row, job.scene, {}, {}, command);
   }
   write_file(own / "summary.json", json.dump(2) + "\n");
   return row;
@@ -189,7 +199,7 @@ History solve_into(const NamedScene& scene, const SolveOptions& options, const s
   row.solver = baseline ? "rk4" : "taylor";
   row.toppled = toppled(history);
   write_history(folder, history);
-  Json json = summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, command);
+  Json json = summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, {}, command);
   add_validity(scene.scene, history, json);
   write_file(folder / "summary.json", json.dump(2) + "\n");
   return history;
@@ -204,7 +214,7 @@ History simulate_into(const NamedScene& scene, const EngineSeries& series, doubl
   row.toppled = toppled(scene.scene, history);
   write_history(folder, history);
   const Parameters parameters = all_parameters(series, scene.scene);
-  write_file(folder / "summary.json", summary(row, scene, parameters, command).dump(2) + "\n");
+  write_file(folder / "summary.json", summary(row, scene, parameters, {&series}, command).dump(2) + "\n");
   return std::move(history);
 }
 

@@ -17,11 +17,14 @@ namespace rockstack {
 struct Row {
   std::string run, scene, engine, solver, settings;
   std::optional<double> dt;                                              ///< s
-  std::string status = "done";                                           ///< or "failed"
-  std::string reason;                                                    ///< why it failed
+  std::string status = "done";                                           ///< or why not, see columns()
+  std::string reason;                                                    ///< in full
   std::optional<int> steps;                                              ///< number of time steps
   std::optional<double> stepping_time_minimum, stepping_time_median;     ///< s
+  std::optional<double> stepping_time_spread;                            ///< s
   std::optional<int> repeats;                                            ///< timed runs
+  std::optional<double> processor_time;                                  ///< s
+  std::optional<double> peak_memory;                                     ///< bytes
   std::optional<double> largest_angle_difference, rms_angle_difference;  ///< rad
   std::optional<double> first_impact_time_difference;                    ///< s
   std::optional<int> impacts_matched, impacts_missed, impacts_extra;

@@ -28,6 +28,11 @@ double positive(const Node& node) {
   return node.number;
 }
 
+std::uint64_t mebibytes(const Node& node) {
+  if (!(number(node) >= 64 && node.number <= 1e9)) throw wrong_value(node, "a number of MiB from 64 to 1e9");
+  return static_cast<std::uint64_t>(node.number * 1048576);
+}
+
 std::vector<double> read_steps(const Node& table) {
   const Node* node = find(table, "dt");
   if (node == nullptr) return default_steps;
@@ -71,7 +76,7 @@ PaperScenes read_statements(const Node& table, const Suite& suite) {
   return {scene("free"), scene("shaken")};
 }
 
-const Engine& read_engine(const Node& name) {
+const WorkerEngine& read_engine(const Node& name) {
   try {
     return find_engine(text(name));
   } catch (const InputError& error) {
@@ -79,14 +84,41 @@ const Engine& read_engine(const Node& name) {
   }
 }
 
+/// Every combination of the values of [engines.parameters], each a number or an array of numbers.
+std::vector<Parameters> read_changes(const Node& table, const WorkerEngine& engine) {
+  std::vector<Parameters> list{{}};
+  const Node* node = find(table, "parameters");
+  if (node == nullptr) return list;
+  if (node->kind != Node::Kind::table) throw wrong_value(*node, "a table of the engine's parameters");
+  for (const Node& child : node->children) {
+    const bool several = child.kind == Node::Kind::array;
+    std::vector<Parameters> extended;
+    for (const double value : several ? numbers(child) : std::vector<double>{number(child)}) {
+      try {
+        check_value(engine.name(), engine.settings(), child.name, value);
+      } catch (const std::invalid_argument& error) {
+        throw InputError(fmt::format("{}: {}", child.place, error.what()));
+      }
+      for (Parameters changes : list) {
+        changes[child.name] = value;
+        extended.push_back(std::move(changes));
+      }
+    }
+    list = std::move(extended);
+  }
+  return list;
+}
+
 std::vector<EngineSeries> read_series(const Node& table) {
-  require_table(table, {"name", "settings", "dt"});
+  require_table(table, {"name", "settings", "dt", "parameters"});
   const Node& name = required(table, "name", "an engine, e.g. \"bullet\"");
   if (left_out(text(name))) return {};
-  const Engine& engine = read_engine(name);
+  const WorkerEngine& engine = read_engine(name);
   std::vector<EngineSeries> list;
   for (const std::string& settings : read_settings(table)) {
-    list.push_back(make_series(engine, settings, read_steps(table)));
+    for (const Parameters& changes : read_changes(table, engine)) {
+      list.push_back(make_series(engine, settings, read_steps(table), changes));
+    }
   }
   return list;
 }
@@ -101,9 +133,17 @@ Scene Variant::apply(Scene scene) const {
   return scene;
 }
 
-EngineSeries make_series(const Engine& engine, const std::string& settings, std::vector<double> steps) {
-  return {&engine, settings, settings == "tuned" ? engine.tuned_parameters() : engine.default_parameters(),
-          std::move(steps)};
+EngineSeries make_series(const WorkerEngine& engine, const std::string& settings, std::vector<double> steps,
+                         const Parameters& changes) {
+  EngineSeries series{&engine, settings,
+                      settings == "tuned" ? engine.tuned_parameters() : engine.default_parameters(),
+                      std::move(steps)};
+  for (const auto& [name, value] : changes) {
+    check_value(engine.name(), engine.settings(), name, value);
+    series.parameters[name] = value;
+    series.settings += fmt::format("+{}={}", name, value);
+  }
+  return series;
 }
 
 const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name) {
@@ -137,7 +177,8 @@ bool is_study(const std::filesystem::path& file) {
 
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
-  require_table(root, {"title", "scenes", "variants", "engines", "tolerance", "repeats", "statements"});
+  require_table(root, {"title", "scenes", "variants", "engines", "tolerance", "repeats", "statements", "time_limit",
+                       "memory_limit"});
   Suite suite;
   suite.title = text(required(root, "title", "a text"));
   for (const Node& scene : required(root, "scenes", "an array of scene files").children) {
@@ -149,6 +190,8 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
     suite.repeats = static_cast<int>(number(*node));
     if (suite.repeats != number(*node) || suite.repeats < 1) throw wrong_value(*node, "a whole number ≥ 1");
   }
+  if (const Node* node = find(root, "time_limit")) suite.limits.time = positive(*node);
+  if (const Node* node = find(root, "memory_limit")) suite.limits.memory = mebibytes(*node);
   if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);
   suite.series = read_engines(root);
   if (const Node* table = find(root, "statements")) suite.statements = read_statements(*table, suite);
@@ -180,9 +223,12 @@ Suite suite_for(NamedScene scene) {
   Suite suite;
   suite.title = scene.scene.title;
   suite.scenes.push_back(std::move(scene));
-  for (const auto& engine : engines()) {
+  const WorkerEngine* last = nullptr;
+  for (const WorkerEngine& engine : engines()) {
+    if (last != nullptr && last->name() == engine.name()) continue;
+    last = &engine;
     for (const char* settings : {"default", "tuned"}) {
-      suite.series.push_back(make_series(*engine, settings, default_steps));
+      suite.series.push_back(make_series(engine, settings, default_steps));
     }
   }
   return suite;

@@ -7,7 +7,7 @@
 
 #include "analytic/scene/document.hpp"
 #include "analytic/scene/scene.hpp"
-#include "engines/engine.hpp"
+#include "engines/registry.hpp"
 
 namespace rockstack {
 
@@ -20,8 +20,8 @@ struct NamedScene {
 
 /// One engine with one set of parameters, at several time steps.
 struct EngineSeries {
-  const Engine* engine = nullptr;
-  std::string settings;  ///< "default" or "tuned"
+  const WorkerEngine* engine = nullptr;
+  std::string settings;  ///< "default" or "tuned", and what is changed of it: "tuned+erp=0.2"
   Parameters parameters;
   std::vector<double> steps;  ///< s
 };
@@ -35,8 +35,10 @@ struct Variant {
   Scene apply(Scene scene) const;
 };
 
-/// An engine with its "default" or "tuned" parameters.
-EngineSeries make_series(const Engine& engine, const std::string& settings, std::vector<double> steps);
+/// An engine with its "default" or "tuned" parameters, some of them changed.
+/// @throws std::invalid_argument for a changed parameter that the engine does not have or take.
+EngineSeries make_series(const WorkerEngine& engine, const std::string& settings, std::vector<double> steps,
+                         const Parameters& changes = {});
 
 /// The names of the scenes that stand for the paper's two numerical examples.
 struct PaperScenes {
@@ -53,6 +55,7 @@ struct Suite {
   std::optional<PaperScenes> statements;  ///< where the suite is held against what the paper says
   double tolerance = 0.01;                ///< up to which histories agree, rad
   int repeats = 5;                        ///< timed runs after the warm-up
+  Limits limits;                          ///< of each engine run
 };
 
 /// The scene of that name. Precondition: it is there.
@@ -81,7 +84,8 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
 /// suite that has one. @throws InputError as read_record(), or where no scene has one.
 void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::path& record);
 
-/// The suite for a single scene: every engine of this build, default and tuned, at 1e-2, 1e-3 and 1e-4 s.
+/// The suite for a single scene: the first solver of every engine of this
+/// build, default and tuned, at 1e-2, 1e-3 and 1e-4 s.
 Suite suite_for(NamedScene scene);
 
 }  // namespace rockstack

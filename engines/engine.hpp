@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -27,12 +28,13 @@ class Simulation {
   virtual std::size_t warnings() const { return 0; }
 };
 
-/// A physics engine with one of its constraint solvers.
+/// A physics engine with one of its constraint solvers, inside this process: what worker programs run
+/// (engines/worker) and tests look into.
 class Engine {
  public:
   virtual ~Engine() = default;
 
-  virtual std::string name() const = 0;     ///< "bullet", "ode"
+  virtual std::string name() const = 0;     ///< "bullet", "bullet-single", "ode"
   virtual std::string solver() const = 0;   ///< "sequential-impulse", "step", …
   virtual std::string version() const = 0;  ///< of the library in use, e.g. "3.24, double precision"
 
@@ -52,38 +54,25 @@ class Engine {
                                             const Parameters& parameters) const = 0;
 };
 
-/// The engines this program was built with. Those switched off are not there.
-const std::vector<std::unique_ptr<Engine>>& engines();
-
-/// Finds "bullet", "ode" or "bullet:sequential-impulse"; without a solver, the engine's first.
-/// @throws InputError naming what was asked for, what is there and what this build leaves out.
-const Engine& find_engine(const std::string& name);
-
-/// Names of engines that were left out when this program was built.
-std::vector<std::string> engines_left_out();
-
 /// What an engine made of a scene.
 struct EngineRun {
   History history;  ///< the state at t = 0 and after every step; ends early where a block has toppled
   std::size_t warnings = 0;  ///< as Simulation::warnings()
 };
 
-/// Runs a scene for its duration.
-/// @throws std::runtime_error with the time at which an angle stopped being finite, or the engine's own
-/// error.
-EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters);
-
-/// Wall time of stepping alone, without building or reading, in s.
-struct SteppingTime {
-  double minimum = 0;
-  double median = 0;
-  int repeats = 0;  ///< after one warm-up run that is not counted
+/// A block's angle or angular velocity stopped being a finite number.
+class NotFinite : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
-/// The summary of timed runs, at least one, s.
-SteppingTime stepping_time(std::vector<double> seconds);
+/// Runs a scene for its duration in this process.
+/// @throws NotFinite with the time at which that happened, or the engine's own error.
+EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters);
 
-SteppingTime time_stepping(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters,
-                           int repeats);
+/// Wall times of that many steps alone, without building or reading, in s: one each of `repeats` runs ≥ 0.
+/// Precondition: the scene has been simulated before, as a warm-up and to know after how many steps it ends.
+std::vector<double> time_stepping(const Engine& engine, const Scene& scene, double dt,
+                                  const Parameters& parameters, std::size_t steps, int repeats);
 
 }  // namespace rockstack

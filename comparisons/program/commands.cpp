@@ -94,7 +94,7 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
 
 int simulate_command(const SimulateArguments& arguments, const Common& common) {
   require_positive_option("--dt", arguments.dt);
-  const Engine& engine = find_engine(arguments.engine);
+  const WorkerEngine& engine = find_engine(arguments.engine);
   const auto scene = read_named_scene(find_file(arguments.scene, build::scenes), common.overrides);
   prepare_folder(arguments.out);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt});
@@ -119,7 +119,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   draw(arguments.out);
 #endif
   print_rows(rows, arguments.out, common);
-  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.status == "failed"; }) ? 1 : 0;
+  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.status != "done"; }) ? 1 : 0;
 }
 
 int plot_command(const std::filesystem::path& results, const Common& common) {
@@ -145,8 +145,8 @@ int plot_command(const std::filesystem::path& results, const Common& common) {
 int list_command(const std::string& what, const Common& common) {
   std::vector<std::string> names;
   if (what == "engines") {
-    for (const auto& engine : engines()) {
-      names.push_back(fmt::format("{}:{}  {}", engine->name(), engine->solver(), engine->version()));
+    for (const WorkerEngine& engine : engines()) {
+      names.push_back(fmt::format("{}:{}  {}", engine.name(), engine.solver(), engine.version()));
     }
     for (const std::string& name : engines_left_out()) names.push_back(name + "  left out of this build");
   } else {

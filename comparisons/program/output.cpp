@@ -20,9 +20,9 @@ std::string cell(const std::optional<Value>& value, fmt::format_string<const Val
 }
 
 void print_row(const Row& row) {
-  if (row.status == "failed") {
-    fmt::print("{:<26} {:<8} {:>7} failed: {}\n", row.engine + ":" + row.solver, row.settings,
-               cell(row.dt, "{}"), row.reason);
+  if (row.status != "done") {
+    fmt::print("{:<26} {:<8} {:>7} {}: {}\n", row.engine + ":" + row.solver, row.settings,
+               cell(row.dt, "{}"), row.status, row.reason);
     return;
   }
   const std::string impacts = row.impacts_matched ? fmt::format("{}/{}/{}", *row.impacts_matched,

@@ -125,7 +125,7 @@ void write_results(const MeasuredRecord& record, Json json, const RecordArgument
                    const Common& common) {
   json["spectrum_damping"] = spectrum_damping;
   json["command"] = common.command;
-  json["environment"] = environment();
+  json["environment"] = environment({});
   write_file(arguments.out / "record.csv", record_csv(record.motion));
   write_file(arguments.out / "spectrum.csv", spectrum_csv(record.motion));
   write_file(arguments.out / "record.json", json.dump(2) + "\n");

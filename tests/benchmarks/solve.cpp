@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "analytic/solve.hpp"
-#include "engines/engine.hpp"
+#include "tests/engines/linked_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -37,8 +37,9 @@ void stepping(benchmark::State& state, const Engine& engine) {
 }
 
 const bool registered = [] {
-  for (const auto& engine : engines()) {
-    benchmark::RegisterBenchmark(engine->name().c_str(), stepping, std::cref(*engine))
+  for (const auto& engine : linked_engines()) {
+    benchmark::RegisterBenchmark((engine->name() + ":" + engine->solver()).c_str(), stepping,
+                                 std::cref(*engine))
         ->Arg(1000)
         ->Unit(benchmark::kMillisecond);
   }

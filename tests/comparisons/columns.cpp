@@ -7,7 +7,7 @@
 #include "analytic/dynamics.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/difference.hpp"
-#include "engines/engine.hpp"
+#include "engines/registry.hpp"
 
 // Columns of more blocks than the paper's two.
 
@@ -104,10 +104,10 @@ TEST(Columns, LandAsOneBlockUnderBothLaws) {
   }
 }
 
-class ColumnsInEngine : public testing::TestWithParam<const Engine*> {};
+class ColumnsInEngine : public testing::TestWithParam<const WorkerEngine*> {};
 
 /// The largest angle difference between an engine and the exact solution, rad.
-double apart(const Engine& engine, const Scene& scene, double dt) {
+double apart(const WorkerEngine& engine, const Scene& scene, double dt) {
   const History history = simulate(engine, scene, dt, engine.tuned_parameters()).history;
   return largest(difference(solve(scene, {.sample_times = history.times}), history));
 }
@@ -137,17 +137,21 @@ TEST_P(ColumnsInEngine, EightShakenDrumsAreNearerToLawConsistent) {
   EXPECT_LT(consistent, apart(*GetParam(), scene, 1e-3));
 }
 
-std::vector<const Engine*> first_solvers() {
-  std::vector<const Engine*> list;
-  for (const auto& engine : engines()) {
-    if (list.empty() || list.back()->name() != engine->name()) list.push_back(engine.get());
+std::vector<const WorkerEngine*> first_solvers() {
+  std::vector<const WorkerEngine*> list;
+  for (const WorkerEngine& engine : engines()) {
+    if (list.empty() || list.back()->name() != engine.name()) list.push_back(&engine);
   }
   return list;
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ColumnsInEngine);
 INSTANTIATE_TEST_SUITE_P(Engines, ColumnsInEngine, testing::ValuesIn(first_solvers()),
-                         [](const auto& engine) { return engine.param->name(); });
+                         [](const auto& engine) {
+                           std::string name = engine.param->name();
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace rockstack

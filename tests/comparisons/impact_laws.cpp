@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analytic/scene/input_error.hpp"
@@ -147,7 +148,7 @@ TEST(ImpactLaws, ASquatTopThatFallsBackLiftsTheBaseOnlyUnderLawConsistent) {
   ASSERT_EQ(clear_cases({squat}, 0.1).size(), 1U);
 }
 
-class ImpactLawsInEngine : public testing::TestWithParam<const Engine*> {};
+class ImpactLawsInEngine : public testing::TestWithParam<const WorkerEngine*> {};
 
 // The laws' velocities are 0.16 of the rate before apart. An engine's impact comes up to a step early or
 // late, and then velocities miss gravity's share of a step, some g dt/H: with dt = 1e-4 s, 5e-4 rad/s or 1e-3
@@ -185,17 +186,21 @@ TEST(ImpactLaws, ErrorsOfAStudyNameLineKeyAndWhatIsAllowed) {
   EXPECT_TRUE(error_of("study = \"other\"\n").starts_with("study.toml:1: study = \"other\": must be"));
 }
 
-std::vector<const Engine*> first_solvers() {
-  std::vector<const Engine*> list;
-  for (const auto& engine : engines()) {
-    if (list.empty() || list.back()->name() != engine->name()) list.push_back(engine.get());
+std::vector<const WorkerEngine*> first_solvers() {
+  std::vector<const WorkerEngine*> list;
+  for (const WorkerEngine& engine : engines()) {
+    if (list.empty() || list.back()->name() != engine.name()) list.push_back(&engine);
   }
   return list;
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ImpactLawsInEngine);
 INSTANTIATE_TEST_SUITE_P(Engines, ImpactLawsInEngine, testing::ValuesIn(first_solvers()),
-                         [](const auto& engine) { return engine.param->name(); });
+                         [](const auto& engine) {
+                           std::string name = engine.param->name();
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace rockstack

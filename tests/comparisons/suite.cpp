@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "analytic/scene/input_error.hpp"
 #include "comparisons/compare.hpp"
@@ -71,35 +72,63 @@ TEST(Suites, OverridesReachEveryScene) {
   EXPECT_EQ(read_suite(file, {"gravity=1.62"}).scenes.at(0).scene.gravity, 1.62);
 }
 
-/// An engine that fails in the middle of a run.
-class Failing : public Engine {
- public:
-  std::string name() const override { return "failing"; }
-  std::string solver() const override { return "none"; }
-  std::string version() const override { return "1"; }
-  std::vector<Setting> settings() const override { return {}; }
-  std::unique_ptr<Simulation> start(const Scene&, double, const Parameters&) const override {
-    throw std::runtime_error("broken on purpose");
-  }
-};
+TEST(Suites, ParametersAreChangedOneSeriesEachCombination) {
+  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  const WorkerEngine& engine = engines().front();
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n[[engines]]\nname = \"" +
+                           engine.name() + "\"\nsettings = [\"tuned\"]\n[engines.parameters]\n";
+  const std::string name = engine.settings().front().name;
+  const Suite suite = read_suite(folder.write("suite.toml", head + name + " = [2, 3]\n"), {});
+  ASSERT_EQ(suite.series.size(), 2U);
+  Parameters expected = engine.tuned_parameters();
+  expected[name] = 3;
+  EXPECT_EQ(suite.series[1].parameters, expected);
+  EXPECT_EQ(suite.series[1].settings, "tuned+" + name + "=3");
+  EXPECT_TRUE(
+      error_of(head + "wishes = 1\n").starts_with("suite.toml:7: " + engine.name() + ": wishes = 1: no"));
+  EXPECT_TRUE(error_of(head + name + " = -1\n")
+                  .starts_with("suite.toml:7: " + engine.name() + ": " + name + " = -1: must be"));
+}
+
+TEST(Suites, LimitsAreRead) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
+  const Suite suite =
+      read_suite(folder.write("suite.toml", head + "time_limit = 7.5\nmemory_limit = 512\n"), {});
+  EXPECT_EQ(suite.limits.time, 7.5);
+  EXPECT_EQ(suite.limits.memory, std::uint64_t{512} << 20);
+  EXPECT_TRUE(error_of(head + "memory_limit = 1\n").starts_with("suite.toml:3: memory_limit = 1: must be"));
+}
 
 TEST(Compare, AFailingRunCostsItsOwnRow) {
   const TemporaryFolder folder;
   Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
   suite.repeats = 1;
-  const Failing failing;
+  suite.limits.time = 1;
   for (EngineSeries& series : suite.series) series.steps = {1e-2};
-  suite.series.insert(suite.series.begin(), make_series(failing, "default", {1e-2}));
+  const std::vector<WorkerEngine> faulty = engines_of(FAULTY_WORKER);
+  const std::map<std::string, std::string> expected{{"fine", "done"},
+                                                    {"throw", "failed"},
+                                                    {"abort", "signal"},
+                                                    {"not-finite", "not finite"},
+                                                    {"loop", "time limit"}};
+  for (const WorkerEngine& engine : faulty) {
+    if (expected.count(engine.solver()) == 0) continue;
+    suite.series.insert(suite.series.begin(), make_series(engine, "default", {1e-2}));
+  }
   std::vector<std::string> started;
   const auto rows =
       compare({suite}, folder.path(), "rockstack compare",
               [&](std::size_t, std::size_t, const std::string& run) { started.push_back(run); });
   ASSERT_EQ(rows.size(), suite.series.size() + 1);
   EXPECT_EQ(started.size(), rows.size());
-  EXPECT_EQ(rows[1].status, "failed");
-  EXPECT_EQ(rows[1].reason, "broken on purpose");
   for (const Row& row : rows) {
-    EXPECT_EQ(row.status, row.engine == "failing" ? "failed" : "done") << row.reason;
+    EXPECT_EQ(row.status, row.engine == "faulty" ? expected.at(row.solver) : "done") << row.run << row.reason;
+    EXPECT_EQ(row.reason.empty(), row.status == "done") << row.run;
+    EXPECT_EQ(row.rms_angle_difference.has_value(), row.status == "done" && row.engine != "exact") << row.run;
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs" / row.run / "summary.json"));
   }
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "comparison.csv"));

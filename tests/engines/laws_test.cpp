@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "analytic/scene/scene.hpp"
-#include "engines/engine.hpp"
+#include "tests/engines/linked_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -28,7 +28,7 @@ struct Setup {
 
 std::vector<Setup> setups() {
   std::vector<Setup> list;
-  for (const auto& engine : engines()) {
+  for (const auto& engine : linked_engines()) {
     list.push_back({engine.get(), false});
     list.push_back({engine.get(), true});
   }

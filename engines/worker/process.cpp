@@ -1,0 +1,187 @@
+#include "engines/worker/process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+namespace rockstack {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool limits_memory = false;
+#else
+constexpr bool limits_memory = true;
+#endif
+
+constexpr int no_program = 127;  ///< exit code of a child that could not become the program
+
+[[noreturn]] void fail(const char* what) {
+  throw std::runtime_error(fmt::format("{}: {}", what, std::strerror(errno)));
+}
+
+/// An open file that closes itself and that no other program inherits.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {
+    if (number < 0) fail("no descriptor for a worker");
+  }
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&&) = delete;
+  ~Descriptor() { close(); }
+  int get() const { return number_; }
+  void close() {
+    if (number_ >= 0) ::close(std::exchange(number_, -1));
+  }
+
+ private:
+  int number_;
+};
+
+/// Out of the way of the numbers that the child gives to its own files.
+Descriptor high(int number) {
+  const Descriptor low(number);
+  return Descriptor(fcntl(low.get(), F_DUPFD_CLOEXEC, 10));
+}
+
+Descriptor memory_file(std::string_view content) {
+  Descriptor file = high(memfd_create("rockstack", MFD_CLOEXEC));
+  while (!content.empty()) {
+    const ssize_t written = write(file.get(), content.data(), content.size());
+    if (written <= 0) fail("no memory for a worker's input");
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  lseek(file.get(), 0, SEEK_SET);
+  return file;
+}
+
+std::string content(const Descriptor& file) {
+  std::string bytes(static_cast<std::size_t>(std::max<off_t>(lseek(file.get(), 0, SEEK_END), 0)), '\0');
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t read =
+        pread(file.get(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
+    if (read <= 0) fail("a worker's reply cannot be read");
+    done += static_cast<std::size_t>(read);
+  }
+  return bytes;
+}
+
+/// The last line that holds anything of what waits in a pipe.
+std::string last_line(const Descriptor& pipe) {
+  std::string text;
+  std::array<char, 4096> buffer{};
+  for (ssize_t size = 0; (size = read(pipe.get(), buffer.data(), buffer.size())) > 0;) {
+    text.append(buffer.data(), static_cast<std::size_t>(size));
+  }
+  const auto end = text.find_last_not_of(" \n");
+  if (end == std::string::npos) return {};
+  text.resize(end + 1);
+  return text.substr(text.find_last_of('\n') + 1);
+}
+
+/// What the child finds open.
+struct Files {
+  int input, reply, complaint, nothing;
+};
+
+/// Between fork and exec: system calls alone, since another thread may have held any lock.
+[[noreturn]] void become(const char* program, const Files& files, const Limits& limits) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  dup2(files.input, 0);
+  dup2(files.nothing, 1);
+  dup2(files.complaint, 2);
+  dup2(files.reply, 3);
+  const rlimit none{0, 0};
+  setrlimit(RLIMIT_CORE, &none);
+  if (limits_memory) {
+    const rlimit memory{limits.memory, limits.memory};
+    setrlimit(RLIMIT_AS, &memory);
+  }
+  std::array<char*, 2> arguments{const_cast<char*>(program), nullptr};
+  execv(program, arguments.data());
+  _exit(no_program);
+}
+
+/// Waits until the last writer of the pipe is gone, which is when the child ends. @return whether it did.
+bool wait_for_end(const Descriptor& pipe, Clock::time_point deadline) {
+  while (true) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left < 0) return false;
+    pollfd watched{pipe.get(), 0, 0};
+    const int count = poll(&watched, 1, static_cast<int>(std::min<long long>(left + 1, 1'000'000)));
+    if (count > 0 && (watched.revents & POLLHUP) != 0) return true;
+    if (count < 0 && errno != EINTR) fail("a worker cannot be waited for");
+  }
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Collects the child, and kills it where it is not done by the deadline.
+ProcessEnd collect(pid_t child, const Descriptor& pipe, Clock::time_point deadline) {
+  ProcessEnd end;
+  int status = 0;
+  rusage usage{};
+  bool gone = wait_for_end(pipe, deadline);
+  // A child that has closed its standard error may live on.
+  while (gone && wait4(child, &status, WNOHANG, &usage) == 0) {
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+    gone = Clock::now() < deadline;
+  }
+  if (!gone) {
+    end.timed_out = true;
+    kill(child, SIGKILL);
+    wait4(child, &status, 0, &usage);
+  }
+  if (WIFSIGNALED(status) && !end.timed_out) end.signal = WTERMSIG(status);
+  if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
+  end.processor_time = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  return end;
+}
+
+}  // namespace
+
+ProcessEnd run_process(const std::filesystem::path& program, std::string_view input, const Limits& limits) {
+  const Descriptor in = memory_file(input);
+  const Descriptor reply = memory_file({});
+  const Descriptor nothing = high(open("/dev/null", O_WRONLY | O_CLOEXEC));
+  std::array<int, 2> ends{};
+  // What does not fit into the pipe is lost: a worker that talks without end must not be held up.
+  if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) fail("no pipe for a worker");
+  const Descriptor read_end = high(ends[0]);
+  Descriptor write_end = high(ends[1]);
+  const std::string path = program.string();
+  const auto deadline =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.time));
+  const pid_t child = fork();
+  if (child < 0) fail("a worker cannot be started");
+  if (child == 0) become(path.c_str(), {in.get(), reply.get(), write_end.get(), nothing.get()}, limits);
+  write_end.close();
+  ProcessEnd end = collect(child, read_end, deadline);
+  if (end.exit_code == no_program) {
+    throw std::runtime_error(fmt::format("{}: cannot be started as a worker", path));
+  }
+  end.reply = content(reply);
+  end.last_words = last_line(read_end);
+  return end;
+}
+
+}  // namespace rockstack

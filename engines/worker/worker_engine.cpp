@@ -1,0 +1,81 @@
+#include "engines/worker/worker_engine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace rockstack {
+namespace {
+
+std::string with_last_words(std::string reason, const ProcessEnd& end) {
+  return end.last_words.empty() ? reason : reason + ": " + end.last_words;
+}
+
+/// Why there is no reply.
+void explain(const ProcessEnd& end, const Limits& limits, WorkerRun& result) {
+  if (end.timed_out) {
+    result.status = "time limit";
+    result.reason = fmt::format("not done after {} s", limits.time);
+  } else if (end.signal != 0) {
+    result.status = "signal";
+    result.reason =
+        with_last_words(fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal)), end);
+  } else {
+    result.status = "failed";
+    result.reason = with_last_words(fmt::format("ended with exit code {} and no result", end.exit_code), end);
+  }
+}
+
+}  // namespace
+
+WorkerEngine::WorkerEngine(std::filesystem::path program, EngineDescription description)
+    : program_(std::move(program)), description_(std::move(description)) {}
+
+double WorkerEngine::friction(double asked) const {
+  return std::min(asked, description_.largest_friction);
+}
+
+std::vector<WorkerEngine> engines_of(const std::filesystem::path& program) {
+  const ProcessEnd end = run_process(program, to_bytes(Request{}), {});
+  if (end.timed_out || end.signal != 0 || end.exit_code != 0) {
+    throw std::runtime_error(
+        with_last_words(fmt::format("{}: does not say which engines it has", program.string()), end));
+  }
+  std::vector<WorkerEngine> engines;
+  for (EngineDescription& engine : read_reply(end.reply).engines) {
+    engines.emplace_back(program, std::move(engine));
+  }
+  return engines;
+}
+
+WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double dt,
+                        const Parameters& parameters, int repeats, const Limits& limits) {
+  const std::string request = to_bytes(Request{RunRequest{engine.solver(), scene, dt, parameters, repeats}});
+  const ProcessEnd end = run_process(engine.program(), request, limits);
+  WorkerRun result;
+  result.processor_time = end.processor_time;
+  if (end.timed_out || end.signal != 0 || end.exit_code != 0) {
+    explain(end, limits, result);
+    return result;
+  }
+  Reply reply = read_reply(end.reply);
+  RunReply& run = reply.run.value();
+  result.status = std::move(run.status);
+  result.reason = std::move(run.reason);
+  result.run = {std::move(run.history), run.warnings};
+  result.seconds = std::move(run.seconds);
+  result.peak_memory = run.peak_memory;
+  return result;
+}
+
+EngineRun simulate(const WorkerEngine& engine, const Scene& scene, double dt, const Parameters& parameters,
+                   const Limits& limits) {
+  WorkerRun result = run_in_worker(engine, scene, dt, parameters, 0, limits);
+  if (result.status != "done") throw std::runtime_error(result.status + ": " + result.reason);
+  return std::move(result.run);
+}
+
+}  // namespace rockstack

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engines/engine.hpp"
+#include "engines/worker/process.hpp"
+#include "engines/worker/request.hpp"
+
+namespace rockstack {
+
+/// An engine with one of its solvers, run by a worker program: each run in a process of its own, so that
+/// whatever the engine does ends that run and nothing else.
+class WorkerEngine {
+ public:
+  WorkerEngine(std::filesystem::path program, EngineDescription description);
+
+  const std::string& name() const { return description_.name; }        ///< "bullet", "bullet-single", "ode"
+  const std::string& solver() const { return description_.solver; }    ///< "step", …
+  const std::string& version() const { return description_.version; }  ///< of the library in use
+  const std::vector<Setting>& settings() const { return description_.settings; }
+  Parameters default_parameters() const { return standard_values(settings()); }
+  Parameters tuned_parameters() const { return tuned_values(settings()); }
+  /// The coefficient of friction that acts where a scene asks for `asked`.
+  double friction(double asked) const;
+  const std::filesystem::path& program() const { return program_; }
+
+ private:
+  std::filesystem::path program_;
+  EngineDescription description_;
+};
+
+/// All engines of a worker program, in its order. @throws std::runtime_error naming the program where it does
+/// not answer.
+std::vector<WorkerEngine> engines_of(const std::filesystem::path& program);
+
+/// What became of a run in a worker.
+struct WorkerRun {
+  std::string status;           ///< "done", "failed", "not finite", "time limit", "memory limit" or "signal"
+  std::string reason;           ///< why not done
+  EngineRun run;                ///< where done
+  std::vector<double> seconds;  ///< wall time of stepping alone, each timed run, s
+  double processor_time = 0;    ///< of the whole process, user and system, s
+  double peak_memory = 0;       ///< likewise, bytes; 0 where the process did not come to say it
+};
+
+/// Runs a scene for its duration, then times stepping alone `repeats` times. No failure of the engine throws.
+/// @throws std::runtime_error where the operating system will not start the worker.
+WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double dt,
+                        const Parameters& parameters, int repeats, const Limits& limits);
+
+/// As simulate() of an engine in this process. @throws std::runtime_error for whatever kept the run from
+/// being done.
+EngineRun simulate(const WorkerEngine& engine, const Scene& scene, double dt, const Parameters& parameters,
+                   const Limits& limits = {});
+
+}  // namespace rockstack

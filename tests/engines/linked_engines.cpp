@@ -1,0 +1,32 @@
+#include "tests/engines/linked_engines.hpp"
+
+#include <utility>
+#ifdef ROCKSTACK_WITH_BULLET
+#include "engines/bullet/bullet.hpp"
+#endif
+#ifdef ROCKSTACK_WITH_ODE
+#include "engines/ode/ode.hpp"
+#endif
+
+namespace rockstack {
+namespace {
+
+std::vector<std::unique_ptr<Engine>> make_engines() {
+  std::vector<std::unique_ptr<Engine>> list;
+#ifdef ROCKSTACK_WITH_BULLET
+  for (auto& engine : make_bullet()) list.push_back(std::move(engine));
+#endif
+#ifdef ROCKSTACK_WITH_ODE
+  for (auto& engine : make_ode()) list.push_back(std::move(engine));
+#endif
+  return list;
+}
+
+}  // namespace
+
+const std::vector<std::unique_ptr<Engine>>& linked_engines() {
+  static const std::vector<std::unique_ptr<Engine>> list = make_engines();
+  return list;
+}
+
+}  // namespace rockstack

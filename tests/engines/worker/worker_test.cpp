@@ -1,0 +1,163 @@
+// Whatever an engine does in its worker ends that run, with a status that says why, and nothing else.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "engines/registry.hpp"
+#include "tests/engines/linked_engines.hpp"
+
+namespace rockstack {
+namespace {
+
+Scene one_block(double duration) {
+  Scene scene;
+  scene.duration = duration;
+  scene.blocks = {make_block(1, 1, 2500)};
+  scene.initial = {{0}, {0}};
+  return scene;
+}
+
+const WorkerEngine& faulty(const std::string& solver) {
+  static const std::vector<WorkerEngine> engines = engines_of(FAULTY_WORKER);
+  return *std::find_if(engines.begin(), engines.end(),
+                       [&](const WorkerEngine& engine) { return engine.solver() == solver; });
+}
+
+WorkerRun run(const std::string& solver, const Limits& limits = {}) {
+  const WorkerEngine& engine = faulty(solver);
+  return run_in_worker(engine, one_block(0.5), 0.125, engine.tuned_parameters(), 2, limits);
+}
+
+TEST(Workers, DescribeTheirEngines) {
+  const WorkerEngine& engine = faulty("fine");
+  EXPECT_EQ(engine.name(), "faulty");
+  EXPECT_EQ(engine.version(), "1");
+  EXPECT_EQ(engine.default_parameters(), (Parameters{{"strength", 1}}));
+  EXPECT_EQ(engine.tuned_parameters(), (Parameters{{"strength", 2}}));
+  EXPECT_EQ(engine.friction(1e3), 1e3);
+}
+
+TEST(Workers, ReturnHistoryTimesAndWhatTheyTook) {
+  const WorkerRun made = run("fine");
+  ASSERT_EQ(made.status, "done") << made.reason;
+  EXPECT_EQ(made.run.history.times, (std::vector<double>{0, 0.125, 0.25, 0.375, 0.5}));
+  EXPECT_EQ(made.run.history.angles, (std::vector<double>{0, 0.125, 0.25, 0.375, 0.5}));
+  ASSERT_EQ(made.seconds.size(), 2U);
+  for (const double seconds : made.seconds) EXPECT_GE(seconds, 0);
+  EXPECT_GT(made.processor_time, 0);
+  // No program with the C++ library fits into half a megabyte.
+  EXPECT_GT(made.peak_memory, 5e5);
+}
+
+TEST(Workers, MemoryIsTheirOwnNotThatOfWhoStartsThem) {
+  const std::vector<char> ballast(std::size_t{256} << 20, 1);
+  EXPECT_LT(run("fine").peak_memory, static_cast<double>(ballast.size()));
+}
+
+TEST(Workers, EnginesOwnErrorIsTheReason) {
+  const WorkerRun made = run("throw");
+  EXPECT_EQ(made.status, "failed");
+  EXPECT_EQ(made.reason, "broken on purpose");
+}
+
+TEST(Workers, WrongParameterIsTheReason) {
+  const WorkerEngine& engine = faulty("fine");
+  const WorkerRun made = run_in_worker(engine, one_block(0.5), 0.1, {{"strength", 4}}, 1, {});
+  EXPECT_EQ(made.status, "failed");
+  EXPECT_EQ(made.reason, "faulty: strength = 4: must be a number from 0 to 3");
+}
+
+TEST(Workers, LostAngleIsNotFinite) {
+  const WorkerRun made = run("not-finite");
+  EXPECT_EQ(made.status, "not finite");
+  EXPECT_EQ(made.reason, "angle of block 1 is not finite at t = 0.125 s");
+}
+
+TEST(Workers, AssertionIsASignalWithItsLastWords) {
+  const WorkerRun made = run("abort");
+  EXPECT_EQ(made.status, "signal");
+  EXPECT_EQ(made.reason, "ended by signal 6 (Aborted): assertion `depth > 0' failed");
+}
+
+TEST(Workers, SegmentationFaultIsASignal) {
+  const WorkerRun made = run("segment");
+  EXPECT_EQ(made.status, "signal");
+  EXPECT_EQ(made.reason, "ended by signal 11 (Segmentation fault)");
+}
+
+TEST(Workers, SilentExitIsAFailure) {
+  const WorkerRun made = run("exit");
+  EXPECT_EQ(made.status, "failed");
+  EXPECT_EQ(made.reason, "ended with exit code 7 and no result");
+}
+
+TEST(Workers, EndlessLoopMeetsTheTimeLimit) {
+  Limits limits;
+  limits.time = 0.3;
+  const WorkerRun made = run("loop", limits);
+  EXPECT_EQ(made.status, "time limit");
+  EXPECT_EQ(made.reason, "not done after 0.3 s");
+}
+
+TEST(Workers, TimeLimitHoldsForAWorkerThatHasClosedItsStandardError) {
+  Limits limits;
+  limits.time = 0.3;
+  EXPECT_EQ(run("deaf", limits).status, "time limit");
+}
+
+TEST(Workers, HungerMeetsTheMemoryLimit) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "address sanitizer reserves terabytes, so workers run without a memory limit";
+#endif
+  Limits limits;
+  limits.time = 60;
+  limits.memory = std::uint64_t{256} << 20;
+  const WorkerRun made = run("memory", limits);
+  EXPECT_EQ(made.status, "memory limit");
+  EXPECT_LT(made.peak_memory, static_cast<double>(limits.memory));
+}
+
+TEST(Workers, TalkDoesNotHoldThemUp) {
+  EXPECT_EQ(run("talk").status, "done");
+}
+
+TEST(Workers, SimulateThrowsTheStatusAndItsReason) {
+  const WorkerEngine& engine = faulty("exit");
+  try {
+    simulate(engine, one_block(0.5), 0.1, engine.tuned_parameters());
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "failed: ended with exit code 7 and no result");
+  }
+}
+
+TEST(Workers, ProgramThatIsNotThereIsNamed) {
+  try {
+    engines_of("/nowhere/rockstack-newton");
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "/nowhere/rockstack-newton: cannot be started as a worker");
+  }
+}
+
+TEST(Workers, GiveTheSameBitsAsTheEngineInThisProcess) {
+  Scene scene = one_block(0.3);
+  scene.initial.angles = {0.1};
+  scene.horizontal = {0.1, {0, 1.5, -2.25, 0.3}, "", false, {}};
+  for (const auto& engine : linked_engines()) {
+    const WorkerEngine& worker = find_engine(engine->name() + ":" + engine->solver());
+    const Parameters parameters = engine->tuned_parameters();
+    EXPECT_EQ(worker.tuned_parameters(), parameters);
+    const EngineRun here = simulate(*engine, scene, 1e-3, parameters);
+    const EngineRun there = simulate(worker, scene, 1e-3, parameters);
+    EXPECT_EQ(here.history.angles, there.history.angles) << engine->solver();
+    EXPECT_EQ(here.history.velocities, there.history.velocities) << engine->solver();
+  }
+}
+
+}  // namespace
+}  // namespace rockstack
