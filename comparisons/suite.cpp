@@ -14,15 +14,6 @@
 namespace rockstack {
 namespace {
 
-const std::vector<double> default_steps{1e-2, 1e-3, 1e-4};
-
-bool left_out(const std::string& name) {
-  const auto missing = engines_left_out();
-  return std::any_of(missing.begin(), missing.end(), [&](const std::string& engine) {
-    return name == engine || name.starts_with(engine + ":");
-  });
-}
-
 double positive(const Node& node) {
   if (!(number(node) > 0)) throw wrong_value(node, "a number > 0");
   return node.number;
@@ -31,25 +22,6 @@ double positive(const Node& node) {
 std::uint64_t mebibytes(const Node& node) {
   if (!(number(node) >= 64 && node.number <= 1e9)) throw wrong_value(node, "a number of MiB from 64 to 1e9");
   return static_cast<std::uint64_t>(node.number * 1048576);
-}
-
-std::vector<double> read_steps(const Node& table) {
-  const Node* node = find(table, "dt");
-  if (node == nullptr) return default_steps;
-  std::vector<double> steps = numbers(*node);
-  for (const Node& child : node->children) positive(child);
-  return steps;
-}
-
-std::vector<std::string> read_settings(const Node& table) {
-  const Node* node = find(table, "settings");
-  if (node == nullptr) return {"default", "tuned"};
-  if (node->kind != Node::Kind::array) throw wrong_value(*node, "an array of \"default\" and \"tuned\"");
-  std::vector<std::string> settings;
-  for (const Node& child : node->children) {
-    settings.push_back(choice<std::string>(child, {{"default", "default"}, {"tuned", "tuned"}}));
-  }
-  return settings;
 }
 
 std::vector<Variant> read_variants(const Node& array) {
@@ -76,53 +48,6 @@ PaperScenes read_statements(const Node& table, const Suite& suite) {
   return {scene("free"), scene("shaken")};
 }
 
-const WorkerEngine& read_engine(const Node& name) {
-  try {
-    return find_engine(text(name));
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", name.place, error.what()));
-  }
-}
-
-/// Every combination of the values of [engines.parameters], each a number or an array of numbers.
-std::vector<Parameters> read_changes(const Node& table, const WorkerEngine& engine) {
-  std::vector<Parameters> list{{}};
-  const Node* node = find(table, "parameters");
-  if (node == nullptr) return list;
-  if (node->kind != Node::Kind::table) throw wrong_value(*node, "a table of the engine's parameters");
-  for (const Node& child : node->children) {
-    const bool several = child.kind == Node::Kind::array;
-    std::vector<Parameters> extended;
-    for (const double value : several ? numbers(child) : std::vector<double>{number(child)}) {
-      try {
-        check_value(engine.name(), engine.settings(), child.name, value);
-      } catch (const std::invalid_argument& error) {
-        throw InputError(fmt::format("{}: {}", child.place, error.what()));
-      }
-      for (Parameters changes : list) {
-        changes[child.name] = value;
-        extended.push_back(std::move(changes));
-      }
-    }
-    list = std::move(extended);
-  }
-  return list;
-}
-
-std::vector<EngineSeries> read_series(const Node& table) {
-  require_table(table, {"name", "settings", "dt", "parameters"});
-  const Node& name = required(table, "name", "an engine, e.g. \"bullet\"");
-  if (left_out(text(name))) return {};
-  const WorkerEngine& engine = read_engine(name);
-  std::vector<EngineSeries> list;
-  for (const std::string& settings : read_settings(table)) {
-    for (const Parameters& changes : read_changes(table, engine)) {
-      list.push_back(make_series(engine, settings, read_steps(table), changes));
-    }
-  }
-  return list;
-}
-
 }  // namespace
 
 Scene Variant::apply(Scene scene) const {
@@ -131,19 +56,6 @@ Scene Variant::apply(Scene scene) const {
   if (name == "paper") scene.law = Law::paper;
   if (name == "consistent") scene.law = Law::consistent;
   return scene;
-}
-
-EngineSeries make_series(const WorkerEngine& engine, const std::string& settings, std::vector<double> steps,
-                         const Parameters& changes) {
-  EngineSeries series{&engine, settings,
-                      settings == "tuned" ? engine.tuned_parameters() : engine.default_parameters(),
-                      std::move(steps)};
-  for (const auto& [name, value] : changes) {
-    check_value(engine.name(), engine.settings(), name, value);
-    series.parameters[name] = value;
-    series.settings += fmt::format("+{}={}", name, value);
-  }
-  return series;
 }
 
 const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name) {
@@ -155,16 +67,6 @@ NamedScene read_named_scene(const std::filesystem::path& file, const std::vector
   Scene scene = read_scene(file, overrides);
   std::ifstream stream(file, std::ios::binary);
   return {file.stem().string(), {std::istreambuf_iterator<char>(stream), {}}, std::move(scene)};
-}
-
-std::vector<EngineSeries> read_engines(const Node& root) {
-  std::vector<EngineSeries> list;
-  if (const Node* engines = find(root, "engines")) {
-    for (const Node& table : engines->children) {
-      for (EngineSeries& series : read_series(table)) list.push_back(std::move(series));
-    }
-  }
-  return list;
 }
 
 bool is_suite(const std::filesystem::path& file) {
@@ -228,7 +130,7 @@ Suite suite_for(NamedScene scene) {
     if (last != nullptr && last->name() == engine.name()) continue;
     last = &engine;
     for (const char* settings : {"default", "tuned"}) {
-      suite.series.push_back(make_series(engine, settings, default_steps));
+      suite.series.push_back(make_series(engine, settings, default_steps()));
     }
   }
   return suite;

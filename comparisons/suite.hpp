@@ -7,7 +7,7 @@
 
 #include "analytic/scene/document.hpp"
 #include "analytic/scene/scene.hpp"
-#include "engines/registry.hpp"
+#include "comparisons/engine_series.hpp"
 
 namespace rockstack {
 
@@ -18,14 +18,6 @@ struct NamedScene {
   Scene scene;
 };
 
-/// One engine with one set of parameters, at several time steps.
-struct EngineSeries {
-  const WorkerEngine* engine = nullptr;
-  std::string settings;  ///< "default" or "tuned", and what is changed of it: "tuned+erp=0.2"
-  Parameters parameters;
-  std::vector<double> steps;  ///< s
-};
-
 /// The exact solver with one choice of the scene changed, to be compared as if it were another engine: linear
 /// against nonlinear equations, or one impact law against the other.
 struct Variant {
@@ -34,11 +26,6 @@ struct Variant {
   /// The scene with that choice made.
   Scene apply(Scene scene) const;
 };
-
-/// An engine with its "default" or "tuned" parameters, some of them changed.
-/// @throws std::invalid_argument for a changed parameter that the engine does not have or take.
-EngineSeries make_series(const WorkerEngine& engine, const std::string& settings, std::vector<double> steps,
-                         const Parameters& changes = {});
 
 /// The names of the scenes that stand for the paper's two numerical examples.
 struct PaperScenes {
@@ -70,10 +57,6 @@ bool is_suite(const std::filesystem::path& file);
 /// True where a file asks for a study in place of scenes: it has the key `study`. @throws InputError
 /// likewise.
 bool is_study(const std::filesystem::path& file);
-
-/// The tables [[engines]] of a suite or study. @throws InputError with file:line, key, value and what is
-/// allowed.
-std::vector<EngineSeries> read_engines(const Node& root);
 
 /// Reads a suite file; paths in it are relative to it, `overrides` go to each of its scenes. Engines that
 /// this build leaves out are passed over (engines_left_out() names them).

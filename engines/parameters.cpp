@@ -31,6 +31,20 @@ std::string names_of(const std::vector<Setting>& settings) {
 
 }  // namespace
 
+Setting shaking_setting() {
+  return {"shaking", 0, 0, 0, 1, true, {"force", "ground"}};
+}
+
+double choice_value(const std::string& engine, const Setting& setting, const std::string& choice) {
+  const auto found = std::find(setting.choices.begin(), setting.choices.end(), choice);
+  if (found == setting.choices.end()) {
+    throw std::invalid_argument(fmt::format(
+        "{}: {} = {}: must be {}", engine, setting.name, choice,
+        setting.choices.empty() ? "a number" : fmt::format("{}", fmt::join(setting.choices, " or "))));
+  }
+  return static_cast<double>(found - setting.choices.begin());
+}
+
 Parameters standard_values(const std::vector<Setting>& settings) {
   Parameters values;
   for (const Setting& setting : settings) values[setting.name] = setting.standard;

@@ -18,8 +18,16 @@ struct Setting {
   double tuned = 0;
   double least = 0;
   double most = 0;
-  bool whole = false;  ///< only whole numbers
+  bool whole = false;                     ///< only whole numbers
+  std::vector<std::string> choices = {};  ///< names of 0, 1, … where the number stands for a choice
 };
+
+/// How an engine is shaken: "force", the ground's acceleration as a body force in its own frame, or "ground",
+/// a ground that really moves and takes the blocks along.
+Setting shaking_setting();
+
+/// The number of a choice's name. @throws std::invalid_argument naming the choices.
+double choice_value(const std::string& engine, const Setting& setting, const std::string& choice);
 
 Parameters standard_values(const std::vector<Setting>& settings);
 Parameters tuned_values(const std::vector<Setting>& settings);

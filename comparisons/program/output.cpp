@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -19,17 +20,32 @@ std::string cell(const std::optional<Value>& value, fmt::format_string<const Val
   return value ? fmt::format(format, *value) : "";
 }
 
-void print_row(const Row& row) {
+/// Letters that the columns engine:solver and settings need.
+struct Widths {
+  std::size_t engine = 13, settings = 8;
+};
+
+Widths widths_of(const std::vector<Row>& rows) {
+  Widths widths;
+  for (const Row& row : rows) {
+    widths.engine = std::max(widths.engine, row.engine.size() + 1 + row.solver.size());
+    widths.settings = std::max(widths.settings, row.settings.size());
+  }
+  return widths;
+}
+
+void print_row(const Row& row, const Widths& widths) {
   if (row.status != "done") {
-    fmt::print("{:<26} {:<8} {:>7} {}: {}\n", row.engine + ":" + row.solver, row.settings,
-               cell(row.dt, "{}"), row.status, row.reason);
+    fmt::print("{:<{}} {:<{}} {:>7} {}: {}\n", row.engine + ":" + row.solver, widths.engine, row.settings,
+               widths.settings, cell(row.dt, "{}"), row.status, row.reason);
     return;
   }
   const std::string impacts = row.impacts_matched ? fmt::format("{}/{}/{}", *row.impacts_matched,
                                                                 *row.impacts_missed, *row.impacts_extra)
                                                   : "";
-  fmt::print("{:<26} {:<8} {:>7} {:>11} {:>9} {:>12} {:>9} {:>9} {:>10}\n", row.engine + ":" + row.solver,
-             row.settings, cell(row.dt, "{}"), cell(row.first_impact_time_difference, "{:+.1e}"), impacts,
+  fmt::print("{:<{}} {:<{}} {:>7} {:>11} {:>9} {:>12} {:>9} {:>9} {:>10}\n", row.engine + ":" + row.solver,
+             widths.engine, row.settings, widths.settings, cell(row.dt, "{}"),
+             cell(row.first_impact_time_difference, "{:+.1e}"), impacts,
              cell(row.rms_angle_difference, "{:.2e}"), cell(row.largest_angle_difference, "{:.2e}"),
              cell(row.agreement_time, "{:.4g}"), cell(row.stepping_time_minimum, "{:.2e}"));
 }
@@ -132,15 +148,17 @@ void print_rows(const std::vector<Row>& rows, const std::filesystem::path& folde
     return;
   }
   if (common.quiet) return;
+  const Widths widths = widths_of(rows);
   std::string scene;
   for (const Row& row : rows) {
     if (row.scene != scene) {
-      fmt::print("{}{}\n{:<26} {:<8} {:>7} {:>11} {:>9} {:>12} {:>9} {:>9} {:>10}\n",
-                 scene.empty() ? "" : "\n", row.scene, "engine:solver", "settings", "dt (s)", "first (s)",
-                 "impacts", "rms (rad)", "max (rad)", "agree (s)", "time (s)");
+      fmt::print("{}{}\n{:<{}} {:<{}} {:>7} {:>11} {:>9} {:>12} {:>9} {:>9} {:>10}\n",
+                 scene.empty() ? "" : "\n", row.scene, "engine:solver", widths.engine, "settings",
+                 widths.settings, "dt (s)", "first (s)", "impacts", "rms (rad)", "max (rad)", "agree (s)",
+                 "time (s)");
     }
     scene = row.scene;
-    print_row(row);
+    print_row(row, widths);
   }
   fmt::print(
       "\nfirst: first impact, engine less exact; impacts: matched/missed/extra; agree: time until which "

@@ -150,6 +150,7 @@ std::vector<Setting> settings_of(BulletSolver solver) {
       {"leastSquaresResidualThreshold", 0, 0, 0, endless},
       {"contactBreakingThreshold", 0.02, tuned.breaking, 0, endless},
       {"unitMass", 0, tuned.unit_mass, 0, 1, true},
+      shaking_setting(),
   };
   if (solver == BulletSolver::mlcp_lemke) {
     settings.push_back({"maxLoops", 1000, 1000, 1, 1e6, true});

@@ -2,17 +2,14 @@
 
 #include <btBulletDynamicsCommon.h>
 
-#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
-#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
-#include <BulletDynamics/MLCPSolvers/btLemkeSolver.h>
-#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
-#include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
-
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "engines/bullet/solvers.hpp"
+#include "engines/ground_path.hpp"
 #include "engines/placement.hpp"
 
 namespace rockstack {
@@ -53,46 +50,6 @@ void apply(const Parameters& parameters, btContactSolverInfo& info) {
   info.m_leastSquaresResidualThreshold = scalar(parameters.at("leastSquaresResidualThreshold"));
 }
 
-/// A constraint solver and, where it is one, the solver of the linear complementarity problem inside it.
-struct ChosenSolver {
-  std::unique_ptr<btMLCPSolverInterface> inner;
-  std::unique_ptr<btSequentialImpulseConstraintSolver> constraints;
-  btMLCPSolver* complementarity = nullptr;
-
-  /// How often Bullet gave a problem up and took sequential impulse in its place.
-  std::size_t fallbacks() const {
-    return complementarity == nullptr ? 0 : static_cast<std::size_t>(complementarity->getNumFallbacks());
-  }
-};
-
-std::unique_ptr<btMLCPSolverInterface> make_inner(BulletSolver solver, const Parameters& parameters) {
-  if (solver == BulletSolver::mlcp_dantzig) return std::make_unique<btDantzigSolver>();
-  if (solver == BulletSolver::mlcp_lemke) {
-    auto lemke = std::make_unique<btLemkeSolver>();
-    lemke->m_maxLoops = static_cast<int>(parameters.at("maxLoops"));
-    lemke->m_maxValue = scalar(parameters.at("maxValue"));
-    return lemke;
-  }
-  auto projected = std::make_unique<btSolveProjectedGaussSeidel>();
-  projected->m_leastSquaresResidualThreshold = scalar(parameters.at("leastSquaresResidualThreshold"));
-  return projected;
-}
-
-std::unique_ptr<ChosenSolver> make_solver(BulletSolver solver, const Parameters& parameters) {
-  auto chosen = std::make_unique<ChosenSolver>();
-  if (solver == BulletSolver::sequential_impulse) {
-    chosen->constraints = std::make_unique<btSequentialImpulseConstraintSolver>();
-  } else if (solver == BulletSolver::nncg) {
-    chosen->constraints = std::make_unique<btNNCGConstraintSolver>();
-  } else {
-    chosen->inner = make_inner(solver, parameters);
-    auto complementarity = std::make_unique<btMLCPSolver>(chosen->inner.get());
-    chosen->complementarity = complementarity.get();
-    chosen->constraints = std::move(complementarity);
-  }
-  return chosen;
-}
-
 double angle_of(const btRigidBody& body) {
   const btMatrix3x3& turn = body.getWorldTransform().getBasis();
   return std::atan2(-turn[1][0], turn[0][0]);
@@ -105,7 +62,8 @@ class BulletSimulation : public Simulation {
         dt_(dt),
         mass_factor_(parameters.at("unitMass") != 0 ? 1 / scene_.blocks.front().mass : 1),
         dispatcher_(&configuration_),
-        solver_(make_solver(solver, parameters)) {
+        solver_(solver, parameters) {
+    if (is_shaken(scene_) && parameters.at("shaking") != 0) path_.emplace(scene_, dt);
     apply(parameters, world_.getSolverInfo());
     set_gravity({0, -scene_.gravity});
     const double breaking_factor = scalar(parameters.at("contactBreakingThreshold"));
@@ -114,7 +72,9 @@ class BulletSimulation : public Simulation {
   }
 
   void step() override {
-    if (is_shaken(scene_)) {
+    if (path_) {
+      place_ground(path_->next());
+    } else if (is_shaken(scene_)) {
       const double start = static_cast<double>(steps_) * dt_;
       set_gravity(body_acceleration(scene_, start, static_cast<double>(steps_ + 1) * dt_));
     }
@@ -128,7 +88,7 @@ class BulletSimulation : public Simulation {
     for (std::size_t k = 0; k < angles_.size(); ++k) velocities[k] = -block(k).getAngularVelocity().z();
   }
 
-  std::size_t warnings() const override { return solver_->fallbacks(); }
+  std::size_t warnings() const override { return solver_.fallbacks(); }
 
  private:
   const btRigidBody& block(std::size_t k) const { return *bodies_[k + 1]; }
@@ -144,8 +104,24 @@ class BulletSimulation : public Simulation {
     reach *= 10;
     shapes_.push_back(std::make_unique<Box>(vector(reach, reach, reach), breaking_factor));
     btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shapes_.back().get());
-    info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), vector(0, -reach, 0));
-    add(info);
+    ground_start_ = vector(0, -reach, 0);
+    info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), ground_start_);
+    const bool moves = path_.has_value();
+    btRigidBody& ground = add(info, moves ? btCollisionObject::CF_KINEMATIC_OBJECT : 0);
+    if (!moves) return;
+    ground.setActivationState(DISABLE_DEACTIVATION);
+    // Bullet takes a kinematic body's velocity from where it was a step ago; this comes after that.
+    const auto give_velocity = [](btDynamicsWorld* world, btScalar) {
+      auto& self = *static_cast<BulletSimulation*>(world->getWorldUserInfo());
+      self.bodies_.front()->setLinearVelocity(self.ground_velocity_);
+    };
+    world_.setInternalTickCallback(give_velocity, this, true);
+  }
+
+  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
+  void place_ground(const GroundStep& step) {
+    bodies_.front()->getWorldTransform().setOrigin(ground_start_ + vector(step.x, step.y, 0));
+    ground_velocity_ = vector(step.velocity_x, step.velocity_y, 0);
   }
 
   void add_block(const Placement& placement, double breaking_factor) {
@@ -165,11 +141,12 @@ class BulletSimulation : public Simulation {
     angles_.push_back(placement.angle);
   }
 
-  btRigidBody& add(btRigidBody::btRigidBodyConstructionInfo& info) {
+  btRigidBody& add(btRigidBody::btRigidBodyConstructionInfo& info, int flags = 0) {
     // Bullet multiplies the coefficients of the two bodies that touch.
     info.m_friction = scalar(std::sqrt(scene_.engine.friction));
     info.m_restitution = 0;
     bodies_.push_back(std::make_unique<btRigidBody>(info));
+    if (flags != 0) bodies_.back()->setCollisionFlags(flags);
     world_.addRigidBody(bodies_.back().get());
     return *bodies_.back();
   }
@@ -179,14 +156,17 @@ class BulletSimulation : public Simulation {
   double mass_factor_;  ///< of every mass; no angle depends on it
   std::size_t steps_ = 0;
   std::vector<double> angles_;
+  std::optional<GroundPath> path_;  ///< where the ground really moves
+  btVector3 ground_start_{0, 0, 0};
+  btVector3 ground_velocity_{0, 0, 0};
   // The world comes last: it is the first to go and still needs the others then.
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
-  std::unique_ptr<ChosenSolver> solver_;
+  ChosenSolver solver_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;  ///< ground first, then bottom to top
-  btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, solver_->constraints.get(), &configuration_};
+  btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, solver_.constraints(), &configuration_};
 };
 
 }  // namespace

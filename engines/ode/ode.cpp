@@ -81,6 +81,7 @@ std::vector<Setting> settings_of(OdeSolver solver) {
       {"contactMu2", 0, 1, 0, 1, true},
       {"finiteRotationMode", 0, 0, 0, 1, true},
       {"realign", 1, 1, 0, 1, true},
+      shaking_setting(),
   };
   if (solver == OdeSolver::quickstep) {
     settings.push_back({"quickStepNumIterations", 20, 100, 1, 1e6, true});

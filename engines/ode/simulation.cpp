@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "engines/ground_path.hpp"
 #include "engines/ode/library.hpp"
 #include "engines/placement.hpp"
 
@@ -43,13 +45,16 @@ class OdeSimulation : public Simulation {
     if (solver_ == OdeSolver::quickstep) set_iterations(parameters);
     set_gravity({0, -scene_.gravity});
     set_surface(parameters);
-    dCreatePlane(space_.get(), 0, 1, 0, 0);
+    plane_ = dCreatePlane(space_.get(), 0, 1, 0, 0);
+    if (is_shaken(scene_) && parameters.at("shaking") != 0) add_moving_ground(dt);
     for (const Placement& placement : place(scene_))
       add_block(placement, parameters.at("finiteRotationMode") != 0);
   }
 
   void step() override {
-    if (is_shaken(scene_)) {
+    if (path_) {
+      place_ground(path_->next());
+    } else if (is_shaken(scene_)) {
       const double start = static_cast<double>(steps_) * dt_;
       set_gravity(body_acceleration(scene_, start, static_cast<double>(steps_ + 1) * dt_));
     }
@@ -86,7 +91,7 @@ class OdeSimulation : public Simulation {
       contact.fdir1[0] = contact.geom.normal[1];
       contact.fdir1[1] = -contact.geom.normal[0];
       const dJointID joint = dJointCreateContact(world_.get(), group_.get(), &contact);
-      dJointAttach(joint, dGeomGetBody(one), dGeomGetBody(other));
+      dJointAttach(joint, body_of(one), body_of(other));
     }
   }
 
@@ -103,6 +108,22 @@ class OdeSimulation : public Simulation {
       if (parameters.at("contactApprox1") != 0) contact.surface.mode |= dContactApprox1;
       if (parameters.at("contactMu2") != 0) contact.surface.mode |= dContactFDir1 | dContactMu2;
     }
+  }
+
+  /// A plane has no body of its own in ODE: contacts with it are those of a kinematic body that moves along.
+  void add_moving_ground(double dt) {
+    path_.emplace(scene_, dt);
+    ground_ = dBodyCreate(world_.get());
+    dBodySetKinematic(ground_);
+  }
+
+  dBodyID body_of(dGeomID geometry) const { return geometry == plane_ ? ground_ : dGeomGetBody(geometry); }
+
+  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
+  void place_ground(const GroundStep& step) {
+    dBodySetPosition(ground_, step.x, step.y, 0);
+    dBodySetLinearVel(ground_, step.velocity_x, step.velocity_y, 0);
+    dGeomPlaneSetParams(plane_, 0, 1, 0, step.y);
   }
 
   void set_gravity(const BodyAcceleration& acceleration) {
@@ -147,6 +168,9 @@ class OdeSimulation : public Simulation {
   std::vector<double> angles_;
   std::vector<dContact> contacts_;
   bool realign_;
+  std::optional<GroundPath> path_;  ///< where the ground really moves
+  dGeomID plane_ = nullptr;
+  dBodyID ground_ = nullptr;  ///< likewise
   std::vector<dBodyID> bodies_;
   std::unique_ptr<dxWorld, Destroy> world_;
   std::unique_ptr<dxSpace, Destroy> space_;

@@ -43,7 +43,8 @@ auto fields(Is<Scene> auto& scene) {
 }
 
 auto fields(Is<Setting> auto& setting) {
-  return std::tie(setting.name, setting.standard, setting.tuned, setting.least, setting.most, setting.whole);
+  return std::tie(setting.name, setting.standard, setting.tuned, setting.least, setting.most, setting.whole,
+                  setting.choices);
 }
 
 auto fields(Is<EngineDescription> auto& engine) {

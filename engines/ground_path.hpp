@@ -1,0 +1,40 @@
+#pragma once
+
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack {
+
+/// How a ground that really moves does so over one time step: it starts at a displacement and has a constant
+/// velocity that carries it to where it is at the end. SI units; x to the right, y up.
+struct GroundStep {
+  double x = 0, y = 0;                    ///< displacement at the step's start, m
+  double velocity_x = 0, velocity_y = 0;  ///< m/s
+};
+
+/// The ground's displacement under a scene's accelerations, from rest at t = 0, step by step: their double
+/// integral, exact for straight lines between samples and by Gauss's rule with five points, so to rounding,
+/// for pulses.
+class GroundPath {
+ public:
+  /// Precondition: dt > 0, in s.
+  GroundPath(const Scene& scene, double dt)
+      : horizontal_(scene.horizontal), vertical_(scene.vertical), dt_(dt) {}
+
+  /// The next step; the first call gives the one from t = 0.
+  GroundStep next();
+
+ private:
+  /// Along one axis: displacement and velocity of the ground at the start of the next step.
+  struct Axis {
+    double displacement = 0, velocity = 0;
+    /// Moves on to the end of the step; returns the mean velocity over it.
+    double advance(const GroundMotion& motion, double from, double to);
+  };
+
+  GroundMotion horizontal_, vertical_;
+  double dt_;
+  std::size_t steps_ = 0;
+  Axis x_, y_;
+};
+
+}  // namespace rockstack
