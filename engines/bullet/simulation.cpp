@@ -47,6 +47,7 @@ void apply(const Parameters& parameters, btContactSolverInfo& info) {
   info.m_linearSlop = scalar(parameters.at("linearSlop"));
   info.m_warmstartingFactor = scalar(parameters.at("warmstartingFactor"));
   info.m_solverMode = static_cast<int>(parameters.at("solverMode"));
+  info.m_restitutionVelocityThreshold = scalar(parameters.at("restitutionVelocityThreshold"));
   info.m_leastSquaresResidualThreshold = scalar(parameters.at("leastSquaresResidualThreshold"));
 }
 
@@ -61,6 +62,7 @@ class BulletSimulation : public Simulation {
       : scene_(std::move(scene)),
         dt_(dt),
         mass_factor_(parameters.at("unitMass") != 0 ? 1 / scene_.blocks.front().mass : 1),
+        restitution_(scalar(std::sqrt(parameters.at("restitution")))),
         dispatcher_(&configuration_),
         solver_(solver, parameters) {
     if (is_shaken(scene_) && parameters.at("shaking") != 0) path_.emplace(scene_, dt);
@@ -86,6 +88,21 @@ class BulletSimulation : public Simulation {
   void read(std::span<double> angles, std::span<double> velocities) const override {
     std::copy(angles_.begin(), angles_.end(), angles.begin());
     for (std::size_t k = 0; k < angles_.size(); ++k) velocities[k] = -block(k).getAngularVelocity().z();
+  }
+
+  BodyState body(std::size_t k) const override {
+    const btVector3& place = block(k).getWorldTransform().getOrigin();
+    const btVector3& velocity = block(k).getLinearVelocity();
+    const btVector3& spin = block(k).getAngularVelocity();
+    const btMatrix3x3& turn = block(k).getWorldTransform().getBasis();
+    return {place.x(),
+            place.y(),
+            place.z(),
+            velocity.x(),
+            velocity.y(),
+            velocity.z(),
+            std::hypot(turn[0][2], turn[1][2]),
+            std::hypot(spin.x(), spin.y())};
   }
 
   std::size_t warnings() const override { return solver_.fallbacks(); }
@@ -144,7 +161,7 @@ class BulletSimulation : public Simulation {
   btRigidBody& add(btRigidBody::btRigidBodyConstructionInfo& info, int flags = 0) {
     // Bullet multiplies the coefficients of the two bodies that touch.
     info.m_friction = scalar(std::sqrt(scene_.engine.friction));
-    info.m_restitution = 0;
+    info.m_restitution = restitution_;
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     if (flags != 0) bodies_.back()->setCollisionFlags(flags);
     world_.addRigidBody(bodies_.back().get());
@@ -159,6 +176,7 @@ class BulletSimulation : public Simulation {
   std::optional<GroundPath> path_;  ///< where the ground really moves
   btVector3 ground_start_{0, 0, 0};
   btVector3 ground_velocity_{0, 0, 0};
+  btScalar restitution_;  ///< of each body: Bullet multiplies those too
   // The world comes last: it is the first to go and still needs the others then.
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;

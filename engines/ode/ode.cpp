@@ -80,6 +80,8 @@ std::vector<Setting> settings_of(OdeSolver solver) {
       {"contactApprox1", 1, 1, 0, 1, true},
       {"contactMu2", 0, 1, 0, 1, true},
       {"finiteRotationMode", 0, 0, 0, 1, true},
+      {"bounce", 0, 0, 0, 1},
+      {"bounce_vel", 0, 0, 0, endless},
       {"realign", 1, 1, 0, 1, true},
       shaking_setting(),
   };

@@ -76,6 +76,21 @@ class OdeSimulation : public Simulation {
     for (std::size_t k = 0; k < bodies_.size(); ++k) velocities[k] = -dBodyGetAngularVel(bodies_[k])[2];
   }
 
+  BodyState body(std::size_t k) const override {
+    const dReal* place = dBodyGetPosition(bodies_[k]);
+    const dReal* velocity = dBodyGetLinearVel(bodies_[k]);
+    const dReal* spin = dBodyGetAngularVel(bodies_[k]);
+    const dReal* turn = dBodyGetRotation(bodies_[k]);
+    return {place[0],
+            place[1],
+            place[2],
+            velocity[0],
+            velocity[1],
+            velocity[2],
+            std::hypot(turn[2], turn[6]),
+            std::hypot(spin[0], spin[1])};
+  }
+
   std::size_t warnings() const override { return warnings_; }
 
  private:
@@ -106,6 +121,9 @@ class OdeSimulation : public Simulation {
     for (dContact& contact : contacts_) {
       contact.surface.mu = scene_.engine.friction;
       if (parameters.at("contactApprox1") != 0) contact.surface.mode |= dContactApprox1;
+      if (parameters.at("bounce") != 0) contact.surface.mode |= dContactBounce;
+      contact.surface.bounce = parameters.at("bounce");
+      contact.surface.bounce_vel = parameters.at("bounce_vel");
       if (parameters.at("contactMu2") != 0) contact.surface.mode |= dContactFDir1 | dContactMu2;
     }
   }

@@ -25,6 +25,7 @@ class FaultySimulation : public Simulation {
     angle_ += dt_;
     fault_(angle_);
   }
+  BodyState body(std::size_t) const override { return {}; }
   void read(std::span<double> angles, std::span<double> velocities) const override {
     angles[0] = angle_;
     velocities[0] = 1;

@@ -1,0 +1,23 @@
+#include "tests/engines/conformance/known_limits.hpp"
+
+namespace rockstack {
+
+std::string known_limit(const Engine& engine, const std::string& settings, const std::string& check) {
+  if (settings != "default") return "";
+  if (engine.solver() == "mlcp-lemke") {
+    return "with its defaults, Bullet's Lemke solver throws resting blocks about";
+  }
+  if (check == "FlatLandingDoesNotBounce") {
+    return "by default an overlap goes into the velocities: the block bounces by a fifth, without "
+           "restitution";
+  }
+  if (engine.solver() == "quickstep" && check == "WeakPushDoesNotRock") {
+    return "after 20 iterations QuickStep's contacts still let a block turn, twice as far as one step's fall";
+  }
+  if (engine.solver() == "quickstep" && check == "MotionStaysInThePlane") {
+    return "after 20 iterations QuickStep's planar joints still let blocks out of the plane, by 0.2 mm";
+  }
+  return "";
+}
+
+}  // namespace rockstack
