@@ -1,0 +1,88 @@
+// The paper's free-rocking example, Spanos et al. 2001, up to the second peak of the top block: tuned engines
+// at a step of 1e-5 s do what the exact solution does.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "analytic/solve.hpp"
+#include "comparisons/impacts.hpp"
+#include "engines/registry.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr double dt = 1e-5;  ///< s
+
+Scene free_rocking() {
+  Scene scene;
+  scene.duration = 1.25;
+  scene.blocks = {make_block(1.25, 1.25, 2500), make_block(1.0, 2.5, 2500)};
+  scene.initial = {{0.15, 0.15}, {0, 0}};
+  return scene;
+}
+
+/// The patterns that a history passes through, one letter an interface: R or L where it is open by more than
+/// 2 mrad, C below. What chatter opens stays below that.
+std::vector<std::string> patterns(const History& history, double until) {
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < history.size() && history.times[i] < until; ++i) {
+    std::string word;
+    double below = 0;
+    for (const double angle : history.angles_at(i)) {
+      const double opening = angle - below;
+      word += opening > 2e-3 ? 'R' : opening < -2e-3 ? 'L' : 'C';
+      below = angle;
+    }
+    if (list.empty() || list.back() != word) list.push_back(word);
+  }
+  return list;
+}
+
+/// The sample at which the top block leans most after the first second.
+std::size_t second_peak(const History& history) {
+  std::size_t best = history.size() - 1;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    if (history.times[i] > 1 && std::abs(history.angles_at(i)[1]) > std::abs(history.angles_at(best)[1]))
+      best = i;
+  }
+  return best;
+}
+
+class FreeRocking : public testing::TestWithParam<const WorkerEngine*> {};
+
+TEST_P(FreeRocking, FollowsTheExactSolutionToTheSecondPeak) {
+  const Scene scene = free_rocking();
+  const History engine = simulate(*GetParam(), scene, dt, GetParam()->tuned_parameters()).history;
+  const History exact = solve(scene, {2e-4, engine.times});
+  const double slowest = chatter_speed(scene);
+  const auto expected = reported_impacts(exact, slowest);
+  const auto observed = observed_impacts(engine, slowest);
+  ASSERT_FALSE(expected.empty());
+  ASSERT_FALSE(observed.empty());
+  EXPECT_EQ(observed.front().interface, 1);
+  EXPECT_NEAR(observed.front().time, expected.front().time, 2 * dt);
+  const std::size_t peak = second_peak(exact);
+  const double exact_peak = exact.angles_at(peak)[1];
+  EXPECT_NEAR(engine.angles_at(second_peak(engine))[1], exact_peak, 0.01 * std::abs(exact_peak));
+  EXPECT_EQ(patterns(engine, exact.times[peak]), patterns(exact, exact.times[peak]));
+}
+
+std::vector<const WorkerEngine*> first_in_double_precision() {
+  std::vector<const WorkerEngine*> list;
+  for (const WorkerEngine& engine : engines()) {
+    const bool single = engine.version().ends_with("single precision");
+    if (!single && (list.empty() || list.back()->name() != engine.name())) list.push_back(&engine);
+  }
+  return list;
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(FreeRocking);
+INSTANTIATE_TEST_SUITE_P(Engines, FreeRocking, testing::ValuesIn(first_in_double_precision()),
+                         [](const auto& engine) { return engine.param->name(); });
+
+}  // namespace
+}  // namespace rockstack
