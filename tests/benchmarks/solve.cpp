@@ -1,31 +1,25 @@
 #include <benchmark/benchmark.h>
 
 #include "analytic/solve.hpp"
+#include "tests/benchmarks/free_rocking.hpp"
 #include "tests/engines/linked_engines.hpp"
 
 namespace rockstack {
 namespace {
 
-/// The paper's free-rocking example, for two seconds.
-Scene free_rocking() {
-  Scene scene;
-  scene.duration = 2;
-  scene.blocks = {make_block(1.25, 1.25, 2500), make_block(1.0, 2.5, 2500)};
-  scene.initial = {{0.15, 0.15}, {0, 0}};
-  return scene;
-}
-
-/// Seconds of wall time a simulated second, for a longest step of range(0) microseconds.
+/// Two seconds of free rocking: by rk4 at steps of range(0) microseconds, for none by the Taylor series.
 void exact(benchmark::State& state) {
-  const Scene scene = free_rocking();
-  const SolveOptions options;
+  const Scene scene = free_rocking(2);
+  const SolveOptions options{
+      .integrator = state.range(0) > 0 ? Integrator::rk4 : Integrator::taylor,
+      .step = 1e-6 * static_cast<double>(std::max<std::int64_t>(state.range(0), 1))};
   for ([[maybe_unused]] auto round : state) benchmark::DoNotOptimize(solve(scene, options));
 }
-BENCHMARK(exact)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(exact)->Arg(0)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
 
 /// The same scene stepped by an engine, building aside.
 void stepping(benchmark::State& state, const Engine& engine) {
-  const Scene scene = free_rocking();
+  const Scene scene = free_rocking(2);
   const double dt = 1e-6 * static_cast<double>(state.range(0));
   const int steps = static_cast<int>(scene.duration / dt);
   for ([[maybe_unused]] auto round : state) {
