@@ -71,6 +71,7 @@ EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Pa
 std::vector<double> time_stepping(const Engine& engine, const Scene& scene, double dt,
                                   const Parameters& parameters, std::size_t steps, int repeats) {
   std::vector<double> seconds;
+  seconds.reserve(static_cast<std::size_t>(repeats));
   for (int run = 0; run < repeats; ++run) {
     seconds.push_back(stepping_seconds(*engine.start(scene, dt, parameters), steps));
   }

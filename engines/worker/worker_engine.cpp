@@ -10,7 +10,7 @@
 namespace rockstack {
 namespace {
 
-std::string with_last_words(std::string reason, const ProcessEnd& end) {
+std::string with_last_words(const std::string& reason, const ProcessEnd& end) {
   return end.last_words.empty() ? reason : reason + ": " + end.last_words;
 }
 

@@ -1,5 +1,7 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+
 #include "analytic/solve.hpp"
 #include "tests/benchmarks/free_rocking.hpp"
 #include "tests/engines/linked_engines.hpp"

@@ -92,6 +92,7 @@ std::vector<std::unique_ptr<Engine>> make_faulty() {
          for (;;) pause();
        }}};
   std::vector<std::unique_ptr<Engine>> engines;
+  engines.reserve(faults.size());
   for (const auto& [name, fault] : faults) engines.push_back(std::make_unique<Faulty>(name, fault));
   return engines;
 }
