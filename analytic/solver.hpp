@@ -148,9 +148,9 @@ class Solver {
   void note_forces(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& s) {
     using std::ceil;
     const bool straight = is_closed(state_.pattern) && piece.straight();
-    const Real points = straight ? Real(1) : ceil(s * flow.length / demand_interval_) + 1;
-    for (Real i = 0; i < points; i += 1) {
-      const Real tau = i / points * s * flow.length;
+    const int points = straight ? 1 : static_cast<int>(ceil(s * flow.length / demand_interval_)) + 1;
+    for (int i = 0; i < points; ++i) {
+      const Real tau = Real(i) / Real(points) * s * flow.length;
       note_demands(history_.forces, accelerate(model_, flow.at(tau / flow.length), piece.at(offset_ + tau)),
                    time() + tau);
     }

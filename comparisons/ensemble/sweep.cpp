@@ -72,7 +72,7 @@ Json description(const Ensemble& ensemble) {
   for (const Axis& axis : ensemble.axes) json["axes"].push_back(axis.variations);
   json["summary"] = {{"intensity", ensemble.summary.intensity}, {"period", ensemble.summary.period}};
   for (const auto& [name, meaning] : run_columns(ensemble)) json["columns"][name] = meaning;
-  json["environment"] = environment();
+  json["environment"] = environment({});
   return json;
 }
 
