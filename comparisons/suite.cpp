@@ -79,8 +79,8 @@ bool is_study(const std::filesystem::path& file) {
 
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
-  require_table(root, {"title", "scenes", "variants", "engines", "tolerance", "repeats", "statements", "time_limit",
-                       "memory_limit"});
+  require_table(root, {"title", "scenes", "variants", "engines", "tolerance", "repeats", "statements",
+                       "time_limit", "memory_limit"});
   Suite suite;
   suite.title = text(required(root, "title", "a text"));
   for (const Node& scene : required(root, "scenes", "an array of scene files").children) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/table.hpp"
 #include "plots/drawings.hpp"
 #include "plots/layout.hpp"
-#include "comparisons/table.hpp"
 
 namespace rockstack::plots {
 namespace {

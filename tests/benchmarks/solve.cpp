@@ -12,9 +12,8 @@ namespace {
 /// Two seconds of free rocking: by rk4 at steps of range(0) microseconds, for none by the Taylor series.
 void exact(benchmark::State& state) {
   const Scene scene = free_rocking(2);
-  const SolveOptions options{
-      .integrator = state.range(0) > 0 ? Integrator::rk4 : Integrator::taylor,
-      .step = 1e-6 * static_cast<double>(std::max<std::int64_t>(state.range(0), 1))};
+  const SolveOptions options{.integrator = state.range(0) > 0 ? Integrator::rk4 : Integrator::taylor,
+                             .step = 1e-6 * static_cast<double>(std::max<std::int64_t>(state.range(0), 1))};
   for ([[maybe_unused]] auto round : state) benchmark::DoNotOptimize(solve(scene, options));
 }
 BENCHMARK(exact)->Arg(0)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
