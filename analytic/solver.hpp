@@ -17,7 +17,7 @@ namespace rockstack {
 ///
 /// Chatter, ever smaller impacts whose number is infinite, ends where an interface would part at a speed u
 /// that takes it no further than the resolution ρ = u²/(2a), a the relative acceleration that brings it back:
-/// it closes instead, and in any case at u = 500 ε √(g/H), with ε the rounding unit and H the stack's height.
+/// it closes instead, and in any case at u = 500 ρ √(g/H), ρ taken as a number, with H the stack's height.
 /// What is left out are excursions of at most ρ rad. As the angular momentum above the other pivots is kept,
 /// by one impact as by the many it stands for, the motion after it is off by some ρ at most;
 /// the closure comes 2u/(a(1 − η)) s early. As each impact takes its share of the speed, the number of
@@ -50,8 +50,8 @@ class Solver {
     rate_ = model_.gravity / (2 * model_.stack.half_height.sum());
     using std::sqrt;
     slack_ = 500 * std::numeric_limits<Real>::epsilon() * rate_;
-    settling_speed_ = 500 * std::numeric_limits<Real>::epsilon() * sqrt(rate_);
     resolution_ = options.resolution > 0 ? Real(options.resolution) : std::numeric_limits<Real>::epsilon();
+    settling_speed_ = 500 * resolution_ * sqrt(rate_);
     slowest_flight_ = 100 * sqrt(resolution_ * rate_);
     brief_ = Real(1e-4) / sqrt(rate_);
     demand_interval_ = Real(2e-3) / sqrt(rate_);

@@ -1,0 +1,95 @@
+#include "tests/analytic/reference/random_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "tests/analytic/solver/stacks.hpp"
+
+namespace rockstack::testing {
+namespace {
+
+/// A history, or the words with which the model could not go on.
+template <class Real>
+struct Attempt {
+  BasicHistory<Real> history;
+  std::string failure;
+};
+
+template <class Real, class Solve>
+Attempt<Real> attempt(const Solve& solve_scene) {
+  try {
+    return {solve_scene(), {}};
+  } catch (const std::runtime_error& error) {
+    return {{}, error.what()};
+  }
+}
+
+std::string words(const auto& history, std::size_t event) {
+  std::ostringstream text;
+  text.precision(20);
+  if (event >= history.events.size()) return "the end";
+  const auto& found = history.events[event];
+  text << found.time << " s " << name(found.kind) << " at " << found.interface << ' ' << name(found.from)
+       << "->" << name(found.to) << ' ' << name(found.consistency);
+  return text.str();
+}
+
+}  // namespace
+
+Scene seeded_scene(std::uint64_t seed) {
+  Draw draw(seed);
+  const int size = 1 + draw.below(4);
+  const int motion = draw.below(3);
+  Scene scene = random_scene(draw, size, motion == 1);
+  if (motion == 2) shake(draw, scene);
+  return scene;
+}
+
+std::string Tally::add(std::uint64_t seed) {
+  const Scene scene = seeded_scene(seed);
+  const auto found = attempt<double>([&] { return solve(scene); });
+  const auto expected = attempt<Quad>([&] { return reference(scene); });
+  ++scenes;
+  std::ostringstream text;
+  text << "seed " << seed << ", " << scene.blocks.size() << " blocks: ";
+  if (!found.failure.empty() || !expected.failure.empty()) {
+    ++stuck;
+    if (found.failure == expected.failure) return {};
+    ++parted;
+    ++unexplained;
+    text << "found \"" << found.failure << "\", expected \"" << expected.failure << '"';
+    return text.str();
+  }
+  events += expected.history.events.size();
+  const Agreement agreement = compare(found.history, expected.history);
+  for (const Deviation& deviation : agreement.events) {
+    worst.time = std::max(worst.time, std::abs(deviation.time));
+    worst.state = std::max(worst.state, deviation.state);
+  }
+  if (!agreement.parts) return {};
+  ++parted;
+  // A solver rounds more than once.
+  constexpr int several = 16;
+  const Agreement response = response_to_rounding(scene, expected.history, several);
+  const bool explained = response.parts && *response.parts <= *agreement.parts;
+  if (!explained) ++unexplained;
+  const std::size_t event = *agreement.parts;
+  text << "event " << event << " of " << expected.history.events.size() << ": found "
+       << words(found.history, event) << ", expected " << words(expected.history, event)
+       << "; before it off by " << (event > 0 ? agreement.events[event - 1].time : 0.0)
+       << " s, roundings of the input make " << (response.events.empty() ? 0.0 : response.events.back().time)
+       << " s" << (explained ? " and parts too" : "");
+  return text.str();
+}
+
+std::string Tally::summary() const {
+  std::ostringstream text;
+  text << scenes << " scenes, " << events << " events; in " << stuck << " scenes the model cannot go on; "
+       << parted << " part from the reference, " << unexplained
+       << " of them though roundings of the input do not; worst event time off by " << worst.time
+       << " s, worst state by " << worst.state;
+  return text.str();
+}
+
+}  // namespace rockstack::testing

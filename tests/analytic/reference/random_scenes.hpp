@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tests/analytic/reference/agreement.hpp"
+
+namespace rockstack::testing {
+
+/// The scene of a seed: one to four random blocks that move, free, under a record or under a pulse.
+Scene seeded_scene(std::uint64_t seed);
+
+/// Sums over scenes that were compared with the reference.
+struct Tally {
+  std::size_t scenes = 0;
+  std::size_t events = 0;  ///< of the reference
+  std::size_t parted = 0;  ///< scenes whose events are not those of the reference
+  std::size_t unexplained =
+      0;                  ///< of these, those that do not part from themselves by a rounding of the input
+  std::size_t stuck = 0;  ///< scenes in which the model cannot go on, in both
+  Deviation worst = {};   ///< of all events that were matched
+
+  /// Compares the scene of a seed; a line about it where its events are not those of the reference.
+  std::string add(std::uint64_t seed);
+  std::string summary() const;
+};
+
+}  // namespace rockstack::testing

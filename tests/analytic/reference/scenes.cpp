@@ -1,0 +1,22 @@
+// Compares the solver with the reference over seeded random scenes: reference_scenes [COUNT [FIRST]]. Prints
+// a line for each scene whose events are not those of the reference, and a summary; fails where a scene does
+// not itself answer a rounding of its input with other events.
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "tests/analytic/reference/random_scenes.hpp"
+
+int main(int arguments, char** values) {
+  using namespace rockstack::testing;
+  const std::uint64_t count = arguments > 1 ? std::strtoull(values[1], nullptr, 10) : 10000;
+  const std::uint64_t first = arguments > 2 ? std::strtoull(values[2], nullptr, 10) : 0;
+  Tally tally;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    const std::string words = tally.add(seed);
+    if (!words.empty()) std::printf("%s\n", words.c_str());
+    std::fflush(stdout);
+  }
+  std::printf("%s\n", tally.summary().c_str());
+  return tally.unexplained == 0 ? 0 : 1;
+}
