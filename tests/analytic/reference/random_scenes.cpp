@@ -63,23 +63,37 @@ std::string Tally::add(std::uint64_t seed) {
   }
   events += expected.history.events.size();
   const Agreement agreement = compare(found.history, expected.history);
-  for (const Deviation& deviation : agreement.events) {
-    worst.time = std::max(worst.time, std::abs(deviation.time));
-    worst.state = std::max(worst.state, deviation.state);
-  }
-  if (!agreement.parts) return {};
-  ++parted;
+  Deviation largest;
+  std::size_t matched = 0;
   // A solver rounds more than once.
   constexpr int several = 16;
-  const Agreement response = response_to_rounding(scene, expected.history, several);
-  const bool explained = response.parts && *response.parts <= *agreement.parts;
+  constexpr double small = 1e-10;
+  std::optional<Agreement> response;
+  for (; matched < agreement.events.size(); ++matched) {
+    const Deviation& deviation = agreement.events[matched];
+    if (std::abs(deviation.time) > small || deviation.state > small) {
+      if (!response) response = response_to_rounding(scene, expected.history, several);
+      if (matched >= response->events.size()) break;
+      const Deviation& own = response->events[matched];
+      amplified = std::max({amplified, std::abs(deviation.time) / own.time, deviation.state / own.state});
+    }
+    largest.time = std::max(largest.time, std::abs(deviation.time));
+    largest.state = std::max(largest.state, deviation.state);
+  }
+  worst.time = std::max(worst.time, largest.time);
+  worst.state = std::max(worst.state, largest.state);
+  if (response) ++sensitive;
+  if (!agreement.parts) return {};
+  ++parted;
+  if (!response) response = response_to_rounding(scene, expected.history, several);
+  const bool explained = response->parts && *response->parts <= *agreement.parts;
   if (!explained) ++unexplained;
   const std::size_t event = *agreement.parts;
   text << "event " << event << " of " << expected.history.events.size() << ": found "
        << words(found.history, event) << ", expected " << words(expected.history, event)
-       << "; before it off by " << (event > 0 ? agreement.events[event - 1].time : 0.0)
-       << " s, roundings of the input make " << (response.events.empty() ? 0.0 : response.events.back().time)
-       << " s" << (explained ? " and parts too" : "");
+       << "; before it off by " << largest.time << " s, roundings of the input make "
+       << (response->events.empty() ? 0.0 : response->events.back().time) << " s"
+       << (explained ? " and part too" : "");
   return text.str();
 }
 
@@ -88,7 +102,9 @@ std::string Tally::summary() const {
   text << scenes << " scenes, " << events << " events; in " << stuck << " scenes the model cannot go on; "
        << parted << " part from the reference, " << unexplained
        << " of them though roundings of the input do not; worst event time off by " << worst.time
-       << " s, worst state by " << worst.state;
+       << " s, worst state by " << worst.state << "; " << sensitive
+       << " scenes are off by more than 1e-10 somewhere, by at most " << amplified
+       << " times what 16 roundings of their input make";
   return text.str();
 }
 

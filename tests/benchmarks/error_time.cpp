@@ -1,0 +1,215 @@
+// Error against run time of many methods on the same scenes, in one run: error_time FOLDER writes
+// methods.csv, methods.md and the figure methods.png into it.
+//
+// Error: RMS, over all blocks and samples 10 ms apart, of the difference of angles to the reference of 113
+// bits, rad; up to where the scene itself amplifies a rounding more than 10⁴ times. Time: processor time of
+// the whole scene without samples, median of several runs. Chatter ends at flights below the tolerance, or
+// within a step of the paper's method.
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+
+#include "analytic/solve.hpp"
+#include "engines/engine.hpp"
+#include "tests/analytic/reference/agreement.hpp"
+#include "tests/analytic/reference/example_scenes.hpp"
+#include "tests/benchmarks/measurement.hpp"
+#include "tests/benchmarks/methods.hpp"
+#include "tests/benchmarks/stepped.hpp"
+#ifdef ROCKSTACK_WITH_SUNDIALS
+#include "tests/benchmarks/cvode.hpp"
+#endif
+
+namespace rockstack::benchmarks {
+namespace {
+
+struct Contender {
+  std::string method;
+  double setting;  ///< tolerance, or step in s
+  std::function<std::vector<double>(const Scene&, const std::vector<double>&)>
+      angles;                                   ///< absolute, at samples
+  std::function<double(const Scene&)> seconds;  ///< of one run
+};
+
+double processor_seconds(const std::function<void()>& work) {
+  constexpr double shortest = 5e-3;
+  for (int repeats = 1;; repeats *= 4) {
+    const std::clock_t start = std::clock();
+    for (int i = 0; i < repeats; ++i) work();
+    const double elapsed = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    if (elapsed >= shortest) return elapsed / repeats;
+  }
+}
+
+Contender ours(const std::string& method, Integrator integrator, double setting) {
+  SolveOptions options;
+  options.integrator = integrator;
+  if (integrator == Integrator::taylor) {
+    options.tolerance = options.resolution = setting;
+  } else {
+    options.step = setting;
+  }
+  return {method, setting,
+          [options](const Scene& scene, const std::vector<double>& samples) {
+            SolveOptions sampled = options;
+            sampled.sample_times = samples;
+            return solve(scene, sampled).angles;
+          },
+          [options](const Scene& scene) { return processor_seconds([&] { solve(scene, options); }); }};
+}
+
+template <template <int> class Method, int N>
+std::vector<double> run_stepped(const Scene& scene, const ChatterEnd& end, double setting,
+                                const std::vector<double>& samples) {
+  std::vector<double> angles = Stepped<Method, N>(scene, end, setting, samples).run();
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    if (i % N != 0) angles[i] += angles[i - 1];
+  return angles;
+}
+
+template <template <int> class Method>
+Contender stepped(const std::string& method, double setting, const ChatterEnd& end) {
+  const auto run = [=](const Scene& scene, const std::vector<double>& samples) {
+    return scene.blocks.size() == 1 ? run_stepped<Method, 1>(scene, end, setting, samples)
+                                    : run_stepped<Method, 2>(scene, end, setting, samples);
+  };
+  return {method, setting, run,
+          [run](const Scene& scene) { return processor_seconds([&] { run(scene, {}); }); }};
+}
+
+Contender stepped_by(const Engine& engine, double dt) {
+  const auto steps = [dt](double time) { return static_cast<std::size_t>(std::lround(time / dt)); };
+  return {engine.name(), dt,
+          [&engine, dt, steps](const Scene& scene, const std::vector<double>& samples) {
+            const History history = simulate(engine, scene, dt, engine.tuned_parameters()).history;
+            std::vector<double> angles;
+            for (const double sample : samples) {
+              const auto row = history.angles_at(std::min(steps(sample), history.size() - 1));
+              angles.insert(angles.end(), row.begin(), row.end());
+            }
+            return angles;
+          },
+          [&engine, dt, steps](const Scene& scene) {
+            const auto simulation = engine.start(scene, dt, engine.tuned_parameters());
+            const std::clock_t start = std::clock();
+            for (std::size_t i = 0; i < steps(scene.duration); ++i) simulation->step();
+            return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+          }};
+}
+
+std::vector<Contender> contenders() {
+  std::vector<Contender> all;
+  for (const double tolerance : {0.0, 1e-12, 1e-9, 1e-6})
+    all.push_back(ours("taylor", Integrator::taylor, tolerance));
+  for (const double step : {2e-4, 1e-3}) all.push_back(ours("rk4, exact events", Integrator::rk4, step));
+  for (const double step : {1e-4, 1e-3})
+    all.push_back(stepped<PaperRk4>("rk4 of the paper", step, {0, step}));
+  for (const double tolerance : {1e-12, 1e-9, 1e-6})
+    all.push_back(stepped<Dopri5>("odeint dopri5", tolerance, {tolerance, 0}));
+#ifdef ROCKSTACK_WITH_SUNDIALS
+  for (const double tolerance : {1e-12, 1e-9, 1e-6})
+    all.push_back(stepped<Cvode>("CVODE Adams", tolerance, {tolerance, 0}));
+#endif
+  for (const auto& engine : engines())
+    for (const double dt : {1e-4, 1e-3, 1e-2}) all.push_back(stepped_by(*engine, dt));
+  return all;
+}
+
+/// Until when a scene amplifies a rounding less than 10⁴ times, s.
+double predictable(const Scene& scene, const testing::QuadHistory& history) {
+  const testing::Agreement response = testing::response_to_rounding(scene, history);
+  constexpr double limit = 1e4 * std::numeric_limits<double>::epsilon();
+  for (std::size_t i = 0; i < response.events.size(); ++i) {
+    if (response.events[i].time > limit || response.events[i].state > limit)
+      return static_cast<double>(history.events[i].time);
+  }
+  return scene.duration;
+}
+
+double root_mean_square(const std::vector<double>& angles, const std::vector<testing::Quad>& expected) {
+  if (angles.size() != expected.size()) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const auto difference = static_cast<double>(angles[i] - expected[i]);
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / static_cast<double>(angles.size()));
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+std::vector<Measurement> measure(const Scene& scene) {
+  const double end = predictable(scene, testing::reference(scene));
+  std::cout << scene.title << ", " << scene.duration << " s: errors up to " << end << " s" << std::endl;
+  const std::vector<double> samples = regular_times(0.01, end);
+  const auto expected = testing::reference(scene, samples).angles;
+  std::vector<Measurement> result;
+  for (const Contender& contender : contenders()) {
+    const double error = root_mean_square(contender.angles(scene, samples), expected);
+    std::vector<double> seconds;
+    for (int i = 0; i < 5; ++i) seconds.push_back(contender.seconds(scene));
+    result.push_back({scene.title, contender.method, contender.setting, error, median(seconds)});
+  }
+  return result;
+}
+
+void write_columns(const std::vector<Measurement>& measurements, std::ostream& out) {
+  out << "scene\tmethod\tsetting\terror_rad\ttime_s\n";
+  for (const Measurement& m : measurements)
+    out << m.scene << '\t' << m.method << '\t' << m.setting << '\t' << m.error << '\t' << m.seconds << '\n';
+}
+
+/// A row a method and setting, a column a scene.
+void write_table(const std::vector<Measurement>& measurements, std::ostream& out) {
+  std::vector<std::string> scenes;
+  for (const Measurement& m : measurements)
+    if (std::find(scenes.begin(), scenes.end(), m.scene) == scenes.end()) scenes.push_back(m.scene);
+  out << "| method | tolerance or step (s) |";
+  for (const std::string& scene : scenes) out << ' ' << scene << " |";
+  out << "\n|---|---|";
+  for (std::size_t i = 0; i < scenes.size(); ++i) out << "---|";
+  out << '\n';
+  const std::size_t rows = measurements.size() / scenes.size();
+  for (std::size_t row = 0; row < rows; ++row) {
+    out << "| " << measurements[row].method << " | " << measurements[row].setting << " |";
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const Measurement& m = measurements[row + i * rows];
+      out.precision(1);
+      out << std::scientific << ' ' << m.error << ", ";
+      const double milliseconds = 1e3 * m.seconds;
+      out.precision(milliseconds < 0.1 ? 3 : milliseconds < 1 ? 2 : milliseconds < 100 ? 1 : 0);
+      out << std::fixed << milliseconds << " ms |" << std::defaultfloat;
+    }
+    out << '\n';
+  }
+}
+
+}  // namespace
+}  // namespace rockstack::benchmarks
+
+int main(int arguments, char** values) {
+  using namespace rockstack;
+  const std::filesystem::path folder = arguments > 1 ? values[1] : ".";
+  std::filesystem::create_directories(folder);
+  std::vector<benchmarks::Measurement> all;
+  for (const auto& scene : {testing::two_blocks_free, testing::two_blocks_recorded, testing::one_block_free,
+                            testing::one_block_pulse}) {
+    const auto measured = benchmarks::measure(scene());
+    all.insert(all.end(), measured.begin(), measured.end());
+  }
+  std::ofstream columns(folder / "methods.csv");
+  benchmarks::write_columns(all, columns);
+  std::ofstream table(folder / "methods.md");
+  benchmarks::write_table(all, table);
+#ifdef ROCKSTACK_WITH_PLOTS
+  benchmarks::draw(all, folder / "methods");
+#endif
+}
