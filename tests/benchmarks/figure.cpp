@@ -32,14 +32,14 @@ void draw(const std::vector<Measurement>& measurements, const std::filesystem::p
   const auto methods = distinct(measurements, &Measurement::method);
   std::ostringstream data;
   std::ostringstream commands;
-  commands
-      << "set multiplot layout 2,2 margins 0.07,0.99,0.14,0.95 spacing 0.06,0.12\n"
-         "set logscale xy\nset format xy '10^{%T}'\nset grid lc rgb '#E4E4E4'\n"
-         "set yrange [1e-17:1]\nset xrange [1e-5:10]\nset key at screen 0.53,0.005 center bottom maxrows 1\n";
+  commands << "set multiplot layout 2,2 margins 0.08,0.98,0.13,0.96 spacing 0.07,0.09\n"
+              "set logscale xy\nset format xy '10^{%T}'\nset grid lc rgb '#E4E4E4'\n"
+              "set yrange [1e-17:1]\nset ytics 1e-16,1e4\nset mytics 1\nset xrange [1e-5:20]\nset key at "
+              "screen 0.53,0.005 center bottom maxrows 2 samplen 1.5 width -1 font ',12'\n";
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     commands << "set title '" << scenes[i] << "' noenhanced offset 0,-0.5\n"
-             << (i >= 2 ? "set xlabel 'processor time (s)' offset 0,0.5\n" : "unset xlabel\n")
-             << (i % 2 == 0 ? "set ylabel 'error (rad)'\n" : "unset ylabel\n")
+             << (i >= 2 ? "set xlabel 'processor time (s)' offset 0,0.7\n" : "unset xlabel\n")
+             << (i % 2 == 0 ? "set ylabel 'error (rad)' offset 1,0\n" : "unset ylabel\n")
              << (i + 1 == scenes.size() ? "set key\n" : "unset key\n") << "plot ";
     for (std::size_t j = 0; j < methods.size(); ++j) {
       data << block_name(i, j) << " << EOD\n";
