@@ -134,7 +134,7 @@ class Solver {
     Polynomial<Real> angle;  // absolute
     for (std::size_t k = 0; k < history_.peaks.size(); ++k) {
       add(flow.angles[k], angle);
-      for (const Real side : {Real(1), Real(-1)}) {
+      for (const Real& side : {Real(1), Real(-1)}) {
         Polynomial<Real> part = angle;
         for (Real& coefficient : part) coefficient *= side;
         rescale(part, s);
