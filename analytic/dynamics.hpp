@@ -48,14 +48,19 @@ struct State {
   Vector<Real, N> velocities;
 };
 
-/// The chain at a state; upright for the linear equations.
+/// The directions of the blocks at a state; upright for the linear equations.
+template <class Real, int N>
+Directions<Real, N> directions_at(const Model<Real, N>& model, const Vector<Real, N>& relative_angles) {
+  const auto size = relative_angles.size();
+  if (model.equations == Equations::linear) return {Vector<Real, N>::Ones(size), Vector<Real, N>::Zero(size)};
+  return directions<Real, N>(absolute(relative_angles));
+}
+
+/// The chain at a state.
 template <class Real, int N>
 Chain<Real, N> chain_at(const Model<Real, N>& model, const Pattern& pattern,
                         const Vector<Real, N>& relative_angles) {
-  if (model.equations == Equations::linear) {
-    return make_chain(model.stack, pattern, Vector<Real, N>::Zero(relative_angles.size()));
-  }
-  return make_chain(model.stack, pattern, absolute(relative_angles));
+  return make_chain(model.stack, pattern, directions_at(model, relative_angles));
 }
 
 /// Sums from the top down: turns what belongs to the absolute angles of blocks into what belongs to relative

@@ -58,6 +58,7 @@ void find_closing(const Flow<Real, N>& flow, Next<Real>& next) {
   const Pattern& pattern = flow.start.pattern;
   for (int k = 0; k < pattern.size; ++k) {
     if (pattern[k] == Contact::closed) continue;
+    if (stays_positive(flow.angles[static_cast<std::size_t>(k)], sign(pattern[k]))) continue;
     const Polynomial<Real> course = gap(flow, k);
     if (next.admit(first_crossing(course))) next.closing.set(static_cast<std::size_t>(k));
     if (const auto s = grazing(course)) next.grazes.push_back({*s, EventKind::impact, k + 1});
@@ -93,7 +94,7 @@ void find_toppling(const Flow<Real, N>& flow, const std::array<Real, max_blocks>
     const auto block = static_cast<std::size_t>(k);
     const Polynomial<Real>& relative = flow.angles[block];
     add(relative, angle);
-    if (abs(angle[0]) + reach(angle) < toppling_angles[block]) continue;
+    if (angle.terms == 0 || abs(angle[0]) + reach(angle) < toppling_angles[block]) continue;
     Polynomial<Real> room = angle;
     for (Real& coefficient : room) coefficient *= angle[0] > 0 ? Real(-1) : Real(1);
     room[0] += toppling_angles[block];

@@ -46,16 +46,32 @@ struct Impact {
   }
 };
 
+/// What an impact finds, whatever pattern follows.
+template <class Real, int N = Eigen::Dynamic>
+struct Approach {
+  Directions<Real, N> towards;
+  Motion<Real, N> motion;
+};
+
+template <class Real, int N>
+Approach<Real, N> approach(const Model<Real, N>& model, const State<Real, N>& before) {
+  const Vector<Real, N> rates = absolute(before.velocities);
+  const Directions<Real, N> towards = directions_at(model, before.angles);
+  return {towards, {centre_velocities(make_chain(model.stack, before.pattern, towards), rates), rates}};
+}
+
 /// The velocities that follow if `pattern` does, in rad/s, and the impulses that bring them about, in N·s.
+template <class Real, int N>
+Outcome<Real, N> velocities_after(const Model<Real, N>& model, const Approach<Real, N>& before,
+                                  const Pattern& pattern) {
+  return respond(model, pattern, before.towards, make_chain(model.stack, pattern, before.towards),
+                 before.motion);
+}
+
 template <class Real, int N>
 Outcome<Real, N> velocities_after(const Model<Real, N>& model, const Impact<Real, N>& impact,
                                   const Pattern& pattern) {
-  const State<Real, N>& before = impact.before;
-  const Vector<Real, N> rates = absolute(before.velocities);
-  const Motion<Real, N> motion{centre_velocities(chain_at(model, before.pattern, before.angles), rates),
-                               rates};
-  const Chain<Real, N> chain = chain_at(model, pattern, before.angles);
-  return respond(model, pattern, before.angles, chain, motion);
+  return velocities_after(model, approach(model, impact.before), pattern);
 }
 
 /// True where every touching interface that is open opens towards its side.
@@ -70,18 +86,24 @@ bool kinematically_admissible(const Outcome<Real, N>& outcome, const Interfaces&
 
 /// The pattern that is admissible both ways, if there is one.
 template <class Real, int N>
-std::optional<Outcome<Real, N>> consistent_outcome(const Model<Real, N>& model,
-                                                   const Impact<Real, N>& impact) {
+std::optional<Outcome<Real, N>> consistent_outcome(const Model<Real, N>& model, const Impact<Real, N>& impact,
+                                                   const Approach<Real, N>& before) {
   auto outcome =
       find_admissible(model.stack, impact.before.pattern, impact.touching(), Real(0),
-                      [&](const Pattern& pattern) { return velocities_after(model, impact, pattern); });
+                      [&](const Pattern& pattern) { return velocities_after(model, before, pattern); });
   if (outcome && !pushes(*outcome)) outcome.reset();
   return outcome;
 }
 
-/// The paper's order: open, joined, closed.
 template <class Real, int N>
-Outcome<Real, N> paper_outcome(const Model<Real, N>& model, const Impact<Real, N>& impact) {
+std::optional<Outcome<Real, N>> consistent_outcome(const Model<Real, N>& model,
+                                                   const Impact<Real, N>& impact) {
+  return consistent_outcome(model, impact, approach(model, impact.before));
+}
+
+/// The paper's order: open, joined, closed. `evaluate` maps a pattern to its outcome.
+template <class Real, int N, class Evaluate>
+Outcome<Real, N> paper_outcome(const Impact<Real, N>& impact, const Evaluate& evaluate) {
   const Interfaces touching = impact.touching();
   int lowest = 0;
   while (!impact.impacting.test(static_cast<std::size_t>(lowest))) ++lowest;
@@ -98,10 +120,17 @@ Outcome<Real, N> paper_outcome(const Model<Real, N>& model, const Impact<Real, N
     closed[k] = Contact::closed;
   }
   for (const Pattern& pattern : {open, joined}) {
-    Outcome<Real, N> outcome = velocities_after(model, impact, pattern);
+    Outcome<Real, N> outcome = evaluate(pattern);
     if (kinematically_admissible(outcome, touching)) return outcome;
   }
-  return velocities_after(model, impact, closed);
+  return evaluate(closed);
+}
+
+template <class Real, int N>
+Outcome<Real, N> paper_outcome(const Model<Real, N>& model, const Impact<Real, N>& impact) {
+  const Approach<Real, N> before = approach(model, impact.before);
+  return paper_outcome<Real, N>(
+      impact, [&](const Pattern& pattern) { return velocities_after(model, before, pattern); });
 }
 
 /// What follows an impact under a law, and whether it is the consistent pattern.
@@ -113,9 +142,13 @@ struct Resolution {
 
 template <class Real, int N>
 Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& impact, Law law) {
-  const auto consistent = consistent_outcome(model, impact);
+  const Approach<Real, N> before = approach(model, impact.before);
+  const auto consistent = consistent_outcome(model, impact, before);
   if (law == Law::consistent && consistent) return {*consistent, Consistency::consistent};
-  const Outcome<Real, N> chosen = paper_outcome(model, impact);
+  const Outcome<Real, N> chosen = paper_outcome<Real, N>(impact, [&](const Pattern& pattern) {
+    return consistent && consistent->pattern == pattern ? *consistent
+                                                        : velocities_after(model, before, pattern);
+  });
   if (!consistent) return {chosen, Consistency::none};
   return {chosen, chosen.pattern == consistent->pattern ? Consistency::consistent : Consistency::other};
 }

@@ -19,13 +19,13 @@ struct Outcome {
 /// The allowed motion nearest to `free` (with any bias already taken off) and what brings it about.
 template <class Real, int N>
 Outcome<Real, N> respond(const Model<Real, N>& model, const Pattern& pattern,
-                         const Vector<Real, N>& relative_angles, const Chain<Real, N>& chain,
+                         const Directions<Real, N>& towards, const Chain<Real, N>& chain,
                          const Motion<Real, N>& free) {
   const Vector<Real, N> relative_motion = nearest_allowed(model.stack, pattern, chain, free);
   const Vector<Real, N> rotation = absolute(relative_motion);
   const Motion<Real, N> change{centre_velocities(chain, rotation) - free.centre, rotation - free.rotation};
   const Real scale = free.centre.colwise().norm().dot(model.stack.mass);
-  return {pattern, relative_motion, reactions(model, chain, relative_angles, change),
+  return {pattern, relative_motion, reactions(model, chain, towards, change),
           1024 * std::numeric_limits<Real>::epsilon() * scale};
 }
 
@@ -33,8 +33,9 @@ Outcome<Real, N> respond(const Model<Real, N>& model, const Pattern& pattern,
 template <class Real, int N>
 Outcome<Real, N> accelerate(const Model<Real, N>& model, const State<Real, N>& state,
                             const Point<Real>& ground) {
-  const Chain<Real, N> chain = chain_at(model, state.pattern, state.angles);
-  return respond(model, state.pattern, state.angles, chain,
+  const Directions<Real, N> towards = directions_at(model, state.angles);
+  const Chain<Real, N> chain = make_chain(model.stack, state.pattern, towards);
+  return respond(model, state.pattern, towards, chain,
                  free_acceleration(model, chain, state.velocities, ground));
 }
 

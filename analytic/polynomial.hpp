@@ -16,14 +16,21 @@ namespace rockstack {
 template <class Real>
 inline constexpr std::size_t max_terms = std::numeric_limits<Real>::digits * 2 / 5 + 1;
 
-/// c₀ + c₁s + … over one step, s in [0, 1]. Coefficients from `terms` on are zero.
+/// c₀ + c₁s + … over one step, s in [0, 1]. Coefficients from `terms` on have no value.
 template <class Real>
 struct Polynomial {
   std::size_t terms = 0;
-  std::array<Real, max_terms<Real>> coefficients{};
+  std::array<Real, max_terms<Real>> coefficients;
 
-  Polynomial() = default;
-  Polynomial(std::initializer_list<Real> values) {
+  Polynomial() {}  // a step makes many, most of them to be filled
+  Polynomial(const Polynomial& other) { *this = other; }
+  Polynomial& operator=(const Polynomial& other) {
+    terms = other.terms;
+    std::copy_n(other.begin(), terms, begin());
+    return *this;
+  }
+  ~Polynomial() = default;
+  Polynomial(std::initializer_list<Real> values) : coefficients{} {
     for (const Real& coefficient : values) coefficients[terms++] = coefficient;
   }
 
@@ -71,7 +78,7 @@ void rescale(Polynomial<Real>& polynomial, const Real& ratio) {
 
 template <class Real>
 void add(const Polynomial<Real>& summand, Polynomial<Real>& sum) {
-  sum.terms = std::max(sum.terms, summand.terms);
+  while (sum.terms < summand.terms) sum[sum.terms++] = 0;
   for (std::size_t i = 0; i < summand.terms; ++i) sum[i] += summand[i];
 }
 
@@ -145,15 +152,19 @@ Real maximum(const Polynomial<Real>& polynomial, Real least) {
 }
 
 /// Where a polynomial that is positive on the left of its only sign change in (low, high) crosses zero:
-/// Newton's method kept inside the bracket by bisection, to rounding.
+/// Newton's method from s, kept inside the bracket by bisection, to rounding.
 template <class Real>
-Real bracketed_root(const Polynomial<Real>& polynomial, Real low, Real high) {
-  Real s = (low + high) / 2;
+Real bracketed_root(const Polynomial<Real>& polynomial, Real low, Real high, Real s) {
   for (int iteration = 0; iteration < 4 * std::numeric_limits<Real>::digits; ++iteration) {
-    const Real height = value(polynomial, s);
+    Real height = 0;
+    Real steepness = 0;
+    for (std::size_t i = polynomial.terms; i-- > 0;) {
+      steepness = steepness * s + height;
+      height = height * s + polynomial[i];
+    }
     if (height == 0) return s;
     (height > 0 ? low : high) = s;
-    const Real newton = s - height / slope(polynomial, s);
+    const Real newton = s - height / steepness;
     const Real next = newton > low && newton < high ? newton : (low + high) / 2;
     using std::abs;
     if (abs(next - s) <= std::numeric_limits<Real>::epsilon() * s) return next;
@@ -162,14 +173,47 @@ Real bracketed_root(const Polynomial<Real>& polynomial, Real low, Real high) {
   return s;
 }
 
+/// True where a bound on the coefficients tells that the polynomial, up to the sign `side`, stays above zero
+/// for all s in (0, 1].
+template <class Real>
+bool stays_positive(const Polynomial<Real>& polynomial, int side = 1) {
+  using std::abs;
+  std::size_t first = 0;
+  while (first < polynomial.terms && polynomial[first] == 0) ++first;
+  if (first == polynomial.terms) return false;
+  Real rest = 0;
+  for (std::size_t i = first + 1; i < polynomial.terms; ++i) rest += abs(polynomial[i]);
+  const Real leading = side > 0 ? polynomial[first] : -polynomial[first];
+  return leading > 0 && leading >= rest;
+}
+
+/// True where a bound on the coefficients tells that the polynomial falls for all s in [0, 1].
+template <class Real>
+bool falls(const Polynomial<Real>& polynomial) {
+  using std::abs;
+  Real rest = 0;
+  for (std::size_t i = 2; i < polynomial.terms; ++i) rest += Real(i) * abs(polynomial[i]);
+  return polynomial.terms > 1 && -polynomial[1] > rest;
+}
+
+/// The first zero of a falling polynomial's first three terms, or 1/2 where it is not in (0, 1).
+template <class Real>
+Real quadratic_root(const Polynomial<Real>& polynomial) {
+  using std::sqrt;
+  const Real square = polynomial.terms > 2 ? polynomial[2] : Real(0);
+  const Real radicand = polynomial[1] * polynomial[1] - 4 * square * polynomial[0];
+  const Real root = radicand > 0 ? 2 * polynomial[0] / (sqrt(radicand) - polynomial[1]) : Real(0);
+  return root > 0 && root < 1 ? root : Real(1) / 2;
+}
+
 /// The polynomial divided by the power of s that it holds: what is left after a start exactly at zero.
 template <class Real>
 Polynomial<Real> deflated(const Polynomial<Real>& polynomial) {
   std::size_t zeros = 0;
   while (zeros < polynomial.terms && polynomial[zeros] == 0) ++zeros;
-  if (zeros == 0) return polynomial;
   Polynomial<Real> result;
-  for (std::size_t i = zeros; i < polynomial.terms; ++i) result[result.terms++] = polynomial[i];
+  result.terms = polynomial.terms - zeros;
+  std::copy(polynomial.begin() + zeros, polynomial.end(), result.begin());
   return result;
 }
 
@@ -177,13 +221,17 @@ Polynomial<Real> deflated(const Polynomial<Real>& polynomial) {
 /// Touching zero without crossing is no crossing, but from within rounding of zero the two cannot be told
 /// apart: then it counts as one. Every crossing is found, however close to the next: an
 /// interval is dropped only where no Bernstein coefficient is negative, and searched by Newton only where
-/// their signs change once (Descartes). Most steps need none of that: a bound on the coefficients excludes a
-/// crossing.
+/// their signs change once (Descartes). Most steps need none of that: bounds on the coefficients exclude a
+/// crossing, or tell that there is one at most.
 template <class Real>
 std::optional<Real> first_crossing(const Polynomial<Real>& whole) {
-  if (whole.terms == 0 || (whole[0] > 0 && whole[0] >= reach(whole))) return std::nullopt;
+  if (stays_positive(whole)) return std::nullopt;
   const Polynomial<Real> polynomial = deflated(whole);
-  if (polynomial.terms == 0 || (polynomial[0] > 0 && polynomial[0] >= reach(polynomial))) return std::nullopt;
+  if (polynomial.terms == 0) return std::nullopt;
+  if (polynomial[0] > 0 && falls(polynomial)) {
+    if (value(polynomial, Real(1)) >= 0) return std::nullopt;
+    return bracketed_root<Real>(polynomial, 0, 1, quadratic_root(polynomial));
+  }
 
   struct Search {
     const Polynomial<Real>& polynomial;
@@ -198,7 +246,7 @@ std::optional<Real> first_crossing(const Polynomial<Real>& whole) {
       }
       if (changes == 0) return last < 0 ? std::optional(low) : std::nullopt;
       if (width < std::numeric_limits<Real>::epsilon()) return low;
-      if (changes == 1 && last < 0) return bracketed_root(polynomial, low, low + width);
+      if (changes == 1 && last < 0) return bracketed_root(polynomial, low, low + width, low + width / 2);
       const auto halves = halve(coefficients);
       if (const auto left = (*this)(halves.left, low, width / 2)) return left;
       return (*this)(halves.right, low + width / 2, width / 2);

@@ -43,6 +43,7 @@ Polynomial<Real> series_of(const Pulse& pulse, const Real& elapsed, const Real& 
   Polynomial<Real> series;
   if (pulse.shape == PulseShape::rectangle) return {amplitude};
   series.terms = max_terms<Real>;
+  std::fill(series.begin(), series.end(), Real(0));
   switch (pulse.shape) {
     case PulseShape::sine:
     case PulseShape::half_sine:

@@ -17,13 +17,9 @@ struct Reactions {
 /// would.
 template <class Real, int N>
 Reactions<Real, N> reactions(const Model<Real, N>& model, const Chain<Real, N>& chain,
-                             const Vector<Real, N>& relative_angles, const Motion<Real, N>& change) {
-  using std::cos;
-  using std::sin;
+                             const Directions<Real, N>& towards, const Motion<Real, N>& change) {
   const Stack<Real, N>& stack = model.stack;
   const int size = stack.size();
-  const bool upright = model.equations == Equations::linear;
-  const Vector<Real, N> angles = absolute(relative_angles);
   const Vector<Real, N> zero = Vector<Real, N>::Zero(size);
   Reactions<Real, N> result{zero, zero, zero};
   Point<Real> force = Point<Real>::Zero();
@@ -36,9 +32,8 @@ Reactions<Real, N> reactions(const Model<Real, N>& model, const Chain<Real, N>& 
     // The face is the lower block's, or the upper one's where that overhangs and rests on the lower one's
     // corner.
     const int face = stack.overhangs[static_cast<std::size_t>(k)] ? k : k - 1;
-    const Real tilt = upright || face < 0 ? Real(0) : angles[face];
-    const Real cosine = cos(tilt);
-    const Real sine = sin(tilt);
+    const Real cosine = face < 0 ? Real(1) : towards.cosine[face];
+    const Real sine = face < 0 ? Real(0) : towards.sine[face];
     result.normal[k] = force.x() * sine + force.y() * cosine;
     result.tangential[k] = force.x() * cosine - force.y() * sine;
     result.moment[k] = moment;

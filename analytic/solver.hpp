@@ -134,6 +134,8 @@ class Solver {
     Polynomial<Real> angle;  // absolute
     for (std::size_t k = 0; k < history_.peaks.size(); ++k) {
       add(flow.angles[k], angle);
+      using std::abs;
+      if (angle.terms == 0 || abs(angle[0]) + reach(angle) <= history_.peaks[k]) continue;
       for (const Real& side : {Real(1), Real(-1)}) {
         Polynomial<Real> part = angle;
         for (Real& coefficient : part) coefficient *= side;
@@ -259,7 +261,7 @@ class Solver {
     const auto evaluate = [&](const Pattern& pattern) {
       return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, ground);
     };
-    if (first_violation(model_.stack, evaluate(state_.pattern), touching, slack_)) {
+    if (touching.any() && first_violation(model_.stack, evaluate(state_.pattern), touching, slack_)) {
       const auto found = find_admissible(model_.stack, state_.pattern, touching, slack_, evaluate);
       if (!found) no_way_on();
       // To rounding, closed may do as well; but an opening taken back would be found again at once.

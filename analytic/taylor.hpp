@@ -1,5 +1,8 @@
 #pragma once
 
+#include <type_traits>
+#include <utility>
+
 #include "analytic/linkage.hpp"
 #include "analytic/pull.hpp"
 
@@ -30,40 +33,22 @@ class ChainSeries {
  public:
   using Series = std::array<Real, max_terms<Real>>;
 
-  /// From relative angles in rad and relative velocities times the step's length. Keeps a reference to
-  /// `linkage`.
-  ChainSeries(const Linkage<Real, N>& linkage, bool linear, const PerBlock<Real, N>& angles,
+  /// From relative angles in rad and relative velocities times the step's length; `forces` tells whether
+  /// push() and reaction() will be asked for. Keeps a reference to `linkage`.
+  ChainSeries(const Linkage<Real, N>& linkage, bool linear, bool forces, const PerBlock<Real, N>& angles,
               const PerBlock<Real, N>& advances)
-      : linkage_(linkage), linear_(linear) {
+      : linkage_(linkage), linear_(linear), forces_(forces) {
     start(angles, advances);
     factorise();
   }
 
-  /// Computes (φ'')ₙ of all interfaces from all lower orders; `pull_x` and `pull_y` are coefficients 0 … n.
-  void extend(std::size_t n, const Polynomial<Real>& pull_x, const Polynomial<Real>& pull_y) {
-    std::array<Point2, capacity(N)> bends;
-    for (std::size_t k = 0; k < size(); ++k)
-      bends[k] = linear_ ? Point2{Real(0), Real(0)} : known_bend(rows_[k], n);
-    couple(n, bends, pull_x, pull_y);
-    PerBlock<Real, N> known;
-    for (std::size_t k = size(); k-- > 0;)
-      known[k] = moment(rows_[k], n) + (k + 1 < size() ? known[k + 1] : Real(0));
-    const PerBlock<Real, N> relative = solve(known);
-    Real spin = 0;
-    for (std::size_t k = 0; k < size(); ++k) {
-      Row& row = rows_[k];
-      row.relative[n] = relative[k];
-      row.reaction[n] = known[k];
-      for (std::size_t j = 0; j < size(); ++j) row.reaction[n] += mass_[k][j] * relative[j];
-      spin += relative[k];
-      bends[k].x -= row.sine[0] * spin;
-      bends[k].y += row.cosine[0] * spin;
-      row.weighted[n + 2] = spin * reciprocals<Real>[n + 1];
-      const Real twice = reciprocals<Real>[n + 1] * reciprocals<Real>[n + 2];
-      row.cosine[n + 2] = linear_ ? Real(0) : bends[k].x * twice;
-      row.sine[n + 2] = linear_ ? Real(0) : bends[k].y * twice;
+  /// Computes (φ'')ₙ of all interfaces from all lower orders, 0 first.
+  void extend(std::size_t n, const Pull<Real>& pull) {
+    if constexpr (unrolled) {
+      (this->*orders[n])(pull);
+    } else {
+      extend_by(n, pull);
     }
-    couple(n, bends, pull_x, pull_y);
   }
 
   /// (φ'')ₙ of an interface.
@@ -83,6 +68,9 @@ class ChainSeries {
   const Real& reaction(std::size_t k, std::size_t n) const { return rows_[k].reaction[n]; }
 
  private:
+  /// Short stacks in the processor's own numbers have each order compiled by itself.
+  static constexpr bool unrolled = N != Eigen::Dynamic && std::is_arithmetic_v<Real>;
+
   struct Point2 {
     Real x, y;
   };
@@ -112,9 +100,6 @@ class ChainSeries {
     }
   }
 
-  Point2 turned_link(std::size_t k) const {
-    return turned_by(rows_[k], linkage_.link_x[k], linkage_.link_y[k]);
-  }
   static Point2 turned_by(const Row& row, const Real& x, const Real& y) {
     return {x * row.cosine[0] + y * row.sine[0], y * row.cosine[0] - x * row.sine[0]};
   }
@@ -122,12 +107,11 @@ class ChainSeries {
   /// The mass matrix of the relative angles, and its factors L D Lᵀ with closed interfaces held.
   void factorise() {
     for (std::size_t j = 0; j < size(); ++j) {
-      const Point2 moment = turned_by(rows_[j], linkage_.moment_x[j], linkage_.moment_y[j]);
+      links_[j] = turned_by(rows_[j], linkage_.link_x[j], linkage_.link_y[j]);
+      const Point2 moment = moments_[j] = turned_by(rows_[j], linkage_.moment_x[j], linkage_.moment_y[j]);
       mass_[j][j] = linkage_.inertia[j];
-      for (std::size_t i = 0; i < j; ++i) {
-        const Point2 link = turned_link(i);
-        mass_[i][j] = mass_[j][i] = link.x * moment.x + link.y * moment.y;
-      }
+      for (std::size_t i = 0; i < j; ++i)
+        mass_[i][j] = mass_[j][i] = links_[i].x * moment.x + links_[i].y * moment.y;
     }
     for (std::size_t i = size() - 1; i-- > 0;) {
       for (std::size_t j = 0; j < size(); ++j) mass_[i][j] += mass_[i + 1][j];
@@ -160,24 +144,78 @@ class ChainSeries {
     return x;
   }
 
-  /// The known parts of (c'')ₙ and (s'')ₙ.
-  static Point2 known_bend(const Row& row, std::size_t n) {
-    Real x = 0;
-    Real y = 0;
-    for (std::size_t j = 1; j < n + 2; ++j) {
-      x -= row.weighted[j] * row.sine[n + 2 - j];
-      y += row.weighted[j] * row.cosine[n + 2 - j];
+  /// Order n, a number or the constant of one.
+  template <class Order>
+  void extend_by(Order n, const Pull<Real>& pull) {
+    PerBlock<Point2, N> bends;
+    for (std::size_t k = 0; k < size(); ++k)
+      bends[k] = linear_ ? Point2{Real(0), Real(0)} : known_bend(rows_[k], n);
+    couple(n, bends, pull);
+    PerBlock<Real, N> known;
+    for (std::size_t k = size(); k-- > 0;) {
+      known[k] = moment(rows_[k], n);
+      if (k + 1 < size()) known[k] += known[k + 1];
     }
-    return {Real(n + 1) * x, Real(n + 1) * y};
+    const PerBlock<Real, N> relative = solve(known);
+    if (forces_) {
+      for (std::size_t k = 0; k < size(); ++k) {
+        rows_[k].reaction[n] = known[k];
+        for (std::size_t j = 0; j < size(); ++j) rows_[k].reaction[n] += mass_[k][j] * relative[j];
+      }
+    }
+    PerBlock<Real, N> spins;
+    Real spin = 0;
+    for (std::size_t k = 0; k < size(); ++k) {
+      Row& row = rows_[k];
+      row.relative[n] = relative[k];
+      spin = spins[k] = k == 0 ? relative[0] : spin + relative[k];
+      row.weighted[n + 2] = spin * reciprocals<Real>[n + 1];
+      const Real twice = reciprocals<Real>[n + 1] * reciprocals<Real>[n + 2];
+      row.cosine[n + 2] = linear_ ? Real(0) : (bends[k].x - row.sine[0] * spin) * twice;
+      row.sine[n + 2] = linear_ ? Real(0) : (bends[k].y + row.cosine[0] * spin) * twice;
+    }
+    couple(n, spins);
   }
 
-  /// Order n of what each block feels of the others and of the pull.
-  void couple(std::size_t n, const std::array<Point2, capacity(N)>& bends, const Polynomial<Real>& pull_x,
-              const Polynomial<Real>& pull_y) {
-    Point2 below{n < pull_x.terms ? -pull_x[n] : Real(0), n < pull_y.terms ? -pull_y[n] : Real(0)};
-    std::array<Point2, capacity(N)> pivots;
+  template <std::size_t n>
+  void extend_to(const Pull<Real>& pull) {
+    extend_by(std::integral_constant<std::size_t, n>{}, pull);
+  }
+
+  using Extend = void (ChainSeries::*)(const Pull<Real>&);
+  template <std::size_t... n>
+  static constexpr std::array<Extend, sizeof...(n)> list(std::index_sequence<n...>) {
+    return {&ChainSeries::extend_to<n>...};
+  }
+  static constexpr auto orders = list(std::make_index_sequence < unrolled ? max_terms<Real> - 2 : 0 > {});
+
+  /// The known parts of (c'')ₙ and (s'')ₙ.
+  template <class Order>
+  static Point2 known_bend(const Row& row, Order n) {
+    Real x = row.weighted[1] * row.sine[n + 1];
+    Real y = row.weighted[1] * row.cosine[n + 1];
+    for (std::size_t j = 2; j < n + 2; ++j) {
+      x += row.weighted[j] * row.sine[n + 2 - j];
+      y += row.weighted[j] * row.cosine[n + 2 - j];
+    }
+    return {-Real(n + 1) * x, Real(n + 1) * y};
+  }
+
+  /// Order n of what each block feels of the others, as far as it is known, and of the pull.
+  template <class Order>
+  void couple(Order n, const PerBlock<Point2, N>& bends, const Pull<Real>& pull) {
+    Point2 below{n < pull.x.terms ? -pull.x[n] : Real(0), n < pull.y.terms ? -pull.y[n] : Real(0)};
     for (std::size_t k = 0; k < size(); ++k) {
-      pivots[k] = below;
+      const Real& sx = linkage_.moment_x[k];
+      const Real& sy = linkage_.moment_y[k];
+      Row& row = rows_[k];
+      row.across[n] = sy * below.x - sx * below.y;
+      row.along[n] = -(sx * below.x + sy * below.y);
+      if (forces_) {
+        row.force_x[n] = linkage_.mass[k] * below.x;
+        row.force_y[n] = linkage_.mass[k] * below.y;
+      }
+      if (k + 1 == size()) break;
       below.x += linkage_.link_x[k] * bends[k].x + linkage_.link_y[k] * bends[k].y;
       below.y += linkage_.link_y[k] * bends[k].x - linkage_.link_x[k] * bends[k].y;
     }
@@ -185,22 +223,58 @@ class ChainSeries {
     for (std::size_t k = size(); k-- > 0;) {
       const Real& sx = linkage_.moment_x[k];
       const Real& sy = linkage_.moment_y[k];
-      const Real& lx = linkage_.link_x[k];
-      const Real& ly = linkage_.link_y[k];
-      Row& row = rows_[k];
-      row.across[n] = sy * pivots[k].x - sx * pivots[k].y + ly * above.x - lx * above.y;
-      row.along[n] = -(sx * pivots[k].x + sy * pivots[k].y + lx * above.x + ly * above.y);
+      if (k + 1 < size()) lean(n, k, above);
+      if (k == 0 && !forces_) break;
       above.x += sx * bends[k].x + sy * bends[k].y;
       above.y += sy * bends[k].x - sx * bends[k].y;
-      row.force_x[n] = linkage_.mass[k] * pivots[k].x + above.x;
-      row.force_y[n] = linkage_.mass[k] * pivots[k].y + above.y;
+      if (!forces_) continue;
+      rows_[k].force_x[n] += above.x;
+      rows_[k].force_y[n] += above.y;
     }
   }
 
+  /// The rest of it, from the spins (ψ'')ₙ.
+  template <class Order>
+  void couple(Order n, const PerBlock<Real, N>& spins) {
+    Point2 below{Real(0), Real(0)};
+    for (std::size_t k = 0; k + 1 < size(); ++k) {
+      below.x += spins[k] * links_[k].y;
+      below.y -= spins[k] * links_[k].x;
+      const Real& sx = linkage_.moment_x[k + 1];
+      const Real& sy = linkage_.moment_y[k + 1];
+      Row& row = rows_[k + 1];
+      row.across[n] += sy * below.x - sx * below.y;
+      row.along[n] -= sx * below.x + sy * below.y;
+      if (!forces_) continue;
+      row.force_x[n] += linkage_.mass[k + 1] * below.x;
+      row.force_y[n] += linkage_.mass[k + 1] * below.y;
+    }
+    Point2 above{Real(0), Real(0)};
+    for (std::size_t k = size(); k-- > 0;) {
+      if (k + 1 < size()) lean(n, k, above);
+      if (k == 0 && !forces_) break;
+      above.x += spins[k] * moments_[k].y;
+      above.y -= spins[k] * moments_[k].x;
+      if (!forces_) continue;
+      rows_[k].force_x[n] += above.x;
+      rows_[k].force_y[n] += above.y;
+    }
+  }
+
+  /// Adds what block k feels of those above it.
+  template <class Order>
+  void lean(Order n, std::size_t k, const Point2& above) {
+    const Real& lx = linkage_.link_x[k];
+    const Real& ly = linkage_.link_y[k];
+    rows_[k].across[n] += ly * above.x - lx * above.y;
+    rows_[k].along[n] -= lx * above.x + ly * above.y;
+  }
+
   /// Order n of Sₖ⊥ · (…) + Lₖ⊥ · (…).
-  Real moment(const Row& row, std::size_t n) const {
-    Real sum = 0;
-    for (std::size_t i = 0; i <= n; ++i)
+  template <class Order>
+  static Real moment(const Row& row, Order n) {
+    Real sum = row.cosine[0] * row.across[n] + row.sine[0] * row.along[n];
+    for (std::size_t i = 1; i <= n; ++i)
       sum += row.cosine[i] * row.across[n - i] + row.sine[i] * row.along[n - i];
     return sum;
   }
@@ -209,7 +283,9 @@ class ChainSeries {
 
   const Linkage<Real, N>& linkage_;
   bool linear_;
+  bool forces_;
   std::array<Row, capacity(N)> rows_;
+  PerBlock<Point2, N> links_, moments_;  ///< at the start of the step
   std::array<PerBlock<Real, N>, capacity(N)> mass_, factors_;
   PerBlock<Real, N> inverse_;
 };

@@ -31,20 +31,28 @@ class TaylorSteps {
                            const Interfaces& watched) {
     const Real length = std::min(remaining, longest_);
     const Pull<Real> pull = make_pull(model_.gravity, piece, offset, length);
+    const std::size_t pulls = std::max(pull.x.terms, pull.y.terms);
+    if (is_closed(state.pattern)) {
+      Flow<Real, N> flow{length, state, {}, {}};
+      stand(linkage, pull, watched, flow);
+      fit(Real(0), pulls, remaining, flow);
+      return flow;
+    }
     PerBlock<Real, N> angles{};
     PerBlock<Real, N> advances{};
     for (std::size_t k = 0; k < linkage.size(); ++k) {
       angles[k] = state.angles[static_cast<int>(k)];
       advances[k] = state.velocities[static_cast<int>(k)] * length;
     }
-    ChainSeries<Real, N> series(linkage, model_.equations == Equations::linear, angles, advances);
-    const std::size_t pulls = std::max(pull.x.terms, pull.y.terms);
+    ChainSeries<Real, N> series(linkage, model_.equations == Equations::linear, watched.any(), angles,
+                                advances);
     Real scale = 0;
     Real earlier = std::numeric_limits<Real>::infinity();
     std::size_t orders = 0;
-    Real excess = 1;
+    Real rest = 0;  // a bound on what is left out
+    Real allowed = 0;
     for (;;) {
-      series.extend(orders, pull.x, pull.y);
+      series.extend(orders, pull);
       Real last = 0;
       for (std::size_t k = 0; k < linkage.size(); ++k) {
         using std::abs;
@@ -54,18 +62,37 @@ class TaylorSteps {
               scale, abs(advances[k]) + abs(series.relative(k, orders)) + abs(angles[k]) * length * rate_);
       }
       ++orders;
-      excess = std::max<Real>(last, earlier / 64) / (tolerance_ * Real(orders) * scale);
-      if (last == 0 && earlier == 0) excess = 0;
+      rest = std::max<Real>(last, earlier / 64);
+      allowed = tolerance_ * Real(orders) * scale;
       earlier = last;
-      if ((excess <= 1 && orders >= pulls) || orders + 2 == max_terms<Real>) break;
+      if ((rest <= allowed && orders >= pulls) || orders + 2 == max_terms<Real>) break;
     }
     Flow<Real, N> flow{length, state, {}, {}};
     read(linkage, series, orders, angles, advances, watched, flow);
-    fit(excess, orders, remaining, flow);
+    fit(rest <= allowed ? Real(0) : rest / allowed, orders, remaining, flow);
     return flow;
   }
 
  private:
+  /// The margins of a stack at rest: what pulls at it acts at its centres of mass.
+  void stand(const Linkage<Real, N>& linkage, const Pull<Real>& pull, const Interfaces& watched,
+             Flow<Real, N>& flow) const {
+    Real moment = 0;  // of the masses above an interface, about its height, kg·m
+    for (std::size_t k = linkage.size(); k-- > 0;) {
+      moment += linkage.moment_y[k];
+      if (!watched.test(k)) continue;
+      const Real push = linkage.mass[k] * model_.stack.half_width[static_cast<int>(k)];
+      MarginCourses<Real>& margin = flow.margins[k];
+      margin.right.terms = margin.left.terms = std::max(pull.x.terms, pull.y.terms);
+      for (std::size_t n = 0; n < margin.right.terms; ++n) {
+        const Real upright = n < pull.y.terms ? -pull.y[n] * push : Real(0);
+        const Real lean = n < pull.x.terms ? -pull.x[n] * moment : Real(0);
+        margin.right[n] = upright + lean;
+        margin.left[n] = upright - lean;
+      }
+    }
+  }
+
   void read(const Linkage<Real, N>& linkage, const ChainSeries<Real, N>& series, std::size_t orders,
             const PerBlock<Real, N>& angles, const PerBlock<Real, N>& advances, const Interfaces& watched,
             Flow<Real, N>& flow) const {

@@ -81,23 +81,45 @@ Point<Real> quarter_turned(const Point<Real>& arm) {
   return {arm.y(), -arm.x()};
 }
 
+/// Cosines and sines of angles.
+template <class Real, int N = Eigen::Dynamic>
+struct Directions {
+  Vector<Real, N> cosine, sine;
+};
+
+template <class Real, int N>
+Directions<Real, N> directions(const Vector<Real, N>& angles) {
+  using std::cos;
+  using std::sin;
+  Directions<Real, N> result{angles, angles};
+  for (Eigen::Index k = 0; k < angles.size(); ++k) {
+    result.cosine[k] = cos(angles[k]);
+    result.sine[k] = sin(angles[k]);
+  }
+  return result;
+}
+
 /// Arms rₖ = (−σₖwₖ, hₖ) and links Lₖ = (σₖ₊₁wₖ₊₁ − σₖwₖ, 2hₖ), both turned by θₖ.
 template <class Real, int N>
 Chain<Real, N> make_chain(const Stack<Real, N>& stack, const Pattern& pattern,
-                          const std::type_identity_t<Vector<Real, N>>& angles) {
-  using std::cos;
-  using std::sin;
+                          const Directions<Real, N>& towards) {
   const int size = stack.size();
   const auto pivot = [&](int k) { return k < size ? Real(sign(pattern[k])) * stack.half_width[k] : Real(0); };
   Chain<Real, N> chain{{pivot(0), Real(0)}, Points<Real, N>::Zero(2, size), Points<Real, N>::Zero(2, size)};
   for (int k = 0; k < size; ++k) {
-    const Real cosine = cos(angles[k]);
-    const Real sine = sin(angles[k]);
+    const Real cosine = towards.cosine[k];
+    const Real sine = towards.sine[k];
     const Real height = stack.half_height[k];
     chain.arms.col(k) = turned<Real>(-pivot(k), height, cosine, sine);
     chain.links.col(k) = turned<Real>(pivot(k + 1) - pivot(k), 2 * height, cosine, sine);
   }
   return chain;
+}
+
+template <class Real, int N>
+Chain<Real, N> make_chain(const Stack<Real, N>& stack, const Pattern& pattern,
+                          const std::type_identity_t<Vector<Real, N>>& angles) {
+  return make_chain(stack, pattern, directions<Real, N>(angles));
 }
 
 /// Centres of mass, m.
