@@ -12,6 +12,12 @@ struct MarginCourses {
   Polynomial<Real> right, left;
 };
 
+/// The forces on the block above an interface, N, as polynomials. Without terms where nobody asks.
+template <class Real>
+struct ForceCourses {
+  Polynomial<Real> normal, tangential;
+};
+
 /// Motion over one step as polynomials in s = τ/length, 0 ≤ s ≤ 1: one a relative angle, rad. Events and
 /// samples are read from these alone, whatever integrator made them.
 template <class Real, int N = Eigen::Dynamic>
@@ -20,6 +26,7 @@ struct Flow {
   State<Real, N> start;
   std::array<Polynomial<Real>, capacity(N)> angles{};      ///< of open interfaces; without terms where closed
   std::array<MarginCourses<Real>, capacity(N)> margins{};  ///< of closed interfaces
+  std::array<ForceCourses<Real>, capacity(N)> forces{};    ///< of all interfaces
 
   State<Real, N> at(const Real& s) const {
     State<Real, N> state = start;

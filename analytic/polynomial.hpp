@@ -203,7 +203,7 @@ Real quadratic_root(const Polynomial<Real>& polynomial) {
   const Real square = polynomial.terms > 2 ? polynomial[2] : Real(0);
   const Real radicand = polynomial[1] * polynomial[1] - 4 * square * polynomial[0];
   const Real root = radicand > 0 ? 2 * polynomial[0] / (sqrt(radicand) - polynomial[1]) : Real(0);
-  return root > 0 && root < 1 ? root : Real(1) / 2;
+  return root > 0 && root < Real(1) ? root : Real(1) / Real(2);
 }
 
 /// The polynomial divided by the power of s that it holds: what is left after a start exactly at zero.

@@ -29,11 +29,9 @@ Reactions<Real, N> reactions(const Model<Real, N>& model, const Chain<Real, N>& 
     moment += stack.inertia[k] * change.rotation[k] + quarter_turned<Real>(chain.arms.col(k)).dot(own) +
               quarter_turned<Real>(chain.links.col(k)).dot(force);
     force += own;
-    // The face is the lower block's, or the upper one's where that overhangs and rests on the lower one's
-    // corner.
-    const int face = stack.overhangs[static_cast<std::size_t>(k)] ? k : k - 1;
-    const Real cosine = face < 0 ? Real(1) : towards.cosine[face];
-    const Real sine = face < 0 ? Real(0) : towards.sine[face];
+    const int along = face(stack, k);
+    const Real cosine = along < 0 ? Real(1) : towards.cosine[along];
+    const Real sine = along < 0 ? Real(0) : towards.sine[along];
     result.normal[k] = force.x() * sine + force.y() * cosine;
     result.tangential[k] = force.x() * cosine - force.y() * sine;
     result.moment[k] = moment;

@@ -47,6 +47,7 @@ class Solver {
     }
     state_ = {{}, relative(angles), relative(velocities)};
     state_.pattern = pattern_of(state_.angles, state_.velocities);
+    weight_ = model_.gravity * model_.stack.mass.sum();
     rate_ = model_.gravity / (2 * model_.stack.half_height.sum());
     using std::sqrt;
     slack_ = 500 * std::numeric_limits<Real>::epsilon() * rate_;
@@ -151,10 +152,17 @@ class Solver {
     using std::ceil;
     const bool straight = is_closed(state_.pattern) && piece.straight();
     const int points = straight ? 1 : static_cast<int>(ceil(s * flow.length / demand_interval_)) + 1;
+    const bool told = flow.forces[0].normal.terms > 0;
+    const Real rounding = 1024 * std::numeric_limits<Real>::epsilon() * weight_;
     for (int i = 0; i < points; ++i) {
-      const Real tau = Real(i) / Real(points) * s * flow.length;
-      note_demands(history_.forces, accelerate(model_, flow.at(tau / flow.length), piece.at(offset_ + tau)),
-                   time() + tau);
+      const Real place = Real(i) / Real(points) * s;
+      const Real tau = place * flow.length;
+      if (told) {
+        note_demands(history_.forces, flow, place, rounding, time() + tau);
+      } else {
+        note_demands(history_.forces, accelerate(model_, flow.at(place), piece.at(offset_ + tau)),
+                     time() + tau);
+      }
     }
   }
 
@@ -326,6 +334,7 @@ class Solver {
   Interfaces fresh_;  ///< opened at this instant
   Interfaces held_;   ///< opened and closed again at this instant: stay closed for a brief step
   std::array<Real, max_blocks> toppling_angles_{};
+  Real weight_{};           ///< of the stack, N
   Real rate_{};             ///< g/H, the stack's height H, 1/s²
   Real slack_{};            ///< relative accelerations below this are rounding, rad/s²
   Real settling_speed_{};   ///< rad/s

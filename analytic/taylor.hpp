@@ -34,7 +34,7 @@ class ChainSeries {
   using Series = std::array<Real, max_terms<Real>>;
 
   /// From relative angles in rad and relative velocities times the step's length; `forces` tells whether
-  /// push() and reaction() will be asked for. Keeps a reference to `linkage`.
+  /// push(), force() and reaction() will be asked for. Keeps a reference to `linkage`.
   ChainSeries(const Linkage<Real, N>& linkage, bool linear, bool forces, const PerBlock<Real, N>& angles,
               const PerBlock<Real, N>& advances)
       : linkage_(linkage), linear_(linear), forces_(forces) {
@@ -61,6 +61,23 @@ class ChainSeries {
     Real sum = 0;
     for (std::size_t i = 0; i <= n; ++i)
       sum += face.sine[i] * rows_[k].force_x[n - i] + face.cosine[i] * rows_[k].force_y[n - i];
+    return sum;
+  }
+
+  /// Forces at interface k along the normal and the direction of a block's face (the ground's: −1); order n,
+  /// likewise.
+  struct Force {
+    Real normal, tangential;
+  };
+  Force force(std::size_t k, int face, std::size_t n) const {
+    const Row& row = rows_[k];
+    if (face < 0 || linear_) return {row.force_y[n], row.force_x[n]};
+    const Row& towards = rows_[static_cast<std::size_t>(face)];
+    Force sum{Real(0), Real(0)};
+    for (std::size_t i = 0; i <= n; ++i) {
+      sum.normal += towards.sine[i] * row.force_x[n - i] + towards.cosine[i] * row.force_y[n - i];
+      sum.tangential += towards.cosine[i] * row.force_x[n - i] - towards.sine[i] * row.force_y[n - i];
+    }
     return sum;
   }
 

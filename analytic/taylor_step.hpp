@@ -16,6 +16,7 @@ class TaylorSteps {
   /// Keeps a reference to `model`. @throws std::invalid_argument for a tolerance below zero.
   TaylorSteps(const Model<Real, N>& model, const SolveOptions& options)
       : model_(model),
+        forces_(options.validity),
         tolerance_(std::max<Real>(Real(options.tolerance), 4 * std::numeric_limits<Real>::epsilon())) {
     if (!(options.tolerance >= 0))
       throw std::invalid_argument("tolerance = " + std::to_string(options.tolerance) + ": must be ≥ 0");
@@ -44,8 +45,8 @@ class TaylorSteps {
       angles[k] = state.angles[static_cast<int>(k)];
       advances[k] = state.velocities[static_cast<int>(k)] * length;
     }
-    ChainSeries<Real, N> series(linkage, model_.equations == Equations::linear, watched.any(), angles,
-                                advances);
+    ChainSeries<Real, N> series(linkage, model_.equations == Equations::linear, forces_ || watched.any(),
+                                angles, advances);
     Real scale = 0;
     Real earlier = std::numeric_limits<Real>::infinity();
     std::size_t orders = 0;
@@ -69,6 +70,7 @@ class TaylorSteps {
     }
     Flow<Real, N> flow{length, state, {}, {}};
     read(linkage, series, orders, angles, advances, watched, flow);
+    if (forces_) read_forces(series, orders, flow);
     fit(rest <= allowed ? Real(0) : rest / allowed, orders, remaining, flow);
     return flow;
   }
@@ -116,6 +118,19 @@ class TaylorSteps {
     }
   }
 
+  void read_forces(const ChainSeries<Real, N>& series, std::size_t orders, Flow<Real, N>& flow) const {
+    const Real scale = 1 / (flow.length * flow.length);
+    for (int k = 0; k < model_.stack.size(); ++k) {
+      ForceCourses<Real>& course = flow.forces[static_cast<std::size_t>(k)];
+      course.normal.terms = course.tangential.terms = orders;
+      for (std::size_t n = 0; n < orders; ++n) {
+        const auto force = series.force(static_cast<std::size_t>(k), face(model_.stack, k), n);
+        course.normal[n] = force.normal * scale;
+        course.tangential[n] = force.tangential * scale;
+      }
+    }
+  }
+
   /// Shortens a step whose series did not get down to the tolerance; lengthens the next where it did easily.
   void fit(const Real& excess, std::size_t orders, const Real& remaining, Flow<Real, N>& flow) {
     using std::pow;
@@ -128,12 +143,17 @@ class TaylorSteps {
         rescale(margin.right, ratio);
         rescale(margin.left, ratio);
       }
+      for (auto& force : flow.forces) {
+        rescale(force.normal, ratio);
+        rescale(force.tangential, ratio);
+      }
     } else if (flow.length < remaining && orders + 4 < max_terms<Real>) {
       longest_ *= Real(1.25);
     }
   }
 
   const Model<Real, N>& model_;
+  bool forces_;  ///< whether steps tell the forces
   Real tolerance_;
   Real rate_;     ///< √(g/H), 1/s
   Real longest_;  ///< s, for the next step

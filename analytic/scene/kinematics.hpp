@@ -60,6 +60,13 @@ Stack<Real, N> make_stack(const Scene& scene) {
   return stack;
 }
 
+/// The block whose face an interface's forces are measured along: the lower one, or the upper one where that
+/// overhangs and rests on the lower one's corner; −1: the ground.
+template <class Real, int N>
+int face(const Stack<Real, N>& stack, int interface) {
+  return stack.overhangs[static_cast<std::size_t>(interface)] ? interface : interface - 1;
+}
+
 /// The stack as a chain of pivots: block k hangs between the pivot of interface k and that of interface k+1.
 /// A closed interface has its reference point in its middle. m.
 template <class Real, int N = Eigen::Dynamic>
