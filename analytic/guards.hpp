@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "analytic/crossing.hpp"
 #include "analytic/flow.hpp"
 #include "analytic/scene/history.hpp"
 

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
-#include <optional>
 
 namespace rockstack {
 
@@ -149,110 +148,6 @@ Real maximum(const Polynomial<Real>& polynomial, Real least) {
   if (polynomial.terms == 0 || polynomial[0] + reach(polynomial) <= least) return least;
   Search{least}(bernstein(polynomial));
   return least;
-}
-
-/// Where a polynomial that is positive on the left of its only sign change in (low, high) crosses zero:
-/// Newton's method from s, kept inside the bracket by bisection, to rounding.
-template <class Real>
-Real bracketed_root(const Polynomial<Real>& polynomial, Real low, Real high, Real s) {
-  for (int iteration = 0; iteration < 4 * std::numeric_limits<Real>::digits; ++iteration) {
-    Real height = 0;
-    Real steepness = 0;
-    for (std::size_t i = polynomial.terms; i-- > 0;) {
-      steepness = steepness * s + height;
-      height = height * s + polynomial[i];
-    }
-    if (height == 0) return s;
-    (height > 0 ? low : high) = s;
-    const Real newton = s - height / steepness;
-    const Real next = newton > low && newton < high ? newton : (low + high) / 2;
-    using std::abs;
-    if (abs(next - s) <= std::numeric_limits<Real>::epsilon() * s) return next;
-    s = next;
-  }
-  return s;
-}
-
-/// True where a bound on the coefficients tells that the polynomial, up to the sign `side`, stays above zero
-/// for all s in (0, 1].
-template <class Real>
-bool stays_positive(const Polynomial<Real>& polynomial, int side = 1) {
-  using std::abs;
-  std::size_t first = 0;
-  while (first < polynomial.terms && polynomial[first] == 0) ++first;
-  if (first == polynomial.terms) return false;
-  Real rest = 0;
-  for (std::size_t i = first + 1; i < polynomial.terms; ++i) rest += abs(polynomial[i]);
-  const Real leading = side > 0 ? polynomial[first] : -polynomial[first];
-  return leading > 0 && leading >= rest;
-}
-
-/// True where a bound on the coefficients tells that the polynomial falls for all s in [0, 1].
-template <class Real>
-bool falls(const Polynomial<Real>& polynomial) {
-  using std::abs;
-  Real rest = 0;
-  for (std::size_t i = 2; i < polynomial.terms; ++i) rest += Real(i) * abs(polynomial[i]);
-  return polynomial.terms > 1 && -polynomial[1] > rest;
-}
-
-/// The first zero of a falling polynomial's first three terms, or 1/2 where it is not in (0, 1).
-template <class Real>
-Real quadratic_root(const Polynomial<Real>& polynomial) {
-  using std::sqrt;
-  const Real square = polynomial.terms > 2 ? polynomial[2] : Real(0);
-  const Real radicand = polynomial[1] * polynomial[1] - 4 * square * polynomial[0];
-  const Real root = radicand > 0 ? 2 * polynomial[0] / (sqrt(radicand) - polynomial[1]) : Real(0);
-  return root > 0 && root < Real(1) ? root : Real(1) / Real(2);
-}
-
-/// The polynomial divided by the power of s that it holds: what is left after a start exactly at zero.
-template <class Real>
-Polynomial<Real> deflated(const Polynomial<Real>& polynomial) {
-  std::size_t zeros = 0;
-  while (zeros < polynomial.terms && polynomial[zeros] == 0) ++zeros;
-  Polynomial<Real> result;
-  result.terms = polynomial.terms - zeros;
-  std::copy(polynomial.begin() + zeros, polynomial.end(), result.begin());
-  return result;
-}
-
-/// The first s in [0, 1] after which a polynomial is negative; nothing where it stays at or above zero.
-/// Touching zero without crossing is no crossing, but from within rounding of zero the two cannot be told
-/// apart: then it counts as one. Every crossing is found, however close to the next: an
-/// interval is dropped only where no Bernstein coefficient is negative, and searched by Newton only where
-/// their signs change once (Descartes). Most steps need none of that: bounds on the coefficients exclude a
-/// crossing, or tell that there is one at most.
-template <class Real>
-std::optional<Real> first_crossing(const Polynomial<Real>& whole) {
-  if (stays_positive(whole)) return std::nullopt;
-  const Polynomial<Real> polynomial = deflated(whole);
-  if (polynomial.terms == 0) return std::nullopt;
-  if (polynomial[0] > 0 && falls(polynomial)) {
-    if (value(polynomial, Real(1)) >= 0) return std::nullopt;
-    return bracketed_root<Real>(polynomial, 0, 1, quadratic_root(polynomial));
-  }
-
-  struct Search {
-    const Polynomial<Real>& polynomial;
-
-    std::optional<Real> operator()(const Polynomial<Real>& coefficients, Real low, Real width) const {
-      int changes = 0;
-      int last = 0;
-      for (const Real& coefficient : coefficients) {
-        const int current = (coefficient > 0) - (coefficient < 0);
-        if (current != 0 && last != 0 && current != last) ++changes;
-        if (current != 0) last = current;
-      }
-      if (changes == 0) return last < 0 ? std::optional(low) : std::nullopt;
-      if (width < std::numeric_limits<Real>::epsilon()) return low;
-      if (changes == 1 && last < 0) return bracketed_root(polynomial, low, low + width, low + width / 2);
-      const auto halves = halve(coefficients);
-      if (const auto left = (*this)(halves.left, low, width / 2)) return left;
-      return (*this)(halves.right, low + width / 2, width / 2);
-    }
-  };
-  return Search{polynomial}(bernstein(polynomial), Real(0), Real(1));
 }
 
 }  // namespace rockstack

@@ -103,4 +103,13 @@ Pull<Real> make_pull(const Real& gravity, const GroundPiece<Real>& piece, const 
   return pull;
 }
 
+/// The pull over a step `ratio` times as long.
+template <class Real>
+void shorten(Pull<Real>& pull, const Real& ratio) {
+  for (Polynomial<Real>* series : {&pull.x, &pull.y}) {
+    rescale(*series, ratio);
+    for (Real& coefficient : *series) coefficient *= ratio * ratio;
+  }
+}
+
 }  // namespace rockstack

@@ -3,7 +3,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "analytic/linkage.hpp"
+#include "analytic/chain_mass.hpp"
 #include "analytic/pull.hpp"
 
 namespace rockstack {
@@ -39,7 +39,17 @@ class ChainSeries {
               const PerBlock<Real, N>& advances)
       : linkage_(linkage), linear_(linear), forces_(forces) {
     start(angles, advances);
-    factorise();
+  }
+
+  std::size_t size() const { return linkage_.size(); }
+
+  /// Makes the step `ratio` times as long; all orders are to be computed again.
+  void shorten(const Real& ratio) {
+    for (std::size_t k = 0; k < size(); ++k) {
+      rows_[k].weighted[1] *= ratio;
+      rows_[k].cosine[1] *= ratio;
+      rows_[k].sine[1] *= ratio;
+    }
   }
 
   /// Computes (φ'')ₙ of all interfaces from all lower orders, 0 first.
@@ -88,9 +98,7 @@ class ChainSeries {
   /// Short stacks in the processor's own numbers have each order compiled by itself.
   static constexpr bool unrolled = N != Eigen::Dynamic && std::is_arithmetic_v<Real>;
 
-  struct Point2 {
-    Real x, y;
-  };
+  using Point2 = typename ChainMass<Real, N>::Point2;
   struct Row {
     Series weighted;       // i times coefficient i of ψ
     Series cosine, sine;   // of ψ
@@ -115,50 +123,9 @@ class ChainSeries {
       row.cosine[1] = linear_ ? Real(0) : -row.sine[0] * advance;
       row.sine[1] = linear_ ? Real(0) : row.cosine[0] * advance;
     }
-  }
-
-  static Point2 turned_by(const Row& row, const Real& x, const Real& y) {
-    return {x * row.cosine[0] + y * row.sine[0], y * row.cosine[0] - x * row.sine[0]};
-  }
-
-  /// The mass matrix of the relative angles, and its factors L D Lᵀ with closed interfaces held.
-  void factorise() {
-    for (std::size_t j = 0; j < size(); ++j) {
-      links_[j] = turned_by(rows_[j], linkage_.link_x[j], linkage_.link_y[j]);
-      const Point2 moment = moments_[j] = turned_by(rows_[j], linkage_.moment_x[j], linkage_.moment_y[j]);
-      mass_[j][j] = linkage_.inertia[j];
-      for (std::size_t i = 0; i < j; ++i)
-        mass_[i][j] = mass_[j][i] = links_[i].x * moment.x + links_[i].y * moment.y;
-    }
-    for (std::size_t i = size() - 1; i-- > 0;) {
-      for (std::size_t j = 0; j < size(); ++j) mass_[i][j] += mass_[i + 1][j];
-    }
-    for (std::size_t j = size() - 1; j-- > 0;) {
-      for (std::size_t i = 0; i < size(); ++i) mass_[i][j] += mass_[i][j + 1];
-    }
-    for (std::size_t i = 0; i < size(); ++i) {
-      for (std::size_t j = 0; j <= i; ++j) {
-        Real sum = mass_[i][j] * linkage_.free[i] * linkage_.free[j];
-        if (i == j) sum += Real(1) - linkage_.free[i];
-        for (std::size_t m = 0; m < j; ++m) sum -= factors_[i][m] * factors_[m][m] * factors_[j][m];
-        factors_[i][j] = i == j ? sum : sum * inverse_[j];
-      }
-      inverse_[i] = Real(1) / factors_[i][i];
-    }
-  }
-
-  /// −M⁻¹ of the moments of open interfaces.
-  PerBlock<Real, N> solve(const PerBlock<Real, N>& moments) const {
-    PerBlock<Real, N> x;
-    for (std::size_t i = 0; i < size(); ++i) {
-      x[i] = -moments[i] * linkage_.free[i];
-      for (std::size_t m = 0; m < i; ++m) x[i] -= factors_[i][m] * x[m];
-    }
-    for (std::size_t i = size(); i-- > 0;) {
-      x[i] *= inverse_[i];
-      for (std::size_t m = i + 1; m < size(); ++m) x[i] -= factors_[m][i] * x[m];
-    }
-    return x;
+    PerBlock<Point2, N> directions;
+    for (std::size_t k = 0; k < size(); ++k) directions[k] = {rows_[k].cosine[0], rows_[k].sine[0]};
+    mass_.factorise(linkage_, directions);
   }
 
   /// Order n, a number or the constant of one.
@@ -173,11 +140,11 @@ class ChainSeries {
       known[k] = moment(rows_[k], n);
       if (k + 1 < size()) known[k] += known[k + 1];
     }
-    const PerBlock<Real, N> relative = solve(known);
+    const PerBlock<Real, N> relative = mass_.solve(linkage_, known);
     if (forces_) {
       for (std::size_t k = 0; k < size(); ++k) {
         rows_[k].reaction[n] = known[k];
-        for (std::size_t j = 0; j < size(); ++j) rows_[k].reaction[n] += mass_[k][j] * relative[j];
+        for (std::size_t j = 0; j < size(); ++j) rows_[k].reaction[n] += mass_.matrix[k][j] * relative[j];
       }
     }
     PerBlock<Real, N> spins;
@@ -255,8 +222,8 @@ class ChainSeries {
   void couple(Order n, const PerBlock<Real, N>& spins) {
     Point2 below{Real(0), Real(0)};
     for (std::size_t k = 0; k + 1 < size(); ++k) {
-      below.x += spins[k] * links_[k].y;
-      below.y -= spins[k] * links_[k].x;
+      below.x += spins[k] * mass_.links[k].y;
+      below.y -= spins[k] * mass_.links[k].x;
       const Real& sx = linkage_.moment_x[k + 1];
       const Real& sy = linkage_.moment_y[k + 1];
       Row& row = rows_[k + 1];
@@ -270,8 +237,8 @@ class ChainSeries {
     for (std::size_t k = size(); k-- > 0;) {
       if (k + 1 < size()) lean(n, k, above);
       if (k == 0 && !forces_) break;
-      above.x += spins[k] * moments_[k].y;
-      above.y -= spins[k] * moments_[k].x;
+      above.x += spins[k] * mass_.moments[k].y;
+      above.y -= spins[k] * mass_.moments[k].x;
       if (!forces_) continue;
       rows_[k].force_x[n] += above.x;
       rows_[k].force_y[n] += above.y;
@@ -296,15 +263,11 @@ class ChainSeries {
     return sum;
   }
 
-  std::size_t size() const { return linkage_.size(); }
-
   const Linkage<Real, N>& linkage_;
   bool linear_;
   bool forces_;
   std::array<Row, capacity(N)> rows_;
-  PerBlock<Point2, N> links_, moments_;  ///< at the start of the step
-  std::array<PerBlock<Real, N>, capacity(N)> mass_, factors_;
-  PerBlock<Real, N> inverse_;
+  ChainMass<Real, N> mass_;  ///< at the start of the step
 };
 
 }  // namespace rockstack

@@ -30,13 +30,13 @@ class TaylorSteps {
   Flow<Real, N> operator()(const State<Real, N>& state, const Linkage<Real, N>& linkage,
                            const GroundPiece<Real>& piece, const Real& offset, const Real& remaining,
                            const Interfaces& watched) {
-    const Real length = std::min(remaining, longest_);
-    const Pull<Real> pull = make_pull(model_.gravity, piece, offset, length);
+    Real length = std::min(remaining, longest_);
+    Pull<Real> pull = make_pull(model_.gravity, piece, offset, length);
     const std::size_t pulls = std::max(pull.x.terms, pull.y.terms);
     if (is_closed(state.pattern)) {
       Flow<Real, N> flow{length, state, {}, {}};
       stand(linkage, pull, watched, flow);
-      fit(Real(0), pulls, remaining, flow);
+      fit(Real(0), pulls, flow);
       return flow;
     }
     PerBlock<Real, N> angles{};
@@ -47,13 +47,22 @@ class TaylorSteps {
     }
     ChainSeries<Real, N> series(linkage, model_.equations == Equations::linear, forces_ || watched.any(),
                                 angles, advances);
+    series.extend(0, pull);
+    const Real ratio = landing(state.pattern, series, angles, advances, length);
+    if (ratio < 1) {
+      length *= ratio;
+      for (Real& advance : advances) advance *= ratio;
+      shorten(pull, ratio);
+      series.shorten(ratio);
+      series.extend(0, pull);
+    }
     Real scale = 0;
     Real earlier = std::numeric_limits<Real>::infinity();
     std::size_t orders = 0;
     Real rest = 0;  // a bound on what is left out
     Real allowed = 0;
     for (;;) {
-      series.extend(orders, pull);
+      if (orders > 0) series.extend(orders, pull);
       Real last = 0;
       for (std::size_t k = 0; k < linkage.size(); ++k) {
         using std::abs;
@@ -71,11 +80,31 @@ class TaylorSteps {
     Flow<Real, N> flow{length, state, {}, {}};
     read(linkage, series, orders, angles, advances, watched, flow);
     if (forces_) read_forces(series, orders, flow);
-    fit(rest <= allowed ? Real(0) : rest / allowed, orders, remaining, flow);
+    fit(rest <= allowed ? Real(0) : rest / allowed, orders, flow);
     return flow;
   }
 
  private:
+  /// The share of a step by whose end the first interface that is open has come back, as far as accelerations
+  /// at its start can tell; what lies behind that impact is not worth a series.
+  Real landing(const Pattern& pattern, const ChainSeries<Real, N>& series, const PerBlock<Real, N>& angles,
+               const PerBlock<Real, N>& advances, const Real& length) const {
+    using std::sqrt;
+    Real first = 1;
+    for (std::size_t k = 0; k < series.size(); ++k) {
+      const Real side(sign(pattern[static_cast<int>(k)]));
+      const Real gap = side * angles[k];
+      const Real speed = side * advances[k];
+      const Real acceleration = side * series.relative(k, 0);
+      const Real radicand = speed * speed - 2 * acceleration * gap;
+      if (!(radicand > 0) || (speed >= 0 && acceleration >= 0)) continue;
+      const Real root = sqrt(radicand);
+      const Real s = speed < 0 ? 2 * gap / (root - speed) : (root + speed) / -acceleration;
+      if (s > 0) first = std::min<Real>(first, s * (1 + s * length * rate_) * Real(1.0625));
+    }
+    return first;
+  }
+
   /// The margins of a stack at rest: what pulls at it acts at its centres of mass.
   void stand(const Linkage<Real, N>& linkage, const Pull<Real>& pull, const Interfaces& watched,
              Flow<Real, N>& flow) const {
@@ -132,7 +161,7 @@ class TaylorSteps {
   }
 
   /// Shortens a step whose series did not get down to the tolerance; lengthens the next where it did easily.
-  void fit(const Real& excess, std::size_t orders, const Real& remaining, Flow<Real, N>& flow) {
+  void fit(const Real& excess, std::size_t orders, Flow<Real, N>& flow) {
     using std::pow;
     if (excess > 1) {
       const Real ratio = pow(excess, Real(-1) / Real(orders - 1)) * Real(0.9);
@@ -147,7 +176,7 @@ class TaylorSteps {
         rescale(force.normal, ratio);
         rescale(force.tangential, ratio);
       }
-    } else if (flow.length < remaining && orders + 4 < max_terms<Real>) {
+    } else if (flow.length == longest_ && orders + 4 < max_terms<Real>) {
       longest_ *= Real(1.25);
     }
   }

@@ -1,4 +1,4 @@
-#include "analytic/polynomial.hpp"
+#include "analytic/crossing.hpp"
 
 #include <gtest/gtest.h>
 
