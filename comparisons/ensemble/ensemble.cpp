@@ -74,7 +74,8 @@ std::string identity(const Ensemble& ensemble, MotionLibrary& library) {
   std::string text = std::string(build::version) + "\n" + build::compiler + "\n" + build::flags + "\n";
   describe(ensemble.base.root, text);
   describe_records(ensemble.base, library, text);
-  text += std::to_string(ensemble.samples) + " " + std::to_string(ensemble.seed) + "\n";
+  text += std::to_string(ensemble.samples) + " " + std::to_string(ensemble.seed) + " " +
+          number_text(ensemble.tolerance) + "\n";
   for (const Variation& variation : ensemble.variations) {
     for (const std::string& key : variation.keys) text += key + "\n";
     for (const Value& value : variation.values) {

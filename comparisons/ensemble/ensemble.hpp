@@ -51,6 +51,7 @@ struct Ensemble {
   std::vector<Axis> axes;
   std::size_t samples = 1;
   std::uint64_t seed = 0;
+  double tolerance = 0;  ///< of each run: the solver's tolerance and resolution; 0: rounding
   SummaryKeys summary;
 };
 

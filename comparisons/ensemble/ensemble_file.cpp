@@ -153,12 +153,17 @@ void try_values(const Ensemble& ensemble, MotionLibrary& library) {
 Ensemble read_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        MotionLibrary& library) {
   const Node root = read_toml(file);
-  require_table(root, {"title", "scene", "samples", "seed", "vary", "summary"});
+  require_table(root, {"title", "scene", "samples", "seed", "tolerance", "vary", "summary"});
   Ensemble ensemble;
   ensemble.file = file;
   ensemble.title = text(required(root, "title", "a text"));
   ensemble.base = read_base(required(root, "scene", "a scene file, or a table that is a scene"),
                             file.parent_path(), ensemble.title, overrides);
+  if (const Node* tolerance = find(root, "tolerance")) {
+    ensemble.tolerance = number(*tolerance);
+    if (!(ensemble.tolerance >= 0 && ensemble.tolerance <= 1e-3))
+      throw wrong_value(*tolerance, "a number from 0, for rounding, to 1e-3");
+  }
   read_variations(ensemble, root);
   read_drawing(ensemble, root);
   read_summary(ensemble, root);

@@ -77,7 +77,7 @@ std::string run_line(const Ensemble& ensemble, std::size_t run, SceneDocument& d
   for (const Value& value : values) line.add(text_cell(value.text));
   try {
     for (std::size_t v = 0; v < values.size(); ++v) set_values(document, ensemble.variations[v], values[v]);
-    add_outcome(line, run_one(make_scene(document, library)));
+    add_outcome(line, run_one(make_scene(document, library), ensemble.tolerance));
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {

@@ -24,8 +24,9 @@ bool is_impact(const Event& event) {
 
 }  // namespace
 
-RunOutcome run_one(const Scene& scene) {
-  const History history = solve(scene, {.validity = true, .peaks = true});
+RunOutcome run_one(const Scene& scene, double tolerance) {
+  const History history =
+      solve(scene, {.validity = true, .peaks = true, .resolution = tolerance, .tolerance = tolerance});
   RunOutcome outcome;
   outcome.peaks = history.peaks;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {

@@ -21,7 +21,8 @@ struct RunOutcome {
   Demand impulse;              ///< likewise, by impulses
 };
 
-/// Solves a scene exactly and sums it up. @throws as solve().
-RunOutcome run_one(const Scene& scene);
+/// Solves a scene exactly, or to a tolerance that also ends chatter (SolveOptions), and sums it up.
+/// @throws as solve().
+RunOutcome run_one(const Scene& scene, double tolerance = 0);
 
 }  // namespace rockstack

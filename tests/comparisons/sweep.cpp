@@ -153,6 +153,21 @@ TEST(Sweep, ARowSaysWhatTheSolverSaysOfItsScene) {
   }
 }
 
+TEST(Sweep, ATolerancePeaksDifferByNoMoreThanItsAmplification) {
+  // A mistake of one tolerance at each event grows along the motion; a pulse's few swings leave it below 1e3.
+  Ensemble ensemble = small_ensemble();
+  const TemporaryFolder exact, tolerant;
+  sweep_into(exact.path(), ensemble);
+  ensemble.tolerance = 1e-9;
+  sweep_into(tolerant.path(), ensemble);
+  const auto peaks = read_columns(exact.path() / "runs.csv", {"peak_1"})[0];
+  const auto others = read_columns(tolerant.path() / "runs.csv", {"peak_1"})[0];
+  double largest = 0;
+  for (std::size_t i = 0; i < peaks.size(); ++i) largest = std::max(largest, std::abs(peaks[i] - others[i]));
+  EXPECT_GT(largest, 0);
+  EXPECT_LT(largest, 1e3 * ensemble.tolerance);
+}
+
 TEST(Sweep, FragilityAgreesWithCountingRows) {
   const TemporaryFolder folder;
   sweep_into(folder.path(), small_ensemble("4", "[1.2, 1.6]"));
