@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engines/body_watch.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -42,6 +44,12 @@ bool has_toppled(const Scene& scene, std::span<const double> angles) {
   return false;
 }
 
+/// True where the engine really moves the ground: all engines that can name the parameter so.
+bool moves_ground(const Parameters& parameters) {
+  const auto shaking = parameters.find("shaking");
+  return shaking != parameters.end() && shaking->second != 0;
+}
+
 double stepping_seconds(Simulation& simulation, std::size_t steps) {
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t step = 0; step < steps; ++step) simulation.step();
@@ -50,7 +58,8 @@ double stepping_seconds(Simulation& simulation, std::size_t steps) {
 
 }  // namespace
 
-EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters) {
+EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters,
+                   bool bodies) {
   const auto simulation = engine.start(scene, dt, parameters);
   const std::size_t steps = steps_of(scene, dt);
   History history;
@@ -58,14 +67,22 @@ EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Pa
   history.times.reserve(steps + 1);
   history.angles.reserve((steps + 1) * scene.blocks.size());
   history.velocities.reserve((steps + 1) * scene.blocks.size());
-  append(history, 0, *simulation);
+  std::optional<BodyWatch> watch;
+  if (bodies) watch.emplace(scene, dt, moves_ground(parameters));
+  const auto look = [&](std::size_t step) {
+    append(history, static_cast<double>(step) * dt, *simulation);
+    if (watch) watch->look(*simulation, history.angles_at(step), history.velocities_at(step));
+  };
+  look(0);
   for (std::size_t step = 1; step <= steps; ++step) {
     simulation->step();
-    append(history, static_cast<double>(step) * dt, *simulation);
+    look(step);
     require_finite(history);
     if (has_toppled(scene, history.angles_at(step))) break;
   }
-  return {std::move(history), simulation->warnings()};
+  EngineRun run{std::move(history), simulation->warnings(), {}};
+  if (watch) run.bodies = watch->record();
+  return run;
 }
 
 std::vector<double> time_stepping(const Engine& engine, const Scene& scene, double dt,

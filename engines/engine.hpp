@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
+#include "engines/body_record.hpp"
 #include "engines/parameters.hpp"
 
 namespace rockstack {
@@ -68,7 +70,8 @@ class Engine {
 /// What an engine made of a scene.
 struct EngineRun {
   History history;  ///< the state at t = 0 and after every step; ends early where a block has toppled
-  std::size_t warnings = 0;  ///< as Simulation::warnings()
+  std::size_t warnings = 0;          ///< as Simulation::warnings()
+  std::optional<BodyRecord> bodies;  ///< where asked for
 };
 
 /// A block's angle or angular velocity stopped being a finite number.
@@ -77,9 +80,10 @@ class NotFinite : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs a scene for its duration in this process.
+/// Runs a scene for its duration in this process; `bodies`: keeps a BodyRecord.
 /// @throws NotFinite with the time at which that happened, or the engine's own error.
-EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters);
+EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters,
+                   bool bodies = false);
 
 /// Wall times of that many steps alone, without building or reading, in s: one each of `repeats` runs ≥ 0.
 /// Precondition: the scene has been simulated before, as a warm-up and to know after how many steps it ends.

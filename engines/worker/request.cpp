@@ -10,7 +10,7 @@ namespace rockstack {
 namespace {
 
 /// Begins every message: "rockstk" and the version of the form.
-constexpr std::int64_t mark = 0x726f636b73746b01;
+constexpr std::int64_t mark = 0x726f636b73746b02;
 
 }  // namespace
 
@@ -52,7 +52,7 @@ auto fields(Is<EngineDescription> auto& engine) {
 }
 
 auto fields(Is<RunRequest> auto& run) {
-  return std::tie(run.solver, run.scene, run.dt, run.parameters, run.repeats);
+  return std::tie(run.solver, run.scene, run.dt, run.parameters, run.repeats, run.bodies);
 }
 
 /// Engines fill in samples alone.
@@ -60,8 +60,14 @@ auto fields(Is<History> auto& history) {
   return std::tie(history.blocks, history.times, history.angles, history.velocities);
 }
 
+auto fields(Is<BodyRecord> auto& record) {
+  return std::tie(record.energy, record.input, record.penetration, record.gap, record.slip,
+                  record.out_of_plane, record.out_of_plane_tilt);
+}
+
 auto fields(Is<RunReply> auto& run) {
-  return std::tie(run.status, run.reason, run.history, run.warnings, run.seconds, run.peak_memory);
+  return std::tie(run.status, run.reason, run.history, run.warnings, run.seconds, run.peak_memory,
+                  run.bodies);
 }
 
 auto fields(Is<Request> auto& request) {

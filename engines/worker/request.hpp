@@ -6,6 +6,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
+#include "engines/body_record.hpp"
 #include "engines/parameters.hpp"
 
 namespace rockstack {
@@ -23,7 +24,8 @@ struct RunRequest {
   Scene scene;
   double dt = 0;  ///< s
   Parameters parameters;
-  int repeats = 0;  ///< timed runs after the one that gives the history
+  int repeats = 0;      ///< timed runs after the one that gives the history
+  bool bodies = false;  ///< whether to keep a BodyRecord
 };
 
 /// A worker is asked for a run, or without one to describe its engines.
@@ -37,8 +39,9 @@ struct RunReply {
   std::string reason;  ///< why not done
   History history;     ///< samples alone
   std::size_t warnings = 0;
-  std::vector<double> seconds;  ///< wall time of stepping alone in each timed run, s
-  double peak_memory = 0;       ///< of the worker, bytes
+  std::vector<double> seconds;       ///< wall time of stepping alone in each timed run, s
+  double peak_memory = 0;            ///< of the worker, bytes
+  std::optional<BodyRecord> bodies;  ///< where asked for
 };
 
 struct Reply {

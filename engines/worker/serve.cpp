@@ -41,20 +41,21 @@ const Engine& find(const std::vector<std::unique_ptr<Engine>>& engines, const st
 }
 
 RunReply run(const Engine& engine, const RunRequest& request) {
-  RunReply reply{"done", {}, {}, 0, {}, 0};
+  RunReply reply{"done", {}, {}, 0, {}, 0, {}};
   try {
-    EngineRun made = simulate(engine, request.scene, request.dt, request.parameters);
+    EngineRun made = simulate(engine, request.scene, request.dt, request.parameters, request.bodies);
     const std::size_t steps = made.history.size() - 1;
     reply.history = std::move(made.history);
     reply.warnings = made.warnings;
+    reply.bodies = std::move(made.bodies);
     reply.seconds =
         time_stepping(engine, request.scene, request.dt, request.parameters, steps, request.repeats);
   } catch (const NotFinite& failure) {
-    reply = {"not finite", failure.what(), {}, 0, {}, 0};
+    reply = {"not finite", failure.what(), {}, 0, {}, 0, {}};
   } catch (const std::bad_alloc&) {
-    reply = {"memory limit", "the engine asked for more memory than there is", {}, 0, {}, 0};
+    reply = {"memory limit", "the engine asked for more memory than there is", {}, 0, {}, 0, {}};
   } catch (const std::exception& failure) {
-    reply = {"failed", failure.what(), {}, 0, {}, 0};
+    reply = {"failed", failure.what(), {}, 0, {}, 0, {}};
   }
   reply.peak_memory = peak_memory();
   return reply;

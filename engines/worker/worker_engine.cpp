@@ -52,8 +52,9 @@ std::vector<WorkerEngine> engines_of(const std::filesystem::path& program) {
 }
 
 WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double dt,
-                        const Parameters& parameters, int repeats, const Limits& limits) {
-  const std::string request = to_bytes(Request{RunRequest{engine.solver(), scene, dt, parameters, repeats}});
+                        const Parameters& parameters, int repeats, const Limits& limits, bool bodies) {
+  const std::string request =
+      to_bytes(Request{RunRequest{engine.solver(), scene, dt, parameters, repeats, bodies}});
   const ProcessEnd end = run_process(engine.program(), request, limits);
   WorkerRun result;
   result.processor_time = end.processor_time;
@@ -65,7 +66,7 @@ WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double d
   RunReply& run = reply.run.value();
   result.status = std::move(run.status);
   result.reason = std::move(run.reason);
-  result.run = {std::move(run.history), run.warnings};
+  result.run = {std::move(run.history), run.warnings, std::move(run.bodies)};
   result.seconds = std::move(run.seconds);
   result.peak_memory = run.peak_memory;
   return result;

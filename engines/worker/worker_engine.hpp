@@ -45,10 +45,11 @@ struct WorkerRun {
   double peak_memory = 0;       ///< likewise, bytes; 0 where the process did not come to say it
 };
 
-/// Runs a scene for its duration, then times stepping alone `repeats` times. No failure of the engine throws.
+/// Runs a scene for its duration, then times stepping alone `repeats` times; `bodies`: keeps a BodyRecord of
+/// the first. No failure of the engine throws.
 /// @throws std::runtime_error where the operating system will not start the worker.
 WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double dt,
-                        const Parameters& parameters, int repeats, const Limits& limits);
+                        const Parameters& parameters, int repeats, const Limits& limits, bool bodies = false);
 
 /// As simulate() of an engine in this process. @throws std::runtime_error for whatever kept the run from
 /// being done.

@@ -44,16 +44,19 @@ TEST(Messages, SceneComesBackAsItWas) {
 
 TEST(Messages, HistoryComesBackWithItsNumbersThatAreNone) {
   Reply sent;
-  sent.run = RunReply{"done", "", {}, 4, {0.1, 0.2}, 1e6};
+  sent.run = RunReply{"done", "", {}, 4, {0.1, 0.2}, 1e6, {}};
   sent.run->history.blocks = 1;
   sent.run->history.times = {0, 0.1};
   sent.run->history.angles = {0.2, std::nan("")};
   sent.run->history.velocities = {0, -HUGE_VAL};
+  sent.run->bodies = BodyRecord{.energy = {1.5, 2}, .input = {0, 0.5}, .slip = 0.25};
   const Reply read = read_reply(to_bytes(sent));
   ASSERT_TRUE(read.run);
   EXPECT_EQ(to_bytes(read), to_bytes(sent));
   EXPECT_TRUE(std::isnan(read.run->history.angles[1]));
   EXPECT_EQ(read.run->warnings, 4U);
+  EXPECT_EQ(read.run->bodies->energy, sent.run->bodies->energy);
+  EXPECT_EQ(read.run->bodies->slip, 0.25);
 }
 
 TEST(Messages, EveryShorterMessageIsRefused) {

@@ -1,0 +1,75 @@
+#include "engines/body_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engines/interface_state.hpp"
+#include "engines/placement.hpp"
+
+namespace rockstack {
+
+BodyWatch::BodyWatch(const Scene& scene, double dt, bool ground_moves) : scene_(scene), dt_(dt) {
+  if (ground_moves && is_shaken(scene)) path_.emplace(scene, dt);
+}
+
+void BodyWatch::look(const Simulation& simulation, std::span<const double> angles,
+                     std::span<const double> velocities) {
+  if (samples_ > 0) follow_ground();
+  std::vector<BodyState> bodies;
+  last_places_ = std::move(places_);
+  places_.clear();
+  for (std::size_t k = 0; k < scene_.blocks.size(); ++k) {
+    const BodyState& body = bodies.emplace_back(simulation.body(k));
+    places_.push_back({body.x - ground_.x, body.y - ground_.y});
+    record_.out_of_plane = std::max(record_.out_of_plane, std::abs(body.z));
+    record_.out_of_plane_tilt = std::max(record_.out_of_plane_tilt, body.tilt);
+  }
+  add_energy(bodies, velocities);
+  add_contacts(angles);
+  ++samples_;
+}
+
+void BodyWatch::follow_ground() {
+  if (!path_) return;
+  ground_ = path_->next();
+  ground_.x += dt_ * ground_.velocity_x;
+  ground_.y += dt_ * ground_.velocity_y;
+}
+
+void BodyWatch::add_energy(const std::vector<BodyState>& bodies, std::span<const double> velocities) {
+  double energy = 0, work = 0, rest_height = 0;
+  BodyAcceleration pull;
+  if (samples_ > 0 && is_shaken(scene_))
+    pull = body_acceleration(scene_, static_cast<double>(samples_ - 1) * dt_,
+                             static_cast<double>(samples_) * dt_);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const Block& block = scene_.blocks[k];
+    const double along = bodies[k].velocity_x - ground_.velocity_x;
+    const double up = bodies[k].velocity_y - ground_.velocity_y;
+    rest_height += block.half_height;
+    energy += 0.5 * block.mass * (along * along + up * up) +
+              0.5 * block.inertia * velocities[k] * velocities[k] +
+              block.mass * scene_.gravity * (places_[k].y - rest_height);
+    rest_height += block.half_height;
+    if (samples_ == 0 || !is_shaken(scene_)) continue;
+    work += block.mass * (pull.x * (places_[k].x - last_places_[k].x) +
+                          (pull.y + scene_.gravity) * (places_[k].y - last_places_[k].y));
+  }
+  record_.energy.push_back(energy);
+  record_.input.push_back(work + (record_.input.empty() ? 0 : record_.input.back()));
+}
+
+void BodyWatch::add_contacts(std::span<const double> angles) {
+  const auto pose = [&](std::size_t k) { return BlockPose{places_[k].x, places_[k].y, angles[k]}; };
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const Block& block = scene_.blocks[k];
+    const InterfaceState state =
+        k == 0 ? on_ground(block, pose(0)) : on_block(scene_.blocks[k - 1], pose(k - 1), block, pose(k));
+    record_.slip = std::max(record_.slip, std::abs(state.slip));
+    if (!std::isfinite(state.depth)) continue;
+    record_.penetration = std::max(record_.penetration, state.depth);
+    record_.gap = std::max(record_.gap, -state.depth);
+  }
+}
+
+}  // namespace rockstack

@@ -1,0 +1,174 @@
+// What the watch over an engine's bodies reports, on bodies that are placed by hand and on real engines.
+
+#include "engines/body_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "engines/interface_state.hpp"
+#include "engines/placement.hpp"
+#include "tests/engines/linked_engines.hpp"
+
+namespace rockstack {
+namespace {
+
+Scene random_stack(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> size(0.3, 3), angle(-0.3, 0.3);
+  Scene scene;
+  scene.duration = 1;
+  for (int k = 0; k < 4; ++k) {
+    scene.blocks.push_back(make_block(size(random), size(random), 2500));
+    scene.initial.angles.push_back(angle(random));
+    scene.initial.velocities.push_back(0);
+  }
+  return scene;
+}
+
+BlockPose pose_of(const Placement& placement) {
+  return {placement.x, placement.y, placement.angle};
+}
+
+/// Interface k of placed blocks.
+InterfaceState interface_of(const Scene& scene, const std::vector<Placement>& placements, std::size_t k) {
+  return k == 0 ? on_ground(scene.blocks[0], pose_of(placements[0]))
+                : on_block(scene.blocks[k - 1], pose_of(placements[k - 1]), scene.blocks[k],
+                           pose_of(placements[k]));
+}
+
+// Lengths of a few metres and a dozen operations: 1e-14 m is far above rounding.
+constexpr double rounding = 1e-14;
+
+TEST(Interfaces, StacksOnTheirPivotsNeitherPenetrateNorSlip) {
+  std::mt19937_64 random(5);
+  for (int round = 0; round < 200; ++round) {
+    const Scene scene = random_stack(random);
+    const auto placements = place(scene);
+    for (std::size_t k = 0; k < placements.size(); ++k) {
+      const InterfaceState state = interface_of(scene, placements, k);
+      EXPECT_LE(state.depth, rounding) << round << " interface " << k;
+      EXPECT_NEAR(state.slip, 0, rounding) << round << " interface " << k;
+    }
+  }
+}
+
+TEST(Interfaces, AStackThatIsPushedDownAndAlongShowsBoth) {
+  std::mt19937_64 random(6);
+  for (int round = 0; round < 200; ++round) {
+    const Scene scene = random_stack(random);
+    auto placements = place(scene);
+    placements[0].y -= 0.002;
+    placements[0].x += 0.003;
+    const InterfaceState state = interface_of(scene, placements, 0);
+    EXPECT_NEAR(state.depth, 0.002, rounding);
+    EXPECT_NEAR(state.slip, 0.003, rounding);
+  }
+}
+
+TEST(Interfaces, ABlockThatIsLiftedOffAnotherLeavesAGapOfThatSize) {
+  Scene scene;
+  scene.blocks = {make_block(2, 1, 2500), make_block(1, 2, 2500)};
+  scene.initial = {{0.1, 0.1}, {0, 0}};
+  auto placements = place(scene);
+  // Along the normal of the face, which is turned clockwise by 0.1 rad.
+  placements[1].x += 0.01 * std::sin(0.1);
+  placements[1].y += 0.01 * std::cos(0.1);
+  EXPECT_NEAR(interface_of(scene, placements, 1).depth, -0.01, rounding);
+}
+
+/// A body that flies as a thrown stone does, in even steps.
+class Stone : public Simulation {
+ public:
+  explicit Stone(double dt) : dt_(dt) {}
+  void step() override { time_ += dt_; }
+  void read(std::span<double> angles, std::span<double> velocities) const override {
+    angles[0] = 0;
+    velocities[0] = 0.5;
+  }
+  BodyState body(std::size_t) const override {
+    BodyState state;
+    state.x = 2 * time_;
+    state.y = 10 + 3 * time_ - 0.5 * 9.81 * time_ * time_;
+    state.z = 1e-3 * time_;
+    state.velocity_x = 2;
+    state.velocity_y = 3 - 9.81 * time_;
+    state.tilt = 1e-4 * time_;
+    return state;
+  }
+
+ private:
+  double dt_;
+  double time_ = 0;
+};
+
+TEST(BodyWatch, EnergyOfFreeFlightIsConstantAndDriftOutOfThePlaneIsSeen) {
+  Scene scene;
+  scene.duration = 1;
+  scene.blocks = {make_block(1, 1, 2500)};
+  scene.initial = {{0}, {0.5}};
+  constexpr double dt = 0.125;
+  Stone stone(dt);
+  BodyWatch watch(scene, dt, false);
+  for (int step = 0; step <= 8; ++step) {
+    if (step > 0) stone.step();
+    watch.look(stone, std::vector<double>{0}, std::vector<double>{0.5});
+  }
+  const Block& block = scene.blocks[0];
+  const double expected = 0.5 * block.mass * (2 * 2 + 3 * 3) + 0.5 * block.inertia * 0.25 +
+                          block.mass * scene.gravity * (10 - block.half_height);
+  for (const double energy : watch.record().energy) EXPECT_NEAR(energy, expected, 1e-12 * expected);
+  EXPECT_EQ(watch.record().out_of_plane, 1e-3);
+  EXPECT_EQ(watch.record().out_of_plane_tilt, 1e-4);
+}
+
+/// A slender block under one sine in both directions that lifts it; it does not come back in time to hit.
+Scene lifted_block() {
+  Scene scene;
+  scene.duration = 0.4;
+  scene.blocks = {make_block(0.4, 2, 2500)};
+  scene.initial = {{0}, {0}};
+  scene.horizontal.pulse = Pulse{PulseShape::sine, 5, 0.8, 0, 1, 0};
+  scene.vertical.pulse = Pulse{PulseShape::sine, 1.5, 0.5, 0, 1, 0};
+  return scene;
+}
+
+/// Largest difference between energy and work, as a share of the largest energy.
+double imbalance(const Engine& engine, double dt, double shaking) {
+  Parameters parameters = engine.tuned_parameters();
+  parameters["shaking"] = shaking;
+  const BodyRecord record = simulate(engine, lifted_block(), dt, parameters, true).bodies.value();
+  double apart = 0;
+  for (std::size_t i = 0; i < record.energy.size(); ++i)
+    apart = std::max(apart, std::abs(record.energy[i] - record.input[i]));
+  return apart / *std::max_element(record.energy.begin(), record.energy.end());
+}
+
+TEST(BodyWatch, WorkOfTheGroundIsTheEnergyOfABlockThatDoesNotHitHoweverItIsShaken) {
+  for (const auto& engine : linked_engines()) {
+    for (const double shaking : {0.0, 1.0}) {
+      const double coarse = imbalance(*engine, 2e-3, shaking), fine = imbalance(*engine, 5e-4, shaking);
+      // Engines step at first order: a quarter of the step leaves about a quarter.
+      EXPECT_LT(fine, 0.5 * coarse) << engine->solver() << " " << shaking;
+      EXPECT_LT(fine, 0.02) << engine->solver() << " " << shaking;
+    }
+  }
+}
+
+TEST(BodyWatch, KeepsNothingUnlessAsked) {
+  for (const auto& engine : linked_engines()) {
+    EXPECT_FALSE(simulate(*engine, lifted_block(), 1e-3, engine->tuned_parameters()).bodies);
+  }
+}
+
+TEST(BodyWatch, LeavesTheMotionAsItIs) {
+  for (const auto& engine : linked_engines()) {
+    const Parameters parameters = engine->tuned_parameters();
+    EXPECT_EQ(simulate(*engine, lifted_block(), 1e-3, parameters, true).history.angles,
+              simulate(*engine, lifted_block(), 1e-3, parameters).history.angles);
+  }
+}
+
+}  // namespace
+}  // namespace rockstack
