@@ -43,7 +43,7 @@ class Tails {
 
  private:
   bool fit(std::size_t i, std::size_t j) const {
-    return exact_[i].interface == engine_[j].interface &&
+    return exact_[i].interface == engine_[j].interface && sign(exact_[i].side) * sign(engine_[j].side) >= 0 &&
            std::abs(exact_[i].time - engine_[j].time) <= window_;
   }
 
@@ -71,14 +71,15 @@ std::vector<AlignedImpact> align(const std::vector<ImpactTime>& exact, const std
     const bool both = i < exact.size() && j < engine.size();
     const auto number = static_cast<int>(i) + 1;
     if (both && tails.starts_paired(i, j)) {
-      lines.push_back({exact[i].interface, number, exact[i].time, engine[j].time});
+      lines.push_back(
+          {exact[i].interface, number, exact[i].time, engine[j].time, exact[i].side, engine[j].side});
       ++i;
       ++j;
     } else if (j == engine.size() || (both && !tails.at(i, j + 1).better_than(tails.at(i + 1, j)))) {
-      lines.push_back({exact[i].interface, number, exact[i].time, {}});
+      lines.push_back({exact[i].interface, number, exact[i].time, {}, exact[i].side, {}});
       ++i;
     } else {
-      lines.push_back({engine[j].interface, {}, {}, engine[j].time});
+      lines.push_back({engine[j].interface, {}, {}, engine[j].time, {}, engine[j].side});
       ++j;
     }
   }
@@ -91,6 +92,20 @@ AlignmentCounts count(const std::vector<AlignedImpact>& alignment) {
     ++(!line.engine ? counts.missed : !line.exact ? counts.extra : counts.matched);
   }
   return counts;
+}
+
+TimeDifferences time_differences(const std::vector<AlignedImpact>& alignment) {
+  TimeDifferences result;
+  double squares = 0;
+  for (const AlignedImpact& line : alignment) {
+    if (!line.exact || !line.engine) continue;
+    const double apart = *line.engine - *line.exact;
+    squares += apart * apart;
+    result.largest = std::max(result.largest, std::abs(apart));
+  }
+  const int matched = count(alignment).matched;
+  if (matched > 0) result.root_mean_square = std::sqrt(squares / matched);
+  return result;
 }
 
 }  // namespace rockstack

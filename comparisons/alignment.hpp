@@ -10,14 +10,16 @@ namespace rockstack {
 /// One line of two impact sequences set side by side: both matched, the first alone (missed) or the second
 /// alone (extra).
 struct AlignedImpact {
-  int interface = 0;             ///< from 1
-  std::optional<int> number;     ///< of the exact impact, from 1
-  std::optional<double> exact;   ///< s
-  std::optional<double> engine;  ///< s
+  int interface = 0;                    ///< from 1
+  std::optional<int> number;            ///< of the exact impact, from 1
+  std::optional<double> exact;          ///< s
+  std::optional<double> engine;         ///< s
+  Contact exact_side{}, engine_side{};  ///< to which it leaves, where there is one
 };
 
-/// Sets two impact sequences side by side in their order: as many pairs as possible on the same interface and
-/// no more than `window` s apart; among those alignments, one with the least sum of time differences.
+/// Sets two impact sequences side by side in their order: as many pairs as possible on the same interface,
+/// no more than `window` s apart, and not leaving to opposite sides (closed goes with either); among those
+/// alignments, one with the least sum of time differences.
 std::vector<AlignedImpact> align(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
                                  double window);
 
@@ -28,5 +30,13 @@ struct AlignmentCounts {
 };
 
 AlignmentCounts count(const std::vector<AlignedImpact>& alignment);
+
+/// Time differences of the matched impacts, s; both 0 where none are.
+struct TimeDifferences {
+  double root_mean_square = 0;
+  double largest = 0;  ///< absolute
+};
+
+TimeDifferences time_differences(const std::vector<AlignedImpact>& alignment);
 
 }  // namespace rockstack

@@ -101,11 +101,7 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& r
   json["command"] = command;
   json["statements"] = statements_json(suites);
   json["rows"] = Json::array();
-  for (const Row& row : rows) {
-    Json cells;
-    for (const Column& column : columns()) cells[column.name] = column.cell(row);
-    json["rows"].push_back(std::move(cells));
-  }
+  for (const Row& row : rows) json["rows"].push_back(row_json(row));
   return json;
 }
 

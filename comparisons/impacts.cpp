@@ -16,6 +16,10 @@ double relative_at(std::span<const double> values, std::size_t interface) {
   return interface == 0 ? values[0] : values[interface] - values[interface - 1];
 }
 
+Contact side_of(double velocity, double slowest) {
+  return std::abs(velocity) < slowest ? Contact::closed : contact_of(velocity < 0 ? -1 : 1);
+}
+
 }  // namespace
 
 double chatter_speed(const Scene& scene) {
@@ -33,7 +37,7 @@ std::vector<ImpactTime> reported_impacts(const History& history, double slowest)
       continue;
     const auto interface = static_cast<std::size_t>(event.interface - 1);
     if (std::abs(relative_at(event.before, interface)) >= slowest)
-      impacts.push_back({event.time, event.interface});
+      impacts.push_back({event.time, event.interface, side_of(relative_at(event.after, interface), slowest)});
   }
   return impacts;
 }
@@ -53,7 +57,9 @@ std::vector<ImpactTime> observed_impacts(const History& history, double slowest)
       const bool stops = gap <= approach * step && next_approach < 0.5 * approach;
       if (!passes && !stops) continue;
       const double delay = passes ? step * gap / (gap - next_gap) : gap / approach;
-      impacts.push_back({history.times[i] + delay, static_cast<int>(k) + 1});
+      const std::size_t later = std::min(i + 2, history.size() - 1);
+      impacts.push_back({history.times[i] + delay, static_cast<int>(k) + 1,
+                         side_of(relative_at(history.velocities_at(later), k), slowest)});
     }
   }
   std::stable_sort(impacts.begin(), impacts.end(),

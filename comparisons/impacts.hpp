@@ -11,6 +11,9 @@ namespace rockstack {
 struct ImpactTime {
   double time = 0;    ///< s
   int interface = 0;  ///< from 1
+  /// The side to which the interface leaves: that of its relative angular velocity after the impact, closed
+  /// where that is too slow to count.
+  Contact side = Contact::closed;
 };
 
 /// Relative speed in rad/s below which an impact counts as chatter and is not compared: 0.02 √(g/H), H the
@@ -26,7 +29,8 @@ std::vector<ImpactTime> reported_impacts(const History& history, double slowest)
 /// The impacts in sampled motion, read from angles and angular velocities alone. Between two samples an
 /// interface impacts where it approaches at `slowest` rad/s or more at the first, and its relative angle has
 /// passed zero at the second (the time is interpolated), or would pass zero within a step and the approach
-/// has lost more than half its speed (the time is that of the first sample plus angle over speed).
+/// has lost more than half its speed (the time is that of the first sample plus angle over speed). Its side
+/// is that of the sample after: engines that find contacts by overlap answer one step late.
 std::vector<ImpactTime> observed_impacts(const History& history, double slowest);
 
 }  // namespace rockstack

@@ -9,9 +9,12 @@
 #include <stdexcept>
 
 #include "analytic/solve.hpp"
+#include "comparisons/against_exact.hpp"
 #include "comparisons/environment.hpp"
 #include "comparisons/files.hpp"
+#include "comparisons/results.hpp"
 #include "comparisons/stepping_time.hpp"
+#include "comparisons/toppling.hpp"
 #include "comparisons/validity.hpp"
 
 namespace rockstack {
@@ -23,8 +26,7 @@ constexpr double sample_interval = 1e-3;  // of histories that have no step of t
 
 Json summary(const Row& row, const NamedScene& scene, const Parameters& parameters,
              const std::vector<const EngineSeries*>& series, const std::string& command) {
-  Json json;
-  for (const Column& column : columns()) json[column.name] = column.cell(row);
+  Json json = row_json(row);
   json["title"] = scene.scene.title;
   json["parameters"] = parameters;
   json["scene_file"] = scene.text;
@@ -45,22 +47,6 @@ void add_validity(const Scene& scene, const History& history, Json& json) {
   json["validity_warnings"] = validity_warnings(scene, history);
 }
 
-std::string toppled(const History& history) {
-  if (history.events.empty() || history.events.back().kind != EventKind::topple) return "";
-  return fmt::format("block {} at {} s", history.events.back().interface, history.events.back().time);
-}
-
-/// An engine's history ends early only where a block has toppled; the block and the time are those of its
-/// last sample.
-std::string toppled(const Scene& scene, const History& history) {
-  const auto last = history.angles_at(history.size() - 1);
-  for (std::size_t k = 0; k < last.size(); ++k) {
-    if (std::abs(last[k]) <= toppling_angle(scene, static_cast<int>(k))) continue;
-    return fmt::format("block {} at {} s", k + 1, history.times.back());
-  }
-  return "";
-}
-
 /// Wall times of solving without samples, after a warm-up.
 SteppingTime time_solving(const Scene& scene, int repeats) {
   solve(scene);
@@ -73,11 +59,18 @@ SteppingTime time_solving(const Scene& scene, int repeats) {
   return stepping_time(std::move(seconds));
 }
 
-void set_time(const SteppingTime& time, Row& row) {
+/// How long a solved motion lasts, s.
+double motion_time(const Scene& scene, const History& history) {
+  return reported_toppling(history).empty() ? scene.duration : history.events.back().time;
+}
+
+/// `motion`: the time that was simulated, s.
+void set_time(const SteppingTime& time, double motion, Row& row) {
   row.stepping_time_minimum = time.minimum;
   row.stepping_time_median = time.median;
   row.stepping_time_spread = time.spread;
   row.repeats = time.repeats;
+  row.real_time_factor = motion / time.minimum;
 }
 
 void write_history(const std::filesystem::path& folder, const History& history) {
@@ -92,43 +85,23 @@ SolveOptions sampled(const Scene& scene) {
 Json run_exact(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
   const Scene& scene = job.scene.scene;
   const History history = solve(scene, sampled(scene));
-  row.toppled = toppled(history);
-  set_time(time_solving(scene, job.suite.repeats), row);
+  row.toppled = reported_toppling(history);
+  set_time(time_solving(scene, job.suite.repeats), motion_time(scene, history), row);
   write_history(folder, history);
   Json json = summary(row, job.scene, {}, {}, command);
   add_validity(scene, history, json);
   return json;
 }
 
-/// What makes a row of another answer, and of its impacts, beside the exact solution at its own times.
-void compare_with_exact(const Job& job, const History& history, const std::vector<ImpactTime>& observed,
-                        const std::filesystem::path& folder, Row& row) {
-  const Scene& scene = job.scene.scene;
-  const History exact = solve(scene, {.sample_times = history.times});
-  const Difference apart = difference(exact, history);
-  const auto expected = reported_impacts(exact, chatter_speed(scene));
-  const auto alignment = align(expected, observed, matching_window(scene));
-  const AlignmentCounts counts = count(alignment);
-  row.largest_angle_difference = largest(apart);
-  row.rms_angle_difference = root_mean_square(apart);
-  row.agreement_time = agreement_time(apart, job.suite.tolerance);
-  if (!expected.empty() && !observed.empty()) {
-    row.first_impact_time_difference = observed.front().time - expected.front().time;
-  }
-  row.impacts_matched = counts.matched;
-  row.impacts_missed = counts.missed;
-  row.impacts_extra = counts.extra;
-  write_history(folder, history);
-  write_file(folder / "difference.csv", difference_csv(apart));
-  write_file(folder / "impacts.csv", impacts_csv(alignment));
-}
-
 Json run_variant(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
   const Scene scene = job.variant->apply(job.scene.scene);
   const History history = solve(scene, sampled(scene));
-  row.toppled = toppled(history);
-  compare_with_exact(job, history, reported_impacts(history, chatter_speed(scene)), folder, row);
-  set_time(time_solving(scene, job.suite.repeats), row);
+  row.toppled = reported_toppling(history);
+  compare_with_exact(job.scene.scene, job.suite,
+                     {history, reported_impacts(history, chatter_speed(scene)), !row.toppled.empty(), {}},
+                     folder, row);
+  write_file(folder / "events.csv", events_csv(history));
+  set_time(time_solving(scene, job.suite.repeats), motion_time(scene, history), row);
   Json json = summary(row, job.scene, {}, {}, command);
   add_validity(scene, history, json);
   return json;
@@ -137,19 +110,22 @@ Json run_variant(const Job& job, const std::filesystem::path& folder, Row& row, 
 Json run_engine(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
   const Scene& scene = job.scene.scene;
   const EngineSeries& series = *job.series;
-  const WorkerRun made =
-      run_in_worker(*series.engine, scene, job.dt, series.parameters, job.suite.repeats, job.suite.limits);
+  const WorkerRun made = run_in_worker(*series.engine, scene, job.dt, series.parameters, job.suite.repeats,
+                                       job.suite.limits, job.suite.wanted.bodies);
   row.processor_time = made.processor_time;
   if (made.peak_memory > 0) row.peak_memory = made.peak_memory;
   row.status = made.status;
   row.reason = made.reason;
   if (made.status == "done") {
-    const auto& [history, warnings] = made.run;
+    const auto& [history, warnings, bodies] = made.run;
     row.steps = static_cast<int>(history.size() - 1);
     row.warnings = static_cast<int>(warnings);
-    row.toppled = toppled(scene, history);
-    compare_with_exact(job, history, observed_impacts(history, chatter_speed(scene)), folder, row);
-    set_time(stepping_time(made.seconds), row);
+    row.toppled = observed_toppling(scene, history);
+    compare_with_exact(
+        scene, job.suite,
+        {history, observed_impacts(history, chatter_speed(scene)), !row.toppled.empty(), bodies}, folder,
+        row);
+    set_time(stepping_time(made.seconds), history.times.back(), row);
   }
   return summary(row, job.scene, all_parameters(series, scene), {&series}, command);
 }
@@ -197,7 +173,7 @@ History solve_into(const NamedScene& scene, const SolveOptions& options, const s
   const bool baseline = options.integrator == Integrator::rk4;
   Row row = describe({{}, scene, {}});
   row.solver = baseline ? "rk4" : "taylor";
-  row.toppled = toppled(history);
+  row.toppled = reported_toppling(history);
   write_history(folder, history);
   Json json = summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, {}, command);
   add_validity(scene.scene, history, json);
@@ -207,11 +183,11 @@ History solve_into(const NamedScene& scene, const SolveOptions& options, const s
 
 History simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
                       const std::filesystem::path& folder, const std::string& command) {
-  auto [history, warnings] = simulate(*series.engine, scene.scene, dt, series.parameters);
+  auto [history, warnings, bodies] = simulate(*series.engine, scene.scene, dt, series.parameters);
   Row row = describe({{}, scene, dt, &series});
   row.steps = static_cast<int>(history.size() - 1);
   row.warnings = static_cast<int>(warnings);
-  row.toppled = toppled(scene.scene, history);
+  row.toppled = observed_toppling(scene.scene, history);
   write_history(folder, history);
   const Parameters parameters = all_parameters(series, scene.scene);
   write_file(folder / "summary.json", summary(row, scene, parameters, {&series}, command).dump(2) + "\n");

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "analytic/solve_options.hpp"
-#include "comparisons/results.hpp"
+#include "comparisons/row.hpp"
 #include "comparisons/suite.hpp"
 
 namespace rockstack {
@@ -22,8 +22,8 @@ struct Job {
 /// The row of a run before it is made: what is run, without results.
 Row describe(const Job& job);
 
-/// Makes one run of a comparison and writes FOLDER/runs/<run>/: history, events, summary, and for engines the
-/// difference from the exact solution and the impacts of both side by side. A failure ends up in the row.
+/// Makes one run of a comparison and writes FOLDER/runs/<run>/: summary.json, for the exact solution its
+/// history and events, for others what compare_with_exact() writes. A failure ends up in the row.
 /// @throws std::runtime_error where a file cannot be written.
 Row measure(const Job& job, const std::filesystem::path& folder, const std::string& command);
 

@@ -36,6 +36,19 @@ std::vector<Variant> read_variants(const Node& array) {
   return variants;
 }
 
+Wanted read_wanted(const Node& array) {
+  if (array.kind != Node::Kind::array) throw wrong_value(array, "an array of names, e.g. [\"angles\"]");
+  Wanted wanted{false, false, false, false, false};
+  for (const Node& child : array.children) {
+    wanted.*choice<bool Wanted::*>(child, {{"angles", &Wanted::angles},
+                                           {"impacts", &Wanted::impacts},
+                                           {"patterns", &Wanted::patterns},
+                                           {"bodies", &Wanted::bodies},
+                                           {"histories", &Wanted::histories}}) = true;
+  }
+  return wanted;
+}
+
 PaperScenes read_statements(const Node& table, const Suite& suite) {
   require_table(table, {"free", "shaken"});
   const auto scene = [&](const char* key) {
@@ -79,12 +92,17 @@ bool is_study(const std::filesystem::path& file) {
 
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
-  require_table(root, {"title", "scenes", "variants", "engines", "tolerance", "repeats", "statements",
-                       "time_limit", "memory_limit"});
+  require_table(root, {"title", "scenes", "variants", "engines", "tolerance", "repeats", "results", "set",
+                       "statements", "time_limit", "memory_limit"});
   Suite suite;
   suite.title = text(required(root, "title", "a text"));
+  std::vector<std::string> changes;
+  if (const Node* node = find(root, "set")) {
+    for (const Node& child : node->children) changes.push_back(text(child));
+  }
+  changes.insert(changes.end(), overrides.begin(), overrides.end());
   for (const Node& scene : required(root, "scenes", "an array of scene files").children) {
-    suite.scenes.push_back(read_named_scene(file.parent_path() / text(scene), overrides));
+    suite.scenes.push_back(read_named_scene(file.parent_path() / text(scene), changes));
   }
   if (suite.scenes.empty()) throw wrong_value(*find(root, "scenes"), "an array of at least one scene file");
   if (const Node* node = find(root, "tolerance")) suite.tolerance = positive(*node);
@@ -92,6 +110,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
     suite.repeats = static_cast<int>(number(*node));
     if (suite.repeats != number(*node) || suite.repeats < 1) throw wrong_value(*node, "a whole number ≥ 1");
   }
+  if (const Node* node = find(root, "results")) suite.wanted = read_wanted(*node);
   if (const Node* node = find(root, "time_limit")) suite.limits.time = positive(*node);
   if (const Node* node = find(root, "memory_limit")) suite.limits.memory = mebibytes(*node);
   if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);

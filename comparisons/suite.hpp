@@ -33,6 +33,15 @@ struct PaperScenes {
   std::string shaken;  ///< Figs. 21 and 22
 };
 
+/// Which results a suite asks for of each run; what is not asked for is not computed.
+struct Wanted {
+  bool angles = true;     ///< differences of angles, and how still a stack at rest is
+  bool impacts = true;    ///< impacts and settlings side by side; impacts.csv
+  bool patterns = true;   ///< shares of time; patterns.csv
+  bool bodies = true;     ///< what the engine's bodies do: energy, penetration, slip, …; energy.csv
+  bool histories = true;  ///< history.csv and difference.csv: every sample of every run
+};
+
 /// What `compare` runs: every scene on the exact solver, on its variants and on every series.
 struct Suite {
   std::string title;
@@ -41,8 +50,9 @@ struct Suite {
   std::vector<EngineSeries> series;
   std::optional<PaperScenes> statements;  ///< where the suite is held against what the paper says
   double tolerance = 0.01;                ///< up to which histories agree, rad
-  int repeats = 5;                        ///< timed runs after the warm-up
-  Limits limits;                          ///< of each engine run
+  Wanted wanted;
+  int repeats = 5;  ///< timed runs after the warm-up
+  Limits limits;    ///< of each engine run
 };
 
 /// The scene of that name. Precondition: it is there.

@@ -139,11 +139,7 @@ void print_history(const History& history, const std::vector<std::string>& warni
 void print_rows(const std::vector<Row>& rows, const std::filesystem::path& folder, const Common& common) {
   if (common.json) {
     Json list = Json::array();
-    for (const Row& row : rows) {
-      Json cells;
-      for (const Column& column : columns()) cells[column.name] = column.cell(row);
-      list.push_back(std::move(cells));
-    }
+    for (const Row& row : rows) list.push_back(row_json(row));
     fmt::print("{}\n", list.dump(2));
     return;
   }

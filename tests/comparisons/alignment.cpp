@@ -37,6 +37,24 @@ TEST(Alignment, NeverPairsDifferentInterfaces) {
   EXPECT_EQ(count(align({{0.6, 1}}, {{0.6, 2}}, window)).matched, 0);
 }
 
+TEST(Alignment, PairsNoImpactsThatLeaveToOppositeSides) {
+  const auto matched = [](Contact exact, Contact engine) {
+    return count(align({{0.6, 1, exact}}, {{0.61, 1, engine}}, window)).matched;
+  };
+  EXPECT_EQ(matched(Contact::left, Contact::left), 1);
+  EXPECT_EQ(matched(Contact::left, Contact::right), 0);
+  EXPECT_EQ(matched(Contact::left, Contact::closed), 1);
+  EXPECT_EQ(matched(Contact::closed, Contact::right), 1);
+}
+
+TEST(Alignment, TimeDifferencesAreThoseOfMatchedImpactsAlone) {
+  const auto lines = align({{0.6, 1}, {0.7, 1}, {0.9, 2}}, {{0.604, 1}, {0.697, 1}, {0.9, 1}}, window);
+  const TimeDifferences apart = time_differences(lines);
+  EXPECT_NEAR(apart.largest, 0.004, 1e-15);
+  EXPECT_NEAR(apart.root_mean_square, std::sqrt((0.004 * 0.004 + 0.003 * 0.003) / 2), 1e-15);
+  EXPECT_EQ(time_differences({}).root_mean_square, 0);
+}
+
 TEST(Alignment, OneImpactTooManyDoesNotShiftTheOthers) {
   const std::vector<ImpactTime> exact{{0.10, 1}, {0.14, 1}, {0.18, 1}};
   const std::vector<ImpactTime> engine{{0.10, 1}, {0.12, 1}, {0.14, 1}, {0.18, 1}};

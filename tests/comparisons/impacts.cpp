@@ -28,6 +28,8 @@ TEST(Impacts, ObservedInSamplesOfTheExactSolutionAreTheReportedOnes) {
   ASSERT_GT(reported.size(), 5u);
   for (std::size_t i = 0; i < reported.size(); ++i) {
     EXPECT_EQ(observed[i].interface, reported[i].interface);
+    // Two samples later gravity has changed the speed by less than a hundredth of the chatter speed.
+    EXPECT_GE(sign(observed[i].side) * sign(reported[i].side), 0);
     // Interpolation cannot leave the interval that holds the impact.
     EXPECT_NEAR(observed[i].time, reported[i].time, interval);
   }
@@ -53,6 +55,17 @@ TEST(Impacts, StoppingShortOfZeroWithinAStepIsAnImpactToo) {
   const auto impacts = observed_impacts(samples({0.25, 0.05, 0.001}, {-0.2, -0.2, 0}), 0.05);
   ASSERT_EQ(impacts.size(), 1u);
   EXPECT_NEAR(impacts[0].time, 1.25, 1e-15);
+}
+
+TEST(Impacts, SideIsThatToWhichTheInterfaceLeavesOrClosedWhereItIsSlow) {
+  const auto side = [](double velocity) {
+    return observed_impacts(samples({0.3, 0.1, -0.1, -0.2}, {-0.2, -0.2, velocity, velocity}), 0.05)
+        .at(0)
+        .side;
+  };
+  EXPECT_EQ(side(-0.1), Contact::left);
+  EXPECT_EQ(side(0.1), Contact::right);
+  EXPECT_EQ(side(-0.01), Contact::closed);
 }
 
 TEST(Impacts, TurningBackAwayFromZeroIsNone) {

@@ -84,12 +84,34 @@ TEST(Results, AFailedRunIsARowWithItsReasonAlone) {
 }
 
 TEST(Results, ImpactTablesSayWhatIsMissingOnEitherSide) {
-  const std::string text = impacts_csv({{1, 1, 0.5, 0.75}, {2, 2, 0.75, {}}, {1, {}, {}, 1.0}});
+  const std::string text = impacts_csv({{1, 1, 0.5, 0.75, Contact::left, Contact::closed},
+                                        {2, 2, 0.75, {}, Contact::right, {}},
+                                        {1, {}, {}, 1.0, {}, Contact::right}});
   EXPECT_EQ(text,
-            "number,interface,exact_time,engine_time,difference,verdict\n"
-            "1,1,0.5,0.75,0.25,matched\n"
-            "2,2,0.75,,,missed\n"
-            ",1,,1,,extra\n");
+            "number,interface,exact_time,engine_time,difference,verdict,exact_side,engine_side\n"
+            "1,1,0.5,0.75,0.25,matched,left,closed\n"
+            "2,2,0.75,,,missed,right,\n"
+            ",1,,1,,extra,,right\n");
+}
+
+TEST(Results, PatternSharesAreALinePerPair) {
+  Pattern open = closed_pattern(2);
+  open[0] = Contact::right;
+  EXPECT_EQ(patterns_csv({{closed_pattern(2), open, 0.25}}),
+            "exact,engine,share\nrest," + name(open) + ",0.25\n");
+}
+
+TEST(Results, RowsReadBackFromTheirCells) {
+  Row row;
+  row.run = "a.b";
+  row.dt = 0.1;
+  row.impacts_extra = 3;
+  row.slip = 1.0 / 3;
+  row.toppling_verdict = "both";
+  const Row read = row_from(nlohmann::ordered_json::parse(row_json(row).dump()));
+  EXPECT_EQ(comparison_csv({read}), comparison_csv({row}));
+  EXPECT_EQ(read.slip, row.slip);
+  EXPECT_FALSE(read.gap);
 }
 
 }  // namespace

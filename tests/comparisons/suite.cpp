@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "analytic/scene/input_error.hpp"
 #include "comparisons/compare.hpp"
@@ -92,6 +93,27 @@ TEST(Suites, ParametersAreChangedOneSeriesEachCombination) {
                   .starts_with("suite.toml:7: " + engine.name() + ": " + name + " = -1: must be"));
 }
 
+TEST(Suites, ResultsThatAreAskedForAreRead) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
+  const Wanted all = read_suite(folder.write("suite.toml", head), {}).wanted;
+  EXPECT_TRUE(all.angles && all.impacts && all.patterns && all.bodies && all.histories);
+  const Wanted some = read_suite(folder.write("suite.toml", head + "results = [\"impacts\"]\n"), {}).wanted;
+  EXPECT_TRUE(some.impacts && !some.angles && !some.patterns && !some.bodies && !some.histories);
+  EXPECT_TRUE(error_of(head + "results = [\"looks\"]\n").starts_with("suite.toml:3: results"));
+}
+
+TEST(Suites, ChangesToScenesYieldToThoseOfTheCommandLine) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const auto file = folder.write(
+      "suite.toml", "title = \"a\"\nscenes = [\"block.toml\"]\nset = [\"gravity=3\", \"duration=7\"]\n");
+  const Scene scene = read_suite(file, {"gravity=1.62"}).scenes.at(0).scene;
+  EXPECT_EQ(scene.gravity, 1.62);
+  EXPECT_EQ(scene.duration, 7);
+}
+
 TEST(Suites, LimitsAreRead) {
   const TemporaryFolder folder;
   folder.write("block.toml", block);
@@ -132,6 +154,25 @@ TEST(Compare, AFailingRunCostsItsOwnRow) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs" / row.run / "summary.json"));
   }
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "comparison.csv"));
+}
+
+TEST(Compare, ResultsNotAskedForAreNotComputed) {
+  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  const TemporaryFolder folder;
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  suite.repeats = 1;
+  suite.series.resize(1);
+  suite.series[0].steps = {1e-2};
+  suite.wanted = {false, false, false, false, false};
+  const auto silent = [](std::size_t, std::size_t, const std::string&) {};
+  const Row row = compare({suite}, folder.path(), "", silent).at(1);
+  EXPECT_EQ(row.status, "done");
+  for (const char* name : {"rms_angle_difference", "impacts_matched", "pattern_agreement", "slip"}) {
+    EXPECT_TRUE(row_json(row).at(name).is_null()) << name;
+  }
+  for (const char* name : {"history.csv", "difference.csv", "impacts.csv", "patterns.csv", "energy.csv"}) {
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "runs" / row.run / name)) << name;
+  }
 }
 
 TEST(Compare, ScenesThatWouldShareAFolderAreRefused) {
