@@ -8,6 +8,7 @@
 #include "analytic/scene/input_error.hpp"
 #include "comparisons/environment.hpp"
 #include "comparisons/files.hpp"
+#include "comparisons/fits.hpp"
 #include "comparisons/measure.hpp"
 #include "comparisons/statements.hpp"
 
@@ -76,7 +77,7 @@ std::vector<const EngineSeries*> all_series(const std::vector<Suite>& suites) {
 }
 
 Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& rows,
-                     const std::string& command) {
+                     const std::vector<SeriesFit>& fits, const std::string& command) {
   Json json;
   std::vector<std::string> titles;
   json["scenes"] = Json::array();
@@ -90,6 +91,7 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& r
                                 {"ground", ground_of(scene.scene)},
                                 {"chatter_speed", chatter_speed(scene.scene)},
                                 {"matching_window", matching_window(scene.scene)},
+                                {"results", names_of(suite.wanted)},
                                 {"toml", scene.text}});
     }
   }
@@ -100,6 +102,8 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& r
   json["environment"] = environment(all_series(suites));
   json["command"] = command;
   json["statements"] = statements_json(suites);
+  json["fit_definition"] = fit_definition();
+  json["fits"] = fits_json(fits);
   json["rows"] = Json::array();
   for (const Row& row : rows) json["rows"].push_back(row_json(row));
   return json;
@@ -127,8 +131,10 @@ std::vector<Row> compare(const std::vector<Suite>& suites, const std::filesystem
     rows.push_back(measure(job, folder, command));
   }
   write_ground(suites, folder);
+  const std::vector<SeriesFit> fits = fit_rows(rows);
+  if (!fits.empty()) write_file(folder / "fits.csv", fits_csv(fits));
   write_file(folder / "comparison.csv", comparison_csv(rows));
-  write_file(folder / "comparison.json", comparison_json(suites, rows, command).dump(2) + "\n");
+  write_file(folder / "comparison.json", comparison_json(suites, rows, fits, command).dump(2) + "\n");
   return rows;
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
+#include <utility>
 
 #include "analytic/scene/fields.hpp"
 #include "analytic/scene/record.hpp"
@@ -36,15 +38,18 @@ std::vector<Variant> read_variants(const Node& array) {
   return variants;
 }
 
+constexpr std::initializer_list<std::pair<const char*, bool Wanted::*>> result_names{
+    {"angles", &Wanted::angles},
+    {"impacts", &Wanted::impacts},
+    {"patterns", &Wanted::patterns},
+    {"bodies", &Wanted::bodies},
+    {"histories", &Wanted::histories}};
+
 Wanted read_wanted(const Node& array) {
   if (array.kind != Node::Kind::array) throw wrong_value(array, "an array of names, e.g. [\"angles\"]");
   Wanted wanted{false, false, false, false, false};
   for (const Node& child : array.children) {
-    wanted.*choice<bool Wanted::*>(child, {{"angles", &Wanted::angles},
-                                           {"impacts", &Wanted::impacts},
-                                           {"patterns", &Wanted::patterns},
-                                           {"bodies", &Wanted::bodies},
-                                           {"histories", &Wanted::histories}}) = true;
+    wanted.*choice<bool Wanted::*>(child, result_names) = true;
   }
   return wanted;
 }
@@ -74,6 +79,14 @@ Scene Variant::apply(Scene scene) const {
 const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name) {
   return *std::find_if(scenes.begin(), scenes.end(),
                        [&](const NamedScene& scene) { return scene.name == name; });
+}
+
+std::vector<std::string> names_of(const Wanted& wanted) {
+  std::vector<std::string> names;
+  for (const auto& [name, field] : result_names) {
+    if (wanted.*field) names.emplace_back(name);
+  }
+  return names;
 }
 
 NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {

@@ -42,6 +42,9 @@ struct Wanted {
   bool histories = true;  ///< history.csv and difference.csv: every sample of every run
 };
 
+/// The names of those that are wanted, as suite files have them.
+std::vector<std::string> names_of(const Wanted& wanted);
+
 /// What `compare` runs: every scene on the exact solver, on its variants and on every series.
 struct Suite {
   std::string title;

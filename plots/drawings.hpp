@@ -18,6 +18,12 @@ Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, c
 /// RMS angle difference against stepping time, a line over time steps for each engine, solver and settings.
 Drawing error_time(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
 
+/// RMS angle difference against time step, with the fitted curves and the gaps that they fall to.
+Drawing error_step(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+
+/// The same of the first impact's time difference.
+Drawing first_impact_step(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+
 /// The ground's acceleration, a panel for each axis that moves. Precondition: the scene has a ground motion.
 Drawing ground_motion(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
 

@@ -11,24 +11,33 @@
 namespace rockstack::plots {
 namespace {
 
-/// One run as a point: wall time a second of motion, and its error in rad.
+/// One run as a point: wall time a second of motion, its error in rad, and what it is labelled with.
 struct Cost {
-  double time, error, dt;
+  double time, error;
+  std::string words;
 };
 
 constexpr double panel_across = 1056, panel_up = 520;  ///< pixels
 
 struct CostLine {
   Run run;  ///< any of the line
+  std::string label;
+  const Fit* fit;  ///< of the errors over time steps; null where there is none
   std::vector<Cost> costs;
 };
+
+std::string words_of(const Run& run, const StepLine& line) {
+  const bool iterations = line.front().dt == line.back().dt && iterations_of(run) > 0;
+  return iterations ? std::to_string(iterations_of(run)) : duration_text(run.dt);
+}
 
 std::vector<CostLine> cost_lines(const Comparison& comparison, const std::string& scene) {
   std::vector<CostLine> lines;
   for (const StepLine& runs : step_lines(comparison, scene)) {
-    CostLine line{runs.front(), {}};
+    CostLine line{runs.front(), line_label(runs), fit_of(comparison, runs, "rms_angle_difference"), {}};
     for (const Run& run : runs) {
-      const Cost cost{run.stepping_time / (run.steps * run.dt), run.rms_angle_difference, run.dt};
+      const Cost cost{run.stepping_time / (run.steps * run.dt), run.rms_angle_difference,
+                      words_of(run, runs)};
       if (std::isfinite(cost.time) && cost.time > 0 && cost.error > 0 && std::isfinite(cost.error))
         line.costs.push_back(cost);
     }
@@ -107,8 +116,7 @@ bool is_free(const std::vector<Box>& taken, const Box& box) {
 /// The words of one mark at the first of four corners that is free, or none: the other runs with its time
 /// step lie beside it.
 std::string label(const Frame& frame, const Cost& cost, const std::string& colour, std::vector<Box>& taken) {
-  const std::string words = duration_text(cost.dt);
-  const double width = 9.5 * static_cast<double>(words.size()) + 4;
+  const double width = 9.5 * static_cast<double>(cost.words.size()) + 4;
   const double x = frame.across(cost.time), y = frame.up(cost.error);
   constexpr double gap = 11, half_height = 8, rise = 9;
   for (const double side : {1.0, -1.0})
@@ -118,7 +126,7 @@ std::string label(const Frame& frame, const Cost& cost, const std::string& colou
       if (!is_free(taken, box)) continue;
       taken.push_back(box);
       return fmt::format("set label '{}' at graph {}, graph {} {} font ',11' textcolor rgb '{}' front\n",
-                         words, plain(near / panel_across), plain((y + lift) / panel_up),
+                         cost.words, plain(near / panel_across), plain((y + lift) / panel_up),
                          side > 0 ? "left" : "right", colour);
     }
   return "";
@@ -146,6 +154,15 @@ std::vector<std::string> plots_of(const std::vector<CostLine>& lines, const Look
   return plots;
 }
 
+/// The gaps that no step closes, where they lie within the panel.
+std::string floors(const std::vector<CostLine>& lines, const Frame& frame, const Looks& looks) {
+  std::string text;
+  for (const CostLine& line : lines)
+    if (line.fit != nullptr && line.fit->holds && line.fit->gap > frame.small)
+      text += floor_line(*line.fit, looks.at(solver_name(line.run)).colour);
+  return text;
+}
+
 std::string exact_line(double cost) {
   if (cost <= 0) return "";
   return fmt::format(
@@ -163,14 +180,15 @@ Drawing error_time(const Comparison& comparison, const ComparedScene& scene, con
   const double exact = exact_cost(shown_runs(comparison, scene.name).exact);
   const Frame frame = frame_of(lines, exact);
   Legend legend;
-  for (const CostLine& line : lines) legend.emplace_back(line_style(line, looks), line_label(line.run));
+  for (const CostLine& line : lines) legend.emplace_back(line_style(line, looks), line.label);
   Sheet sheet(scene.title, legend);
   for (std::size_t i = 0; i < lines.size(); ++i) sheet.data(line_data(i, lines[i]));
   sheet.panel(panel_up, 0,
               "set logscale xy\nset format xy '10^{%T}'\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
               "set xlabel 'stepping time for one second of motion (s)'\n"
               "set ylabel 'RMS angle difference (rad)' offset 0\n" +
-                  frame.ranges() + labels(lines, frame, looks) + exact_line(exact),
+                  frame.ranges() + labels(lines, frame, looks) + floors(lines, frame, looks) +
+                  exact_line(exact),
               plots_of(lines, looks));
   return sheet.finish();
 }

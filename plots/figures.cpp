@@ -9,19 +9,27 @@ namespace {
 
 using Draw = plots::Drawing (*)(const plots::Comparison&, const plots::ComparedScene&, const plots::Looks&);
 
-constexpr std::array<Draw, 5> draws{plots::ground_motion, plots::histories, plots::differences,
-                                    plots::impact_times, plots::error_time};
+constexpr std::array<Draw, 7> draws{plots::ground_motion, plots::histories,  plots::differences,
+                                    plots::impact_times,  plots::error_step, plots::first_impact_step,
+                                    plots::error_time};
 
-constexpr auto ground_kind = "ground-motion";
+bool sampled(const plots::ComparedScene& scene) {
+  return scene.has("histories");
+}
+
+bool fitted(const plots::ComparedScene& scene) {
+  return scene.fitted;
+}
 
 }  // namespace
 
 const std::vector<FigureKind>& figure_kinds() {
   static const std::vector<FigureKind> kinds{
-      {ground_kind, "Ground acceleration",
+      {"ground-motion", "Ground acceleration",
        "What shakes the blocks, to the right and upwards positive, up to the end of the scene. The mark is "
        "the "
-       "largest absolute value."},
+       "largest absolute value.",
+       [](const plots::ComparedScene& scene) { return !scene.ground_motion.empty(); }},
       {"histories", "Angles over time",
        "One panel a block. The thick grey line with a black core is the exact solution; each engine is shown "
        "with its "
@@ -29,31 +37,50 @@ const std::vector<FigureKind>& figure_kinds() {
        "the "
        "interface under that block; the band at the bottom names the exact pattern. A curve that leaves its "
        "panel "
-       "goes on beyond it."},
+       "goes on beyond it.",
+       sampled},
       {"differences", "Angle differences over time",
        "How far each engine is from the exact angle, on a logarithmic axis, as the largest absolute value of "
        "each "
        "short stretch of time. The dashed line is the tolerance; the filled mark on it is where the run "
        "first passes "
-       "it, in whichever block; a run without one stays within it."},
+       "it, in whichever block; a run without one stays within it.",
+       sampled},
       {"impact-times", "Impact times",
        "Each mark is an exact impact that the engine has too: above zero the engine is late, below it is "
        "early. The "
        "axis is logarithmic on both sides and linear across the middle. The rows below hold the exact "
        "impacts that "
-       "an engine misses, and those of its own that match none."},
+       "an engine misses, and those of its own that match none.",
+       [](const plots::ComparedScene& scene) { return scene.has("impacts"); }},
+      {"error-step", "Error against time step",
+       "Each mark is a run. The line through them is the fit error = gap + c · dtᵖ, with its order p and the "
+       "gap "
+       "that no step closes, each with 95 % bounds. Levels across are the gaps: dashed, or dotted where the "
+       "bounds "
+       "include none.",
+       fitted},
+      {"first-impact-step", "Time of the first impact against time step",
+       "The same for the absolute difference in time of the first impact, which no impact before it has "
+       "disturbed.",
+       fitted},
       {"error-time", "Error against computing time",
-       "Each mark is a run, labelled with its time step where there is room: lower is nearer to the exact "
+       "Each mark is a run, labelled with its time step where there is room, or in a sweep of iterations at "
+       "one step "
+       "with their number: lower is nearer to the exact "
        "solution, further left is "
        "faster. Filled marks are tuned settings, open ones defaults. The vertical line is the time the exact "
        "solver "
-       "takes."},
+       "takes. Levels across are the gaps between models, where a fit over the time steps tells them: "
+       "dashed, or "
+       "dotted where its bounds include none.",
+       [](const plots::ComparedScene& scene) { return scene.has("angles"); }},
   };
   return kinds;
 }
 
 bool has_figure(const plots::ComparedScene& scene, const FigureKind& kind) {
-  return kind.name != ground_kind || !scene.ground_motion.empty();
+  return kind.is_there(scene);
 }
 
 std::filesystem::path figure_stem(const std::filesystem::path& results, const std::string& scene,

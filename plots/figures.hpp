@@ -14,14 +14,15 @@ void draw_figures(const std::filesystem::path& results);
 
 /// One kind of figure, in the order of a report.
 struct FigureKind {
-  std::string name;         ///< part of the file's name
-  std::string title;        ///< heading in the report
-  std::string explanation;  ///< how to read it
+  std::string name;                               ///< part of the file's name
+  std::string title;                              ///< heading in the report
+  std::string explanation;                        ///< how to read it
+  bool (*is_there)(const plots::ComparedScene&);  ///< whether a scene's results have what it shows
 };
 
 const std::vector<FigureKind>& figure_kinds();
 
-/// True where a scene has that figure: all have, but for the ground's motion where the ground is still.
+/// True where a scene has that figure.
 bool has_figure(const plots::ComparedScene& scene, const FigureKind& kind);
 
 /// Where a figure lies, without .png or .svg.

@@ -21,11 +21,12 @@ constexpr int square = 4, circle = 6, triangle = 8, triangle_down = 10, diamond 
 
 // The colours of Okabe and Ito (2008), told apart by people with any form of colour blindness.
 // Gaps are wide because the line's round ends reach into them.
-constexpr std::array<NamedLook, 7> own{{
+constexpr std::array<NamedLook, 8> own{{
     {"exact", "#000000", circle, "solid"},
     {"bullet:sequential-impulse", "#0072B2", square, "solid"},
     {"bullet:nncg", "#56B4E9", diamond, "(12,9)"},
     {"bullet:mlcp-dantzig", "#009E73", triangle, "(8,7,1,7)"},
+    {"bullet:mlcp-lemke", "#8B5E3C", square, "(5,8)"},
     {"bullet:mlcp-pgs", "#CC79A7", triangle_down, "(1,6)"},
     {"ode:step", "#D55E00", circle, "solid"},
     {"ode:quickstep", "#E69F00", pentagon, "(12,9)"},
@@ -65,6 +66,14 @@ std::string pattern_tint(std::size_t index) {
 std::string curve_style(const Look& look, std::size_t order) {
   return fmt::format("with linespoints lw 2 lc rgb '{}' dt {} pt {} ps 1.1*mark pn {}", look.colour,
                      look.dash, look.mark, 6 + order);
+}
+
+std::string floor_line(const Fit& fit, const std::string& colour) {
+  if (!(fit.gap > 0)) return "";
+  return fmt::format(
+      "set arrow from graph 0, first {0:.8g} to graph 1, first {0:.8g} nohead lw 1.5 dt {1} lc rgb '{2}' "
+      "back\n",
+      fit.gap, fit.gap_low > 0 ? "(8,8)" : "(1,9)", colour);
 }
 
 std::string mark_style(const Look& look, bool filled, double size) {

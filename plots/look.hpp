@@ -27,6 +27,10 @@ std::string pattern_tint(std::size_t index);
 /// "with linespoints …" for a curve with a few marks on it; `order` sets marks of neighbouring curves apart.
 std::string curve_style(const Look& look, std::size_t order);
 
+/// A line across the panel at the gap of a fit: dashed where the bounds tell it from none, dotted where they
+/// do not, empty where it is none.
+std::string floor_line(const Fit& fit, const std::string& colour);
+
 /// "with points …", filled or open.
 std::string mark_style(const Look& look, bool filled, double size);
 

@@ -45,6 +45,27 @@ Facts facts_of(const Json& object) {
   return facts;
 }
 
+/// Of files that do not say.
+const std::vector<std::string> all_results{"angles", "impacts", "patterns", "bodies", "histories"};
+
+double number_of(const Json& value) {
+  return value.is_null() ? std::nan("") : value.get<double>();
+}
+
+void read_fits(const Json& json, Comparison& comparison) {
+  for (const Json& fit : json.value("fits", Json::array())) {
+    comparison.fits.push_back({fit.at("scene").get<std::string>(), fit.at("engine").get<std::string>(),
+                               fit.at("solver").get<std::string>(), fit.at("settings").get<std::string>(),
+                               fit.at("quantity").get<std::string>(), number_of(fit.at("gap")),
+                               number_of(fit.at("gap_low")), number_of(fit.at("gap_high")),
+                               number_of(fit.at("order")), number_of(fit.at("order_low")),
+                               number_of(fit.at("order_high")), number_of(fit.at("coefficient")),
+                               fit.at("holds").get<bool>(), fit.at("reason").get<std::string>()});
+    for (ComparedScene& scene : comparison.scenes)
+      if (scene.name == comparison.fits.back().scene) scene.fitted = true;
+  }
+}
+
 void read_description(const Json& json, Comparison& comparison) {
   comparison.title = json.at("title").get<std::string>();
   comparison.command = json.at("command").get<std::string>();
@@ -54,7 +75,9 @@ void read_description(const Json& json, Comparison& comparison) {
                                  scene.at("blocks").get<int>(),
                                  scene.at("toml").get<std::string>(),
                                  scene.value("ground", ""),
-                                 {}});
+                                 {},
+                                 scene.value("results", all_results),
+                                 false});
   comparison.definitions = facts_of(json.at("definitions"));
   comparison.environment = facts_of(json.at("environment"));
   comparison.tolerance = json.at("tolerance_rad").get<double>();
@@ -64,6 +87,7 @@ void read_description(const Json& json, Comparison& comparison) {
         {statement.at("source").get<std::string>(), statement.at("claim").get<std::string>(),
          statement.at("verdict").get<std::string>(), statement.at("criterion").get<std::string>(),
          statement.at("computed").get<std::string>()});
+  read_fits(json, comparison);
 }
 
 void check_description(const Comparison& comparison, const std::filesystem::path& file) {
@@ -120,6 +144,10 @@ Run read_run(const RowReader& row) {
 }
 
 }  // namespace
+
+bool ComparedScene::has(const std::string& result) const {
+  return std::find(results.begin(), results.end(), result) != results.end();
+}
 
 Comparison read_comparison(const std::filesystem::path& results) {
   Comparison comparison;

@@ -35,6 +35,22 @@ struct ComparedScene {
   std::string toml;                          ///< the scene as text
   std::string ground;                        ///< what moves the ground, empty where nothing does
   std::filesystem::path ground_motion = {};  ///< its file, empty where nothing moves it
+  std::vector<std::string> results = {};     ///< what was computed, by the suite's names
+  bool fitted = false;                       ///< whether errors were fitted over the time steps
+
+  bool has(const std::string& result) const;
+};
+
+/// The errors of one series over its time steps, fitted by gap + coefficient · dt^order. NaN where no number
+/// was found.
+struct Fit {
+  std::string scene, engine, solver, settings;
+  std::string quantity;                       ///< the column of the errors
+  double gap = 0, gap_low = 0, gap_high = 0;  ///< in the unit of the errors
+  double order = 0, order_low = 0, order_high = 0;
+  double coefficient = 0;  ///< likewise, at a step of 1 s
+  bool holds = false;
+  std::string reason;  ///< why it does not
 };
 
 /// A statement of the paper beside what was computed.
@@ -51,6 +67,7 @@ struct Comparison {
   double tolerance = 0;  ///< rad, the difference up to which angles count as agreeing; > 0
   std::vector<std::string> left_out;
   std::vector<PaperStatement> statements;  ///< none where the suite does not ask for them
+  std::vector<Fit> fits;
   std::vector<std::string> columns;
   std::vector<Run> runs;
 };

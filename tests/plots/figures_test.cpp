@@ -22,10 +22,17 @@ unsigned png_number(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-/// All but the ground's motion where the ground stands still.
-void expect_figures(const fs::path& folder, bool shaken) {
-  for (const FigureKind& kind : figure_kinds()) {
-    if (kind.name == "ground-motion" && !shaken) continue;
+/// The kinds of figures that the sample has.
+std::vector<FigureKind> kinds_of(const fs::path& folder) {
+  const ComparedScene scene = read_comparison(folder).scenes.at(0);
+  std::vector<FigureKind> kinds;
+  for (const FigureKind& kind : figure_kinds())
+    if (has_figure(scene, kind)) kinds.push_back(kind);
+  return kinds;
+}
+
+void expect_figures(const fs::path& folder) {
+  for (const FigureKind& kind : kinds_of(folder)) {
     const fs::path stem = figure_stem(folder, "sample", kind.name);
     const std::string png = testing::bytes_of(fs::path(stem).concat(".png"));
     ASSERT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n") << kind.name;
@@ -45,12 +52,20 @@ std::size_t files_in(const fs::path& folder) {
   return count;
 }
 
+std::vector<std::string> names_of_figures(const testing::Sample& sample) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, sample);
+  std::vector<std::string> names;
+  for (const FigureKind& kind : kinds_of(folder)) names.push_back(kind.name);
+  return names;
+}
+
 void draw_sample(const testing::Sample& sample) {
   const fs::path folder = testing::fresh_folder();
   testing::write_sample(folder, sample);
   draw_figures(folder);
-  expect_figures(folder, sample.shaken);
-  EXPECT_EQ(files_in(folder / "figures"), 2 * (figure_kinds().size() - (sample.shaken ? 0 : 1)));
+  expect_figures(folder);
+  EXPECT_EQ(files_in(folder / "figures"), 2 * kinds_of(folder).size());
 }
 
 testing::SampleEngine ode() {
@@ -94,6 +109,27 @@ TEST(Figures, TwoEnginesThreeBlocksAndAFailedRow) {
 
 TEST(Figures, AGroundThatMovesHasAFigureOfItsOwn) {
   draw_sample({.blocks = 1, .shaken = true});
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Figures, AreThoseThatTheResultsHaveDataFor) {
+  EXPECT_EQ(names_of_figures({}), (Names{"histories", "differences", "impact-times", "error-time"}));
+  EXPECT_EQ(names_of_figures({.results = R"(["angles"])"}), Names{"error-time"});
+  EXPECT_EQ(names_of_figures({.shaken = true, .results = "[]"}), Names{"ground-motion"});
+}
+
+constexpr const char* two_fits = R"([
+  {"scene": "sample", "engine": "bullet", "solver": "nncg", "settings": "tuned", "quantity": "rms_angle_difference",
+   "gap": 1e-4, "gap_low": 5e-5, "gap_high": 2e-4, "order": 1, "order_low": 0.9, "order_high": 1.1,
+   "coefficient": 2, "holds": true, "reason": ""},
+  {"scene": "sample", "engine": "ode", "solver": "step", "settings": "default", "quantity": "rms_angle_difference",
+   "gap": null, "gap_low": null, "gap_high": null, "order": null, "order_low": null, "order_high": null,
+   "coefficient": null, "holds": false, "reason": "4 steps are fewer than 5"}])";
+
+TEST(Figures, FitsAreDrawnWhereTheyHold) {
+  draw_sample(
+      {.engines = {{"bullet", "nncg", "tuned", 2e-3}, ode()}, .steps = {1e-2, 1e-3}, .fits = two_fits});
 }
 
 TEST(Figures, NoImpacts) {

@@ -40,6 +40,23 @@ TEST(Results, ReadsRowsAndLeavesEmptyCellsWithoutValue) {
   EXPECT_EQ(comparison.runs.back().reason, "angle not finite, at t = 0.3 s <nan>");
 }
 
+TEST(Results, RunsThatDifferInTheirIterationsAloneAreOneLine) {
+  const fs::path folder = testing::fresh_folder();
+  testing::Sample sample;
+  sample.engines = {{"ode", "quickstep", "tuned+quickStepNumIterations=20+quickStepW=1", 2e-3},
+                    {"ode", "quickstep", "tuned+quickStepNumIterations=100+quickStepW=1", 2e-3},
+                    {"ode", "quickstep", "tuned", 2e-3}};
+  sample.steps = {1e-3};
+  testing::write_sample(folder, sample);
+  const auto lines = step_lines(read_comparison(folder), "sample");
+  ASSERT_EQ(lines.size(), 2u);
+  ASSERT_EQ(lines[0].size(), 2u);
+  EXPECT_EQ(iterations_of(lines[0][0]), 100);
+  EXPECT_EQ(iterations_of(lines[0][1]), 20);
+  EXPECT_EQ(line_label(lines[0]), "ode quickstep, tuned+quickStepW=1");
+  EXPECT_EQ(iterations_of(lines[1][0]), 0);
+}
+
 TEST(Results, ShowsTheSmallestStepOfEachSolverAndTunedBeforeDefault) {
   const fs::path folder = testing::fresh_folder();
   testing::write_sample(folder, tuned_and_default());

@@ -91,7 +91,9 @@ void write_difference(const fs::path& folder, const Sample& sample, double dt, d
 void write_json(const fs::path& folder, const Sample& sample) {
   create(folder / "comparison.json")
       << R"({"title": "A sample <comparison>", "scenes": [{"name": "sample", "title": ")" << sample.title
-      << R"(", "blocks": )" << sample.blocks << R"(, "toml": "duration = 5 # s & <b>not bold</b>\n"}],)"
+      << R"(", "blocks": )" << sample.blocks << R"(, "toml": "duration = 5 # s & <b>not bold</b>\n")"
+      << (sample.results.empty() ? "" : R"(, "results": )" + sample.results) << "}],"
+      << (sample.fits.empty() ? "" : R"("fits": )" + sample.fits + ",")
       << R"("definitions": {"run": "name of the run", "rms_angle_difference": "root mean square, rad"},)"
       << R"("tolerance_rad": 0.01, "left_out": ["ode"], "environment": {"rockstack": "0.1.0", "eigen": "3.4.0"},)"
       << R"("command": "rockstack compare sample.toml --out DIR", "rows": []})";

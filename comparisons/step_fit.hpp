@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rockstack {
+
+/// The error of a run at one time step.
+struct StepError {
+  double step = 0;   ///< s, > 0
+  double error = 0;  ///< > 0, in any unit
+};
+
+/// An estimate with its 95 % confidence bounds.
+struct Bounded {
+  double value = 0, low = 0, high = 0;
+};
+
+/// error(dt) = gap + c·dtᵖ, which tells the error of taking steps from the gap between two models that no
+/// step closes.
+///
+/// The fit is the one of least squares of ln error, so that every step counts by its relative deviation:
+/// over gap ≥ 0, c > 0 and p between 0.1 and 6. Bounds are those of the profile: all values with which the
+/// others can still bring the sum of squares S to at most S_min (1 + t²/ν), ν = points − 3 and t the 97.5 %
+/// point of Student's distribution (Bates & Watts, "Nonlinear regression analysis and its applications",
+/// 1988, chapter 6).
+struct StepFit {
+  std::size_t points = 0;
+  Bounded gap;             ///< in the error's unit; may be 0
+  Bounded order;           ///< p
+  double coefficient = 0;  ///< c, in the error's unit at a step of 1 s
+  double scatter = 0;      ///< √(S_min/ν): the errors' typical relative deviation from the curve, in ln
+  /// Why the fit does not hold; empty where it does. In this order: fewer than 5 steps; a scatter above
+  /// ln 3; errors that do not fall with the step (a constant is within the bounds of S too); an order that
+  /// is bounded by the range of the search alone.
+  std::string reason;
+
+  bool holds() const { return reason.empty(); }
+};
+
+/// Fits errors at different steps. Errors that are not finite or not above zero are left out.
+StepFit fit_steps(const std::vector<StepError>& errors);
+
+/// The 97.5 % point of Student's distribution. Precondition: freedom ≥ 1.
+double student_975(std::size_t freedom);
+
+}  // namespace rockstack
