@@ -53,6 +53,18 @@ std::string ground_of(const Scene& scene) {
   return text;
 }
 
+/// Sizes and masses as they were run, overrides included; SI units, bottom to top.
+Json stack_json(const Scene& scene) {
+  Json list = Json::array();
+  for (const Block& block : scene.blocks) {
+    list.push_back({{"width", 2 * block.half_width},
+                    {"height", 2 * block.half_height},
+                    {"mass", block.mass},
+                    {"inertia", block.inertia}});
+  }
+  return list;
+}
+
 Json statements_json(const std::vector<Suite>& suites) {
   Json list = Json::array();
   for (const Suite& suite : suites) {
@@ -87,6 +99,8 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& r
       json["scenes"].push_back({{"name", scene.name},
                                 {"title", scene.scene.title},
                                 {"blocks", scene.scene.blocks.size()},
+                                {"stack", stack_json(scene.scene)},
+                                {"gravity", scene.scene.gravity},
                                 {"duration", scene.scene.duration},
                                 {"ground", ground_of(scene.scene)},
                                 {"chatter_speed", chatter_speed(scene.scene)},

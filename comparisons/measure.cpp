@@ -12,6 +12,7 @@
 #include "comparisons/against_exact.hpp"
 #include "comparisons/environment.hpp"
 #include "comparisons/files.hpp"
+#include "comparisons/reactions.hpp"
 #include "comparisons/results.hpp"
 #include "comparisons/stepping_time.hpp"
 #include "comparisons/toppling.hpp"
@@ -88,6 +89,7 @@ Json run_exact(const Job& job, const std::filesystem::path& folder, Row& row, co
   row.toppled = reported_toppling(history);
   set_time(time_solving(scene, job.suite.repeats), motion_time(scene, history), row);
   write_history(folder, history);
+  write_file(folder / "reactions.csv", reactions_csv(scene, history));
   Json json = summary(row, job.scene, {}, {}, command);
   add_validity(scene, history, json);
   return json;

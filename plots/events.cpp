@@ -60,6 +60,43 @@ ExactEvents read_events(const Run& exact, int blocks, double end, const std::str
   return events;
 }
 
+std::string starting_pattern(const Run& run) {
+  const Table table = read_table(run.folder / "history.csv");
+  const auto found = std::find(table.columns.begin(), table.columns.end(), "pattern");
+  if (found == table.columns.end() || table.rows.empty()) return "";
+  return table.rows.front()[static_cast<std::size_t>(found - table.columns.begin())];
+}
+
+std::vector<PatternChange> read_impact_changes(const Run& exact, int blocks) {
+  const Cells cells{.file = exact.folder / "events.csv"};
+  std::vector<PatternChange> changes;
+  for (std::size_t i = 0; i < cells.table.rows.size(); ++i) {
+    if (cells.text(i, "kind") != "impact") continue;
+    const auto interface = static_cast<int>(cells.value(i, "interface"));
+    if (interface < 1 || interface > blocks)
+      throw InputError(fmt::format("{}: interface = {}: must be 1 to {}", cells.place(i), interface, blocks));
+    const auto speed = [&](int block) {
+      return block == 0 ? 0 : cells.value(i, fmt::format("omega_before_{}", block));
+    };
+    changes.push_back({cells.value(i, "time"), interface, cells.text(i, "from"), cells.text(i, "to"),
+                       std::abs(speed(interface) - speed(interface - 1))});
+  }
+  return changes;
+}
+
+const std::array<NamedSides, 9>& two_block_patterns() {
+  static constexpr std::array<NamedSides, 9> patterns{{{"1a", {1, 1}},
+                                                       {"1b", {-1, -1}},
+                                                       {"2a", {1, -1}},
+                                                       {"2b", {-1, 1}},
+                                                       {"3a", {1, 0}},
+                                                       {"3b", {-1, 0}},
+                                                       {"4a", {0, 1}},
+                                                       {"4b", {0, -1}},
+                                                       {"rest", {0, 0}}}};
+  return patterns;
+}
+
 Impacts read_impacts(const Run& run) {
   const Cells cells{.file = run.folder / "impacts.csv"};
   std::vector<double> exact_times;

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "plots/results.hpp"
@@ -24,6 +27,25 @@ struct ExactEvents {
 /// unknown.
 /// @throws InputError naming file and line.
 ExactEvents read_events(const Run& exact, int blocks, double end, const std::string& start);
+
+/// The pattern of the first line of a run's history, "" where it names none.
+std::string starting_pattern(const Run& run);
+
+/// An impact of the exact run with the patterns on both sides of it.
+struct PatternChange {
+  double time = 0;  ///< s
+  int interface = 0;
+  std::string from, to;
+  double approach = 0;  ///< relative speed just before, rad/s
+};
+
+/// All impacts of an exact run's events.csv. @throws InputError naming file and line.
+std::vector<PatternChange> read_impact_changes(const Run& exact, int blocks);
+
+/// A name of the paper's for two blocks, and the sides that its interfaces pivot about: −1 left, 0 closed, 1
+/// right.
+using NamedSides = std::pair<std::string_view, std::array<int, 2>>;
+const std::array<NamedSides, 9>& two_block_patterns();
 
 /// The verdicts on an engine's impacts. Times in s, NaN where there is none.
 struct MatchedImpact {

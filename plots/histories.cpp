@@ -117,14 +117,6 @@ std::string pattern_band(const std::vector<PatternSpan>& spans, double end) {
   return text;
 }
 
-/// The pattern of the first line of the history, for a motion without events.
-std::string starting_pattern(const Run& exact) {
-  const Table table = read_table(exact.folder / "history.csv");
-  const auto found = std::find(table.columns.begin(), table.columns.end(), "pattern");
-  if (found == table.columns.end() || table.rows.empty()) return "";
-  return table.rows.front()[static_cast<std::size_t>(found - table.columns.begin())];
-}
-
 /// Events of the exact run, if there is one; it is the first of the motions.
 ExactEvents events_of(const std::vector<Motion>& motions, int blocks) {
   ExactEvents events;

@@ -10,6 +10,8 @@
 #include "analytic/scene/input_error.hpp"
 #include "plots/figures.hpp"
 #include "plots/html.hpp"
+#include "plots/look.hpp"
+#include "plots/player.hpp"
 #include "plots/results.hpp"
 #include "plots/selection.hpp"
 #include "plots/summary.hpp"
@@ -86,7 +88,7 @@ std::string statements_section(const Comparison& comparison) {
   if (comparison.statements.empty()) return "";
   std::string headings, rows;
   for (const char* words : {"Figure", "The paper says", "Verdict", "It holds if", "Computed"})
-    headings += element("th", words, " scope=\"col\"");
+    headings += heading(words);
   for (const PaperStatement& statement : comparison.statements)
     rows += element("tr", element("td", escaped(statement.source)) + element("td", escaped(statement.claim)) +
                               element("td", escaped(statement.verdict)) +
@@ -116,11 +118,21 @@ std::string figure(const fs::path& results, const Comparison& comparison, std::s
          element("figure", svg + element("figcaption", escaped(kind.explanation))) + "\n";
 }
 
+std::string player_of(const Comparison& comparison, std::size_t scene) {
+  const ComparedScene& compared = comparison.scenes[scene];
+  if (!has_player(comparison, compared)) return "";
+  return element("h3", "The motion to look at") +
+         player(comparison, compared, assign_looks(comparison), comparison.scenes.size(),
+                fmt::format("player-{}", scene + 1)) +
+         "\n";
+}
+
 std::string scene_section(const fs::path& results, const Comparison& comparison, std::size_t scene) {
   const ComparedScene& compared = comparison.scenes[scene];
   std::string body = element("h2", escaped(compared.title)) + "\n";
   if (!compared.ground.empty())
     body += element("p", escaped("The ground moves by: " + compared.ground)) + "\n";
+  body += player_of(comparison, scene);
   for (const FigureKind& kind : figure_kinds())
     if (has_figure(compared, kind)) body += figure(results, comparison, scene, kind);
   body += element("details", element("summary", fmt::format("The scene file of {}", escaped(compared.name))) +
@@ -164,8 +176,9 @@ std::string page(const fs::path& results, const Comparison& comparison) {
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) scenes += scene_section(results, comparison, i);
   for (const Run& run : comparison.runs) parameters += parameters_of(run);
   return filled_in(page_html, {{"title", escaped(comparison.title)},
-                               {"css", std::string(page_css)},
+                               {"css", std::string(page_css) + std::string(player_css)},
                                {"js", std::string(page_js)},
+                               {"player_js", std::string(player_js)},
                                {"contents", contents_list(comparison)},
                                {"summary", whole_summary(comparison)},
                                {"statements", statements_section(comparison)},

@@ -66,6 +66,14 @@ void read_fits(const Json& json, Comparison& comparison) {
   }
 }
 
+std::vector<StackBlock> stack_of(const Json& scene) {
+  std::vector<StackBlock> stack;
+  for (const Json& block : scene.value("stack", Json::array()))
+    stack.push_back({block.at("width").get<double>(), block.at("height").get<double>(),
+                     block.at("mass").get<double>(), block.at("inertia").get<double>()});
+  return stack;
+}
+
 void read_description(const Json& json, Comparison& comparison) {
   comparison.title = json.at("title").get<std::string>();
   comparison.command = json.at("command").get<std::string>();
@@ -75,6 +83,9 @@ void read_description(const Json& json, Comparison& comparison) {
                                  scene.at("blocks").get<int>(),
                                  scene.at("toml").get<std::string>(),
                                  scene.value("ground", ""),
+                                 stack_of(scene),
+                                 scene.value("gravity", 0.0),
+                                 scene.value("chatter_speed", 0.0),
                                  {},
                                  scene.value("results", all_results),
                                  false});
@@ -97,6 +108,10 @@ void check_description(const Comparison& comparison, const std::filesystem::path
     if (scene.blocks < 1)
       throw InputError(fmt::format("{}: scene {}: blocks = {}: must be at least 1", file.string(), scene.name,
                                    scene.blocks));
+  for (const ComparedScene& scene : comparison.scenes)
+    if (!scene.stack.empty() && scene.stack.size() != static_cast<std::size_t>(scene.blocks))
+      throw InputError(fmt::format("{}: scene {}: stack has {} blocks: must have {}", file.string(),
+                                   scene.name, scene.stack.size(), scene.blocks));
 }
 
 /// Fills the fields of a run from its cells.

@@ -29,11 +29,19 @@ struct Run {
   bool exact() const { return engine == "exact"; }
 };
 
+/// One block as it was run. SI units.
+struct StackBlock {
+  double width = 0, height = 0, mass = 0, inertia = 0;
+};
+
 struct ComparedScene {
   std::string name, title;
   int blocks = 0;
   std::string toml;                          ///< the scene as text
   std::string ground;                        ///< what moves the ground, empty where nothing does
+  std::vector<StackBlock> stack = {};        ///< bottom to top; empty where the results do not say
+  double gravity = 0;                        ///< m/s²
+  double chatter_speed = 0;                  ///< relative speed under which impacts are not compared, rad/s
   std::filesystem::path ground_motion = {};  ///< its file, empty where nothing moves it
   std::vector<std::string> results = {};     ///< what was computed, by the suite's names
   bool fitted = false;                       ///< whether errors were fitted over the time steps

@@ -107,6 +107,21 @@ void add_impacts(const std::vector<Run>& runs, std::vector<std::string>& sentenc
                                                : fmt::format("{} have", all)));
 }
 
+/// How many runs stay with the exact motion to their end, and how many do not.
+void add_agreeing(const Comparison& comparison, std::vector<std::string>& sentences) {
+  std::size_t compared = 0, agreeing = 0;
+  for (const Run& run : comparison.runs) {
+    if (run.exact() || std::isnan(run.largest_angle_difference)) continue;
+    ++compared;
+    if (run.largest_angle_difference <= comparison.tolerance) ++agreeing;
+  }
+  if (compared == 0) return;
+  sentences.push_back(fmt::format(
+      "Of {} compared with the exact motion, {} every angle within {:.3g} rad of it to the end, {} not.",
+      counted(compared, "run"), agreeing == 1 ? "1 keeps" : fmt::format("{} keep", agreeing),
+      comparison.tolerance, compared - agreeing == 1 ? "1 does" : fmt::format("{} do", compared - agreeing)));
+}
+
 }  // namespace
 
 std::vector<std::string> summary(const Comparison& comparison) {
@@ -116,6 +131,7 @@ std::vector<std::string> summary(const Comparison& comparison) {
   std::vector<std::string> sentences{
       fmt::format("{} of {}; {} failed.", counted(comparison.runs.size(), "run"),
                   counted(comparison.scenes.size(), "scene"), failed == 0 ? "none" : std::to_string(failed))};
+  add_agreeing(comparison, sentences);
   if (!comparison.left_out.empty())
     sentences.push_back(fmt::format("This build leaves out {}.", joined(comparison.left_out)));
   return sentences;

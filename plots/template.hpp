@@ -9,4 +9,9 @@ extern const std::string_view page_html;
 extern const std::string_view page_css;
 extern const std::string_view page_js;
 
+/// One player, to be filled in likewise, and the style sheet and script of all players on a page.
+extern const std::string_view player_html;
+extern const std::string_view player_css;
+extern const std::string_view player_js;
+
 }  // namespace rockstack::plots

@@ -55,7 +55,9 @@ void write_events(const fs::path& folder, const Sample& sample) {
   for (int i = 1; i <= sample.impacts; ++i) {
     fmt::print(events, "{},impact,{},{},{}", i * period, 1 + i % sample.blocks, i % 2 == 1 ? "1a" : "2b",
                i % 2 == 1 ? "2b" : "1a");
-    for (int k = 0; k < 3 * sample.blocks; ++k) events << ",0";
+    for (int k = 0; k < sample.blocks; ++k) events << ",0";
+    for (int k = 0; k < sample.blocks; ++k) events << (k % 2 == 0 ? ",-1" : ",1");
+    for (int k = 0; k < sample.blocks; ++k) events << ",0";
     events << ",consistent\n";
   }
 }
@@ -88,10 +90,31 @@ void write_difference(const fs::path& folder, const Sample& sample, double dt, d
   }
 }
 
+/// Half of the weight on each interface.
+void write_reactions(const fs::path& folder, const Sample& sample) {
+  std::ofstream reactions = create(folder / "reactions.csv");
+  reactions << "time";
+  for (const char* stem : {"normal_", "tangential_", "centre_"}) write_header(reactions, stem, sample.blocks);
+  for (const double t : {0.0, duration / 2, duration}) {
+    fmt::print(reactions, "\n{}", t);
+    for (int k = 0; k < sample.blocks; ++k) reactions << ",4905";
+    for (int k = 0; k < sample.blocks; ++k) reactions << ",100";
+    for (int k = 0; k < sample.blocks; ++k) reactions << (k == 0 ? "," : ",0.1");
+  }
+  reactions << "\n";
+}
+
+std::string stack_json(int blocks) {
+  std::string text;
+  for (int k = 0; k < blocks; ++k) text += R"(, {"width": 1, "height": 2, "mass": 1000, "inertia": 416.67})";
+  return "[" + text.substr(2) + "]";
+}
+
 void write_json(const fs::path& folder, const Sample& sample) {
   create(folder / "comparison.json")
       << R"({"title": "A sample <comparison>", "scenes": [{"name": "sample", "title": ")" << sample.title
-      << R"(", "blocks": )" << sample.blocks << R"(, "toml": "duration = 5 # s & <b>not bold</b>\n")"
+      << R"(", "blocks": )" << sample.blocks << R"(, "stack": )" << stack_json(sample.blocks)
+      << R"(, "gravity": 9.81, "chatter_speed": 0.01, "toml": "duration = 5 # s & <b>not bold</b>\n")"
       << (sample.results.empty() ? "" : R"(, "results": )" + sample.results) << "}],"
       << (sample.fits.empty() ? "" : R"("fits": )" + sample.fits + ",")
       << R"("definitions": {"run": "name of the run", "rms_angle_difference": "root mean square, rad"},)"
@@ -144,6 +167,7 @@ void write_sample(const fs::path& folder, const Sample& sample) {
   const fs::path exact = folder / "runs" / "sample.exact";
   write_history(exact, sample, 1e-3, 0, true);
   write_events(exact, sample);
+  write_reactions(exact, sample);
   write_summary(exact, "sample.exact", 1e-3);
   for (const SampleEngine& engine : sample.engines)
     for (const double dt : sample.steps) write_engine(folder, rows, sample, engine, dt);

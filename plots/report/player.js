@@ -1,0 +1,465 @@
+"use strict";
+// Plays the motions of one scene: reads the data that stands beside the canvas, draws blocks to scale, and keeps
+// controls, picture and words at the same time.
+(() => {
+const touching = 2e-4; // rad: engines have no patterns; a smaller relative angle counts as closed
+const steepest = 1.45; // rad: angles are not exaggerated beyond
+const tints = ["#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0", "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"];
+
+const unpack = (text) => {
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  return new Float32Array(bytes.buffer);
+};
+
+// Index of the last entry that is not after `time`, −1 before the first.
+const lastBefore = (times, time) => {
+  let low = 0, high = times.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (times[middle] <= time) low = middle + 1; else high = middle;
+  }
+  return low - 1;
+};
+
+const turned = (a, c, angle) =>
+  [a * Math.cos(angle) + c * Math.sin(angle), c * Math.cos(angle) - a * Math.sin(angle)];
+
+const subscript = (number) => String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
+const signed = (value, digits) => (Number(value.toFixed(digits)) < 0 ? "−" : "") + Math.abs(value).toFixed(digits);
+
+class Track {
+  constructor(data, blocks) {
+    const { label, colour, shown, impacts } = data;
+    Object.assign(this, { label, colour, shown, impacts, blocks });
+    this.dash = data.dash === "solid" ? [] : data.dash.replace(/[()]/g, "").split(",").map(Number);
+    this.times = unpack(data.times);
+    this.values = unpack(data.angles);
+    this.forces = data.reactions ? unpack(data.reactions) : null;
+    this.forceTimes = data.reactions ? unpack(data.reaction_times) : null;
+    this.end = this.times[this.times.length - 1];
+  }
+
+  // Values between samples on straight lines; held after the end.
+  read(values, width, time) {
+    const at = Math.max(0, Math.min(lastBefore(this.times, time), this.times.length - 2));
+    const span = this.times[at + 1] - this.times[at];
+    const part = span > 0 ? Math.min(1, Math.max(0, (time - this.times[at]) / span)) : 0;
+    const from = at * width;
+    return Array.from({ length: width }, (_, i) =>
+      values[from + i] * (1 - part) + values[from + width + i] * part);
+  }
+
+  angles(time) { return this.read(this.values, this.blocks, time); }
+
+  // One sample, not a mean of two: forces jump at impacts.
+  reactions(time) {
+    const width = 3 * this.blocks;
+    const at = Math.max(0, lastBefore(this.forceTimes, time)) * width;
+    return this.forces.subarray(at, at + width);
+  }
+}
+
+class Stack {
+  constructor(blocks) {
+    this.half = blocks.map((block) => [block.width / 2, block.height / 2]);
+    this.reach = this.half.map(([width], k) => k > 0 ? Math.min(width, this.half[k - 1][0]) : width);
+    this.height = blocks.reduce((sum, block) => sum + block.height, 0);
+    this.width = Math.max(...blocks.map((block) => block.width));
+  }
+
+  // Corners, contacts and faces of a stack at these angles, in metres from the middle of its place at rest.
+  place(angles) {
+    const sides = angles.map((angle, k) => Math.sign(angle - (k > 0 ? angles[k - 1] : 0)));
+    let pivot = [sides[0] * this.reach[0], 0];
+    return angles.map((angle, k) => {
+      const [b, h] = this.half[k];
+      const foot = sides[k] * this.reach[k];
+      const from = pivot;
+      const at = (a, c) => { const [x, y] = turned(a - foot, c, angle); return [from[0] + x, from[1] + y]; };
+      const face = k > 0 && this.half[k][0] <= this.half[k - 1][0] ? angles[k - 1] : k > 0 ? angle : 0;
+      const part = { corners: [at(-b, 0), at(b, 0), at(b, 2 * h), at(-b, 2 * h)], face,
+        under: (x) => at(x, 0), reach: this.reach[k] };
+      if (k + 1 < angles.length) pivot = at(sides[k + 1] * this.reach[k + 1], 2 * h);
+      return part;
+    });
+  }
+}
+
+class Player {
+  constructor(root) {
+    const data = JSON.parse(root.querySelector(".player-data").textContent);
+    this.find = (name) => root.querySelector("." + name);
+    this.stack = new Stack(data.blocks);
+    this.tracks = data.tracks.map((track) => new Track(track, data.blocks.length));
+    this.events = data.events;
+    this.ground = data.ground ? { times: unpack(data.ground.times), values: unpack(data.ground.values) } : null;
+    this.weight = data.weight;
+    this.title = data.title;
+    this.end = Math.max(...this.tracks.map((track) => track.end));
+    this.time = 0;
+    this.playing = false;
+    this.frames = 0;
+    this.tint = new Map();
+    for (const span of this.events.spans)
+      if (!this.tint.has(span[1])) this.tint.set(span[1], tints[this.tint.size % tints.length]);
+    this.starts = this.events.spans.map((span) => span[0]);
+    this.makeControls(root);
+    this.makeTable();
+    new ResizeObserver(() => this.resize()).observe(this.find("stage"));
+    this.resize();
+    this.say();
+    root.player = this;
+  }
+
+  makeControls(root) {
+    const speeds = [0.01, 0.05, 0.1, 0.25, 0.5, 1, 2, 4];
+    const usual = this.end > 8 ? 1 : this.end > 2 ? 0.5 : 0.1;
+    for (const speed of speeds)
+      this.find("speed").add(new Option(speed + " ×", speed, speed === usual, speed === usual));
+    for (const track of this.tracks) this.find("tracks").append(this.checkbox(track));
+    if (!this.tracks.some((track) => track.forces))
+      for (const name of ["force-option", "force-hint"]) this.find(name).hidden = true;
+    if (this.tracks.length === 1) this.find("view").parentElement.hidden = true;
+    this.find("scrub").max = this.end * 1000;
+    this.find("play").addEventListener("click", () => this.toggle());
+    this.find("next").addEventListener("click", () => this.step(1));
+    this.find("previous").addEventListener("click", () => this.step(-1));
+    this.find("scrub").addEventListener("input", (event) => this.goTo(event.target.value / 1000));
+    for (const name of ["view", "forces"]) this.find(name).addEventListener("input", () => this.draw());
+    this.find("gain").addEventListener("input", () => this.draw());
+    this.find("stage").addEventListener("keydown", (event) => this.key(event));
+    const drag = (event) => {
+      if (event.type === "pointerdown") event.target.setPointerCapture(event.pointerId);
+      if (event.buttons) this.goTo((event.offsetX / event.target.clientWidth) * this.end);
+    };
+    for (const kind of ["pointerdown", "pointermove"]) this.find("strip").addEventListener(kind, drag);
+  }
+
+  checkbox(track) {
+    const label = document.createElement("label"), box = document.createElement("input");
+    const swatch = document.createElement("span");
+    box.type = "checkbox";
+    box.checked = track.shown;
+    box.addEventListener("input", () => { track.shown = box.checked; this.makeTable(); this.resize(); });
+    swatch.className = "swatch";
+    swatch.style.borderTopColor = track.colour;
+    swatch.style.borderTopStyle = track.dash.length ? "dashed" : "solid";
+    label.append(box, swatch, track.label);
+    return label;
+  }
+
+  makeTable() {
+    const blocks = this.stack.half.length;
+    const heads = ["", ...Array.from({ length: blocks }, (_, k) => `θ${subscript(k + 1)} (rad)`),
+      "contacts, from the ground up"];
+    const row = (cells, kind) => {
+      const tr = document.createElement("tr");
+      cells.forEach((text, i) => {
+        const cell = document.createElement(kind === "th" || i === 0 ? "th" : "td");
+        if (cell.tagName === "TH") cell.scope = kind === "th" ? "col" : "row";
+        cell.textContent = text;
+        tr.append(cell);
+      });
+      return tr;
+    };
+    this.find("values").tHead.replaceChildren(row(heads, "th"));
+    this.find("values").tBodies[0].replaceChildren(
+      ...this.shown().map((track) => row([track.label, ...Array(blocks + 1).fill("")], "td")));
+  }
+
+  shown() { return this.tracks.filter((track) => track.shown); }
+  gain() { return Math.round(10 ** (this.find("gain").value / 50) * 10) / 10; }
+  pattern() {
+    const at = Math.max(0, lastBefore(this.starts, this.time));
+    return this.events.spans.length ? this.events.spans[at][1] : "";
+  }
+
+  key(event) {
+    const actions = { " ": () => this.toggle(), n: () => this.step(1), p: () => this.step(-1),
+      ArrowRight: () => this.goTo(this.time + this.end / 500), ArrowLeft: () => this.goTo(this.time - this.end / 500) };
+    const action = actions[event.key.length > 1 ? event.key : event.key.toLowerCase()];
+    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    action();
+  }
+
+  toggle() {
+    this.playing = !this.playing;
+    this.find("play").textContent = this.playing ? "⏸ Pause" : "▶ Play";
+    if (!this.playing) return this.say();
+    if (this.time >= this.end) this.time = 0;
+    this.clock = undefined;
+    this.find("now").setAttribute("aria-live", "off");
+    requestAnimationFrame((now) => this.frame(now));
+  }
+
+  frame(now) {
+    if (!this.playing) return;
+    if (this.clock !== undefined) this.time += Math.max(0, now - this.clock) / 1000 * this.find("speed").value;
+    this.clock = now;
+    ++this.frames;
+    if (this.time >= this.end) {
+      this.time = this.end;
+      this.toggle();
+    } else {
+      requestAnimationFrame((next) => this.frame(next));
+    }
+    this.draw();
+  }
+
+  goTo(time) {
+    this.time = Math.min(this.end, Math.max(0, time));
+    this.clock = undefined;
+    this.draw();
+    this.say();
+  }
+
+  // To the next or last impact of the exact motion; the one that is on now does not count.
+  step(direction) {
+    if (this.playing) this.toggle();
+    const every = this.find("chatter").checked;
+    const list = this.events.impacts.filter((impact) => every || !impact[4]);
+    const still = 1e-7;
+    const next = direction > 0 ? list.find((impact) => impact[0] > this.time + still)
+      : list.findLast((impact) => impact[0] < this.time - still);
+    if (!next) return this.say(direction > 0 ? "No impact after this time." : "No impact before this time.");
+    this.time = next[0];
+    this.draw();
+    this.say(`Impact at interface ${next[1]}: pattern ${next[2]} becomes ${next[3]}.`);
+  }
+
+  // Words for all, spoken only while nothing moves.
+  say(extra = "") {
+    this.find("now").setAttribute("aria-live", "polite");
+    this.find("now").textContent = this.words() + (extra ? " " + extra : "");
+    this.find("stage").setAttribute("aria-label", `${this.title}: ${this.words()}`);
+  }
+
+  words() {
+    const pattern = this.pattern();
+    return `${this.time.toFixed(4)} s of ${this.end.toFixed(2)} s` + (pattern ? `, exact pattern ${pattern}.` : ".");
+  }
+
+  resize() {
+    const sharp = window.devicePixelRatio || 1;
+    const strip = this.find("strip"), stage = this.find("stage");
+    strip.style.height = 24 + 11 * this.shown().length + "px";
+    for (const canvas of [stage, strip]) {
+      canvas.width = Math.round(canvas.clientWidth * sharp);
+      canvas.height = Math.round(canvas.clientHeight * sharp);
+    }
+    this.band = this.paintBand(strip.width, strip.height, sharp);
+    this.draw();
+  }
+
+  draw() {
+    this.find("gain-text").textContent = this.gain();
+    this.find("scrub").value = this.time * 1000;
+    this.find("scrub").setAttribute("aria-valuetext", this.words());
+    if (this.playing) this.find("now").textContent = this.words();
+    const rows = this.find("values").tBodies[0].rows;
+    this.shown().forEach((track, i) => this.fillRow(rows[i], track));
+    this.drawStage();
+    this.drawStrip();
+  }
+
+  contacts(track, parts, angles) {
+    const known = track.forces ? this.sides() : null;
+    return parts.map((part, k) => {
+      if (known) return known[k];
+      const relative = angles[k] - (k > 0 ? angles[k - 1] : 0);
+      return Math.abs(relative) < touching ? 0 : Math.sign(relative);
+    });
+  }
+
+  // The contacts of the exact pattern.
+  sides() {
+    const span = this.events.spans[Math.max(0, lastBefore(this.starts, this.time))];
+    return span ? span[2] : null;
+  }
+
+  fillRow(row, track) {
+    const angles = track.angles(this.time);
+    const sides = this.contacts(track, this.stack.place(angles), angles);
+    angles.forEach((angle, k) => { row.cells[k + 1].textContent = signed(angle, 5); });
+    row.cells[angles.length + 1].textContent = this.time > track.end + 1e-9 ? "ended"
+      : sides.map((side) => side < 0 ? "left" : side > 0 ? "right" : "closed").join(", ");
+  }
+
+  drawStage() {
+    const canvas = this.find("stage"), pen = canvas.getContext("2d"), sharp = window.devicePixelRatio || 1;
+    const width = canvas.width / sharp, height = canvas.height / sharp;
+    pen.setTransform(sharp, 0, 0, sharp, 0, 0);
+    pen.clearRect(0, 0, width, height);
+    const shown = this.shown(), over = this.find("view").value === "over";
+    const columns = over ? 1 : Math.max(1, shown.length);
+    const side = this.stack.width / 2 + this.stack.height * this.lean();
+    const scale = Math.min((width / columns - 12) / (2 * side), (height - 62) / (this.stack.height * 1.03));
+    shown.forEach((track, i) => {
+      const column = over ? 0 : i;
+      const middle = (column + 0.5) * width / columns;
+      const view = { pen, x: (m) => middle + m * scale, y: (m) => height - 34 - m * scale, scale, over };
+      if (!over || i === 0) this.drawGround(view, middle, width / columns);
+      this.drawTrack(view, track, i);
+      this.caption(pen, track, over ? 12 : column * width / columns + 8, over ? 18 + 17 * i : 18, width / columns);
+    });
+  }
+
+  // How far a stack leans to the side at most, as a part of its height; even while angles are exaggerated.
+  lean() {
+    this.most ??= Math.max(...this.tracks.map((track) =>
+      track.values.reduce((most, angle) => Math.max(most, Math.abs(angle)), 0)));
+    return Math.max(0.25, Math.sin(Math.min(steepest, this.most * this.gain())));
+  }
+
+  caption(pen, track, x, y, room) {
+    pen.fillStyle = track.colour;
+    pen.fillRect(x, y - 5, 18, 4);
+    pen.fillStyle = "#1a1a1a";
+    pen.font = "12px 'DejaVu Sans', sans-serif";
+    pen.textAlign = "left";
+    pen.fillText(track.label + (this.time > track.end + 1e-9 ? " (ended)" : ""), x + 24, y, room - 30);
+  }
+
+  drawGround({ pen, y, scale, x }, middle, room) {
+    pen.fillStyle = "#e4e0d8";
+    pen.fillRect(middle - room / 2 + 4, y(0), room - 8, 10);
+    pen.strokeStyle = "#555";
+    pen.lineWidth = 1;
+    pen.beginPath();
+    pen.moveTo(middle - room / 2 + 4, y(0));
+    pen.lineTo(middle + room / 2 - 4, y(0));
+    pen.stroke();
+    if (!this.ground) return;
+    const at = Math.max(0, lastBefore(this.ground.times, this.time));
+    const push = this.ground.values[at] / 9.81;
+    arrow(pen, x(0), y(0) + 21, x(0) + push * room * 0.4, y(0) + 21, "#6b4e00", 2);
+    pen.fillStyle = "#6b4e00";
+    pen.font = "11px 'DejaVu Sans', sans-serif";
+    pen.textAlign = "left";
+    pen.fillText(`ground ${signed(push, 2)} g`, middle - room / 2 + 8, y(0) + 25);
+  }
+
+  drawTrack({ pen, x, y, scale, over }, track, order) {
+    const gain = this.gain();
+    const real = track.angles(this.time);
+    const angles = real.map((angle) => Math.max(-steepest, Math.min(steepest, angle * gain)));
+    if (gain === 1) real.forEach((angle, k) => { angles[k] = angle; });
+    const parts = this.stack.place(angles);
+    const sides = this.contacts(track, parts, real);
+    pen.lineJoin = "round";
+    for (const part of parts) {
+      pen.beginPath();
+      part.corners.forEach(([a, c], i) => i ? pen.lineTo(x(a), y(c)) : pen.moveTo(x(a), y(c)));
+      pen.closePath();
+      pen.globalAlpha = over && order ? 0.08 : 0.14;
+      pen.fillStyle = track.colour;
+      pen.fill();
+      pen.globalAlpha = 1;
+      pen.strokeStyle = track.colour;
+      pen.lineWidth = !over ? 2 : order ? 1.5 : 4;
+      pen.setLineDash(track.dash);
+      pen.stroke();
+      pen.setLineDash([]);
+    }
+    parts.forEach((part, k) => this.drawContact({ pen, x, y }, part, sides[k], track.colour));
+    if (track.forces && this.find("forces").checked) this.drawForces({ pen, x, y, scale }, track, parts, sides);
+  }
+
+  drawContact({ pen, x, y }, part, side, colour) {
+    pen.strokeStyle = pen.fillStyle = colour;
+    if (side === 0) {
+      const [left, right] = [part.under(-part.reach), part.under(part.reach)];
+      pen.lineWidth = 5;
+      pen.lineCap = "butt";
+      pen.beginPath();
+      pen.moveTo(x(left[0]), y(left[1]));
+      pen.lineTo(x(right[0]), y(right[1]));
+      pen.stroke();
+      return;
+    }
+    const [a, c] = part.under(side * part.reach);
+    pen.beginPath();
+    pen.arc(x(a), y(c), 5, 0, 2 * Math.PI);
+    pen.fill();
+    pen.strokeStyle = "#fff";
+    pen.lineWidth = 1.5;
+    pen.stroke();
+  }
+
+  drawForces({ pen, x, y, scale }, track, parts, sides) {
+    const full = 0.3 * this.stack.height * scale; // pixels for the weight of all blocks
+    const blocks = parts.length, forces = track.reactions(this.time);
+    parts.forEach((part, k) => {
+      const normal = forces[k] / this.weight, along = forces[blocks + k] / this.weight, centre = forces[2 * blocks + k];
+      const [a, c] = part.under(sides[k] === 0 && Number.isFinite(centre) ? centre : sides[k] * part.reach);
+      const [right, up] = [normal * Math.sin(part.face) + along * Math.cos(part.face),
+        normal * Math.cos(part.face) - along * Math.sin(part.face)];
+      arrow(pen, x(a), y(c), x(a) + right * full, y(c) - up * full, "#5b2a86", 3);
+    });
+    const bar = x(-this.stack.width / 2 - 0.12 * this.stack.height);
+    pen.strokeStyle = pen.fillStyle = "#5b2a86";
+    pen.lineWidth = 3;
+    pen.beginPath();
+    pen.moveTo(bar, y(0));
+    pen.lineTo(bar, y(0) - full);
+    pen.stroke();
+    pen.font = "11px 'DejaVu Sans', sans-serif";
+    pen.textAlign = "right";
+    pen.fillText("weight", bar - 5, y(0) - full / 2);
+  }
+
+  // The pattern band and the rows of impacts, painted once for a size.
+  paintBand(width, height, sharp) {
+    const sheet = document.createElement("canvas");
+    [sheet.width, sheet.height] = [Math.max(1, width), Math.max(1, height)];
+    const pen = sheet.getContext("2d");
+    pen.scale(sharp, sharp);
+    const wide = width / sharp, x = (time) => time / this.end * wide;
+    pen.font = "12px 'DejaVu Sans', sans-serif";
+    pen.textAlign = "center";
+    this.events.spans.forEach(([from, name], i) => {
+      const to = i + 1 < this.events.spans.length ? this.starts[i + 1] : this.tracks[0].end;
+      pen.fillStyle = this.tint.get(name);
+      pen.fillRect(x(from), 0, x(to) - x(from) + 0.5, 20);
+      pen.fillStyle = "#1a1a1a";
+      if (x(to) - x(from) > pen.measureText(name).width + 4) pen.fillText(name, (x(from) + x(to)) / 2, 14);
+    });
+    this.shown().forEach((track, row) => {
+      pen.strokeStyle = track.colour;
+      pen.lineWidth = 1.5;
+      pen.beginPath();
+      for (const time of track.impacts) { pen.moveTo(x(time), 23 + 11 * row); pen.lineTo(x(time), 32 + 11 * row); }
+      pen.stroke();
+    });
+    return sheet;
+  }
+
+  drawStrip() {
+    const strip = this.find("strip"), pen = strip.getContext("2d");
+    pen.clearRect(0, 0, strip.width, strip.height);
+    pen.drawImage(this.band, 0, 0);
+    pen.fillStyle = "#b00020";
+    pen.fillRect(this.time / this.end * strip.width - 1, 0, 2, strip.height);
+  }
+}
+
+function arrow(pen, fromX, fromY, toX, toY, colour, width) {
+  const length = Math.hypot(toX - fromX, toY - fromY);
+  if (length < 2) return;
+  const head = Math.min(10, length), [u, v] = [(toX - fromX) / length, (toY - fromY) / length];
+  pen.strokeStyle = pen.fillStyle = colour;
+  pen.lineWidth = width;
+  pen.beginPath();
+  pen.moveTo(fromX, fromY);
+  pen.lineTo(toX - u * head * 0.8, toY - v * head * 0.8);
+  pen.stroke();
+  pen.beginPath();
+  pen.moveTo(toX, toY);
+  pen.lineTo(toX - u * head - v * head * 0.45, toY - v * head + u * head * 0.45);
+  pen.lineTo(toX - u * head + v * head * 0.45, toY - v * head - u * head * 0.45);
+  pen.fill();
+}
+
+for (const root of document.querySelectorAll(".player")) new Player(root);
+})();
