@@ -2,15 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#include <optional>
-
-#include "analytic/scene/input_error.hpp"
 #include "plots/figures.hpp"
 #include "plots/html.hpp"
-#include "plots/look.hpp"
+#include "plots/page_parts.hpp"
 #include "plots/player.hpp"
 #include "plots/results.hpp"
 #include "plots/selection.hpp"
@@ -22,44 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string contents_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string() + ": cannot be read; figures are drawn before the report");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 std::string sentence_list(const std::vector<std::string>& sentences) {
   std::string items;
   for (const std::string& sentence : sentences) items += element("li", escaped(sentence)) + "\n";
   return element("ul", items) + "\n";
-}
-
-std::string definition_list(const Facts& facts) {
-  std::string items;
-  for (const auto& [name, text] : facts)
-    items += element("dt", escaped(name)) + element("dd", escaped(text)) + "\n";
-  return element("dl", items);
-}
-
-/// The number in a cell, or nothing where it is text.
-std::optional<double> number_in(const std::string& cell) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(cell, &used);
-    return used == cell.size() ? std::optional(value) : std::nullopt;
-  } catch (const std::logic_error&) {
-    return std::nullopt;
-  }
-}
-
-/// Counts stand as they are, other numbers with four digits; the whole number is kept for sorting and as a
-/// tooltip.
-std::string table_cell(const std::string& column, const std::string& cell) {
-  const bool is_count = cell.find_first_not_of("0123456789") == std::string::npos;
-  if (const std::optional<double> value = number_in(cell))
-    return element("td", is_count ? cell : fmt::format("{:.4g}", *value),
-                   fmt::format(" class=\"number\" data-value=\"{0}\" title=\"{0}\"", escaped(cell)));
-  return element("td", escaped(cell), column == "reason" && !cell.empty() ? " class=\"reason\"" : "");
 }
 
 std::string table_row(const Comparison& comparison, const Run& run) {
@@ -67,13 +27,6 @@ std::string table_row(const Comparison& comparison, const Run& run) {
   for (std::size_t i = 1; i < run.cells.size(); ++i) cells += table_cell(comparison.columns[i], run.cells[i]);
   const std::string kind = run.exact() ? " class=\"exact\"" : run.done() ? "" : " class=\"failed\"";
   return element("tr", cells, kind) + "\n";
-}
-
-/// "rms_angle_difference" as words that may break into lines.
-std::string heading(std::string column) {
-  for (char& c : column)
-    if (c == '_') c = ' ';
-  return element("th", element("button", escaped(column), " type=\"button\""), " scope=\"col\"");
 }
 
 std::string table(const Comparison& comparison) {
@@ -107,34 +60,16 @@ std::string scene_anchor(std::size_t scene) {
   return fmt::format("scene-{}", scene + 1);
 }
 
-std::string figure(const fs::path& results, const Comparison& comparison, std::size_t scene,
-                   const FigureKind& kind) {
-  const ComparedScene& compared = comparison.scenes[scene];
-  const std::string file =
-      contents_of(fs::path(figure_stem(results, compared.name, kind.name)).concat(".svg"));
-  const std::string svg = inline_svg(file, fmt::format("s{}-{}-", scene + 1, kind.name),
-                                     fmt::format("{}: {}", kind.title, compared.title));
-  return element("h3", escaped(kind.title)) +
-         element("figure", svg + element("figcaption", escaped(kind.explanation))) + "\n";
-}
-
-std::string player_of(const Comparison& comparison, std::size_t scene) {
-  const ComparedScene& compared = comparison.scenes[scene];
-  if (!has_player(comparison, compared)) return "";
-  return element("h3", "The motion to look at") +
-         player(comparison, compared, assign_looks(comparison), comparison.scenes.size(),
-                fmt::format("player-{}", scene + 1)) +
-         "\n";
-}
-
 std::string scene_section(const fs::path& results, const Comparison& comparison, std::size_t scene) {
   const ComparedScene& compared = comparison.scenes[scene];
   std::string body = element("h2", escaped(compared.title)) + "\n";
   if (!compared.ground.empty())
     body += element("p", escaped("The ground moves by: " + compared.ground)) + "\n";
-  body += player_of(comparison, scene);
+  if (has_player(comparison, compared))
+    body += element("h3", "The motion to look at") + player_part(comparison, scene) + "\n";
   for (const FigureKind& kind : figure_kinds())
-    if (has_figure(compared, kind)) body += figure(results, comparison, scene, kind);
+    if (has_figure(compared, kind))
+      body += element("h3", escaped(kind.title)) + figure_part(results, comparison, scene, kind) + "\n";
   body += element("details", element("summary", fmt::format("The scene file of {}", escaped(compared.name))) +
                                  element("pre", element("code", escaped(compared.toml))));
   return element("section", "\n" + body, fmt::format(" id=\"{}\"", scene_anchor(scene))) + "\n";
@@ -197,12 +132,7 @@ namespace rockstack {
 
 void write_report(const std::filesystem::path& results) {
   const std::string text = plots::page(results, plots::read_comparison(results));
-  const std::filesystem::path aside = results / ".report.html.part";
-  std::ofstream out(aside, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error((results / "report.html").string() + ": cannot be written");
-  std::filesystem::rename(aside, results / "report.html");
+  plots::write_page(results / "report.html", text);
 }
 
 }  // namespace rockstack

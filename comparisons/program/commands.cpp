@@ -18,6 +18,7 @@
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures.hpp"
 #include "plots/impact_laws.hpp"
+#include "plots/lesson.hpp"
 #include "plots/record.hpp"
 #include "plots/report.hpp"
 #include "plots/sweep.hpp"
@@ -133,6 +134,7 @@ int plot_command(const std::filesystem::path& results, const Common& common) {
     return 0;
   }
   draw(results);
+  if (has_lesson(results)) write_lesson(results);
   print_report(results, common);
   return 0;
 #else

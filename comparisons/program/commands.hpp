@@ -42,6 +42,11 @@ struct RecordArguments {
   std::string base_line = "none";  ///< or "fitted", taken off before anything is measured
 };
 
+struct TeachArguments {
+  std::string lesson;  ///< empty: list all
+  std::filesystem::path out;
+};
+
 struct SweepArguments {
   std::string ensemble;
   std::filesystem::path out;
@@ -56,6 +61,7 @@ int compare_command(const CompareArguments& arguments, const Common& common);
 int plot_command(const std::filesystem::path& results, const Common& common);
 int record_command(const RecordArguments& arguments, const Common& common);
 int sweep_command(const SweepArguments& arguments, const Common& common);
+int teach_command(const TeachArguments& arguments, const Common& common);
 int list_command(const std::string& what, const Common& common);
 
 /// The file itself, or the one of that name among those shipped in `folder`.

@@ -104,6 +104,14 @@ Command add_record(CLI::App& app, const Common& common) {
   return {command, [arguments, &common] { return record_command(*arguments, common); }};
 }
 
+Command add_teach(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<TeachArguments>();
+  CLI::App* command = app.add_subcommand("teach", "list the lessons, or run one and write its page");
+  command->add_option("lesson", arguments->lesson, "name of a lesson; left out: list them");
+  command->add_option("--out", arguments->out, out_help);
+  return {command, [arguments, &common] { return teach_command(*arguments, common); }};
+}
+
 Command add_list(CLI::App& app, const Common& common) {
   const auto what = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("list", "list what there is");
@@ -124,7 +132,8 @@ int run(int count, char** words) {
   app.add_flag("--quiet", common.quiet, "print nothing but errors");
   app.add_flag("--json", common.json, "print the result as JSON");
   std::vector<Command> commands;
-  for (const auto add : {add_solve, add_simulate, add_compare, add_sweep, add_plot, add_record, add_list}) {
+  for (const auto add :
+       {add_solve, add_simulate, add_compare, add_sweep, add_plot, add_record, add_teach, add_list}) {
     commands.push_back(add(app, common));
   }
   try {

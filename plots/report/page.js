@@ -24,3 +24,8 @@ const sort = (heading) => {
 
 for (const button of document.querySelectorAll("thead button"))
   button.addEventListener("click", () => sort(button.closest("th")));
+
+// Answers are read on paper too.
+addEventListener("beforeprint", () => {
+  for (const part of document.querySelectorAll("details.question")) part.open = true;
+});

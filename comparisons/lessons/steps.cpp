@@ -1,0 +1,75 @@
+#include <cmath>
+
+#include "analytic/solve.hpp"
+#include "comparisons/difference.hpp"
+#include "comparisons/lessons/answers.hpp"
+#include "comparisons/lessons/values.hpp"
+#include "comparisons/lessons/wording.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr double iteration_step = 1e-3;  // s
+
+double error(const Scene& scene, const History& history) {
+  return root_mean_square(difference(solve(scene, {.sample_times = history.times}), history));
+}
+
+Table over_steps(const std::vector<Row>& rows, const std::string& scene) {
+  Table table{{"engine", "step (s)", "first impact, engine less exact (s)", "RMS angle difference (rad)",
+               "agrees within tolerance until (s)"},
+              {}};
+  for (const Row& row : rows)
+    if (row.dt && row.scene == scene && row.rms_angle_difference)
+      table.rows.push_back({row.engine + ":" + row.solver, cell(*row.dt),
+                            row.first_impact_time_difference ? cell(*row.first_impact_time_difference) : "",
+                            cell(*row.rms_angle_difference), cell(*row.agreement_time)});
+  return table;
+}
+
+Table over_iterations(const Scene& scene) {
+  Table table{{"iterations", "ODE QuickStep: RMS (rad)", "Bullet sequential impulse: RMS (rad)"}, {}};
+  for (const double count : {2.0, 5.0, 20.0, 100.0, 500.0})
+    table.rows.push_back(
+        {cell(count),
+         cell(error(scene, answer("ode:quickstep", "tuned", scene, iteration_step,
+                                  {{"quickStepNumIterations", count}}))),
+         cell(error(scene, answer("bullet", "tuned", scene, iteration_step, {{"numIterations", count}})))});
+  return table;
+}
+
+/// Slope of the first impact's error between two steps, in logarithms.
+double slope(const std::vector<Row>& rows, const std::string& engine, double large, double small) {
+  const double first = std::abs(*find_row(rows, engine, "tuned", large).first_impact_time_difference);
+  const double second = std::abs(*find_row(rows, engine, "tuned", small).first_impact_time_difference);
+  return std::log(first / second) / std::log(large / small);
+}
+
+}  // namespace
+
+LessonValues steps_values(const Suite& suite, const std::vector<Row>& rows) {
+  const NamedScene& scene = suite.scenes.front();
+  const auto rms = [&](const char* engine, double dt) {
+    return power(*find_row(rows, engine, "tuned", dt).rms_angle_difference, 1);
+  };
+  LessonValues values;
+  values.numbers = {
+      {"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
+      {"ode_slope", fixed(slope(rows, "ode", 1e-2, 1e-4), 2)},
+      {"bullet_share",
+       fixed(*find_row(rows, "bullet", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
+      {"ode_share", fixed(*find_row(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
+      {"bullet_coarse", rms("bullet", 1e-2)},
+      {"bullet_fine", rms("bullet", 1e-4)},
+      {"ode_coarse", rms("ode", 1e-2)},
+      {"ode_fine", rms("ode", 1e-4)},
+      {"single_fine", rms("bullet-single", 1e-4)},
+      {"bullet_middle", rms("bullet", 1e-3)},
+      {"single_middle", rms("bullet-single", 1e-3)},
+      {"gravity_step", power(scene.scene.gravity * 1e-4, 1)},
+      {"single_rounding", power(std::ldexp(1.0, -24), 1)}};
+  values.tables = {{"steps", over_steps(rows, scene.name)}, {"iterations", over_iterations(scene.scene)}};
+  return values;
+}
+
+}  // namespace rockstack

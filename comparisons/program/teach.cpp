@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/input_error.hpp"
+#include "comparisons/files.hpp"
+#include "comparisons/lessons/lesson.hpp"
+#include "comparisons/program/commands.hpp"
+#include "comparisons/program/output.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/figures.hpp"
+#include "plots/lesson.hpp"
+#include "plots/report.hpp"
+#endif
+
+namespace rockstack {
+namespace {
+
+void list_lessons(const Common& common) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Lesson& lesson : lessons()) list.push_back({{"name", lesson.name}, {"title", title(lesson)}});
+  if (common.json) return fmt::print("{}\n", list.dump(2));
+  for (std::size_t i = 0; i < list.size(); ++i)
+    fmt::print("{}  {:<14} {}\n", i + 1, list[i]["name"].get<std::string>(),
+               list[i]["title"].get<std::string>());
+}
+
+void print_lesson(const std::filesystem::path& folder, const Common& common) {
+  const std::string page = (folder / "lesson.html").string();
+  if (common.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"lesson", page}, {"folder", folder.string()}}.dump(2));
+  } else if (!common.quiet) {
+    fmt::print("lesson: {}\n", page);
+  }
+}
+
+}  // namespace
+
+int teach_command(const TeachArguments& arguments, const Common& common) {
+  if (!common.overrides.empty())
+    throw InputError(fmt::format(
+        "--set {}: must be left out, a lesson's text is about its own scenes; `rockstack compare` takes it",
+        common.overrides.front()));
+  if (arguments.lesson.empty()) {
+    list_lessons(common);
+    return 0;
+  }
+  const Lesson& lesson = find_lesson(arguments.lesson);
+  if (arguments.out.empty()) throw InputError("--out: missing, must be a folder for the lesson's page");
+  prepare_folder(arguments.out);
+  const std::vector<Row> rows = run_lesson(lesson, arguments.out, common.command, progress(common));
+#ifdef ROCKSTACK_WITH_PLOTS
+  draw_figures(arguments.out);
+  write_report(arguments.out);
+  write_lesson(arguments.out);
+  print_lesson(arguments.out, common);
+#else
+  print_report(arguments.out, common);
+#endif
+  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.status != "done"; }) ? 1 : 0;
+}
+
+}  // namespace rockstack
