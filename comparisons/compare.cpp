@@ -2,14 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 
 #include "analytic/scene/input_error.hpp"
+#include "comparisons/ensemble/workers.hpp"
 #include "comparisons/environment.hpp"
 #include "comparisons/files.hpp"
 #include "comparisons/fits.hpp"
 #include "comparisons/measure.hpp"
+#include "comparisons/results.hpp"
+#include "comparisons/run_identity.hpp"
 #include "comparisons/statements.hpp"
 
 namespace rockstack {
@@ -133,23 +138,81 @@ void write_ground(const std::vector<Suite>& suites, const std::filesystem::path&
   }
 }
 
+/// Work that a run is expected to be, in engine steps; an exact run has about as much as 2000 of them.
+double expected_work(const Job& job) {
+  constexpr double fixed = 2000;
+  if (job.series == nullptr) return fixed;
+  return fixed + (1 + job.suite.repeats) * job.scene.scene.duration / job.dt;
+}
+
+/// Counts runs, and the work that is left.
+class Progress {
+ public:
+  Progress(const std::vector<Job>& jobs, const CompareOptions& options) : options_(options) {
+    for (const Job& job : jobs) work_.push_back(expected_work(job));
+    left_ = std::accumulate(work_.begin(), work_.end(), 0.0);
+    standing_.total = jobs.size();
+    options_.progress(standing_);
+  }
+
+  /// A run that was there, or was made since.
+  void finish(std::size_t job, const std::string& run, bool made) {
+    ++standing_.done;
+    standing_.last = run;
+    left_ -= work_[job];
+    if (made) done_ += work_[job];
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    if (done_ > 0) standing_.remaining = passed.count() * left_ / done_;
+    options_.progress(standing_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  const CompareOptions& options_;
+  Clock::time_point start_ = Clock::now();
+  std::vector<double> work_;
+  double left_ = 0, done_ = 0;
+  Standing standing_;
+};
+
+CompareResult make_runs(const std::vector<Job>& jobs, const std::filesystem::path& folder,
+                        const CompareOptions& options) {
+  CompareResult result{std::vector<Row>(jobs.size()), 0};
+  Progress progress(jobs, options);
+  std::vector<std::size_t> parts;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const std::string run = describe(jobs[i]).run;
+    if (const auto row = finished_row(folder / "runs" / run, identity(jobs[i]))) {
+      result.rows[i] = *row;
+      ++result.reused;
+      progress.finish(i, run, false);
+    } else {
+      parts.push_back(i);
+    }
+  }
+  const auto compute = [&](std::size_t i) { return row_json(measure(jobs[i], folder, options)).dump(); };
+  const auto deliver = [&](std::size_t i, const std::string& text) {
+    result.rows[i] = row_from(Json::parse(text));
+    progress.finish(i, result.rows[i].run, true);
+  };
+  make_threads(options.jobs)->run(parts, {compute, deliver, [] { return false; }});
+  return result;
+}
+
 }  // namespace
 
-std::vector<Row> compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
-                         const std::string& command, const Progress& progress) {
+CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
+                      const CompareOptions& options) {
   require_compatible(suites);
-  const std::vector<Job> jobs = jobs_of(suites);
-  std::vector<Row> rows;
-  for (const Job& job : jobs) {
-    progress(rows.size() + 1, jobs.size(), describe(job).run);
-    rows.push_back(measure(job, folder, command));
-  }
+  const CompareResult result = make_runs(jobs_of(suites), folder, options);
+  const std::vector<SeriesFit> fits = fit_rows(result.rows);
   write_ground(suites, folder);
-  const std::vector<SeriesFit> fits = fit_rows(rows);
   if (!fits.empty()) write_file(folder / "fits.csv", fits_csv(fits));
-  write_file(folder / "comparison.csv", comparison_csv(rows));
-  write_file(folder / "comparison.json", comparison_json(suites, rows, fits, command).dump(2) + "\n");
-  return rows;
+  write_file(folder / "comparison.csv", comparison_csv(result.rows));
+  write_file(folder / "comparison.json",
+             comparison_json(suites, result.rows, fits, options.command).dump(2) + "\n");
+  return result;
 }
 
 }  // namespace rockstack

@@ -2,23 +2,42 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "comparisons/results.hpp"
+#include "comparisons/row.hpp"
 #include "comparisons/suite.hpp"
 
 namespace rockstack {
 
-/// Called before each run with its number from 1, how many there are, and its name.
-using Progress = std::function<void(std::size_t number, std::size_t total, const std::string& run)>;
+/// How far a comparison has come.
+struct Standing {
+  std::size_t done = 0, total = 0;  ///< runs
+  std::string last;                 ///< the run that was finished last; empty at the beginning
+  /// Time to go by the expected work that is left, s; unknown before a run is finished.
+  std::optional<double> remaining;
+};
 
-/// Runs suites and writes DIR/runs/, DIR/ground/ (where it moves), DIR/comparison.csv and
-/// DIR/comparison.json. A run that fails costs its own row. `command` is written into the results. The folder
-/// must be there (files.hpp).
+/// How runs are made, which changes no result but times.
+struct CompareOptions {
+  std::string command = {};  ///< written into the results
+  std::size_t jobs =
+      1;  ///< runs at a time, ≥ 1; with more than one, times are those of runs that share the machine
+  std::function<void(const Standing&)> progress = [](const Standing&) {};  ///< from one thread at a time
+};
+
+struct CompareResult {
+  std::vector<Row> rows;
+  std::size_t reused = 0;  ///< rows of runs that were there already
+};
+
+/// Runs suites and writes DIR/runs/, DIR/ground/ (where it moves), DIR/comparison.csv, DIR/comparison.json
+/// and, where time steps were swept, DIR/fits.csv. A run that fails costs its own row. A run that is in the
+/// folder, done and of the same identity, is not made again. The folder must be there (files.hpp).
 /// @throws InputError where two scenes share a name or suites differ in their tolerance; std::runtime_error
 /// where a file cannot be written.
-std::vector<Row> compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
-                         const std::string& command, const Progress& progress);
+CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
+                      const CompareOptions& options);
 
 }  // namespace rockstack

@@ -14,6 +14,7 @@
 #include "comparisons/files.hpp"
 #include "comparisons/reactions.hpp"
 #include "comparisons/results.hpp"
+#include "comparisons/run_identity.hpp"
 #include "comparisons/stepping_time.hpp"
 #include "comparisons/toppling.hpp"
 #include "comparisons/validity.hpp"
@@ -151,20 +152,23 @@ Row describe(const Job& job) {
   return row;
 }
 
-Row measure(const Job& job, const std::filesystem::path& folder, const std::string& command) {
+Row measure(const Job& job, const std::filesystem::path& folder, const CompareOptions& options) {
   Row row = describe(job);
+  row.runs_at_a_time = static_cast<int>(options.jobs);
   const auto own = folder / "runs" / row.run;
+  std::filesystem::remove_all(own);
   std::filesystem::create_directories(own);
   const auto make = job.series != nullptr ? run_engine : job.variant != nullptr ? run_variant : run_exact;
   Json json;
   try {
-    json = make(job, own, row, command);
+    json = make(job, own, row, options.command);
   } catch (const std::exception& failure) {
     row = describe(job);
     row.status = "failed";
     row.reason = failure.what();
-    json = summary(row, job.scene, {}, {}, command);
+    json = summary(row, job.scene, {}, {}, options.command);
   }
+  json["identity"] = identity(job);
   write_file(own / "summary.json", json.dump(2) + "\n");
   return row;
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "analytic/solve_options.hpp"
+#include "comparisons/compare.hpp"
 #include "comparisons/row.hpp"
 #include "comparisons/suite.hpp"
 
@@ -22,10 +23,11 @@ struct Job {
 /// The row of a run before it is made: what is run, without results.
 Row describe(const Job& job);
 
-/// Makes one run of a comparison and writes FOLDER/runs/<run>/: summary.json, for the exact solution its
-/// history and events, for others what compare_with_exact() writes. A failure ends up in the row.
+/// Makes one run of a comparison anew and writes FOLDER/runs/<run>/: for the exact solution its history and
+/// events, for others what compare_with_exact() writes, and at last summary.json. A failure ends up in the
+/// row.
 /// @throws std::runtime_error where a file cannot be written.
-Row measure(const Job& job, const std::filesystem::path& folder, const std::string& command);
+Row measure(const Job& job, const std::filesystem::path& folder, const CompareOptions& options);
 
 /// Solves a scene and writes history.csv, events.csv and summary.json into a folder.
 History solve_into(const NamedScene& scene, const SolveOptions& options, const std::filesystem::path& folder,

@@ -69,6 +69,10 @@ std::vector<Column> cost_columns() {
       measured<&Row::stepping_time_spread>("stepping_time_spread",
                                            "largest less smallest of the same times, s"),
       column<&Row::repeats>("repeats", "timed runs, after a warm-up that is not counted"),
+      measured<&Row::runs_at_a_time>("runs_at_a_time",
+                                     "how many runs of the comparison shared the machine while this one was "
+                                     "timed; only with 1 are times to "
+                                     "be compared"),
       measured<&Row::real_time_factor>("real_time_factor",
                                        "seconds of motion for one second of the least wall time of stepping"),
       measured<&Row::processor_time>("processor_time",

@@ -15,7 +15,7 @@ struct Row {
   std::string status = "done", reason;
   std::optional<int> steps;
   std::optional<double> stepping_time_minimum, stepping_time_median, stepping_time_spread;
-  std::optional<int> repeats;
+  std::optional<int> repeats, runs_at_a_time;
   std::optional<double> real_time_factor, processor_time, peak_memory;
   std::optional<double> largest_angle_difference, rms_angle_difference, relative_angle_difference;
   std::optional<double> magnitude_error, phase_error;

@@ -115,12 +115,14 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   for (const std::string& input : arguments.inputs) suites.push_back(read_input(input, common));
   if (!arguments.record.empty()) replace_made_up_motion(suites, arguments.record);
   prepare_folder(arguments.out);
-  const std::vector<Row> rows = compare(suites, arguments.out, common.command, progress(common));
+  const CompareResult result =
+      compare(suites, arguments.out, {common.command, arguments.jobs, progress(common)});
 #ifdef ROCKSTACK_WITH_PLOTS
   draw(arguments.out);
 #endif
-  print_rows(rows, arguments.out, common);
-  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.status != "done"; }) ? 1 : 0;
+  print_rows(result, arguments.out, common);
+  const auto failed = [](const Row& row) { return row.status != "done"; };
+  return std::any_of(result.rows.begin(), result.rows.end(), failed) ? 1 : 0;
 }
 
 int plot_command(const std::filesystem::path& results, const Common& common) {

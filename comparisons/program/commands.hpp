@@ -34,6 +34,7 @@ struct CompareArguments {
   std::vector<std::string> inputs;  ///< scenes or suites
   std::filesystem::path record;     ///< in the place of made-up motions; empty: none
   std::filesystem::path out;
+  std::size_t jobs = 1;  ///< runs at a time
 };
 
 struct RecordArguments {

@@ -65,7 +65,15 @@ Command add_compare(CLI::App& app, const Common& common) {
       ->required();
   command->add_option("--record", arguments->record,
                       "record in the place of synthetic motions, scaled to their peak");
-  command->add_option("--out", arguments->out, out_help)->required();
+  command
+      ->add_option("--jobs", arguments->jobs,
+                   "runs at a time; with more than one, times are those of runs that share the machine")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command
+      ->add_option("--out", arguments->out,
+                   "folder for results; a comparison that was stopped goes on there, runs that are done stay")
+      ->required();
   return {command, [arguments, &common] { return compare_command(*arguments, common); }};
 }
 

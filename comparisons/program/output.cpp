@@ -72,10 +72,12 @@ std::vector<double> peaks(const History& history) {
 
 }  // namespace
 
-Progress progress(const Common& common) {
-  if (!shows_progress(common)) return [](std::size_t, std::size_t, const std::string&) {};
-  return [](std::size_t number, std::size_t total, const std::string& run) {
-    fmt::print(stderr, "\r\033[K[{}/{}] {}{}", number, total, run, number == total ? "\n" : "");
+std::function<void(const Standing&)> progress(const Common& common) {
+  if (!shows_progress(common)) return [](const Standing&) {};
+  return [](const Standing& now) {
+    const bool end = now.done == now.total;
+    const std::string remaining = end || !now.remaining ? "" : ", " + waiting_time(*now.remaining) + " to go";
+    fmt::print(stderr, "\r\033[K[{}/{}{}] {}{}", now.done, now.total, remaining, now.last, end ? "\n" : "");
     std::fflush(stderr);
   };
 }
@@ -136,7 +138,8 @@ void print_history(const History& history, const std::vector<std::string>& warni
   }
 }
 
-void print_rows(const std::vector<Row>& rows, const std::filesystem::path& folder, const Common& common) {
+void print_rows(const CompareResult& result, const std::filesystem::path& folder, const Common& common) {
+  const std::vector<Row>& rows = result.rows;
   if (common.json) {
     Json list = Json::array();
     for (const Row& row : rows) list.push_back(row_json(row));
@@ -160,6 +163,10 @@ void print_rows(const std::vector<Row>& rows, const std::filesystem::path& folde
       "\nfirst: first impact, engine less exact; impacts: matched/missed/extra; agree: time until which "
       "angles "
       "stay\nwithin the tolerance; time: least wall time of stepping alone\n");
+  if (std::any_of(rows.begin(), rows.end(),
+                  [](const Row& row) { return row.runs_at_a_time.value_or(1) > 1; }))
+    fmt::print("times are those of runs that shared the machine\n");
+  if (result.reused > 0) fmt::print("{} of {} runs were there already\n", result.reused, rows.size());
   for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
   fmt::print("results: {}\n", folder.string());
   print_report(folder, common);

@@ -14,8 +14,8 @@ namespace rockstack {
 
 // What the program says on standard output; progress goes to standard error, and only to a terminal.
 
-/// A line that names the run in progress.
-Progress progress(const Common& common);
+/// A line that counts runs, names the last one and says how long the rest will take.
+std::function<void(const Standing&)> progress(const Common& common);
 
 /// A line that counts runs done and says how long the rest will take.
 std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const Common& common);
@@ -31,7 +31,7 @@ void print_history(const History& history, const std::vector<std::string>& warni
                    const std::filesystem::path& folder, const Common& common);
 
 /// The comparison as a table, and where the results are.
-void print_rows(const std::vector<Row>& rows, const std::filesystem::path& folder, const Common& common);
+void print_rows(const CompareResult& result, const std::filesystem::path& folder, const Common& common);
 
 /// Shares by kind of impact, and what the engines follow.
 void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,

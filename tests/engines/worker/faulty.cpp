@@ -83,6 +83,7 @@ std::vector<std::unique_ptr<Engine>> make_faulty() {
       {"not-finite", [](double& angle) { angle = std::nan(""); }},
       {"abort", abort_with_words},
       {"segment", [](double&) { std::raise(SIGSEGV); }},
+      {"killed", [](double&) { std::raise(SIGKILL); }},
       {"exit", [](double&) { std::_Exit(7); }},
       {"loop", loop},
       {"memory", eat_memory},

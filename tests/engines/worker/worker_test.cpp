@@ -89,6 +89,12 @@ TEST(Workers, SegmentationFaultIsASignal) {
   EXPECT_EQ(made.reason, "ended by signal 11 (Segmentation fault)");
 }
 
+TEST(Workers, BeingKilledIsASignal) {
+  const WorkerRun made = run("killed");
+  EXPECT_EQ(made.status, "signal");
+  EXPECT_EQ(made.reason, "ended by signal 9 (Killed)");
+}
+
 TEST(Workers, SilentExitIsAFailure) {
   const WorkerRun made = run("exit");
   EXPECT_EQ(made.status, "failed");
