@@ -8,6 +8,7 @@
 #include <set>
 
 #include "analytic/scene/input_error.hpp"
+#include "comparisons/distributions.hpp"
 #include "comparisons/ensemble/workers.hpp"
 #include "comparisons/environment.hpp"
 #include "comparisons/files.hpp"
@@ -94,7 +95,8 @@ std::vector<const EngineSeries*> all_series(const std::vector<Suite>& suites) {
 }
 
 Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& rows,
-                     const std::vector<SeriesFit>& fits, const std::string& command) {
+                     const std::vector<SeriesFit>& fits, const std::vector<DistributionDistance>& apart,
+                     const std::string& command) {
   Json json;
   std::vector<std::string> titles;
   json["scenes"] = Json::array();
@@ -111,6 +113,9 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& r
                                 {"chatter_speed", chatter_speed(scene.scene)},
                                 {"matching_window", matching_window(scene.scene)},
                                 {"results", names_of(suite.wanted)},
+                                {"perturbations", suite.perturbations.runs},
+                                {"perturbation_size", suite.perturbations.size},
+                                {"perturbation_seed", suite.perturbations.seed},
                                 {"toml", scene.text}});
     }
   }
@@ -123,6 +128,8 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& r
   json["statements"] = statements_json(suites);
   json["fit_definition"] = fit_definition();
   json["fits"] = fits_json(fits);
+  json["distribution_definition"] = distribution_definition();
+  json["distributions"] = distributions_json(apart);
   json["rows"] = Json::array();
   for (const Row& row : rows) json["rows"].push_back(row_json(row));
   return json;
@@ -142,7 +149,8 @@ void write_ground(const std::vector<Suite>& suites, const std::filesystem::path&
 double expected_work(const Job& job) {
   constexpr double fixed = 2000;
   if (job.series == nullptr) return fixed;
-  return fixed + (1 + job.suite.repeats) * job.scene.scene.duration / job.dt;
+  const int runs = 1 + job.suite.repeats + job.suite.perturbations.runs;
+  return fixed + runs * job.scene.scene.duration / job.dt;
 }
 
 /// Counts runs, and the work that is left.
@@ -207,11 +215,13 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   require_compatible(suites);
   const CompareResult result = make_runs(jobs_of(suites), folder, options);
   const std::vector<SeriesFit> fits = fit_rows(result.rows);
+  const std::vector<DistributionDistance> apart = distances(result.rows, folder);
   write_ground(suites, folder);
+  if (!apart.empty()) write_file(folder / "distributions.csv", distributions_csv(apart));
   if (!fits.empty()) write_file(folder / "fits.csv", fits_csv(fits));
   write_file(folder / "comparison.csv", comparison_csv(result.rows));
   write_file(folder / "comparison.json",
-             comparison_json(suites, result.rows, fits, options.command).dump(2) + "\n");
+             comparison_json(suites, result.rows, fits, apart, options.command).dump(2) + "\n");
   return result;
 }
 

@@ -1,14 +1,12 @@
 #include "comparisons/fits.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "comparisons/table.hpp"
+#include "comparisons/results.hpp"
 
 namespace rockstack {
 namespace {
@@ -88,25 +86,7 @@ std::vector<SeriesFit> fit_rows(const std::vector<Row>& rows) {
 }
 
 std::string fits_csv(const std::vector<SeriesFit>& fits) {
-  std::string text =
-      "scene,engine,solver,settings,quantity,steps,gap,gap_low,gap_high,order,order_low,order_high,"
-      "coefficient,"
-      "scatter,holds,reason\n";
-  for (const SeriesFit& fit : fits) {
-    const char* separator = "";
-    for (const Json& cell : cells_of(fit)) {
-      text += separator;
-      separator = ",";
-      if (cell.is_string())
-        text += text_cell(cell.get_ref<const std::string&>());
-      else if (cell.is_number_float())
-        text += fmt::format("{}", cell.get<double>());
-      else if (!cell.is_null())
-        text += cell.dump();
-    }
-    text += "\n";
-  }
-  return text;
+  return csv_of(fits_json(fits));
 }
 
 Json fits_json(const std::vector<SeriesFit>& fits) {

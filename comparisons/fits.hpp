@@ -21,7 +21,7 @@ struct SeriesFit {
 std::vector<SeriesFit> fit_rows(const std::vector<Row>& rows);
 
 /// A line a fit: scene,engine,solver,settings,quantity,steps,gap,gap_low,gap_high,order,order_low,order_high,
-/// coefficient,scatter,holds,reason.
+/// coefficient,scatter,holds,reason. Precondition: at least one.
 std::string fits_csv(const std::vector<SeriesFit>& fits);
 
 /// The same as objects, numbers as null where there is no fit at all.

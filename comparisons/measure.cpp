@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -84,6 +85,23 @@ SolveOptions sampled(const Scene& scene) {
   return {.sample_times = regular_times(sample_interval, scene.duration), .validity = true};
 }
 
+/// Makes the runs of perturbed scenes, where they are asked for; one that fails leaves an empty tally.
+void run_perturbed(const Job& job, const std::filesystem::path& folder,
+                   const std::function<MotionTally(const Scene&)>& run) {
+  const Perturbations& around = job.suite.perturbations;
+  std::vector<MotionTally> tallies;
+  for (int i = 0; i < around.runs; ++i) {
+    try {
+      tallies.push_back(run(perturbed(job.scene.scene, around, i)));
+    } catch (const std::exception&) {
+      tallies.emplace_back();
+    }
+  }
+  if (tallies.empty()) return;
+  const auto blocks = static_cast<int>(job.scene.scene.blocks.size());
+  write_file(folder / "perturbed.csv", tallies_csv(tallies, blocks));
+}
+
 Json run_exact(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
   const Scene& scene = job.scene.scene;
   const History history = solve(scene, sampled(scene));
@@ -91,6 +109,7 @@ Json run_exact(const Job& job, const std::filesystem::path& folder, Row& row, co
   set_time(time_solving(scene, job.suite.repeats), motion_time(scene, history), row);
   write_history(folder, history);
   write_file(folder / "reactions.csv", reactions_csv(scene, history));
+  run_perturbed(job, folder, exact_tally);
   Json json = summary(row, job.scene, {}, {}, command);
   add_validity(scene, history, json);
   return json;
@@ -104,6 +123,7 @@ Json run_variant(const Job& job, const std::filesystem::path& folder, Row& row, 
                      {history, reported_impacts(history, chatter_speed(scene)), !row.toppled.empty(), {}},
                      folder, row);
   write_file(folder / "events.csv", events_csv(history));
+  run_perturbed(job, folder, [&](const Scene& other) { return exact_tally(job.variant->apply(other)); });
   set_time(time_solving(scene, job.suite.repeats), motion_time(scene, history), row);
   Json json = summary(row, job.scene, {}, {}, command);
   add_validity(scene, history, json);
@@ -129,6 +149,10 @@ Json run_engine(const Job& job, const std::filesystem::path& folder, Row& row, c
         {history, observed_impacts(history, chatter_speed(scene)), !row.toppled.empty(), bodies}, folder,
         row);
     set_time(stepping_time(made.seconds), history.times.back(), row);
+    run_perturbed(job, folder, [&](const Scene& other) {
+      return observed_tally(
+          other, simulate(*series.engine, other, job.dt, series.parameters, job.suite.limits).history);
+    });
   }
   return summary(row, job.scene, all_parameters(series, scene), {&series}, command);
 }

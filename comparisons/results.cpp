@@ -64,17 +64,23 @@ std::vector<double> ground_times(const Scene& scene) {
 }  // namespace
 
 std::string comparison_csv(const std::vector<Row>& rows) {
+  Json list = Json::array();
+  for (const Row& row : rows) list.push_back(row_json(row));
+  return csv_of(list);
+}
+
+std::string csv_of(const Json& list) {
   Lines lines;
   const char* separator = "";
-  for (const Column& column : columns()) {
-    lines.add("{}{}", separator, column.name);
+  for (const auto& [name, cell] : list.at(0).items()) {
+    lines.add("{}{}", separator, name);
     separator = ",";
   }
   lines.add("\n");
-  for (const Row& row : rows) {
+  for (const Json& row : list) {
     separator = "";
-    for (const Column& column : columns()) {
-      lines.add("{}{}", separator, csv_cell(column.cell(row)));
+    for (const Json& cell : row) {
+      lines.add("{}{}", separator, csv_cell(cell));
       separator = ",";
     }
     lines.add("\n");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace rockstack {
 
 /// The rows as comma-separated values with a header.
 std::string comparison_csv(const std::vector<Row>& rows);
+
+/// A list of flat objects with the same keys as comma-separated values with a header; nulls are empty cells.
+/// Precondition: at least one.
+std::string csv_of(const nlohmann::ordered_json& list);
 
 /// time,theta_1,…,omega_1,… and, where known, pattern.
 std::string history_csv(const History& history);

@@ -37,8 +37,10 @@ std::string identity(const Job& job) {
     request.parameters = job.series->parameters;
     text = fmt::format("{:x}", file_checksum(job.series->engine->program()));
   }
-  text += fmt::format(" {} {} {:x} ", fmt::join(names_of(job.suite.wanted), " "), job.suite.tolerance,
-                      file_checksum("/proc/self/exe"));
+  const Perturbations& around = job.suite.perturbations;
+  text +=
+      fmt::format(" {} {} {} {} {} {:x} ", fmt::join(names_of(job.suite.wanted), " "), job.suite.tolerance,
+                  around.runs, around.size, around.seed, file_checksum("/proc/self/exe"));
   return fmt::format("{:016x}", checksum(text + to_bytes(Request{request})));
 }
 

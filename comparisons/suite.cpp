@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
@@ -24,6 +25,25 @@ double positive(const Node& node) {
 std::uint64_t mebibytes(const Node& node) {
   if (!(number(node) >= 64 && node.number <= 1e9)) throw wrong_value(node, "a number of MiB from 64 to 1e9");
   return static_cast<std::uint64_t>(node.number * 1048576);
+}
+
+/// A whole number from `least`.
+int whole(const Node& node, int least) {
+  const double value = number(node);
+  if (!(value >= least) || value > 1e9 || value != std::floor(value))
+    throw wrong_value(node, fmt::format("a whole number ≥ {}", least));
+  return static_cast<int>(value);
+}
+
+Perturbations read_perturbations(const Node& table) {
+  require_table(table, {"runs", "size", "seed"});
+  Perturbations perturbations;
+  perturbations.runs = whole(required(table, "runs", "a whole number ≥ 2"), 2);
+  if (const Node* node = find(table, "size")) perturbations.size = positive(*node);
+  if (perturbations.size > 0.1) throw wrong_value(*find(table, "size"), "a number > 0 and ≤ 0.1");
+  if (const Node* node = find(table, "seed"))
+    perturbations.seed = static_cast<std::uint64_t>(whole(*node, 0));
+  return perturbations;
 }
 
 std::vector<Variant> read_variants(const Node& array) {
@@ -106,7 +126,7 @@ bool is_study(const std::filesystem::path& file) {
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
   require_table(root, {"title", "scenes", "variants", "engines", "tolerance", "repeats", "results", "set",
-                       "statements", "time_limit", "memory_limit"});
+                       "perturbations", "statements", "time_limit", "memory_limit"});
   Suite suite;
   suite.title = text(required(root, "title", "a text"));
   std::vector<std::string> changes;
@@ -120,10 +140,10 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   if (suite.scenes.empty()) throw wrong_value(*find(root, "scenes"), "an array of at least one scene file");
   if (const Node* node = find(root, "tolerance")) suite.tolerance = positive(*node);
   if (const Node* node = find(root, "repeats")) {
-    suite.repeats = static_cast<int>(number(*node));
-    if (suite.repeats != number(*node) || suite.repeats < 1) throw wrong_value(*node, "a whole number ≥ 1");
+    suite.repeats = whole(*node, 1);
   }
   if (const Node* node = find(root, "results")) suite.wanted = read_wanted(*node);
+  if (const Node* table = find(root, "perturbations")) suite.perturbations = read_perturbations(*table);
   if (const Node* node = find(root, "time_limit")) suite.limits.time = positive(*node);
   if (const Node* node = find(root, "memory_limit")) suite.limits.memory = mebibytes(*node);
   if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);

@@ -8,6 +8,7 @@
 #include "analytic/scene/document.hpp"
 #include "analytic/scene/scene.hpp"
 #include "comparisons/engine_series.hpp"
+#include "comparisons/perturbations.hpp"
 
 namespace rockstack {
 
@@ -54,8 +55,9 @@ struct Suite {
   std::optional<PaperScenes> statements;  ///< where the suite is held against what the paper says
   double tolerance = 0.01;                ///< up to which histories agree, rad
   Wanted wanted;
-  int repeats = 5;  ///< timed runs after the warm-up
-  Limits limits;    ///< of each engine run
+  Perturbations perturbations;  ///< none unless asked for
+  int repeats = 5;              ///< timed runs after the warm-up
+  Limits limits;                ///< of each engine run
 };
 
 /// The scene of that name. Precondition: it is there.

@@ -24,6 +24,10 @@ Drawing error_step(const Comparison& comparison, const ComparedScene& scene, con
 /// The same of the first impact's time difference.
 Drawing first_impact_step(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
 
+/// Shares of perturbed scenes at or below each value of a quantity, a panel each: the exact solution's and
+/// the engines'. Precondition: the scene has such distributions.
+Drawing distributions(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+
 /// The ground's acceleration, a panel for each axis that moves. Precondition: the scene has a ground motion.
 Drawing ground_motion(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
 

@@ -9,9 +9,9 @@ namespace {
 
 using Draw = plots::Drawing (*)(const plots::Comparison&, const plots::ComparedScene&, const plots::Looks&);
 
-constexpr std::array<Draw, 7> draws{plots::ground_motion, plots::histories,  plots::differences,
-                                    plots::impact_times,  plots::error_step, plots::first_impact_step,
-                                    plots::error_time};
+constexpr std::array<Draw, 8> draws{plots::ground_motion, plots::histories,    plots::differences,
+                                    plots::impact_times,  plots::error_step,   plots::first_impact_step,
+                                    plots::error_time,    plots::distributions};
 
 bool sampled(const plots::ComparedScene& scene) {
   return scene.has("histories");
@@ -75,6 +75,13 @@ const std::vector<FigureKind>& figure_kinds() {
        "dashed, or "
        "dotted where its bounds include none.",
        [](const plots::ComparedScene& scene) { return scene.has("angles"); }},
+      {"distributions", "Distributions over perturbed scenes",
+       "The share of slightly perturbed scenes in which a quantity is at most the value below. Where "
+       "histories part by "
+       "nature, these are what can be compared: D is the largest vertical distance from the exact solution's "
+       "curve, and "
+       "beside it the distance that two samples of one distribution exceed once in twenty times.",
+       [](const plots::ComparedScene& scene) { return scene.perturbed; }},
   };
   return kinds;
 }

@@ -74,6 +74,16 @@ std::vector<StackBlock> stack_of(const Json& scene) {
   return stack;
 }
 
+void read_distances(const Json& json, Comparison& comparison) {
+  for (const Json& one : json.value("distributions", Json::array())) {
+    comparison.distances.push_back({one.at("scene").get<std::string>(), one.at("run").get<std::string>(),
+                                    one.at("quantity").get<std::string>(), one.at("distance").get<double>(),
+                                    one.at("critical").get<double>()});
+    for (ComparedScene& scene : comparison.scenes)
+      if (scene.name == comparison.distances.back().scene) scene.perturbed = true;
+  }
+}
+
 void read_description(const Json& json, Comparison& comparison) {
   comparison.title = json.at("title").get<std::string>();
   comparison.command = json.at("command").get<std::string>();
@@ -88,6 +98,7 @@ void read_description(const Json& json, Comparison& comparison) {
                                  scene.value("chatter_speed", 0.0),
                                  {},
                                  scene.value("results", all_results),
+                                 false,
                                  false});
   comparison.definitions = facts_of(json.at("definitions"));
   comparison.environment = facts_of(json.at("environment"));
@@ -99,6 +110,7 @@ void read_description(const Json& json, Comparison& comparison) {
          statement.at("verdict").get<std::string>(), statement.at("criterion").get<std::string>(),
          statement.at("computed").get<std::string>()});
   read_fits(json, comparison);
+  read_distances(json, comparison);
 }
 
 void check_description(const Comparison& comparison, const std::filesystem::path& file) {

@@ -46,6 +46,8 @@ struct ComparedScene {
   std::vector<std::string> results = {};     ///< what was computed, by the suite's names
   bool fitted = false;                       ///< whether errors were fitted over the time steps
 
+  bool perturbed = false;  ///< whether there are distributions over perturbed scenes
+
   bool has(const std::string& result) const;
 };
 
@@ -59,6 +61,12 @@ struct Fit {
   double coefficient = 0;  ///< likewise, at a step of 1 s
   bool holds = false;
   std::string reason;  ///< why it does not
+};
+
+/// How far apart a run's distribution of a quantity over perturbed scenes is from the exact one.
+struct Distance {
+  std::string scene, run, quantity;
+  double distance = 0, critical = 0;  ///< of Kolmogorov and Smirnov; the one with a chance of 5 %
 };
 
 /// A statement of the paper beside what was computed.
@@ -76,6 +84,7 @@ struct Comparison {
   std::vector<std::string> left_out;
   std::vector<PaperStatement> statements;  ///< none where the suite does not ask for them
   std::vector<Fit> fits;
+  std::vector<Distance> distances;
   std::vector<std::string> columns;
   std::vector<Run> runs;
 };

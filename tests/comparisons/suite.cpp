@@ -9,6 +9,7 @@
 #include "analytic/scene/input_error.hpp"
 #include "comparisons/compare.hpp"
 #include "comparisons/impact_law_results.hpp"
+#include "comparisons/table.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -91,6 +92,22 @@ TEST(Suites, ParametersAreChangedOneSeriesEachCombination) {
       error_of(head + "wishes = 1\n").starts_with("suite.toml:7: " + engine.name() + ": wishes = 1: no"));
   EXPECT_TRUE(error_of(head + name + " = -1\n")
                   .starts_with("suite.toml:7: " + engine.name() + ": " + name + " = -1: must be"));
+}
+
+TEST(Suites, PerturbationsAreRead) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
+  EXPECT_EQ(read_suite(folder.write("suite.toml", head), {}).perturbations.runs, 0);
+  const auto file = folder.write("suite.toml", head + "[perturbations]\nruns = 50\nsize = 1e-4\nseed = 7\n");
+  const Perturbations around = read_suite(file, {}).perturbations;
+  EXPECT_EQ(around.runs, 50);
+  EXPECT_EQ(around.size, 1e-4);
+  EXPECT_EQ(around.seed, 7U);
+  EXPECT_TRUE(error_of(head + "[perturbations]\nruns = 1\n")
+                  .starts_with("suite.toml:4: perturbations.runs = 1: must be a whole number ≥ 2"));
+  EXPECT_TRUE(error_of(head + "[perturbations]\nruns = 3\nsize = 0.5\n")
+                  .starts_with("suite.toml:5: perturbations.size = 0.5: must be"));
 }
 
 TEST(Suites, ResultsThatAreAskedForAreRead) {
@@ -204,6 +221,17 @@ TEST(Compare, TheSameSuiteTwiceGivesTheSameNumbersButForTimesHoweverManyRunsAreM
     EXPECT_EQ(one.rows[i].runs_at_a_time, 1);
     EXPECT_EQ(other.rows[i].runs_at_a_time, 3);
   }
+}
+
+TEST(Compare, PerturbedScenesAreMadeOnEveryAnswerAndCompared) {
+  const TemporaryFolder folder;
+  Suite suite = small_suite(folder);
+  suite.perturbations = {.runs = 4, .size = 1e-3, .seed = 1};
+  const auto rows = compare({suite}, folder.path(), {}).rows;
+  for (const Row& row : rows)
+    EXPECT_EQ(read_tallies(folder.path() / "runs" / row.run / "perturbed.csv").size(), 4U) << row.run;
+  const Table table = read_table(folder.path() / "distributions.csv");
+  EXPECT_EQ(table.rows.size(), 3 * (rows.size() - 1));  // peak_1, impacts and toppled
 }
 
 TEST(Compare, RunsThatAreDoneAreNotMadeAgain) {

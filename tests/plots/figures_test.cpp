@@ -132,6 +132,14 @@ TEST(Figures, FitsAreDrawnWhereTheyHold) {
       {.engines = {{"bullet", "nncg", "tuned", 2e-3}, ode()}, .steps = {1e-2, 1e-3}, .fits = two_fits});
 }
 
+TEST(Figures, DistributionsOverPerturbedScenes) {
+  draw_sample(
+      {.engines = {ode()},
+       .steps = {1e-2},
+       .distributions = R"([{"scene": "sample", "run": "sample.ode.step.default.0.01", "quantity": "impacts",
+                                     "distance": 0.4, "critical": 0.3}])"});
+}
+
 TEST(Figures, NoImpacts) {
   draw_sample({.impacts = 0});
 }

@@ -116,6 +116,7 @@ void write_json(const fs::path& folder, const Sample& sample) {
       << R"(", "blocks": )" << sample.blocks << R"(, "stack": )" << stack_json(sample.blocks)
       << R"(, "gravity": 9.81, "chatter_speed": 0.01, "toml": "duration = 5 # s & <b>not bold</b>\n")"
       << (sample.results.empty() ? "" : R"(, "results": )" + sample.results) << "}],"
+      << (sample.distributions.empty() ? "" : R"("distributions": )" + sample.distributions + ",")
       << (sample.fits.empty() ? "" : R"("fits": )" + sample.fits + ",")
       << R"("definitions": {"run": "name of the run", "rms_angle_difference": "root mean square, rad"},)"
       << R"("tolerance_rad": 0.01, "left_out": ["ode"], "environment": {"rockstack": "0.1.0", "eigen": "3.4.0"},)"
@@ -137,6 +138,20 @@ void write_summary(const fs::path& folder, const std::string& run, double dt) {
       R"({{"run": "{}", "dt": {}, "parameters": {{"iterations": 50, "erp<1>": 0.2}}}})", run, dt);
 }
 
+/// What twenty perturbed scenes came to, one of which failed.
+void write_perturbed(const fs::path& folder, const Sample& sample, double lag) {
+  if (sample.distributions.empty()) return;
+  std::ofstream out = create(folder / "perturbed.csv");
+  out << "run";
+  write_header(out, "peak_", sample.blocks);
+  out << ",impacts,toppled\n0" << std::string(static_cast<std::size_t>(sample.blocks) + 2, ',') << "\n";
+  for (int i = 1; i < 20; ++i) {
+    fmt::print(out, "{}", i);
+    for (int k = 1; k <= sample.blocks; ++k) fmt::print(out, ",{}", 0.1 / k + lag * i);
+    fmt::print(out, ",{},0\n", 20 + i % 4);
+  }
+}
+
 void write_engine(const fs::path& folder, std::ostream& rows, const Sample& sample,
                   const SampleEngine& engine, double dt) {
   const std::string run =
@@ -147,6 +162,7 @@ void write_engine(const fs::path& folder, std::ostream& rows, const Sample& samp
   write_impacts(place, sample, lag);
   write_difference(place, sample, dt, lag);
   write_summary(place, run, dt);
+  write_perturbed(place, sample, lag);
   fmt::print(rows, "{},sample,{},{},{},{:g},done,,{},{},{},5,{},{},{},{},{},{},{},\n", run, engine.engine,
              engine.solver, engine.settings, dt, duration / dt, 2e-5 / dt, 2.1e-5 / dt, 3 * lag, lag,
              sample.impacts > 0 ? fmt::format("{}", period * lag) : "", sample.impacts, 1, 1,
@@ -169,6 +185,7 @@ void write_sample(const fs::path& folder, const Sample& sample) {
   write_events(exact, sample);
   write_reactions(exact, sample);
   write_summary(exact, "sample.exact", 1e-3);
+  write_perturbed(exact, sample, 1e-4);
   for (const SampleEngine& engine : sample.engines)
     for (const double dt : sample.steps) write_engine(folder, rows, sample, engine, dt);
   if (sample.failed_row)

@@ -1,0 +1,97 @@
+#include "comparisons/perturbations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analytic/solve.hpp"
+#include "comparisons/ensemble/draws.hpp"
+#include "comparisons/table.hpp"
+#include "comparisons/toppling.hpp"
+
+namespace rockstack {
+namespace {
+
+void scale(GroundMotion& motion, double factor) {
+  for (double& sample : motion.samples) sample *= factor;
+  if (motion.pulse) motion.pulse->amplitude *= factor;
+}
+
+void scale(std::vector<double>& values, double factor) {
+  for (double& value : values) value *= factor;
+}
+
+}  // namespace
+
+Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run) {
+  std::uint32_t key = 0;
+  const auto next_factor = [&] {
+    const DrawIndex index{perturbations.seed, static_cast<std::uint64_t>(run), key++};
+    return 1 + draw({Distribution::Kind::uniform, -perturbations.size, perturbations.size}, index);
+  };
+  Scene result = scene;
+  for (Block& block : result.blocks) {
+    block.half_width *= next_factor();
+    block.half_height *= next_factor();
+  }
+  const double start = next_factor();
+  scale(result.initial.angles, start);
+  scale(result.initial.velocities, start);
+  scale(result.horizontal, next_factor());
+  scale(result.vertical, next_factor());
+  return result;
+}
+
+MotionTally exact_tally(const Scene& scene) {
+  const History history = solve(scene, {.peaks = true});
+  return {history.peaks, static_cast<int>(reported_impacts(history, chatter_speed(scene)).size()),
+          !reported_toppling(history).empty()};
+}
+
+MotionTally observed_tally(const Scene& scene, const History& history) {
+  MotionTally tally{std::vector<double>(scene.blocks.size()),
+                    static_cast<int>(observed_impacts(history, chatter_speed(scene)).size()),
+                    !observed_toppling(scene, history).empty()};
+  for (std::size_t i = 0; i < history.angles.size(); ++i) {
+    double& peak = tally.peaks[i % tally.peaks.size()];
+    peak = std::max(peak, std::abs(history.angles[i]));
+  }
+  return tally;
+}
+
+std::string tallies_csv(const std::vector<MotionTally>& tallies, int blocks) {
+  std::string text = "run";
+  for (int k = 1; k <= blocks; ++k) text += fmt::format(",peak_{}", k);
+  text += ",impacts,toppled\n";
+  for (std::size_t run = 0; run < tallies.size(); ++run) {
+    const MotionTally& tally = tallies[run];
+    text += std::to_string(run);
+    if (tally.peaks.empty()) {
+      text += std::string(static_cast<std::size_t>(blocks) + 2, ',') + "\n";
+      continue;
+    }
+    text += fmt::format(",{},{},{}\n", fmt::join(tally.peaks, ","), tally.impacts, tally.topples ? 1 : 0);
+  }
+  return text;
+}
+
+std::vector<MotionTally> read_tallies(const std::filesystem::path& file) {
+  const Table table = read_table(file);
+  const std::size_t blocks = table.columns.size() - 3;
+  std::vector<MotionTally> tallies;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto value = [&](std::size_t cell) {
+      return number(table.rows[i][cell], fmt::format("{}:{}", file.string(), i + 2), table.columns[cell]);
+    };
+    if (std::isnan(value(1))) continue;
+    MotionTally tally;
+    for (std::size_t k = 1; k <= blocks; ++k) tally.peaks.push_back(value(k));
+    tally.impacts = static_cast<int>(value(blocks + 1));
+    tally.topples = value(blocks + 2) != 0;
+    tallies.push_back(std::move(tally));
+  }
+  return tallies;
+}
+
+}  // namespace rockstack
