@@ -29,6 +29,9 @@ namespace rockstack {
 template <class Real, int N = Eigen::Dynamic, template <class, int> class Steps = TaylorSteps>
 class Solver {
  public:
+  /// The most events within a thousandth of √(H/g).
+  static constexpr int most_in_burst = 10000;
+
   /// Keeps references to `scene` and `options`.
   /// @throws std::invalid_argument for options out of range.
   Solver(const Scene& scene, const SolveOptions& options)
@@ -64,9 +67,11 @@ class Solver {
     }
   }
 
-  /// @throws std::runtime_error where no pattern lets the motion go on, with the time; std::domain_error for
-  /// masses too far apart for the number type.
+  /// @throws std::runtime_error with the time where no pattern lets the motion go on, or interfaces chatter
+  /// inside each other's chatter without an end in sight; IllConditioned for masses or sizes too far apart
+  /// for the number type.
   BasicHistory<Real> run() {
+    accelerations(model_, state_, pieces_.current().at(offset_));
     settle(state_.pattern);
     while (!pieces_.finished() && !toppled_) advance();
     while (!toppled_ && sample_due(Real(scene_.duration))) record_sample(state_);
@@ -171,15 +176,28 @@ class Solver {
     offset_ = 0;
   }
 
-  /// Events without time between them must come to an end.
+  /// Events without time between them, or with less than rounding leaves of a step, must come to an end.
   void note_progress(const Real& s) {
-    if (s > 0) {
+    if (s > 4 * std::numeric_limits<Real>::epsilon()) {
       instant_events_ = 0;
       held_.reset();
       fresh_.reset();
     } else if (++instant_events_ > 16 * (model_.stack.size() + 1)) {
       no_way_on();
     }
+  }
+
+  /// A burst of events that nobody can wait for.
+  void note_burst() {
+    if (time() - burst_start_ > 10 * brief_) {
+      burst_start_ = time();
+      burst_events_ = 0;
+    }
+    if (++burst_events_ <= most_in_burst) return;
+    throw std::runtime_error(std::to_string(most_in_burst) + " events within " +
+                             std::to_string(static_cast<double>(10 * brief_)) +
+                             " s after t = " + std::to_string(static_cast<double>(burst_start_)) +
+                             " s: interfaces chatter inside each other's chatter, and no end is in sight");
   }
 
   [[noreturn]] void no_way_on() const {
@@ -295,6 +313,7 @@ class Solver {
       const Vector<Real, N> values = absolute(relative_values);
       return std::vector<Real>(values.begin(), values.end());
     };
+    note_burst();
     history_.events.push_back({time(), kind, interface + 1, from, state_.pattern, list(state_.angles),
                                list(before), list(state_.velocities), consistency});
   }
@@ -343,6 +362,8 @@ class Solver {
   Real brief_{};            ///< s
   Real demand_interval_{};  ///< s
   int instant_events_ = 0;
+  Real burst_start_ = 0;  ///< s
+  int burst_events_ = 0;
   bool toppled_ = false;
   std::size_t next_sample_ = 0;
   BasicHistory<Real> history_;
