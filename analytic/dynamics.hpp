@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Cholesky>
+#include <limits>
 #include <stdexcept>
 
 #include "analytic/scene/kinematics.hpp"
@@ -106,9 +107,21 @@ Vector<Real, N> generalised_momentum(const Stack<Real, N>& stack, const Chain<Re
   return result;
 }
 
+/// Block masses or sizes lie too far apart for the number type: in some motion that the pattern allows, what
+/// is light or small is lost beside what is heavy or large.
+class IllConditioned : public std::domain_error {
+ public:
+  using std::domain_error::domain_error;
+};
+
+/// The least share that may remain of a diagonal entry of the mass matrix when the motions of the interfaces
+/// below are taken out of it. Energies keep nine digits then.
+template <class Real>
+inline const Real least_pivot = (1 << 30) * std::numeric_limits<Real>::epsilon();
+
 /// The allowed motion nearest to `free` (with any bias already taken off), as relative motions of the
 /// interfaces; zero where they are closed.
-/// @throws std::domain_error where rounding makes the mass matrix singular.
+/// @throws IllConditioned where rounding takes too much of the mass matrix.
 template <class Real, int N>
 Vector<Real, N> nearest_allowed(const Stack<Real, N>& stack, const Pattern& pattern,
                                 const Chain<Real, N>& chain, const Motion<Real, N>& free) {
@@ -123,9 +136,14 @@ Vector<Real, N> nearest_allowed(const Stack<Real, N>& stack, const Pattern& patt
     momentum[k] = 0;
   }
   const Eigen::LLT<Matrix<Real, N>> factors(mass);
-  if (factors.info() != Eigen::Success) {
-    throw std::domain_error(
-        "the mass matrix is singular to rounding: block masses or sizes are too far apart");
+  bool sound = factors.info() == Eigen::Success;
+  for (int k = 0; sound && k < pattern.size; ++k) {
+    const Real root = factors.matrixLLT()(k, k);
+    sound = root * root > mass(k, k) * least_pivot<Real>;
+  }
+  if (!sound) {
+    throw IllConditioned(
+        "block masses or sizes are too far apart: rounding would leave energies fewer than nine digits");
   }
   return factors.solve(momentum);
 }

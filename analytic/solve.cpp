@@ -3,27 +3,37 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analytic/rounded.hpp"
+
 namespace rockstack {
 
 namespace {
 
-template <int N>
-History solve_stack_of(const Scene& scene, const SolveOptions& options) {
-  return options.integrator == Integrator::rk4 ? Solver<double, N, Rk4Steps>(scene, options).run()
-                                               : Solver<double, N, TaylorSteps>(scene, options).run();
+template <class Real, int N>
+BasicHistory<Real> solve_stack_of(const Scene& scene, const SolveOptions& options) {
+  return options.integrator == Integrator::rk4 ? Solver<Real, N, Rk4Steps>(scene, options).run()
+                                               : Solver<Real, N, TaylorSteps>(scene, options).run();
+}
+
+History solve_in_double(const Scene& scene, const SolveOptions& options) {
+  switch (scene.blocks.size()) {
+    case 1:
+      return solve_stack_of<double, 1>(scene, options);
+    case 2:
+      return solve_stack_of<double, 2>(scene, options);
+    default:
+      return solve_stack_of<double, Eigen::Dynamic>(scene, options);
+  }
 }
 
 }  // namespace
 
 History solve(const Scene& scene, const SolveOptions& options) {
   validate(scene);
-  switch (scene.blocks.size()) {
-    case 1:
-      return solve_stack_of<1>(scene, options);
-    case 2:
-      return solve_stack_of<2>(scene, options);
-    default:
-      return solve_stack_of<Eigen::Dynamic>(scene, options);
+  try {
+    return solve_in_double(scene, options);
+  } catch (const IllConditioned&) {
+    return rounded(solve_stack_of<long double, Eigen::Dynamic>(scene, options));
   }
 }
 

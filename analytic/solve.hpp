@@ -6,9 +6,11 @@
 
 namespace rockstack {
 
-/// The exact motion of a scene in double precision. Other number types: Solver<Real> in solver.hpp.
+/// The exact motion of a scene in double precision; where block masses or sizes lie too far apart for that,
+/// in long double, rounded. Other number types: Solver<Real> in solver.hpp.
 /// @throws FieldError for a scene out of range; std::invalid_argument for options out of range;
-/// std::runtime_error where the model cannot go on.
+/// std::runtime_error where the model cannot go on; IllConditioned where masses or sizes are too far apart
+/// for long double too.
 History solve(const Scene& scene, const SolveOptions& options = {});
 
 /// 0, interval, 2 interval, … up to and including the duration (to within a millionth of the interval). s.
