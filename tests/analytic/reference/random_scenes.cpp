@@ -46,8 +46,7 @@ Scene seeded_scene(std::uint64_t seed) {
   return scene;
 }
 
-std::string Tally::add(std::uint64_t seed) {
-  const Scene scene = seeded_scene(seed);
+std::string Tally::add(std::uint64_t seed, const Scene& scene) {
   const auto found = attempt<double>([&] { return solve(scene); });
   const auto expected = attempt<Quad>([&] { return reference(scene); });
   ++scenes;

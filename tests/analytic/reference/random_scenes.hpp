@@ -23,7 +23,8 @@ struct Tally {
   double amplified = 0;       ///< the largest of these over what roundings of the input make
 
   /// Compares the scene of a seed; a line about it where its events are not those of the reference.
-  std::string add(std::uint64_t seed);
+  std::string add(std::uint64_t seed) { return add(seed, seeded_scene(seed)); }
+  std::string add(std::uint64_t seed, const Scene& scene);
   std::string summary() const;
 };
 

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack::testing {
+
+/// How far a history is from what no motion may leave. Gains are in roundings of the largest energy
+/// concerned, each as large as the stack makes it: where little of an entry of the mass matrix remains when
+/// the motions of the other interfaces are taken out, a rounding of the velocities weighs that much more.
+struct Breaches {
+  std::string words;        ///< what is broken outright: numbers that are none, times that go back; or empty
+  double impact_gain = 0;   ///< kinetic energy gained by an impact
+  double flight_drift = 0;  ///< energy that changes between events of a free stack
+  std::size_t events = 0;
+};
+
+/// Holds a history, with its samples, against the laws. Energies are taken at 113 bits from the numbers that
+/// the history holds.
+Breaches breaches(const Scene& scene, const History& history);
+
+}  // namespace rockstack::testing
