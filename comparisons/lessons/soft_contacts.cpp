@@ -56,8 +56,8 @@ Table springs(double weight) {
   for (const double erp : {0.01, 0.2, 0.8})
     for (const double cfm : {1e-10, 1e-5}) {
       const double stiffness = erp / (step * cfm);
-      table.rows.push_back({cell(erp), cell(cfm), cell(step), cell(stiffness), cell((1 - erp) / cfm),
-                            cell(weight / 2 / stiffness)});
+      table.rows.push_back({cell(erp), cell(cfm), cell(step), power(stiffness, 1), power((1 - erp) / cfm, 1),
+                            power(weight / 2 / stiffness, 1)});
     }
   return table;
 }

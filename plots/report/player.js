@@ -293,7 +293,7 @@ class Player {
     pen.clearRect(0, 0, width, height);
     const shown = this.shown(), over = this.find("view").value === "over";
     const columns = over ? 1 : Math.max(1, shown.length);
-    const side = this.stack.width / 2 + this.stack.height * this.lean();
+    const side = this.stack.width / 2 + Math.max(this.stack.height * this.lean(), 0.35 * this.stack.width);
     const scale = Math.min((width / columns - 12) / (2 * side), (height - 62) / (this.stack.height * 1.03));
     shown.forEach((track, i) => {
       const column = over ? 0 : i;
@@ -388,7 +388,7 @@ class Player {
   }
 
   drawForces({ pen, x, y, scale }, track, parts, sides) {
-    const full = 0.3 * this.stack.height * scale; // pixels for the weight of all blocks
+    const full = 0.3 * Math.max(this.stack.height, this.stack.width) * scale; // pixels for the weight of all blocks
     const blocks = parts.length, forces = track.reactions(this.time);
     parts.forEach((part, k) => {
       const normal = forces[k] / this.weight, along = forces[blocks + k] / this.weight, centre = forces[2 * blocks + k];
@@ -397,7 +397,7 @@ class Player {
         normal * Math.cos(part.face) - along * Math.sin(part.face)];
       arrow(pen, x(a), y(c), x(a) + right * full, y(c) - up * full, "#5b2a86", 3);
     });
-    const bar = x(-this.stack.width / 2 - 0.12 * this.stack.height);
+    const bar = x(-this.stack.width / 2 - 0.15 * Math.max(this.stack.width, this.stack.height));
     pen.strokeStyle = pen.fillStyle = "#5b2a86";
     pen.lineWidth = 3;
     pen.beginPath();
@@ -405,8 +405,8 @@ class Player {
     pen.lineTo(bar, y(0) - full);
     pen.stroke();
     pen.font = "11px 'DejaVu Sans', sans-serif";
-    pen.textAlign = "right";
-    pen.fillText("weight", bar - 5, y(0) - full / 2);
+    pen.textAlign = "center";
+    pen.fillText("weight", bar, y(0) - full - 5);
   }
 
   // The pattern band and the rows of impacts, painted once for a size.
