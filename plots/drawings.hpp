@@ -15,6 +15,18 @@ Drawing differences(const Comparison& comparison, const ComparedScene& scene, co
 /// Time differences of matched impacts by number; missed and extra ones in rows of their own.
 Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
 
+/// The full equations beside the linear ones, a panel a block. Precondition: the scene has runs of both.
+Drawing equations(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+
+/// Angle against angular velocity, a panel a block.
+Drawing phase(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+
+/// Energy over time, the exact staircase beside engines, and how far they are from it.
+Drawing energy(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+
+/// The share of time spent in each pattern.
+Drawing occupancy(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+
 /// RMS angle difference against stepping time, a line over time steps for each engine, solver and settings.
 Drawing error_time(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
 

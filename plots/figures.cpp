@@ -9,9 +9,10 @@ namespace {
 
 using Draw = plots::Drawing (*)(const plots::Comparison&, const plots::ComparedScene&, const plots::Looks&);
 
-constexpr std::array<Draw, 8> draws{plots::ground_motion, plots::histories,    plots::differences,
-                                    plots::impact_times,  plots::error_step,   plots::first_impact_step,
-                                    plots::error_time,    plots::distributions};
+constexpr std::array<Draw, 12> draws{
+    plots::ground_motion, plots::histories,    plots::equations, plots::differences, plots::impact_times,
+    plots::energy,        plots::phase,        plots::occupancy, plots::error_step,  plots::first_impact_step,
+    plots::error_time,    plots::distributions};
 
 bool sampled(const plots::ComparedScene& scene) {
   return scene.has("histories");
@@ -39,6 +40,11 @@ const std::vector<FigureKind>& figure_kinds() {
        "panel "
        "goes on beyond it.",
        sampled},
+      {"equations", "Linear against nonlinear equations",
+       "The exact solver with the full equations and with those that the paper linearises, one panel a "
+       "block. "
+       "Ticks and band are the exact motion's.",
+       [](const plots::ComparedScene& scene) { return sampled(scene) && scene.both_equations; }},
       {"differences", "Angle differences over time",
        "How far each engine is from the exact angle, on a logarithmic axis, as the largest absolute value of "
        "each "
@@ -53,6 +59,24 @@ const std::vector<FigureKind>& figure_kinds() {
        "impacts that "
        "an engine misses, and those of its own that match none.",
        [](const plots::ComparedScene& scene) { return scene.has("impacts"); }},
+      {"energy", "Energy",
+       "Kinetic and potential energy in the ground's frame. In free rocking the exact one is a staircase: it "
+       "falls "
+       "at impacts and nowhere else. Below, by how much the engines are off: where their curve rises without "
+       "a ground "
+       "that moves, contacts make energy.",
+       [](const plots::ComparedScene& scene) { return sampled(scene) && scene.has("bodies"); }},
+      {"phase", "Phase portraits",
+       "Each block's angle against its angular velocity, from the release inwards. Impacts are the jumps; a "
+       "curve that "
+       "leaves its panel goes on beyond it.",
+       sampled},
+      {"occupancy", "Time in each pattern",
+       "The share of time spent in each pattern of contacts, read from the angles of all motions alike; the "
+       "exact "
+       "motion's longest first. The legend says for how much of the time a motion is in the exact one's "
+       "pattern.",
+       [](const plots::ComparedScene& scene) { return scene.has("patterns"); }},
       {"error-step", "Error against time step",
        "Each mark is a run. The line through them is the fit error = gap + c · dtᵖ, with its order p and the "
        "gap "

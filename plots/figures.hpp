@@ -8,7 +8,8 @@
 
 namespace rockstack {
 
-/// Draws every figure of every scene of a results folder, as results/figures/<scene>.<figure>.png and .svg.
+/// Draws every figure of every scene of a results folder, as results/figures/<scene>.<figure>.png, .svg and
+/// .pdf.
 /// @throws InputError naming the file that is missing or malformed; std::runtime_error where gnuplot fails.
 void draw_figures(const std::filesystem::path& results);
 
@@ -25,7 +26,7 @@ const std::vector<FigureKind>& figure_kinds();
 /// True where a scene has that figure.
 bool has_figure(const plots::ComparedScene& scene, const FigureKind& kind);
 
-/// Where a figure lies, without .png or .svg.
+/// Where a figure lies, without .png, .svg or .pdf.
 std::filesystem::path figure_stem(const std::filesystem::path& results, const std::string& scene,
                                   const std::string& kind);
 

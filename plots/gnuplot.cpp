@@ -52,6 +52,7 @@ std::string command(const fs::path& folder) {
 
 /// The formats draw marks of one size differently; `mark` evens that out.
 std::string script(const Drawing& drawing) {
+  constexpr double per_inch = 125;  // pixels of the others that take an inch on paper
   const std::string size = fmt::format("size {},{}", drawing.width, drawing.height);
   return fmt::format(
       "set encoding utf8\n{0}"
@@ -59,8 +60,11 @@ std::string script(const Drawing& drawing) {
       "set output 'picture.png'\n{2}\nunset output\nreset\n"
       "set terminal svg {1} dynamic background '#ffffff' font 'DejaVu Sans,17' enhanced rounded\nmark = "
       "0.55\n"
-      "set output 'picture.svg'\n{2}\nunset output\n",
-      drawing.data, size, drawing.commands);
+      "set output 'picture.svg'\n{2}\nunset output\nreset\n"
+      "set terminal pdfcairo size {3:.2f}in,{4:.2f}in background '#ffffff' font 'DejaVu Sans,10' enhanced "
+      "rounded\n"
+      "mark = 0.8\nset output 'picture.pdf'\n{2}\nunset output\n",
+      drawing.data, size, drawing.commands, drawing.width / per_inch, drawing.height / per_inch);
 }
 
 /// gnuplot's complaint in one line.
@@ -83,7 +87,8 @@ void check(const fs::path& folder, const fs::path& stem) {
     throw std::runtime_error(fmt::format("gnuplot failed to draw {} (status {}): {}", stem.string(),
                                          status.substr(0, status.find('\n')), complaint(folder)));
   const bool whole = contents(folder / "picture.png").find("IEND") != std::string::npos &&
-                     contents(folder / "picture.svg").find("</svg>") != std::string::npos;
+                     contents(folder / "picture.svg").find("</svg>") != std::string::npos &&
+                     contents(folder / "picture.pdf").find("%%EOF") != std::string::npos;
   if (!whole)
     throw std::runtime_error(fmt::format("gnuplot left {} unfinished: {}", stem.string(), complaint(folder)));
 }
@@ -97,7 +102,7 @@ void draw(const Drawing& drawing, const std::filesystem::path& stem) {
     pipe << script(drawing);
   }
   check(scratch.folder, stem);
-  for (const std::string format : {".png", ".svg"})
+  for (const std::string format : {".png", ".svg", ".pdf"})
     fs::rename(scratch.folder / ("picture" + format), fs::path(stem).concat(format));
 }
 

@@ -14,7 +14,7 @@ struct Drawing {
   std::string commands;  ///< plot commands, without terminal and output
 };
 
-/// Draws `stem`.png and `stem`.svg; both appear whole or neither. Waits for gnuplot to finish.
+/// Draws `stem`.png, `stem`.svg and `stem`.pdf; all appear whole or none. Waits for gnuplot to finish.
 /// @throws std::runtime_error with gnuplot's own words where it fails, and where it is not installed.
 void draw(const Drawing& drawing, const std::filesystem::path& stem);
 

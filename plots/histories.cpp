@@ -179,12 +179,7 @@ std::string panel_settings(const std::vector<Motion>& motions, const ExactEvents
          impact_ticks(events.impact_times[block], end);
 }
 
-}  // namespace
-
-Drawing histories(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
-  const Shown shown = shown_runs(comparison, scene.name);
-  std::vector<Run> runs = shown.exact;
-  runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
+Drawing draw_runs(const std::vector<Run>& runs, const ComparedScene& scene, const Looks& looks) {
   if (runs.empty()) return empty_sheet(scene.title, "No run of this scene was done.");
   const std::vector<Motion> motions = read_motions(runs, scene.blocks);
   const ExactEvents events = events_of(motions, scene.blocks);
@@ -199,6 +194,22 @@ Drawing histories(const Comparison& comparison, const ComparedScene& scene, cons
   }
   add_band(sheet, events.spans, motions.front().end, end);
   return sheet.finish();
+}
+
+}  // namespace
+
+Drawing histories(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+  const Shown shown = shown_runs(comparison, scene.name);
+  std::vector<Run> runs = shown.exact;
+  runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
+  return draw_runs(runs, scene, looks);
+}
+
+Drawing equations(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+  std::vector<Run> runs;
+  for (const Run& run : done_runs(comparison, scene.name))
+    if (run.exact() || has_other_equations(run)) runs.push_back(run);
+  return draw_runs(runs, scene, looks);
 }
 
 }  // namespace rockstack::plots

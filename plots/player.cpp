@@ -204,7 +204,7 @@ std::string for_script(const Json& data) {
 }  // namespace
 
 bool has_player(const Comparison& comparison, const ComparedScene& scene) {
-  return !scene.stack.empty() && !done_runs(comparison, scene.name).empty();
+  return !scene.stack.empty() && scene.has("histories") && !done_runs(comparison, scene.name).empty();
 }
 
 std::string player(const Comparison& comparison, const ComparedScene& scene, const Looks& looks,

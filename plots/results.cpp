@@ -196,6 +196,8 @@ Comparison read_comparison(const std::filesystem::path& results) {
     Run run = read_run(RowReader(table, i, file));
     run.cells = table.rows[i];
     run.folder = results / "runs" / run.name;
+    for (ComparedScene& scene : comparison.scenes)
+      if (scene.name == run.scene && run.done() && has_other_equations(run)) scene.both_equations = true;
     comparison.runs.push_back(std::move(run));
   }
   return comparison;
@@ -211,6 +213,10 @@ std::vector<Run> done_runs(const Comparison& comparison, const std::string& scen
     if (run.done() && run.scene == scene) runs.push_back(run);
   std::stable_partition(runs.begin(), runs.end(), [](const Run& run) { return run.exact(); });
   return runs;
+}
+
+bool has_other_equations(const Run& run) {
+  return run.engine == "linear" || run.engine == "nonlinear";
 }
 
 std::string solver_name(const Run& run) {

@@ -44,6 +44,7 @@ struct ComparedScene {
   double chatter_speed = 0;                  ///< relative speed under which impacts are not compared, rad/s
   std::filesystem::path ground_motion = {};  ///< its file, empty where nothing moves it
   std::vector<std::string> results = {};     ///< what was computed, by the suite's names
+  bool both_equations = false;               ///< linear and full equations, side by side
   bool fitted = false;                       ///< whether errors were fitted over the time steps
 
   bool perturbed = false;  ///< whether there are distributions over perturbed scenes
@@ -99,6 +100,9 @@ Facts read_summary(const Run& run);
 
 /// The runs of one scene that are done: the exact one first, engines in the order of the file.
 std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene);
+
+/// True for a run of the exact solver with the other kind of equations than the scene's.
+bool has_other_equations(const Run& run);
 
 /// The engine with its solver, "bullet:sequential-impulse"; "exact" for the exact solver.
 std::string solver_name(const Run& run);

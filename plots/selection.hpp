@@ -26,7 +26,7 @@ std::vector<StepLine> step_lines(const Comparison& comparison, const std::string
 /// The iterations that a suite gave the solver of a run, 0 where it gave none.
 int iterations_of(const Run& run);
 
-/// "bullet sequential-impulse, tuned".
+/// "bullet sequential-impulse, tuned"; "exact, linear equations" or "exact, law consistent" of a variant.
 std::string line_label(const Run& run);
 
 /// The same for a line of runs, without the iterations where they vary.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace rockstack::plots {
 namespace {
@@ -42,6 +43,31 @@ Curve pick(const Curve& curve, const std::vector<std::size_t>& indices) {
   return result;
 }
 
+struct Place {
+  double x, y;
+};
+
+/// Points in shares of the curve's extent.
+std::vector<Place> scaled(const Curve& curve) {
+  const auto share = [](const std::vector<double>& values) {
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const double extent = *high - *low;
+    return extent > 0 ? 1 / extent : 0;
+  };
+  const double across = share(curve.times), up = share(curve.values);
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    places.push_back({curve.times[i] * across, curve.values[i] * up});
+  return places;
+}
+
+double distance(const Place& point, const Place& from, const Place& to) {
+  const double dx = to.x - from.x, dy = to.y - from.y, square = dx * dx + dy * dy;
+  const double along =
+      square > 0 ? std::clamp(((point.x - from.x) * dx + (point.y - from.y) * dy) / square, 0.0, 1.0) : 0;
+  return std::hypot(point.x - from.x - along * dx, point.y - from.y - along * dy);
+}
+
 std::size_t index_in(const std::vector<double>& values, std::vector<double>::const_iterator found) {
   return static_cast<std::size_t>(found - values.begin());
 }
@@ -63,6 +89,30 @@ Curve thin(const Curve& curve, std::size_t bins) {
   }
   kept.push_back(points.size() - 1);
   kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+  return pick(points, kept);
+}
+
+Curve simplified(const Curve& curve, double tolerance) {
+  assert(tolerance > 0 && curve.times.size() == curve.values.size());
+  const Curve points = finite_points(curve);
+  if (points.size() < 3) return points;
+  const std::vector<Place> places = scaled(points);
+  std::vector<std::size_t> kept{0, points.size() - 1};
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    double furthest = tolerance;
+    std::size_t at = first;
+    for (std::size_t i = first + 1; i < last; ++i)
+      if (const double away = distance(places[i], places[first], places[last]); away > furthest)
+        furthest = away, at = i;
+    if (at == first) continue;
+    kept.push_back(at);
+    open.emplace_back(first, at);
+    open.emplace_back(at, last);
+  }
+  std::sort(kept.begin(), kept.end());
   return pick(points, kept);
 }
 

@@ -23,4 +23,10 @@ Curve thin(const Curve& curve, std::size_t bins);
 /// what a logarithmic axis can show of a curve that crosses zero. Preconditions: bins ≥ 1, floor > 0.
 Curve envelope(const Curve& curve, std::size_t bins, double floor);
 
+/// The same path in fewer points, for curves that turn back: those are left out that lie nearer than
+/// `tolerance` to the line between the points kept around them, as a share of the curve's extent along either
+/// axis. Values that are not finite are dropped. Precondition: tolerance > 0. (Ramer 1972, Douglas & Peucker
+/// 1973.)
+Curve simplified(const Curve& curve, double tolerance);
+
 }  // namespace rockstack::plots

@@ -42,6 +42,7 @@ void expect_figures(const fs::path& folder) {
     EXPECT_NE(svg.find("<svg"), std::string::npos) << kind.name;
     EXPECT_NE(svg.find("</svg>"), std::string::npos) << kind.name;
     EXPECT_LT(svg.size(), 400'000u) << kind.name;
+    EXPECT_EQ(testing::bytes_of(fs::path(stem).concat(".pdf")).substr(0, 5), "%PDF-") << kind.name;
   }
 }
 
@@ -65,7 +66,7 @@ void draw_sample(const testing::Sample& sample) {
   testing::write_sample(folder, sample);
   draw_figures(folder);
   expect_figures(folder);
-  EXPECT_EQ(files_in(folder / "figures"), 2 * kinds_of(folder).size());
+  EXPECT_EQ(files_in(folder / "figures"), 3 * kinds_of(folder).size());
 }
 
 testing::SampleEngine ode() {
@@ -114,8 +115,10 @@ TEST(Figures, AGroundThatMovesHasAFigureOfItsOwn) {
 using Names = std::vector<std::string>;
 
 TEST(Figures, AreThoseThatTheResultsHaveDataFor) {
-  EXPECT_EQ(names_of_figures({}), (Names{"histories", "differences", "impact-times", "error-time"}));
+  EXPECT_EQ(names_of_figures({}), (Names{"histories", "differences", "impact-times", "energy", "phase",
+                                         "occupancy", "error-time"}));
   EXPECT_EQ(names_of_figures({.results = R"(["angles"])"}), Names{"error-time"});
+  EXPECT_EQ(names_of_figures({.results = R"(["patterns"])"}), Names{"occupancy"});
   EXPECT_EQ(names_of_figures({.shaken = true, .results = "[]"}), Names{"ground-motion"});
 }
 

@@ -26,6 +26,11 @@ double swing(double t, int block) {
   return 0.15 / block * std::exp(-0.5 * t) * std::sin(std::numbers::pi * t / period);
 }
 
+double swing_rate(double t, int block) {
+  const double turn = std::numbers::pi / period;
+  return 0.15 / block * std::exp(-0.5 * t) * (turn * std::cos(turn * t) - 0.5 * std::sin(turn * t));
+}
+
 void write_header(std::ostream& out, const std::string& stem, int blocks) {
   for (int k = 1; k <= blocks; ++k) fmt::print(out, ",{}{}", stem, k);
 }
@@ -41,7 +46,7 @@ void write_history(const fs::path& folder, const Sample& sample, double dt, doub
     const double t = i * dt;
     fmt::print(history, "{}", t);
     for (int k = 1; k <= sample.blocks; ++k) fmt::print(history, ",{}", swing(t * (1 - lag), k));
-    for (int k = 1; k <= sample.blocks; ++k) history << ",0";
+    for (int k = 1; k <= sample.blocks; ++k) fmt::print(history, ",{}", swing_rate(t * (1 - lag), k));
     history << (exact ? (t < period ? ",1a\n" : ",2b\n") : "\n");
   }
 }
@@ -88,6 +93,21 @@ void write_difference(const fs::path& folder, const Sample& sample, double dt, d
       fmt::print(difference, ",{}", swing(t * (1 - lag), k) - swing(t, k));
     difference << "\n";
   }
+}
+
+/// A staircase, and another that is a little late.
+void write_energy(const fs::path& folder, double dt, double lag) {
+  std::ofstream energy = create(folder / "energy.csv");
+  energy << "time,exact,engine,input\n";
+  for (int i = 0; i <= std::lround(duration / dt); ++i) {
+    const double t = i * dt;
+    const auto level = [](double time) { return 1000 * std::exp(-std::floor(time / period)); };
+    fmt::print(energy, "{},{},{},0\n", t, level(t), level(t * (1 - lag)));
+  }
+}
+
+void write_patterns(const fs::path& folder) {
+  create(folder / "patterns.csv") << "exact,engine,share\n1a,1a,0.5\n1a,2b,0.05\n2b,2b,0.4\n2b,rest,0.05\n";
 }
 
 /// Half of the weight on each interface.
@@ -161,6 +181,8 @@ void write_engine(const fs::path& folder, std::ostream& rows, const Sample& samp
   write_history(place, sample, dt, lag, false);
   write_impacts(place, sample, lag);
   write_difference(place, sample, dt, lag);
+  write_energy(place, dt, lag);
+  write_patterns(place);
   write_summary(place, run, dt);
   write_perturbed(place, sample, lag);
   fmt::print(rows, "{},sample,{},{},{},{:g},done,,{},{},{},5,{},{},{},{},{},{},{},\n", run, engine.engine,

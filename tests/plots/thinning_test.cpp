@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 namespace rockstack::plots {
@@ -79,6 +80,26 @@ TEST(Envelope, HoldsTheLargestSizeOfEveryBinAndNeverLessThanTheFloor) {
   const Curve outer = envelope(curve, 4, 0.5);
   EXPECT_EQ(outer.times, (std::vector<double>{1, 2, 4, 6}));
   EXPECT_EQ(outer.values, (std::vector<double>{5, 2, 0.5, 3}));
+}
+
+TEST(Simplified, KeepsThePathWithinTheToleranceAndDropsWhatLiesOnLines) {
+  Curve circle;
+  constexpr int points = 1000;
+  for (int i = 0; i <= points; ++i) {
+    const double angle = 2 * std::numbers::pi * i / points;
+    circle.times.push_back(std::cos(angle));
+    circle.values.push_back(std::sin(angle));
+  }
+  const Curve few = simplified(circle, 1e-3);
+  EXPECT_LT(few.size(), 200u);
+  // A chord that leaves the unit circle by the tolerance, of an extent of 2, spans an angle of 2 acos(1 −
+  // 2e-3).
+  EXPECT_GT(few.size(), static_cast<std::size_t>(2 * std::numbers::pi / (2 * std::acos(1 - 2e-3))));
+  for (std::size_t i = 0; i + 1 < few.size(); ++i) {
+    const double x = (few.times[i] + few.times[i + 1]) / 2, y = (few.values[i] + few.values[i + 1]) / 2;
+    EXPECT_GT(std::hypot(x, y), 1 - 2e-3 - 1e-5);  // points lie 1/1000 of a turn apart
+  }
+  EXPECT_EQ(simplified({{0, 1, 2, 3}, {0, 1, 2, 0}}, 1e-6).times, (std::vector<double>{0, 2, 3}));
 }
 
 }  // namespace
