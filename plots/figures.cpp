@@ -74,8 +74,8 @@ const std::vector<FigureKind>& figure_kinds() {
       {"occupancy", "Time in each pattern",
        "The share of time spent in each pattern of contacts, read from the angles of all motions alike; the "
        "exact "
-       "motion's longest first. The legend says for how much of the time a motion is in the exact one's "
-       "pattern.",
+       "motion's longest first. The words at the lower right say for how much of the "
+       "time a motion is in the exact one's pattern.",
        [](const plots::ComparedScene& scene) { return scene.has("patterns"); }},
       {"error-step", "Error against time step",
        "Each mark is a run. The line through them is the fit error = gap + c · dtᵖ, with its order p and the "

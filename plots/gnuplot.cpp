@@ -4,6 +4,7 @@
 #include <gnuplot-iostream.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -77,7 +78,38 @@ std::string complaint(const fs::path& folder) {
   return text;
 }
 
-void check(const fs::path& folder, const fs::path& stem) {
+/// Frames one by one: into one file that loops, and where `film` is set into a picture each.
+std::string script(const Animation& animation, bool film) {
+  const std::string size = fmt::format("size {},{}", animation.width, animation.height);
+  std::string text = fmt::format(
+      "set encoding utf8\nset terminal gif animate delay {} loop 0 {} background '#ffffff' font 'DejaVu "
+      "Sans,12'\n"
+      "set output 'picture.gif'\n{}",
+      animation.interval / 10, size, animation.settings);
+  for (const std::string& frame : animation.frames) text += frame;
+  text += "unset output\n";
+  if (!film) return text;
+  text += fmt::format("set terminal pngcairo {} background '#ffffff' font 'DejaVu Sans,12' rounded\n", size);
+  for (std::size_t i = 0; i < animation.frames.size(); ++i)
+    text += fmt::format("set output 'frame-{:05}.png'\n", i) + animation.frames[i] + "unset output\n";
+  return text;
+}
+
+/// Turns numbered frames into a film that every browser and slide program plays.
+void make_film(const Animation& animation, const fs::path& folder, const fs::path& stem) {
+  const std::string line = fmt::format(
+      "cd {}; ffmpeg -loglevel error -y -framerate {} -i frame-%05d.png -c:v libx264 -pix_fmt yuv420p "
+      "-movflags "
+      "+faststart picture.mp4 2>errors >&2",
+      quoted_for_shell(folder.string()), 1000.0 / animation.interval);
+  if (std::system(line.c_str()) != 0)
+    throw std::runtime_error(
+        fmt::format("ffmpeg failed to make {}.mp4: {}", stem.string(), complaint(folder)));
+  fs::rename(folder / "picture.mp4", fs::path(stem).concat(".mp4"));
+}
+
+/// Throws where gnuplot did not run, or failed.
+void check_status(const fs::path& folder, const fs::path& stem) {
   const std::string status = contents(folder / "status");
   constexpr auto not_found = "127\n";
   if (status == not_found)
@@ -86,6 +118,10 @@ void check(const fs::path& folder, const fs::path& stem) {
   if (status != "0\n")
     throw std::runtime_error(fmt::format("gnuplot failed to draw {} (status {}): {}", stem.string(),
                                          status.substr(0, status.find('\n')), complaint(folder)));
+}
+
+void check(const fs::path& folder, const fs::path& stem) {
+  check_status(folder, stem);
   const bool whole = contents(folder / "picture.png").find("IEND") != std::string::npos &&
                      contents(folder / "picture.svg").find("</svg>") != std::string::npos &&
                      contents(folder / "picture.pdf").find("%%EOF") != std::string::npos;
@@ -94,6 +130,22 @@ void check(const fs::path& folder, const fs::path& stem) {
 }
 
 }  // namespace
+
+bool has_ffmpeg() {
+  return std::system("command -v ffmpeg >/dev/null 2>&1") == 0;
+}
+
+void draw(const Animation& animation, const std::filesystem::path& stem) {
+  const Scratch scratch(stem);
+  const bool film = has_ffmpeg();
+  {
+    Gnuplot pipe(command(scratch.folder));
+    pipe << script(animation, film);
+  }
+  check_status(scratch.folder, stem);
+  if (film) make_film(animation, scratch.folder, stem);
+  fs::rename(scratch.folder / "picture.gif", fs::path(stem).concat(".gif"));
+}
 
 void draw(const Drawing& drawing, const std::filesystem::path& stem) {
   const Scratch scratch(stem);

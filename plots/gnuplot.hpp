@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace rockstack::plots {
 
@@ -17,5 +18,21 @@ struct Drawing {
 /// Draws `stem`.png, `stem`.svg and `stem`.pdf; all appear whole or none. Waits for gnuplot to finish.
 /// @throws std::runtime_error with gnuplot's own words where it fails, and where it is not installed.
 void draw(const Drawing& drawing, const std::filesystem::path& stem);
+
+/// A picture that moves: `settings` hold for all frames, each frame is plot commands of its own.
+struct Animation {
+  int width = 1000;   ///< pixels, even
+  int height = 600;   ///< pixels, even
+  int interval = 40;  ///< between frames, ms, a multiple of 10
+  std::string settings;
+  std::vector<std::string> frames;
+};
+
+/// True where ffmpeg is installed, which makes films.
+bool has_ffmpeg();
+
+/// Draws `stem`.gif, and `stem`.mp4 where ffmpeg is there. @throws std::runtime_error as for a Drawing, and
+/// with ffmpeg's own words where it fails.
+void draw(const Animation& animation, const std::filesystem::path& stem);
 
 }  // namespace rockstack::plots

@@ -16,6 +16,7 @@
 #include "comparisons/program/output.hpp"
 #include "comparisons/validity.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/animation.hpp"
 #include "plots/figures.hpp"
 #include "plots/impact_laws.hpp"
 #include "plots/lesson.hpp"
@@ -50,6 +51,13 @@ void draw(const std::filesystem::path& results) {
   if (has_impact_laws(results)) return draw_impact_laws(results);
   draw_figures(results);
   write_report(results);
+}
+#endif
+
+#ifdef ROCKSTACK_WITH_PLOTS
+void print_animations(const std::vector<std::filesystem::path>& files, const Common& common) {
+  if (common.quiet || common.json) return;
+  for (const auto& file : files) fmt::print("film: {}\n", file.string());
 }
 #endif
 
@@ -125,9 +133,15 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   return std::any_of(result.rows.begin(), result.rows.end(), failed) ? 1 : 0;
 }
 
-int plot_command(const std::filesystem::path& results, const Common& common) {
+int plot_command(const PlotArguments& arguments, const Common& common) {
+  const std::filesystem::path& results = arguments.results;
 #ifdef ROCKSTACK_WITH_PLOTS
-  if (std::filesystem::exists(results / "record.json")) {
+  const bool record = std::filesystem::exists(results / "record.json");
+  const bool of_runs = !record && !has_sweep(results) && !has_impact_laws(results);
+  if (arguments.animate && !of_runs)
+    throw InputError(fmt::format("plot {} --animate: must be a folder of `rockstack compare` or `teach`",
+                                 results.string()));
+  if (record) {
     draw_record(results);
     return 0;
   }
@@ -138,6 +152,7 @@ int plot_command(const std::filesystem::path& results, const Common& common) {
   draw(results);
   if (has_lesson(results)) write_lesson(results);
   print_report(results, common);
+  if (arguments.animate) print_animations(draw_animations(results), common);
   return 0;
 #else
   static_cast<void>(common);

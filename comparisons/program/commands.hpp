@@ -37,6 +37,11 @@ struct CompareArguments {
   std::size_t jobs = 1;  ///< runs at a time
 };
 
+struct PlotArguments {
+  std::filesystem::path results;
+  bool animate = false;  ///< films of the motions too
+};
+
 struct RecordArguments {
   std::string file;  ///< may name a channel, see read_record()
   std::filesystem::path out;
@@ -59,7 +64,7 @@ struct SweepArguments {
 int solve_command(const SolveArguments& arguments, const Common& common);
 int simulate_command(const SimulateArguments& arguments, const Common& common);
 int compare_command(const CompareArguments& arguments, const Common& common);
-int plot_command(const std::filesystem::path& results, const Common& common);
+int plot_command(const PlotArguments& arguments, const Common& common);
 int record_command(const RecordArguments& arguments, const Common& common);
 int sweep_command(const SweepArguments& arguments, const Common& common);
 int teach_command(const TeachArguments& arguments, const Common& common);

@@ -94,11 +94,13 @@ Command add_sweep(CLI::App& app, const Common& common) {
 }
 
 Command add_plot(CLI::App& app, const Common& common) {
-  const auto results = std::make_shared<std::filesystem::path>();
+  const auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = app.add_subcommand("plot", "draw figures and the report from a results folder");
-  command->add_option("folder", *results, "folder written by `rockstack compare`, `sweep` or `record`")
+  command->add_option("folder", arguments->results, "folder written by `rockstack compare`, `sweep` or `record`")
       ->required();
-  return {command, [results, &common] { return plot_command(*results, common); }};
+  command->add_flag("--animate", arguments->animate,
+                    "write each scene's motion as a GIF too, and as an MP4 where ffmpeg is installed");
+  return {command, [arguments, &common] { return plot_command(*arguments, common); }};
 }
 
 Command add_record(CLI::App& app, const Common& common) {
