@@ -34,6 +34,6 @@ const Lesson& find_lesson(const std::string& name);
 
 /// Runs a lesson's suite as compare() does, and writes FOLDER/lesson.json: text, numbers and tables.
 std::vector<Row> run_lesson(const Lesson& lesson, const std::filesystem::path& folder,
-                            const std::string& command, const Progress& progress);
+                            const CompareOptions& options);
 
 }  // namespace rockstack
