@@ -213,7 +213,7 @@ CompareResult make_runs(const std::vector<Job>& jobs, const std::filesystem::pat
 CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
                       const CompareOptions& options) {
   require_compatible(suites);
-  const CompareResult result = make_runs(jobs_of(suites), folder, options);
+  CompareResult result = make_runs(jobs_of(suites), folder, options);
   const std::vector<SeriesFit> fits = fit_rows(result.rows);
   const std::vector<DistributionDistance> apart = distances(result.rows, folder);
   write_ground(suites, folder);

@@ -78,17 +78,19 @@ std::string tallies_csv(const std::vector<MotionTally>& tallies, int blocks) {
 
 std::vector<MotionTally> read_tallies(const std::filesystem::path& file) {
   const Table table = read_table(file);
-  const std::size_t blocks = table.columns.size() - 3;
+  const auto blocks =
+      static_cast<int>(std::count_if(table.columns.begin(), table.columns.end(),
+                                     [](const std::string& name) { return name.starts_with("peak_"); }));
   std::vector<MotionTally> tallies;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const auto value = [&](std::size_t cell) {
-      return number(table.rows[i][cell], fmt::format("{}:{}", file.string(), i + 2), table.columns[cell]);
+    const auto value = [&](const std::string& name) {
+      const std::string place = fmt::format("{}:{}", file.string(), i + 2);
+      return number(table.rows[i][column(table, name, file)], place, name);
     };
-    if (std::isnan(value(1))) continue;
-    MotionTally tally;
-    for (std::size_t k = 1; k <= blocks; ++k) tally.peaks.push_back(value(k));
-    tally.impacts = static_cast<int>(value(blocks + 1));
-    tally.topples = value(blocks + 2) != 0;
+    const double impacts = value("impacts");
+    if (std::isnan(impacts)) continue;
+    MotionTally tally{{}, static_cast<int>(impacts), value("toppled") != 0};
+    for (const std::string& name : numbered("peak_", blocks)) tally.peaks.push_back(value(name));
     tallies.push_back(std::move(tally));
   }
   return tallies;

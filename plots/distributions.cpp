@@ -114,7 +114,7 @@ Drawing distributions(const Comparison& comparison, const ComparedScene& scene, 
       plots.push_back(fmt::format("${} using 1:2 {} notitle", block, style(samples[i].run, looks)));
     }
     sheet.panel(
-        300, 84,
+        300, 110,
         fmt::format("set grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\nset xrange [{}:{}]\n"
                     "set yrange [-0.02:1.02]\nset ytics 0.2\nset xlabel {}\nset ylabel 'share of scenes'\n",
                     plain(span.from), plain(span.to), quoted(axis)) +
