@@ -17,6 +17,7 @@ using Value = std::function<double(const MotionTally&)>;
 
 std::vector<double> values_of(const std::vector<MotionTally>& tallies, const Value& value) {
   std::vector<double> values;
+  values.reserve(tallies.size());
   for (const MotionTally& tally : tallies) values.push_back(value(tally));
   return values;
 }

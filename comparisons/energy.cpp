@@ -10,6 +10,7 @@ std::vector<double> energies(const Scene& scene, const History& history) {
   const Stack<double> stack = make_stack<double>(scene);
   const double at_rest = energy_scale(scene);
   std::vector<double> list;
+  list.reserve(history.size());
   for (std::size_t i = 0; i < history.size(); ++i) {
     const Vector<double> angles = Vector<double>::Map(history.angles_at(i).data(), stack.size());
     const Vector<double> velocities = Vector<double>::Map(history.velocities_at(i).data(), stack.size());

@@ -15,6 +15,7 @@ std::vector<StepError> on_curve(double gap, double coefficient, double order, do
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   std::vector<StepError> errors;
+  errors.reserve(steps.size());
   for (const double step : steps) {
     errors.push_back({step, (gap + coefficient * std::pow(step, order)) * std::exp(noise * normal(random))});
   }
