@@ -176,9 +176,9 @@ class Solver {
     offset_ = 0;
   }
 
-  /// Events without time between them, or with less than rounding leaves of a step, must come to an end.
+  /// Events without time between them must come to an end.
   void note_progress(const Real& s) {
-    if (s > 4 * std::numeric_limits<Real>::epsilon()) {
+    if (s > 0) {
       instant_events_ = 0;
       held_.reset();
       fresh_.reset();
@@ -221,6 +221,9 @@ class Solver {
       }
       fresh_ |= next.opening;
       settle(from);
+      // Rounding may take an opening back, and find it again at once; but not for ever.
+      taken_back_ = state_.pattern == from ? taken_back_ + 1 : 0;
+      if (taken_back_ > 100) held_ |= next.opening;
     }
   }
 
@@ -281,6 +284,8 @@ class Solver {
   void settle(Pattern from) {
     Interfaces touching = fresh_;
     for (int k = 0; k < state_.pattern.size; ++k) {
+      // An impact may since have parted what has just opened.
+      if (state_.velocities[k] != 0) touching.reset(static_cast<std::size_t>(k));
       if (state_.pattern[k] == Contact::closed) touching.set(static_cast<std::size_t>(k));
     }
     const Point<Real> ground = pieces_.current().at(offset_);
@@ -362,6 +367,7 @@ class Solver {
   Real brief_{};            ///< s
   Real demand_interval_{};  ///< s
   int instant_events_ = 0;
+  int taken_back_ = 0;    ///< openings in a row
   Real burst_start_ = 0;  ///< s
   int burst_events_ = 0;
   bool toppled_ = false;

@@ -21,7 +21,7 @@ namespace {
 using namespace rockstack;
 using namespace rockstack::testing;
 
-constexpr long patience = 60;  // for one scene, s of processor time
+constexpr long patience = 30;  // for one scene, s of processor time
 constexpr double few = 1000;   // roundings
 
 /// What the processes share.

@@ -20,8 +20,8 @@ double drawn_slenderness(Draw& draw) {
 }
 
 int drawn_size(Draw& draw) {
-  const int group = draw.below(16);
-  return group < 4 ? 1 : group < 10 ? 2 : group < 15 ? 3 + draw.below(3) : 6 + draw.below(15);
+  const int group = draw.below(40);
+  return group < 10 ? 1 : group < 26 ? 2 : group < 39 ? 3 + draw.below(3) : 6 + draw.below(15);
 }
 
 /// Sizes within a decade of each other or anywhere; widths that come as they do or are all equal, or blocks
@@ -136,7 +136,7 @@ Scene extreme_scene(std::uint64_t seed) {
     scene.vertical =
         draw.coin() ? drawn_motion(draw, scene.gravity * decades(draw, -6, 2), rate) : GroundMotion{};
   }
-  scene.duration = (draw.below(10) == 0 ? 100 : 5) * decades(draw, -1, 0) / rate;
+  scene.duration = (draw.below(40) == 0 ? 100 : 5) * decades(draw, -1, 0) / rate;
   return scene;
 }
 
