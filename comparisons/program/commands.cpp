@@ -14,6 +14,7 @@
 #include "comparisons/impact_law_results.hpp"
 #include "comparisons/measure.hpp"
 #include "comparisons/program/output.hpp"
+#include "comparisons/stability/study.hpp"
 #include "comparisons/validity.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/animation.hpp"
@@ -22,6 +23,7 @@
 #include "plots/lesson.hpp"
 #include "plots/record.hpp"
 #include "plots/report.hpp"
+#include "plots/stability.hpp"
 #include "plots/sweep.hpp"
 #endif
 
@@ -117,6 +119,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
     const auto file = find_input(input);
     if (!is_study(file)) continue;
     if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
+    if (is_stability_study(file)) return stability_command(file, arguments.out, arguments.jobs, common);
     return study_command(file, arguments.out, common);
   }
   std::vector<Suite> suites;
@@ -143,6 +146,10 @@ int plot_command(const PlotArguments& arguments, const Common& common) {
                                  results.string()));
   if (record) {
     draw_record(results);
+    return 0;
+  }
+  if (has_stability(results)) {
+    draw_stability(results);
     return 0;
   }
   if (has_sweep(results)) {

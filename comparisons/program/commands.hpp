@@ -42,6 +42,13 @@ struct PlotArguments {
   bool animate = false;  ///< films of the motions too
 };
 
+struct AdviseArguments {
+  std::string scene;
+  std::filesystem::path out;
+  double error = 1e-3;     ///< rad
+  double time_limit = 60;  ///< of each run, s
+};
+
 struct RecordArguments {
   std::string file;  ///< may name a channel, see read_record()
   std::filesystem::path out;
@@ -65,10 +72,15 @@ int solve_command(const SolveArguments& arguments, const Common& common);
 int simulate_command(const SimulateArguments& arguments, const Common& common);
 int compare_command(const CompareArguments& arguments, const Common& common);
 int plot_command(const PlotArguments& arguments, const Common& common);
+int advise_command(const AdviseArguments& arguments, const Common& common);
 int record_command(const RecordArguments& arguments, const Common& common);
 int sweep_command(const SweepArguments& arguments, const Common& common);
 int teach_command(const TeachArguments& arguments, const Common& common);
 int list_command(const std::string& what, const Common& common);
+
+/// Runs a study of stability, writes and draws its maps, and says how many runs have which verdict.
+int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, std::size_t jobs,
+                      const Common& common);
 
 /// The file itself, or the one of that name among those shipped in `folder`.
 std::filesystem::path find_file(const std::string& input, const char* folder);

@@ -77,6 +77,18 @@ Command add_compare(CLI::App& app, const Common& common) {
   return {command, [arguments, &common] { return compare_command(*arguments, common); }};
 }
 
+Command add_advise(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<AdviseArguments>();
+  CLI::App* command =
+      app.add_subcommand("advise", "find the cheapest engine, solver and step for a scene within an error");
+  command->add_option("scene", arguments->scene, scene_help)->required();
+  command->add_option("--error", arguments->error, "largest angle difference from the exact solution, rad")
+      ->capture_default_str();
+  command->add_option("--time-limit", arguments->time_limit, "of each run, s")->capture_default_str();
+  command->add_option("--out", arguments->out, out_help)->required();
+  return {command, [arguments, &common] { return advise_command(*arguments, common); }};
+}
+
 Command add_sweep(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<SweepArguments>();
   CLI::App* command = app.add_subcommand("sweep", "solve a scene many times with values varied");
@@ -96,7 +108,8 @@ Command add_sweep(CLI::App& app, const Common& common) {
 Command add_plot(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = app.add_subcommand("plot", "draw figures and the report from a results folder");
-  command->add_option("folder", arguments->results, "folder written by `rockstack compare`, `sweep` or `record`")
+  command
+      ->add_option("folder", arguments->results, "folder written by `rockstack compare`, `sweep` or `record`")
       ->required();
   command->add_flag("--animate", arguments->animate,
                     "write each scene's motion as a GIF too, and as an MP4 where ffmpeg is installed");
@@ -142,8 +155,8 @@ int run(int count, char** words) {
   app.add_flag("--quiet", common.quiet, "print nothing but errors");
   app.add_flag("--json", common.json, "print the result as JSON");
   std::vector<Command> commands;
-  for (const auto add :
-       {add_solve, add_simulate, add_compare, add_sweep, add_plot, add_record, add_teach, add_list}) {
+  for (const auto add : {add_solve, add_simulate, add_compare, add_advise, add_sweep, add_plot, add_record,
+                         add_teach, add_list}) {
     commands.push_back(add(app, common));
   }
   try {

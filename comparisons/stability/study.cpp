@@ -1,0 +1,214 @@
+#include "comparisons/stability/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/fields.hpp"
+#include "analytic/scene/toml_reader.hpp"
+#include "comparisons/files.hpp"
+#include "comparisons/table.hpp"
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string word(const Node& table, const char* key, const std::string& otherwise) {
+  const Node* node = find(table, key);
+  return node != nullptr ? text(*node) : otherwise;
+}
+
+/// Values of one key along the axis: a number each.
+struct Course {
+  std::string key;
+  std::vector<double> values;
+};
+
+std::vector<Course> read_courses(const Node& axis, std::size_t count) {
+  std::vector<Course> courses;
+  const Node* set = find(axis, "set");
+  if (set == nullptr) return courses;
+  if (set->kind != Node::Kind::table) throw wrong_value(*set, "a table of scene keys, each an array");
+  for (const Node& child : set->children) {
+    courses.push_back({child.name, numbers(child)});
+    if (courses.back().values.size() != count)
+      throw wrong_value(child, fmt::format("an array of {} numbers, one for each of axis.values", count));
+  }
+  return courses;
+}
+
+StabilityAxis read_axis(const Node& axis) {
+  require_table(axis, {"name", "values", "parameter", "set", "scale"});
+  StabilityAxis result;
+  result.name = text(required(axis, "name", "a text"));
+  result.parameter = word(axis, "parameter", "");
+  if (result.parameter.empty()) result.values = numbers(required(axis, "values", "an array of numbers"));
+  const Node* scale = find(axis, "scale");
+  result.logarithmic = scale != nullptr && choice<bool>(*scale, {{"linear", false}, {"logarithmic", true}});
+  return result;
+}
+
+/// The scene at each value of the axis.
+std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& along,
+                                     const std::filesystem::path& scene,
+                                     const std::vector<std::string>& overrides) {
+  if (!along.parameter.empty()) return {read_named_scene(scene, overrides)};
+  const std::vector<Course> courses = read_courses(axis, along.values.size());
+  std::vector<NamedScene> scenes;
+  for (std::size_t i = 0; i < along.values.size(); ++i) {
+    std::vector<std::string> changes = overrides;
+    for (const Course& course : courses)
+      changes.push_back(fmt::format("{}={}", course.key, course.values[i]));
+    scenes.push_back(read_named_scene(scene, changes));
+    scenes.back().name += fmt::format("-{}", along.values[i]);
+  }
+  return scenes;
+}
+
+/// Where a run lies on the axis.
+double place(const StabilityStudy& study, const Row& row) {
+  if (study.axis.parameter.empty()) {
+    for (std::size_t i = 0; i < study.suite.scenes.size(); ++i)
+      if (study.suite.scenes[i].name == row.scene) return study.axis.values[i];
+    return 0;
+  }
+  for (const EngineSeries& series : study.suite.series) {
+    if (series.engine->name() == row.engine && series.engine->solver() == row.solver &&
+        series.settings == row.settings)
+      return series.parameters.at(study.axis.parameter);
+  }
+  return 0;
+}
+
+/// A parameter on the axis is no part of what a map is of.
+std::string settings_of(const StabilityStudy& study, const std::string& settings) {
+  const auto changed = settings.find("+" + study.axis.parameter + "=");
+  if (study.axis.parameter.empty() || changed == std::string::npos) return settings;
+  const auto end = settings.find('+', changed + 1);
+  return settings.substr(0, changed) + (end == std::string::npos ? "" : settings.substr(end));
+}
+
+std::string stability_csv(const std::vector<StabilityRow>& rows) {
+  std::string text =
+      "run,engine,solver,settings,dt,value,verdict,reason,energy_gain,penetration,gap,slip,out_of_plane,"
+      "residual_motion,largest_angle_difference,stepping_time_minimum,toppling_verdict\n";
+  const auto cell = [](const std::optional<double>& value) {
+    return value ? fmt::format("{}", *value) : std::string();
+  };
+  for (const auto& [row, value, verdict] : rows) {
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", text_cell(row.run),
+                        row.engine, row.solver, text_cell(row.settings), cell(row.dt), value,
+                        name(verdict.soundness), text_cell(verdict.reason), cell(row.energy_gain),
+                        cell(row.penetration), cell(row.gap), cell(row.slip), cell(row.out_of_plane),
+                        cell(row.residual_motion), cell(row.largest_angle_difference),
+                        cell(row.stepping_time_minimum), row.toppling_verdict);
+  }
+  return text;
+}
+
+std::string steps_csv(const std::vector<LargestSteps>& list) {
+  std::string text = "engine,solver,settings,value,largest_sound_step,largest_stable_step\n";
+  for (const LargestSteps& one : list)
+    text += fmt::format("{},{},{},{},{},{}\n", one.engine, one.solver, text_cell(one.settings), one.value,
+                        one.sound, one.stable);
+  return text;
+}
+
+Json limits_json(const StabilityLimits& limits) {
+  return {{"unstable_energy", limits.unstable_energy},
+          {"unstable_gap", limits.unstable_gap},
+          {"unstable_tilt", limits.unstable_tilt},
+          {"energy", limits.energy},
+          {"penetration", limits.penetration},
+          {"slip", limits.slip},
+          {"out_of_plane", limits.out_of_plane},
+          {"angle", limits.angle},
+          {"residual", limits.residual}};
+}
+
+}  // namespace
+
+bool is_stability_study(const std::filesystem::path& file) {
+  const Node root = read_toml(file);
+  const Node* study = find(root, "study");
+  return study != nullptr && study->text == "stability";
+}
+
+StabilityStudy read_stability_study(const std::filesystem::path& file,
+                                    const std::vector<std::string>& overrides) {
+  const Node root = read_toml(file);
+  require_table(root, {"study", "title", "scene", "set", "axis", "engines", "repeats", "time_limit"});
+  StabilityStudy study;
+  std::ifstream stream(file, std::ios::binary);
+  study.text = {std::istreambuf_iterator<char>(stream), {}};
+  study.suite.title = text(required(root, "title", "a text"));
+  std::vector<std::string> changes;
+  if (const Node* set = find(root, "set"))
+    for (const Node& child : set->children) changes.push_back(text(child));
+  changes.insert(changes.end(), overrides.begin(), overrides.end());
+  const Node& axis = required(root, "axis", "a table of name, values and set, or name and parameter");
+  study.axis = read_axis(axis);
+  study.suite.scenes = scenes_along(
+      axis, study.axis, file.parent_path() / text(required(root, "scene", "a scene file")), changes);
+  study.suite.series = read_engines(root);
+  study.suite.wanted = {
+      .angles = true, .impacts = false, .patterns = false, .bodies = true, .histories = false};
+  study.suite.repeats = static_cast<int>(number_or(root, "repeats", 1));
+  study.suite.limits.time = number_or(root, "time_limit", 60);
+  for (const EngineSeries& series : study.suite.series) {
+    if (!study.axis.parameter.empty() && !series.parameters.contains(study.axis.parameter))
+      throw wrong_value(axis, fmt::format("about a parameter that {} has", series.engine->name()));
+  }
+  return study;
+}
+
+std::vector<LargestSteps> largest_steps(const std::vector<StabilityRow>& rows) {
+  using Key = std::tuple<std::string, std::string, std::string, double>;
+  std::map<Key, std::size_t> places;
+  std::vector<LargestSteps> list;
+  std::vector<std::map<double, Soundness>> by_step;
+  for (const auto& [row, value, verdict] : rows) {
+    if (!row.dt) continue;
+    const auto [at, added] = places.try_emplace({row.engine, row.solver, row.settings, value}, list.size());
+    if (added) {
+      list.push_back({row.engine, row.solver, row.settings, value});
+      by_step.emplace_back();
+    }
+    by_step[at->second][*row.dt] = verdict.soundness;
+  }
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    bool sound = true;
+    for (const auto& [dt, soundness] : by_step[i]) {
+      if (soundness > Soundness::inexact) break;
+      list[i].stable = dt;
+      sound = sound && soundness == Soundness::sound;
+      if (sound) list[i].sound = dt;
+    }
+  }
+  return list;
+}
+
+std::vector<StabilityRow> run_stability(const StabilityStudy& study, const std::filesystem::path& folder,
+                                        const CompareOptions& options) {
+  std::vector<StabilityRow> rows;
+  for (const Row& row : compare({study.suite}, folder, options).rows) {
+    rows.push_back({row, place(study, row),
+                    judge_stability(row, find_scene(study.suite.scenes, row.scene).scene, study.limits)});
+    rows.back().row.settings = settings_of(study, row.settings);
+  }
+  write_file(folder / "stability.csv", stability_csv(rows));
+  write_file(folder / "steps.csv", steps_csv(largest_steps(rows)));
+  const Json json{{"title", study.suite.title},          {"axis", study.axis.name},
+                  {"parameter", study.axis.parameter},   {"logarithmic", study.axis.logarithmic},
+                  {"limits", limits_json(study.limits)}, {"study_file", study.text},
+                  {"command", options.command}};
+  write_file(folder / "stability.json", json.dump(2) + "\n");
+  return rows;
+}
+
+}  // namespace rockstack
