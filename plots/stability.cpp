@@ -42,10 +42,11 @@ class Places {
                                     values_.begin());
   }
   std::size_t size() const { return values_.size(); }
-  std::string tics() const {
+  /// Labels in a unit that many times smaller.
+  std::string tics(double times = 1) const {
     std::string text;
     for (std::size_t i = 0; i < values_.size(); ++i)
-      text += fmt::format("{}'{:.3g}' {}", i > 0 ? ", " : "", values_[i], i);
+      text += fmt::format("{}'{:.3g}' {}", i > 0 ? ", " : "", times * values_[i], i);
     return text;
   }
 
@@ -133,9 +134,9 @@ plots::Drawing drawing(const std::string& solver, const Map& map, const nlohmann
   sheet.panel(
       460, 0,
       fmt::format("set tics out nomirror\nset xrange [-0.5:{}]\nset yrange [-0.5:{}]\nset xtics ({})\n"
-                  "set ytics ({})\nset xlabel {} noenhanced\nset ylabel 'time step (s)'\n",
+                  "set ytics ({})\nset xlabel {} noenhanced\nset ylabel 'time step (ms)'\n",
                   static_cast<double>(across.size()) - 0.5, static_cast<double>(up.size()) - 0.5,
-                  across.tics(), up.tics(), plots::quoted(facts.at("axis").get<std::string>())),
+                  across.tics(), up.tics(1000), plots::quoted(facts.at("axis").get<std::string>())),
       elements);
   return sheet.finish();
 }

@@ -9,6 +9,7 @@
 #include "analytic/scene/input_error.hpp"
 #include "comparisons/compare.hpp"
 #include "comparisons/impact_law_results.hpp"
+#include "comparisons/stability/study.hpp"
 #include "comparisons/table.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -42,6 +43,10 @@ std::string error_of(const std::string& text) {
 TEST(Suites, ShippedOnesAreReadable) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(ROCKSTACK_SUITES)) {
+    if (is_stability_study(entry.path())) {
+      EXPECT_NO_THROW(read_stability_study(entry.path(), {})) << entry.path();
+      continue;
+    }
     if (is_study(entry.path())) {
       EXPECT_NO_THROW(read_impact_law_study(entry.path())) << entry.path();
       continue;
