@@ -10,6 +10,7 @@ namespace rockstack {
 namespace {
 
 constexpr double iteration_step = 1e-3;  // s
+constexpr double finest_step = 2e-5;     // s, of single precision beside double
 
 double error(const Scene& scene, const History& history) {
   return root_mean_square(difference(solve(scene, {.sample_times = history.times}), history));
@@ -52,6 +53,9 @@ LessonValues steps_values(const Suite& suite, const std::vector<Row>& rows) {
   const auto rms = [&](const char* engine, double dt) {
     return power(*find_row(rows, engine, "tuned", dt).rms_angle_difference, 1);
   };
+  const auto finer = [&](const char* engine) {
+    return power(error(scene.scene, answer(engine, "tuned", scene.scene, finest_step)), 1);
+  };
   LessonValues values;
   values.numbers = {
       {"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
@@ -66,7 +70,9 @@ LessonValues steps_values(const Suite& suite, const std::vector<Row>& rows) {
       {"single_fine", rms("bullet-single", 1e-4)},
       {"bullet_middle", rms("bullet", 1e-3)},
       {"single_middle", rms("bullet-single", 1e-3)},
-      {"gravity_step", power(scene.scene.gravity * 1e-4, 1)},
+      {"single_finer", finer("bullet-single")},
+      {"double_finer", finer("bullet")},
+      {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
       {"single_rounding", power(std::ldexp(1.0, -24), 1)}};
   values.tables = {{"steps", over_steps(rows, scene.name)}, {"iterations", over_iterations(scene.scene)}};
   return values;

@@ -40,4 +40,9 @@ std::string cell(double value) {
   return fmt::format("{}", value);
 }
 
+std::string cell(double value, double scale) {
+  constexpr double rounding = 1e-12;
+  return cell(std::abs(value) < rounding * scale ? 0 : value);
+}
+
 }  // namespace rockstack

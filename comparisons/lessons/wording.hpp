@@ -16,4 +16,7 @@ std::string percent(double share, int digits);
 /// A cell of a table: a number with all its digits.
 std::string cell(double value);
 
+/// The same, 0 where the number is rounding beside `scale`.
+std::string cell(double value, double scale);
+
 }  // namespace rockstack
