@@ -21,7 +21,8 @@ class Page : public ::testing::Test {
     testing::write_sample(folder, {.engines = {{"bullet", "sequential-impulse", "tuned", 2e-3},
                                                {"ode", "step", "default", 3e-3}},
                                    .failed_row = true,
-                                   .shaken = true});
+                                   .shaken = true,
+                                   .results = R"(["angles", "histories"])"});
     draw_figures(folder);
     write_report(folder);
     page_ = testing::bytes_of(folder / "report.html");
