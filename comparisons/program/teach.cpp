@@ -26,6 +26,7 @@ void list_lessons(const Common& common) {
                list[i]["title"].get<std::string>());
 }
 
+#ifdef ROCKSTACK_WITH_PLOTS
 void print_lesson(const std::filesystem::path& folder, const Common& common) {
   const std::string page = (folder / "lesson.html").string();
   if (common.json) {
@@ -34,6 +35,7 @@ void print_lesson(const std::filesystem::path& folder, const Common& common) {
     fmt::print("lesson: {}\n", page);
   }
 }
+#endif
 
 }  // namespace
 
