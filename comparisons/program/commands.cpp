@@ -61,6 +61,17 @@ void print_animations(const std::vector<std::filesystem::path>& files, const Com
   if (common.quiet || common.json) return;
   for (const auto& file : files) fmt::print("film: {}\n", file.string());
 }
+
+/// Figures of thousands of scenes take hours: they are drawn when asked for.
+void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& results, const Common& common) {
+  constexpr std::size_t most = 100;
+  std::size_t scenes = 0;
+  for (const Suite& suite : suites) scenes += suite.scenes.size();
+  if (scenes <= most) return draw(results);
+  if (!common.quiet)
+    fmt::print(stderr, "{} scenes: figures and report are drawn by `rockstack plot {}`\n", scenes,
+               results.string());
+}
 #endif
 
 int study_command(const std::filesystem::path& file, const std::filesystem::path& out, const Common& common) {
@@ -129,7 +140,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   const CompareResult result =
       compare(suites, arguments.out, {common.command, arguments.jobs, progress(common)});
 #ifdef ROCKSTACK_WITH_PLOTS
-  draw(arguments.out);
+  draw_few(suites, arguments.out, common);
 #endif
   print_rows(result, arguments.out, common);
   const auto failed = [](const Row& row) { return row.status != "done"; };
@@ -140,7 +151,7 @@ int plot_command(const PlotArguments& arguments, const Common& common) {
   const std::filesystem::path& results = arguments.results;
 #ifdef ROCKSTACK_WITH_PLOTS
   const bool record = std::filesystem::exists(results / "record.json");
-  const bool of_runs = !record && !has_sweep(results) && !has_impact_laws(results);
+  const bool of_runs = !record && !has_sweep(results) && !has_impact_laws(results) && !has_stability(results);
   if (arguments.animate && !of_runs)
     throw InputError(fmt::format("plot {} --animate: must be a folder of `rockstack compare` or `teach`",
                                  results.string()));

@@ -46,7 +46,7 @@ void note(Shared& shared, const Scene& scene) {
               found.flight_drift, found.events, features(scene).c_str());
 }
 
-constexpr std::size_t most_compared = 2000;  // events, at 113 bits
+constexpr std::size_t most_compared = 150;  // events, at 113 bits
 
 /// Compares one scene with the reference. Where events differ, or differ by more than a few times what
 /// roundings of the scene's own numbers make, a law is broken.

@@ -12,7 +12,7 @@ namespace {
 using testing::extreme_scene;
 
 // A hundred thousand by the program `extremes`. A velocity is what a dozen operations a block leave of it: at
-// twenty blocks, some hundred roundings. Measured: at most 41 in an impact and 172 in a flight.
+// twenty blocks, some hundred roundings. Measured: at most 41 in an impact.
 TEST(Extremes, NoMotionGainsEnergyOrHoldsNumbersThatAreNone) {
   constexpr double few = 1000;
   int solved = 0;
