@@ -109,7 +109,8 @@ Command add_plot(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = app.add_subcommand("plot", "draw figures and the report from a results folder");
   command
-      ->add_option("folder", arguments->results, "folder written by `rockstack compare`, `sweep` or `record`")
+      ->add_option("folder", arguments->results,
+                   "folder written by `rockstack compare`, `teach`, `sweep` or `record`")
       ->required();
   command->add_flag("--animate", arguments->animate,
                     "write each scene's motion as a GIF too, and as an MP4 where ffmpeg is installed");
