@@ -13,6 +13,7 @@ History rounded(const BasicHistory<Real>& history) {
   const auto number = [](const Real& value) { return static_cast<double>(value); };
   const auto demands = [&](const std::vector<BasicDemand<Real>>& values) {
     std::vector<Demand> result;
+    result.reserve(values.size());
     for (const BasicDemand<Real>& value : values) {
       result.push_back({number(value.least_normal), number(value.least_normal_time), number(value.friction),
                         number(value.friction_time)});
