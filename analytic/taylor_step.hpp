@@ -86,7 +86,8 @@ class TaylorSteps {
 
  private:
   /// The share of a step by whose end the first interface that is open has come back, as far as accelerations
-  /// at its start can tell; what lies behind that impact is not worth a series.
+  /// at its start can tell; what lies behind that impact is not worth a series. Below a millionth of √(H/g)
+  /// three orders do in any case, and a landing that rounding keeps away must not be foreseen for ever.
   Real landing(const Pattern& pattern, const ChainSeries<Real, N>& series, const PerBlock<Real, N>& angles,
                const PerBlock<Real, N>& advances, const Real& length) const {
     using std::sqrt;
@@ -102,7 +103,7 @@ class TaylorSteps {
       const Real s = speed < 0 ? 2 * gap / (root - speed) : (root + speed) / -acceleration;
       if (s > 0) first = std::min<Real>(first, s * (1 + s * length * rate_) * Real(1.0625));
     }
-    return first;
+    return std::max<Real>(first, Real(1e-6) / (length * rate_));
   }
 
   /// The margins of a stack at rest: what pulls at it acts at its centres of mass.
