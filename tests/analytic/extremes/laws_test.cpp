@@ -33,10 +33,9 @@ TEST(Extremes, NoMotionGainsEnergyOrHoldsNumbersThatAreNone) {
   EXPECT_GT(solved, 80);
 }
 
-// An opening within 1e-16 of a step's start was taken back, and found again, for ever.
-TEST(Extremes, AnOpeningWithinRoundingOfAStepsStartIsNotTakenBack) {
-  const Scene scene = extreme_scene(250);
-  EXPECT_EQ(solve(scene, {.sample_times = {scene.duration}}).size(), 1U);
+// An opening within 1e-16 of a step's start would be taken back, and found again: the block topples after it.
+TEST(Extremes, AnOpeningWithinRoundingOfAStepsStartIsNotTakenBackForEver) {
+  EXPECT_EQ(solve(extreme_scene(2774)).events.size(), 13U);
 }
 
 Scene small_below_large(double ratio) {
@@ -59,7 +58,7 @@ TEST(Extremes, SizesTooFarApartForLongDoubleAreSaidToBe) {
 
 TEST(Extremes, ChatterInsideChatterWithoutAnEndIsSaidToBe) {
   try {
-    solve(extreme_scene(101));
+    solve(extreme_scene(4995));
     FAIL() << "came to an end";
   } catch (const std::runtime_error& failure) {
     EXPECT_NE(std::string(failure.what()).find("chatter inside each other"), std::string::npos)
