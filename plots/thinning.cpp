@@ -94,7 +94,7 @@ Curve thin(const Curve& curve, std::size_t bins) {
 
 Curve simplified(const Curve& curve, double tolerance) {
   assert(tolerance > 0 && curve.times.size() == curve.values.size());
-  const Curve points = finite_points(curve);
+  Curve points = finite_points(curve);
   if (points.size() < 3) return points;
   const std::vector<Place> places = scaled(points);
   std::vector<std::size_t> kept{0, points.size() - 1};
