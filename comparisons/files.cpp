@@ -1,6 +1,9 @@
 #include "comparisons/files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -28,6 +31,18 @@ void prepare_folder(const std::filesystem::path& folder) {
     throw InputError(
         fmt::format("--out {}: must be a folder that can be written: {}", folder.string(), failure.what()));
   }
+}
+
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (descriptor_ < 0 || flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  close(descriptor_);
+  throw InputError(
+      fmt::format("--out {}: must be a folder that no other run writes into just now", folder.string()));
+}
+
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) close(descriptor_);
 }
 
 void write_file(const std::filesystem::path& file, std::string_view content) {

@@ -11,6 +11,20 @@ namespace rockstack {
 /// @throws InputError naming the folder and the reason where nothing can be written into it.
 void prepare_folder(const std::filesystem::path& folder);
 
+/// Keeps a folder for this process until destroyed: two runs in one folder would spoil each other's files.
+class FolderLock {
+ public:
+  /// @throws InputError where another process has the folder. Where the file system knows no locks there is
+  /// none.
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
 /// Writes a file whole or not at all: beside its place first, then renamed.
 /// @throws std::runtime_error naming the file and the reason.
 void write_file(const std::filesystem::path& file, std::string_view content);

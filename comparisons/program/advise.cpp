@@ -56,6 +56,7 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
   require_positive_option("--time-limit", arguments.time_limit);
   const NamedScene scene = read_named_scene(find_file(arguments.scene, build::scenes), common.overrides);
   prepare_folder(arguments.out);
+  const FolderLock lock(arguments.out);
   Wish wish{.error = arguments.error};
   wish.limits.time = arguments.time_limit;
   const Advice advice = advise(scene, wish, arguments.out, common.command);
@@ -73,6 +74,7 @@ int stability_command(const std::filesystem::path& file, const std::filesystem::
                       const Common& common) {
   const StabilityStudy study = read_stability_study(file, common.overrides);
   prepare_folder(out);
+  const FolderLock lock(out);
   const std::vector<StabilityRow> rows = run_stability(study, out, {common.command, jobs, progress(common)});
 #ifdef ROCKSTACK_WITH_PLOTS
   draw_stability(out);

@@ -77,6 +77,7 @@ void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& res
 int study_command(const std::filesystem::path& file, const std::filesystem::path& out, const Common& common) {
   const ImpactLawStudy study = read_impact_law_study(file);
   prepare_folder(out);
+  const FolderLock lock(out);
   const ImpactLawResults results = run_study(study);
   write_results(study, results, out, common.command);
 #ifdef ROCKSTACK_WITH_PLOTS
@@ -137,6 +138,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   for (const std::string& input : arguments.inputs) suites.push_back(read_input(input, common));
   if (!arguments.record.empty()) replace_made_up_motion(suites, arguments.record);
   prepare_folder(arguments.out);
+  const FolderLock lock(arguments.out);
   const CompareResult result =
       compare(suites, arguments.out, {common.command, arguments.jobs, progress(common)});
 #ifdef ROCKSTACK_WITH_PLOTS

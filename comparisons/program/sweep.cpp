@@ -60,6 +60,7 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
   MotionLibrary library;
   const Ensemble ensemble = read_ensemble(arguments, common, library);
   prepare_folder(arguments.out);
+  const FolderLock lock(arguments.out);
   const SweepResult result =
       sweep(ensemble, library, *workers,
             {arguments.out, common.command, sweep_progress(common), [] { return interrupted.load(); }});

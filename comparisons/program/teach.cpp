@@ -51,6 +51,7 @@ int teach_command(const TeachArguments& arguments, const Common& common) {
   const Lesson& lesson = find_lesson(arguments.lesson);
   if (arguments.out.empty()) throw InputError("--out: missing, must be a folder for the lesson's page");
   prepare_folder(arguments.out);
+  const FolderLock lock(arguments.out);
   const std::vector<Row> rows =
       run_lesson(lesson, arguments.out, {.command = common.command, .progress = progress(common)});
 #ifdef ROCKSTACK_WITH_PLOTS

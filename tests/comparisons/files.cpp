@@ -43,6 +43,15 @@ TEST(Files, FoldersAreMadeOrTakenAndLeftEmpty) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "a" / "b"));
 }
 
+TEST(Files, AFolderIsKeptForOneRunAtATime) {
+  const TemporaryFolder folder;
+  {
+    const FolderLock lock(folder.path());
+    EXPECT_THROW(FolderLock{folder.path()}, InputError);
+  }
+  EXPECT_NO_THROW(FolderLock{folder.path()});
+}
+
 TEST(Files, AFolderThatIsAFileIsBadInput) {
   const TemporaryFolder folder;
   write_file(folder.path() / "a", "");

@@ -40,17 +40,17 @@ TEST_F(Page, LoadsWithoutComplaint) {
 TEST_F(Page, ThePlayerMovesUntilItIsPaused) {
   const Answer answer = ask_browser(page_, R"(
     const stage = player.find("stage"), before = stage.toDataURL();
+    const drawn = player.frames;
     player.find("play").click();
-    await wait(600);
+    for (let i = 0; i < 500 && player.frames < drawn + 3; ++i) await wait(20);
     player.find("play").click();
     const paused = player.time, moved = stage.toDataURL() !== before;
     await wait(300);
-    return { paused, later: player.time, moved, frames: player.frames };)");
+    return { paused, later: player.time, moved };)");
   EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
   EXPECT_GT(answer.result["paused"].get<double>(), 0.0);
   EXPECT_EQ(answer.result["later"], answer.result["paused"]);
   EXPECT_TRUE(answer.result["moved"].get<bool>());
-  EXPECT_GT(answer.result["frames"].get<int>(), 1);
 }
 
 TEST_F(Page, ScrubbingAcrossAnImpactShowsThePatternChange) {
