@@ -17,7 +17,7 @@ struct Question {
 };
 
 /// Two seconds of blocks that keep rocking: few impacts, so that the smooth motion is what counts.
-Question rocking(std::vector<Block> blocks, std::vector<double> angles) {
+Question rocking(std::vector<Block> blocks, const std::vector<double>& angles) {
   Question question;
   question.scene.duration = 2;
   question.scene.initial = {angles, std::vector<double>(angles.size(), 0)};
