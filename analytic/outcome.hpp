@@ -66,8 +66,12 @@ std::optional<Violation> first_violation(const Stack<Real, N>& stack, const Outc
 }
 
 /// Finds a pattern without violations among those in which the touching interfaces may pivot either way or
-/// stay closed, by principal pivoting from all closed, lowest interface first. `evaluate` maps a pattern to
-/// its outcome. Nothing is found where blocks would have to lift off.
+/// stay closed, by principal pivoting from all closed, lowest interface first. In long stacks that may take a
+/// number of changes that doubles with every interface; where it takes many, all interfaces change at once.
+/// `evaluate` maps a pattern to its outcome. Nothing is found where blocks would have to lift off. An
+/// interface that opens because its centre of pressure is outside moves apart, as the mass matrix is
+/// positive; where it moves into itself though nothing else has changed, both are rounding, and it stays
+/// open.
 template <class Real, int N, class Evaluate>
 std::optional<Outcome<Real, N>> find_admissible(const Stack<Real, N>& stack, Pattern pattern,
                                                 const Interfaces& touching, const Real& slack,
@@ -75,12 +79,28 @@ std::optional<Outcome<Real, N>> find_admissible(const Stack<Real, N>& stack, Pat
   for (int k = 0; k < pattern.size; ++k) {
     if (touching.test(static_cast<std::size_t>(k))) pattern[k] = Contact::closed;
   }
-  const int limit = 16 * pattern.size;  // two changes an interface are usual; a cycle never ends
-  for (int attempt = 0; attempt < limit; ++attempt) {
+  const int many = 16 * pattern.size;  // two changes an interface are usual
+  int opened = -1;                     // by the last change
+  for (int attempt = 0; attempt < 2 * many; ++attempt) {
     const Outcome<Real, N> outcome = evaluate(pattern);
-    const auto violation = first_violation(stack, outcome, touching, slack);
+    auto violation = first_violation(stack, outcome, touching, slack);
+    if (violation && violation->interface == opened) {
+      Interfaces others = touching;
+      others.reset(static_cast<std::size_t>(opened));
+      violation = first_violation(stack, outcome, others, slack);
+    }
     if (!violation) return outcome;
-    pattern[violation->interface] = violation->mend;
+    if (attempt >= many) {
+      Interfaces others = touching;
+      for (; violation; violation = first_violation(stack, outcome, others, slack)) {
+        pattern[violation->interface] = violation->mend;
+        others.reset(static_cast<std::size_t>(violation->interface));
+      }
+      opened = -1;
+    } else {
+      opened = violation->mend == Contact::closed ? -1 : violation->interface;
+      pattern[violation->interface] = violation->mend;
+    }
   }
   return std::nullopt;
 }
