@@ -23,6 +23,7 @@ Values relative_values(const std::vector<double>& absolute_values, const Pattern
 /// The energies of one side of an event, J, above the stack at rest.
 struct Energies {
   Quad kinetic, potential;
+  Quad rounding;  ///< what 113 bits leave of the whole stack's energies when one is taken from another
 };
 
 Energies energies(const Model<Quad>& model, const Pattern& pattern, const std::vector<double>& angles,
@@ -31,7 +32,8 @@ Energies energies(const Model<Quad>& model, const Pattern& pattern, const std::v
   const Values still = Values::Zero(pattern.size);
   const Quad standing = energy(model, {pattern, state.angles, still});
   return {energy(model, state) - standing,
-          standing - energy(model, {closed_pattern(pattern.size), still, still})};
+          standing - energy(model, {closed_pattern(pattern.size), still, still}),
+          std::numeric_limits<Quad>::epsilon() * abs(standing)};
 }
 
 /// The least share of a diagonal entry of the mass matrix that elimination leaves.
@@ -115,10 +117,10 @@ Breaches breaches(const Scene& scene, const History& history) {
     const Quad rounding = std::numeric_limits<double>::epsilon() / share;
     const Quad gain = after.kinetic - before.kinetic;
     if (gain > 0)
-      found.impact_gain =
-          std::max(found.impact_gain, static_cast<double>(gain / (before.kinetic * rounding)));
+      found.impact_gain = std::max(found.impact_gain,
+                                   static_cast<double>(gain / (before.kinetic * rounding + before.rounding)));
     const Quad drift = abs(before.kinetic + before.potential - left);
-    const Quad scale = (before.kinetic + abs(before.potential) + abs(left)) * rounding;
+    const Quad scale = (before.kinetic + abs(before.potential) + abs(left)) * rounding + before.rounding;
     if (free && flying && drift > 0)
       found.flight_drift = std::max(found.flight_drift, static_cast<double>(drift / scale));
     left = after.kinetic + after.potential;

@@ -38,6 +38,20 @@ TEST(Extremes, AnOpeningWithinRoundingOfAStepsStartIsNotTakenBackForEver) {
   EXPECT_EQ(solve(extreme_scene(2774)).events.size(), 13U);
 }
 
+// At its opening an interface's margin and, once it is open, its acceleration are zero to rounding: of forces
+// on blocks whose masses differ by a million.
+TEST(Extremes, AnOpeningWhoseAccelerationIsRoundingIsNoLiftingOff) {
+  EXPECT_EQ(solve(extreme_scene(645)).events.size(), 6U);
+  EXPECT_EQ(solve(extreme_scene(8461)).events.back().kind, EventKind::topple);
+}
+
+// Twenty equal blocks, one of which hangs over: one at a time, 8202 changes of a pattern would be needed.
+TEST(Extremes, APatternOfTwentyInterfacesIsFound) {
+  Scene scene = extreme_scene(6380);
+  scene.duration = 1e-3;
+  EXPECT_FALSE(solve(scene).events.empty());
+}
+
 Scene small_below_large(double ratio) {
   return testing::released({testing::block(ratio, 2 * ratio), testing::block(1, 2)}, {0.1, 0.15}, 0.5);
 }
