@@ -13,7 +13,7 @@ struct Outcome {
   Pattern pattern;
   Vector<Real, N> relative;      ///< φ̈ in rad/s², or φ̇ in rad/s; zero at closed interfaces
   Reactions<Real, N> reactions;  ///< N and N·m, or N·s and N·m·s
-  Real rounding;                 ///< reactions below this are rounding, N or N·s
+  Vector<Real, N> rounding;      ///< reactions below this are rounding of what stands above, N or N·s
 };
 
 /// The allowed motion nearest to `free` (with any bias already taken off) and what brings it about.
@@ -24,9 +24,10 @@ Outcome<Real, N> respond(const Model<Real, N>& model, const Pattern& pattern,
   const Vector<Real, N> relative_motion = nearest_allowed(model.stack, pattern, chain, free);
   const Vector<Real, N> rotation = absolute(relative_motion);
   const Motion<Real, N> change{centre_velocities(chain, rotation) - free.centre, rotation - free.rotation};
-  const Real scale = free.centre.colwise().norm().dot(model.stack.mass);
-  return {pattern, relative_motion, reactions(model, chain, towards, change),
-          1024 * std::numeric_limits<Real>::epsilon() * scale};
+  Vector<Real, N> rounding = free.centre.colwise().norm().transpose().cwiseProduct(model.stack.mass);
+  sum_from_top(rounding);
+  rounding *= 1024 * std::numeric_limits<Real>::epsilon();
+  return {pattern, relative_motion, reactions(model, chain, towards, change), rounding};
 }
 
 /// The accelerations of a moving stack and the forces it is under; `ground` is (ẍg, ÿg) in m/s².
@@ -55,7 +56,7 @@ std::optional<Violation> first_violation(const Stack<Real, N>& stack, const Outc
     const Contact contact = outcome.pattern[k];
     if (contact == Contact::closed) {
       const Margins<Real> margin = margins(stack, outcome.reactions, k);
-      const Real least = -outcome.rounding * stack.half_width[k];
+      const Real least = -outcome.rounding[k] * stack.half_width[k];
       if (margin.right < least && margin.right <= margin.left) return Violation{k, Contact::right};
       if (margin.left < least) return Violation{k, Contact::left};
     } else if (Real(sign(contact)) * outcome.relative[k] < -slack) {
@@ -108,7 +109,7 @@ std::optional<Outcome<Real, N>> find_admissible(const Stack<Real, N>& stack, Pat
 /// True where no interface is pulled at.
 template <class Real, int N>
 bool pushes(const Outcome<Real, N>& outcome) {
-  return (outcome.reactions.normal.array() >= -outcome.rounding).all();
+  return (outcome.reactions.normal.array() >= -outcome.rounding.array()).all();
 }
 
 }  // namespace rockstack

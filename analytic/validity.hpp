@@ -34,7 +34,7 @@ void note_demands(std::vector<BasicDemand<Real>>& demands, const Outcome<Real, N
                   const Real& time) {
   for (int k = 0; k < outcome.pattern.size; ++k) {
     note_demand(demands[static_cast<std::size_t>(k)], outcome.reactions.normal[k],
-                outcome.reactions.tangential[k], outcome.rounding, time);
+                outcome.reactions.tangential[k], outcome.rounding[k], time);
   }
 }
 

@@ -46,7 +46,7 @@ std::string reactions_csv(const Scene& scene, const History& history) {
     for (const double normal : outcome.reactions.normal) fmt::format_to(out, ",{:.7g}", normal);
     for (const double tangential : outcome.reactions.tangential) fmt::format_to(out, ",{:.7g}", tangential);
     for (int k = 0; k < history.blocks; ++k) {
-      if (outcome.pattern[k] == Contact::closed && outcome.reactions.normal[k] > outcome.rounding) {
+      if (outcome.pattern[k] == Contact::closed && outcome.reactions.normal[k] > outcome.rounding[k]) {
         fmt::format_to(out, ",{:.7g}", -outcome.reactions.moment[k] / outcome.reactions.normal[k]);
       } else {
         fmt::format_to(out, ",");

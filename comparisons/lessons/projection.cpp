@@ -41,10 +41,11 @@ Table candidates(const Scene& scene, const Event& event) {
     pattern[event.interface - 1] = contact;
     const Outcome<double> outcome = velocities_after(model, impact, pattern);
     const Vector<double> rates = absolute(outcome.relative);
-    const double least = outcome.reactions.normal.minCoeff();
+    Eigen::Index weakest = 0;
+    const double least = outcome.reactions.normal.minCoeff(&weakest);
     table.rows.push_back({name(pattern), cell(rates[0], 1), cell(rates[1], 1),
                           kinematically_admissible(outcome, impact.touching()) ? "yes" : "no",
-                          cell(std::abs(least) > outcome.rounding ? least : 0)});
+                          cell(std::abs(least) > outcome.rounding[weakest] ? least : 0)});
   }
   return table;
 }

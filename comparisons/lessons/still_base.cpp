@@ -26,7 +26,7 @@ Table candidates(const Scene& scene, const Event& event) {
       const Outcome<double> outcome = velocities_after(model, impact, pattern);
       const Vector<double> rates = absolute(outcome.relative);
       const double width = model.stack.half_width[0], push = outcome.reactions.normal[0];
-      const bool pushes = std::abs(push) > outcome.rounding;
+      const bool pushes = std::abs(push) > outcome.rounding[0];
       const double place =
           lower == Contact::closed ? -outcome.reactions.moment[0] / push : sign(lower) * width;
       table.rows.push_back({name(pattern), cell(rates[0], 1), cell(rates[1], 1),

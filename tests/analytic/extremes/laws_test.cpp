@@ -45,6 +45,16 @@ TEST(Extremes, AnOpeningWhoseAccelerationIsRoundingIsNoLiftingOff) {
   EXPECT_EQ(solve(extreme_scene(8461)).events.back().kind, EventKind::topple);
 }
 
+// Ten million times lighter than what it stands on, a block rebounds all the same: four impacts of its
+// chatter have impulses below a rounding of the stack's momentum.
+TEST(Extremes, ALightBlockChattersToItsEndOnHeavyOnes) {
+  const Scene scene = extreme_scene(690);
+  const History history = solve(scene);
+  const auto agreement = testing::compare(history, testing::reference(scene));
+  EXPECT_FALSE(agreement.parts.has_value());
+  EXPECT_EQ(history.events.size(), 110U);
+}
+
 // Twenty equal blocks, one of which hangs over: one at a time, 8202 changes of a pattern would be needed.
 TEST(Extremes, APatternOfTwentyInterfacesIsFound) {
   Scene scene = extreme_scene(6380);
