@@ -29,7 +29,7 @@ struct Shared {
   std::uint64_t seed = 0;
   std::size_t events = 0, broken = 0, diagnosed = 0, unfinished = 0;
   double impact_gain = 0, flight_drift = 0;
-  std::size_t compared = 0, parted = 0;
+  std::size_t compared = 0, parted = 0, at_resolution = 0, by_input = 0, by_arithmetic = 0;
   double amplified = 0;
 };
 
@@ -56,6 +56,9 @@ void compare_one(Shared& shared, const Scene& scene) {
   const std::string words = tally.add(shared.seed, scene);
   ++shared.compared;
   shared.parted += tally.parted;
+  shared.at_resolution += tally.at_resolution;
+  shared.by_input += tally.sensitive_input;
+  shared.by_arithmetic += tally.sensitive_arithmetic;
   shared.events += tally.events;
   shared.amplified = std::max(shared.amplified, tally.amplified);
   if (!words.empty()) std::printf("%s; %s\n", words.c_str(), features(scene).c_str());
@@ -110,8 +113,11 @@ int main(int arguments, char** values) {
       shared.diagnosed, shared.impact_gain, shared.flight_drift);
   if (reference)
     std::printf(
-        "%zu compared with 113 bits, %zu part from them, off by at most %g times what 16 roundings of the "
-        "input make\n",
-        shared.compared, shared.parted, shared.amplified);
+        "%zu compared with 113 bits, %zu part from them: %zu at the resolution of chatter, %zu as they do by "
+        "roundings of the input, %zu by roundings of operations; off by at most %g times what 16 roundings "
+        "of "
+        "the input make\n",
+        shared.compared, shared.parted, shared.at_resolution, shared.by_input, shared.by_arithmetic,
+        shared.amplified);
   return shared.broken + shared.unfinished == 0 ? 0 : 1;
 }

@@ -1,13 +1,17 @@
 #include "tests/analytic/reference/agreement.hpp"
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
+
+#include "analytic/solve.hpp"
+#include "tests/analytic/solver/stacks.hpp"
 
 namespace rockstack::testing {
 namespace {
 
-template <class Real>
-bool same(const BasicEvent<Real>& a, const BasicEvent<Quad>& b) {
+template <class Real, class Other>
+bool same(const BasicEvent<Real>& a, const BasicEvent<Other>& b) {
   return a.kind == b.kind && a.interface == b.interface && a.from == b.from && a.to == b.to &&
          a.consistency == b.consistency;
 }
@@ -31,12 +35,51 @@ class Sizes {
   Quad largest_ = 0;
 };
 
-/// Scenes that differ from one by that many units in the last place of gravity or of a height.
-std::vector<Scene> roundings(const Scene& scene, int units) {
+double shifted(double value, double units) {
+  return value * (1 + units * std::numeric_limits<double>::epsilon());
+}
+
+void shift(std::vector<double>& samples, Draw& draw, int units) {
+  for (double& sample : samples) sample = shifted(sample, draw.between(-units, units));
+}
+
+void shift(GroundMotion& motion, Draw& draw, int units) {
+  shift(motion.samples, draw, units);
+  if (!motion.pulse) return;
+  Pulse& pulse = *motion.pulse;
+  for (double* value : {&pulse.amplitude, &pulse.period, &pulse.start, &pulse.phase})
+    *value = shifted(*value, draw.between(-units, units));
+}
+
+/// A scene with all that motion depends on changed at random by up to some units in the last place.
+/// Interfaces that are closed stay so.
+Scene rounded_anywhere(Scene scene, Draw& draw, int units) {
+  const auto change = [&](double& value) { value = shifted(value, draw.between(-units, units)); };
+  change(scene.gravity);
+  for (Block& block : scene.blocks) {
+    for (double* value : {&block.half_width, &block.half_height, &block.mass, &block.inertia}) change(*value);
+  }
+  const InitialState given = scene.initial;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    for (auto list : {&InitialState::angles, &InitialState::velocities}) {
+      std::vector<double>& values = scene.initial.*list;
+      const bool as_below = k > 0 && (given.*list)[k] == (given.*list)[k - 1];
+      if (as_below) {
+        values[k] = values[k - 1];
+      } else {
+        change(values[k]);
+      }
+    }
+  }
+  shift(scene.horizontal, draw, units);
+  shift(scene.vertical, draw, units);
+  return scene;
+}
+
+/// Scenes that differ from one by that many units in the last place of gravity or of a height, and `draws` by
+/// up to that many in all numbers at once.
+std::vector<Scene> roundings(const Scene& scene, int units, int draws) {
   std::vector<Scene> scenes;
-  const auto shifted = [](double value, int shift) {
-    return value * (1 + shift * std::numeric_limits<double>::epsilon());
-  };
   for (const int shift : {-units, units}) {
     scenes.push_back(scene);
     scenes.back().gravity = shifted(scene.gravity, shift);
@@ -45,7 +88,30 @@ std::vector<Scene> roundings(const Scene& scene, int units) {
       scenes.back().blocks[k].half_height = shifted(scene.blocks[k].half_height, shift);
     }
   }
+  Draw draw(scene.blocks.size());
+  for (int i = 0; i < draws; ++i) scenes.push_back(rounded_anywhere(scene, draw, units));
   return scenes;
+}
+
+/// How far an event's impact throws an interface open, rad, from its speed and from when it closes again; the
+/// flight of a constant acceleration.
+template <class Real>
+Quad excursion(const BasicHistory<Real>& history, std::size_t event, int interface) {
+  const auto& start = history.events[event];
+  const auto k = static_cast<std::size_t>(interface);
+  const Quad below = k > 0 ? Quad(start.after[k - 1]) : Quad(0);
+  const Quad speed = abs(Quad(start.after[k]) - below);
+  for (std::size_t i = event + 1; i < history.events.size(); ++i) {
+    const auto& next = history.events[i];
+    if (next.interface == interface + 1 || next.to[interface] != start.to[interface])
+      return speed * (Quad(next.time) - Quad(start.time)) / 4;
+  }
+  return std::numeric_limits<Quad>::infinity();
+}
+
+template <class Real>
+bool is_impact(const BasicEvent<Real>& event) {
+  return event.kind == EventKind::impact || event.kind == EventKind::closure || event.kind == EventKind::rest;
 }
 
 void take_larger(Deviation& deviation, const Deviation& other) {
@@ -81,10 +147,10 @@ Agreement compare(const BasicHistory<Real>& history, const QuadHistory& other) {
 template Agreement compare(const BasicHistory<double>&, const QuadHistory&);
 template Agreement compare(const BasicHistory<Quad>&, const QuadHistory&);
 
-Agreement response_to_rounding(const Scene& scene, const QuadHistory& history, int units) {
+Agreement response_to_rounding(const Scene& scene, const QuadHistory& history, int units, int draws) {
   Agreement response;
   response.events.resize(history.events.size());
-  for (const Scene& rounded : roundings(scene, units)) {
+  for (const Scene& rounded : roundings(scene, units, draws)) {
     const Agreement agreement = compare(reference(rounded), history);
     if (agreement.parts)
       response.parts = std::min(*agreement.parts, response.parts.value_or(*agreement.parts));
@@ -95,6 +161,44 @@ Agreement response_to_rounding(const Scene& scene, const QuadHistory& history, i
   for (std::size_t i = 1; i < response.events.size(); ++i)
     take_larger(response.events[i], response.events[i - 1]);
   return response;
+}
+
+bool parts_at_resolution(const History& history, const QuadHistory& other, std::size_t event) {
+  if (event >= history.events.size() || event >= other.events.size()) return false;
+  const auto& found = history.events[event];
+  const auto& expected = other.events[event];
+  if (!is_impact(found) || !is_impact(expected) || found.interface != expected.interface ||
+      !(found.from == expected.from) || found.consistency != expected.consistency)
+    return false;
+  const Quad resolution = std::numeric_limits<double>::epsilon();
+  for (int k = 0; k < found.to.size; ++k) {
+    if (found.to[k] == expected.to[k]) continue;
+    const bool flies = expected.to[k] == Contact::closed;
+    if (!flies && found.to[k] != Contact::closed) return false;
+    if ((flies ? excursion(history, event, k) : excursion(other, event, k)) > 2 * resolution) return false;
+  }
+  return true;
+}
+
+bool parts_from_itself(const Scene& scene, const History& history, std::size_t event, int units, int draws) {
+  const std::vector<Scene> scenes = roundings(scene, units, draws);
+  const int nearest = std::fegetround();
+  bool parts = false;
+  for (const int direction : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, nearest}) {
+    std::fesetround(direction);
+    for (const Scene& rounded : scenes) {
+      const History other = solve(rounded);
+      const std::size_t count = std::min(history.events.size(), other.events.size());
+      std::size_t same_events = 0;
+      while (same_events < count && same(history.events[same_events], other.events[same_events]))
+        ++same_events;
+      parts = parts ||
+              (same_events <= event && same_events < std::max(history.events.size(), other.events.size()));
+      if (parts) break;
+    }
+  }
+  std::fesetround(nearest);
+  return parts;
 }
 
 }  // namespace rockstack::testing

@@ -23,8 +23,19 @@ template <class Real>
 Agreement compare(const BasicHistory<Real>& history, const QuadHistory& other);
 
 /// What a scene itself makes of roundings of its input: the largest deviations of the reference when gravity
-/// or a height changes by some units in the last place of a double, up or down, taken together. Each
-/// deviation is the largest so far, as what has once been amplified may come back in a later event.
-Agreement response_to_rounding(const Scene& scene, const QuadHistory& history, int units = 1);
+/// or a height changes by some units in the last place of a double, up or down, and in that many draws all
+/// its numbers by up to as many at once, taken together. Each deviation is the largest so far, as what has
+/// once been amplified may come back in a later event.
+Agreement response_to_rounding(const Scene& scene, const QuadHistory& history, int units = 1, int draws = 0);
+
+/// True where two histories that part at an event do so at the resolution at which chatter ends (solver.hpp):
+/// the impact is the same, and what one of them leaves out is a flight of at most twice the rounding of an
+/// angle, or none.
+bool parts_at_resolution(const History& history, const QuadHistory& other, std::size_t event);
+
+/// True where the solver in double parts from its own history of a scene at an event or before, when each of
+/// its operations is rounded up, down or towards zero and the scene's numbers change as in
+/// response_to_rounding(): a decision that its own roundings take. @throws as solve().
+bool parts_from_itself(const Scene& scene, const History& history, std::size_t event, int units, int draws);
 
 }  // namespace rockstack::testing

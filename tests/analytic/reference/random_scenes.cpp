@@ -35,6 +35,29 @@ std::string words(const auto& history, std::size_t event) {
   return text.str();
 }
 
+// A solver rounds more than once, and not one number alone.
+constexpr int several = 16;
+constexpr int draws = 8;
+
+/// Why two histories part, counted in a tally.
+const char* explain(const Scene& scene, const History& found, const QuadHistory& expected,
+                    const Agreement& response, std::size_t event, Tally& tally) {
+  if (parts_at_resolution(found, expected, event)) {
+    ++tally.at_resolution;
+    return ": at the resolution of chatter";
+  }
+  if (response.parts && *response.parts <= event) {
+    ++tally.sensitive_input;
+    return " and part too";
+  }
+  if (parts_from_itself(scene, found, event, several, draws)) {
+    ++tally.sensitive_arithmetic;
+    return "; roundings of its operations part it from itself";
+  }
+  ++tally.unexplained;
+  return "; UNEXPLAINED";
+}
+
 }  // namespace
 
 Scene seeded_scene(std::uint64_t seed) {
@@ -64,14 +87,12 @@ std::string Tally::add(std::uint64_t seed, const Scene& scene) {
   const Agreement agreement = compare(found.history, expected.history);
   Deviation largest;
   std::size_t matched = 0;
-  // A solver rounds more than once.
-  constexpr int several = 16;
   constexpr double small = 1e-10;
   std::optional<Agreement> response;
   for (; matched < agreement.events.size(); ++matched) {
     const Deviation& deviation = agreement.events[matched];
     if (std::abs(deviation.time) > small || deviation.state > small) {
-      if (!response) response = response_to_rounding(scene, expected.history, several);
+      if (!response) response = response_to_rounding(scene, expected.history, several, draws);
       if (matched >= response->events.size()) break;
       const Deviation& own = response->events[matched];
       amplified = std::max({amplified, std::abs(deviation.time) / own.time, deviation.state / own.state});
@@ -84,15 +105,13 @@ std::string Tally::add(std::uint64_t seed, const Scene& scene) {
   if (response) ++sensitive;
   if (!agreement.parts) return {};
   ++parted;
-  if (!response) response = response_to_rounding(scene, expected.history, several);
-  const bool explained = response->parts && *response->parts <= *agreement.parts;
-  if (!explained) ++unexplained;
   const std::size_t event = *agreement.parts;
+  if (!response) response = response_to_rounding(scene, expected.history, several, draws);
+  const char* reason = explain(scene, found.history, expected.history, *response, event, *this);
   text << "event " << event << " of " << expected.history.events.size() << ": found "
        << words(found.history, event) << ", expected " << words(expected.history, event)
        << "; before it off by " << largest.time << " s, roundings of the input make "
-       << (response->events.empty() ? 0.0 : response->events.back().time) << " s"
-       << (explained ? " and part too" : "");
+       << (response->events.empty() ? 0.0 : response->events.back().time) << " s" << reason;
   return text.str();
 }
 
