@@ -116,7 +116,7 @@ TEST(Workers, TimeLimitHoldsForAWorkerThatHasClosedItsStandardError) {
 }
 
 TEST(Workers, HungerMeetsTheMemoryLimit) {
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "address sanitizer reserves terabytes, so workers run without a memory limit";
 #endif
   Limits limits;
