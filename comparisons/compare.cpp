@@ -28,7 +28,8 @@ std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
   for (const Suite& suite : suites) {
     for (const NamedScene& scene : suite.scenes) {
       jobs.push_back({suite, scene, {}});
-      for (const Variant& variant : suite.variants) jobs.push_back({suite, scene, {}, nullptr, &variant});
+      for (const Variant& variant : suite.variants)
+        jobs.push_back({suite, scene, variant.step, nullptr, &variant});
       for (const EngineSeries& series : suite.series) {
         for (const double dt : series.steps) jobs.push_back({suite, scene, dt, &series});
       }

@@ -51,12 +51,12 @@ void add_validity(const Scene& scene, const History& history, Json& json) {
 }
 
 /// Wall times of solving without samples, after a warm-up.
-SteppingTime time_solving(const Scene& scene, int repeats) {
-  solve(scene);
+SteppingTime time_solving(const Scene& scene, int repeats, const SolveOptions& options = {}) {
+  solve(scene, options);
   std::vector<double> seconds;
   for (int i = 0; i < repeats; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    solve(scene);
+    solve(scene, options);
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   return stepping_time(std::move(seconds));
@@ -79,6 +79,15 @@ void set_time(const SteppingTime& time, double motion, Row& row) {
 void write_history(const std::filesystem::path& folder, const History& history) {
   write_file(folder / "history.csv", history_csv(history));
   write_file(folder / "events.csv", events_csv(history));
+}
+
+bool is_baseline(const Job& job) {
+  return job.variant != nullptr && job.variant->name == "rk4";
+}
+
+SolveOptions options_for(const Job& job) {
+  if (!is_baseline(job)) return {};
+  return {.integrator = Integrator::rk4, .step = job.dt};
 }
 
 SolveOptions sampled(const Scene& scene) {
@@ -117,14 +126,17 @@ Json run_exact(const Job& job, const std::filesystem::path& folder, Row& row, co
 
 Json run_variant(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
   const Scene scene = job.variant->apply(job.scene.scene);
-  const History history = solve(scene, sampled(scene));
+  SolveOptions options = options_for(job);
+  options.sample_times = sampled(scene).sample_times;
+  options.validity = true;
+  const History history = solve(scene, options);
   row.toppled = reported_toppling(history);
   compare_with_exact(job.scene.scene, job.suite,
                      {history, reported_impacts(history, chatter_speed(scene)), !row.toppled.empty(), {}},
                      folder, row);
   write_file(folder / "events.csv", events_csv(history));
   run_perturbed(job, folder, [&](const Scene& other) { return exact_tally(job.variant->apply(other)); });
-  set_time(time_solving(scene, job.suite.repeats), motion_time(scene, history), row);
+  set_time(time_solving(scene, job.suite.repeats, options_for(job)), motion_time(scene, history), row);
   Json json = summary(row, job.scene, {}, {}, command);
   add_validity(scene, history, json);
   return json;
@@ -168,6 +180,12 @@ Row describe(const Job& job) {
     row.solver = job.series->engine->solver();
     row.settings = job.series->settings;
     row.run = fmt::format("{}.{}-{}-{}-{}", row.scene, row.engine, row.solver, row.settings, job.dt);
+  } else if (is_baseline(job)) {
+    row.dt = job.dt;
+    row.engine = job.variant->name;
+    row.solver = "runge-kutta";
+    row.settings = "baseline";
+    row.run = fmt::format("{}.{}-{}", row.scene, row.engine, job.dt);
   } else {
     row.engine = job.variant != nullptr ? job.variant->name : "exact";
     row.solver = "taylor";

@@ -15,7 +15,7 @@ namespace rockstack {
 struct Job {
   const Suite& suite;
   const NamedScene& scene;
-  double dt;  ///< of a series, s
+  double dt;  ///< of a series or of the variant rk4, s
   const EngineSeries* series = nullptr;
   const Variant* variant = nullptr;
 };

@@ -29,11 +29,10 @@ std::uint64_t file_checksum(const std::filesystem::path& file) {
 }  // namespace
 
 std::string identity(const Job& job) {
-  RunRequest request{"", job.scene.scene, 0, {}, job.suite.repeats, job.suite.wanted.bodies};
+  RunRequest request{"", job.scene.scene, job.dt, {}, job.suite.repeats, job.suite.wanted.bodies};
   std::string text = job.variant != nullptr ? job.variant->name : "";
   if (job.series != nullptr) {
     request.solver = job.series->engine->solver();
-    request.dt = job.dt;
     request.parameters = job.series->parameters;
     text = fmt::format("{:x}", file_checksum(job.series->engine->program()));
   }

@@ -19,10 +19,11 @@ struct NamedScene {
   Scene scene;
 };
 
-/// The exact solver with one choice of the scene changed, to be compared as if it were another engine: linear
-/// against nonlinear equations, or one impact law against the other.
+/// The exact solver with one choice changed, to be compared as if it were another engine: linear against
+/// nonlinear equations, one impact law against the other, or Runge–Kutta steps in place of series.
 struct Variant {
-  std::string name;  ///< "linear", "nonlinear", "paper" or "consistent"
+  std::string name;  ///< "linear", "nonlinear", "paper", "consistent" or "rk4"
+  double step = 0;   ///< of rk4, s
 
   /// The scene with that choice made.
   Scene apply(Scene scene) const;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -29,6 +30,18 @@ struct Course {
   std::vector<double> values;
 };
 
+/// The stack with that many blocks: cut off, or its top block over and over.
+Scene stacked(Scene scene, std::size_t blocks) {
+  const std::size_t angles = scene.initial.angles.size();
+  const double angle = angles > 0 ? scene.initial.angles.back() : 0;
+  const double velocity = scene.initial.velocities.empty() ? 0 : scene.initial.velocities.back();
+  scene.blocks.resize(blocks, scene.blocks.back());
+  scene.initial.angles.resize(blocks, angle);
+  scene.initial.velocities.resize(blocks, velocity);
+  validate(scene);
+  return scene;
+}
+
 std::vector<Course> read_courses(const Node& axis, std::size_t count) {
   std::vector<Course> courses;
   const Node* set = find(axis, "set");
@@ -38,6 +51,10 @@ std::vector<Course> read_courses(const Node& axis, std::size_t count) {
     courses.push_back({child.name, numbers(child)});
     if (courses.back().values.size() != count)
       throw wrong_value(child, fmt::format("an array of {} numbers, one for each of axis.values", count));
+    for (const double value : courses.back().values) {
+      if (child.name == "blocks" && !(value >= 1 && value <= max_blocks && value == std::floor(value)))
+        throw wrong_value(child, fmt::format("whole numbers of blocks from 1 to {}", max_blocks));
+    }
   }
   return courses;
 }
@@ -62,9 +79,16 @@ std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& alon
   std::vector<NamedScene> scenes;
   for (std::size_t i = 0; i < along.values.size(); ++i) {
     std::vector<std::string> changes = overrides;
-    for (const Course& course : courses)
-      changes.push_back(fmt::format("{}={}", course.key, course.values[i]));
+    std::size_t blocks = 0;
+    for (const Course& course : courses) {
+      if (course.key == "blocks") {
+        blocks = static_cast<std::size_t>(course.values[i]);
+      } else {
+        changes.push_back(fmt::format("{}={}", course.key, course.values[i]));
+      }
+    }
     scenes.push_back(read_named_scene(scene, changes));
+    if (blocks > 0) scenes.back().scene = stacked(scenes.back().scene, blocks);
     scenes.back().name += fmt::format("-{}", along.values[i]);
   }
   return scenes;
@@ -142,7 +166,7 @@ bool is_stability_study(const std::filesystem::path& file) {
 StabilityStudy read_stability_study(const std::filesystem::path& file,
                                     const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
-  require_table(root, {"study", "title", "scene", "set", "axis", "engines", "repeats", "time_limit"});
+  require_table(root, {"study", "title", "scene", "set", "axis", "engines", "rk4", "repeats", "time_limit"});
   StabilityStudy study;
   std::ifstream stream(file, std::ios::binary);
   study.text = {std::istreambuf_iterator<char>(stream), {}};
@@ -156,6 +180,10 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
   study.suite.scenes = scenes_along(
       axis, study.axis, file.parent_path() / text(required(root, "scene", "a scene file")), changes);
   study.suite.series = read_engines(root);
+  if (const Node* steps = find(root, "rk4")) {
+    if (!study.axis.parameter.empty()) throw wrong_value(*steps, "no key where engines' parameters vary");
+    for (const double step : numbers(*steps)) study.suite.variants.push_back({"rk4", step});
+  }
   study.suite.wanted = {
       .angles = true, .impacts = false, .patterns = false, .bodies = true, .histories = false};
   study.suite.repeats = static_cast<int>(number_or(root, "repeats", 1));

@@ -184,6 +184,46 @@ TEST(StabilityStudies, VaryKeysOfASceneAndGiveEachRunAVerdict) {
   EXPECT_EQ(read_table(folder.path() / "stability.csv").rows.size(), 2U);
 }
 
+TEST(StabilityStudies, StackTheTopBlockAsOftenAsAskedFor) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block_toml);
+  const auto file = folder.write("study.toml", study_toml("[0.5, 0.5]\n\"blocks\" = [1, 3]"));
+  const StabilityStudy study = read_stability_study(file, {});
+  EXPECT_EQ(study.suite.scenes[0].scene.blocks.size(), 1U);
+  const Scene& column = study.suite.scenes[1].scene;
+  ASSERT_EQ(column.blocks.size(), 3U);
+  EXPECT_EQ(column.blocks[2].half_height, column.blocks[0].half_height);
+  EXPECT_EQ(column.initial.angles, (std::vector<double>{0.05, 0.05, 0.05}));
+}
+
+TEST(StabilityStudies, SayHowManyBlocksThereMayBe) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block_toml);
+  const auto file = folder.write("study.toml", study_toml("[0.5, 0.5]\n\"blocks\" = [1, 2.5]"));
+  try {
+    read_stability_study(file, {});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("study.toml:9"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("whole numbers of blocks"), std::string::npos) << error.what();
+  }
+}
+
+// Smooth motion for 0.2 s: a step of 10 ms is 0.02 of its time, to the fourth power 2e-7.
+TEST(StabilityStudies, HoldTheRungeKuttaBaselineAgainstTheSeries) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block_toml);
+  const auto file = folder.write("study.toml", "rk4 = [1e-2]\n" + study_toml("[0.5, 1]"));
+  const auto rows = run_stability(read_stability_study(file, {}), folder.path(), {});
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[1].row.engine, "rk4");
+  EXPECT_EQ(rows[1].row.dt, 1e-2);
+  EXPECT_EQ(rows[1].verdict.soundness, Soundness::sound);
+  EXPECT_GT(rows[1].row.largest_angle_difference, 0);
+  EXPECT_LT(rows[1].row.largest_angle_difference, 2e-7);
+  EXPECT_EQ(largest_steps({rows.begin(), rows.end()}).size(), 2U);
+}
+
 TEST(StabilityStudies, SayWhereAnAxisHasTooFewValues) {
   const TemporaryFolder folder;
   folder.write("block.toml", block_toml);
