@@ -187,7 +187,7 @@ Animation animation_of(const Stage& stage) {
 
 std::vector<std::filesystem::path> draw_animations(const std::filesystem::path& results) {
   const plots::Comparison comparison = plots::read_comparison(results);
-  const plots::Looks looks = plots::assign_looks(comparison);
+  const plots::Looks looks = plots::assign_looks(comparison.runs);
   std::vector<std::filesystem::path> files;
   for (const plots::ComparedScene& scene : comparison.scenes) {
     if (!plots::has_player(comparison, scene)) continue;

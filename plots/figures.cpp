@@ -121,7 +121,7 @@ std::filesystem::path figure_stem(const std::filesystem::path& results, const st
 
 void draw_figures(const std::filesystem::path& results) {
   const plots::Comparison comparison = plots::read_comparison(results);
-  const plots::Looks looks = plots::assign_looks(comparison);
+  const plots::Looks looks = plots::assign_looks(comparison.runs);
   for (const plots::ComparedScene& scene : comparison.scenes)
     for (std::size_t i = 0; i < draws.size(); ++i)
       if (const FigureKind& kind = figure_kinds()[i]; has_figure(scene, kind))

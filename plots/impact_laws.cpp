@@ -9,70 +9,44 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/table.hpp"
 #include "plots/gnuplot.hpp"
+#include "plots/impact_law_drawings.hpp"
+#include "plots/impact_law_results.hpp"
 #include "plots/layout.hpp"
 
 namespace rockstack {
 namespace {
 
-/// One row of impact-laws.csv.
-struct Cell {
-  std::string kind;
-  double slenderness_from, slenderness_to, mass_ratio_from, mass_ratio_to;
-  double impacts, differ, none;
-};
+using plots::LawCell;
 
 /// One map: a kind's cells and which of their counts is shown.
 struct Map {
   std::string heading, kind;
-  std::vector<Cell> cells;
-  double Cell::*count;
+  std::vector<LawCell> cells;
+  double LawCell::*count;
 };
 
-using Cells = std::map<int, std::vector<Cell>>;  ///< by number of blocks
-
-std::filesystem::path file_of(const std::filesystem::path& results) {
-  return results / "impact-laws.csv";
-}
-
-Cells read_cells(const std::filesystem::path& results) {
-  const auto file = file_of(results);
-  const Table table = read_table(file);
-  const auto at = [&](const std::vector<std::string>& row, const char* name) {
-    return number(row[column(table, name, file)], file.string(), name);
-  };
-  Cells cells;
-  for (const auto& row : table.rows) {
-    cells[static_cast<int>(at(row, "blocks"))].push_back(
-        {row[column(table, "kind", file)], at(row, "slenderness_from"), at(row, "slenderness_to"),
-         at(row, "mass_ratio_from"), at(row, "mass_ratio_to"), at(row, "impacts"), at(row, "differ"),
-         at(row, "none")});
-  }
-  return cells;
-}
-
-double sum(const std::vector<Cell>& cells, double Cell::*count) {
+double sum(const std::vector<LawCell>& cells, double LawCell::*count) {
   double total = 0;
-  for (const Cell& cell : cells) total += cell.*count;
+  for (const LawCell& cell : cells) total += cell.*count;
   return total;
 }
 
 constexpr double least_share = 0.01;  ///< of a kind's impacts that a map is drawn for
 
-std::vector<Map> maps_of(const std::vector<Cell>& cells) {
+std::vector<Map> maps_of(const std::vector<LawCell>& cells) {
   std::vector<std::string> kinds;
-  std::map<std::string, std::vector<Cell>> by_kind;
-  for (const Cell& cell : cells) {
+  std::map<std::string, std::vector<LawCell>> by_kind;
+  for (const LawCell& cell : cells) {
     if (by_kind[cell.kind].empty()) kinds.push_back(cell.kind);
     by_kind[cell.kind].push_back(cell);
   }
   std::vector<Map> maps;
   for (const auto& [heading, count] :
-       {std::pair{"laws differ", &Cell::differ}, std::pair{"no pattern consistent", &Cell::none}}) {
+       {std::pair{"laws differ", &LawCell::differ}, std::pair{"no pattern consistent", &LawCell::none}}) {
     for (const std::string& kind : kinds) {
       const auto& own = by_kind[kind];
-      if (sum(own, count) >= least_share * sum(own, &Cell::impacts) && sum(own, count) > 0)
+      if (sum(own, count) >= least_share * sum(own, &LawCell::impacts) && sum(own, count) > 0)
         maps.push_back({heading, kind, by_kind[kind], count});
     }
   }
@@ -80,9 +54,9 @@ std::vector<Map> maps_of(const std::vector<Cell>& cells) {
 }
 
 /// Grid coordinates by the lower edges of the cells.
-std::vector<double> edges(const Map& map, double Cell::*from, double Cell::*to) {
+std::vector<double> edges(const Map& map, double LawCell::*from, double LawCell::*to) {
   std::set<double> values;
-  for (const Cell& cell : map.cells) {
+  for (const LawCell& cell : map.cells) {
     values.insert(cell.*from);
     if (cell.*to > *values.rbegin() * (1 + 1e-9)) values.insert(cell.*to);
   }
@@ -103,7 +77,7 @@ std::string tics(const std::vector<double>& at) {
 
 std::string data_of(const Map& map, std::size_t index) {
   std::string text = fmt::format("$map_{} << END\n", index);
-  for (const Cell& cell : map.cells) {
+  for (const LawCell& cell : map.cells) {
     if (!(cell.impacts > 0)) continue;
     const auto middle = [](double from, double to) { return (std::log2(from) + std::log2(to)) / 2; };
     const auto half = [](double from, double to) { return (std::log2(to) - std::log2(from)) / 2; };
@@ -117,7 +91,7 @@ std::string data_of(const Map& map, std::size_t index) {
 }
 
 constexpr int width = 1200;
-constexpr double left = 104, right = 110, top = 116, gap_across = 66, gap_down = 92, bottom = 84;
+constexpr double left = 104, right = 128, top = 116, gap_across = 66, gap_down = 92, bottom = 84;
 
 /// Where panels lie, in pixels.
 struct Grid {
@@ -139,9 +113,9 @@ std::string panel(const Map& map, std::size_t index, std::size_t panels, const G
   const int row = place / grid.columns;
   const double y = top + row * (grid.side + gap_down);
   const bool lowest = index + static_cast<std::size_t>(grid.columns) >= panels;
-  const double share = 100 * sum(map.cells, map.count) / sum(map.cells, &Cell::impacts);
-  const auto across = edges(map, &Cell::slenderness_from, &Cell::slenderness_to);
-  const auto up = edges(map, &Cell::mass_ratio_from, &Cell::mass_ratio_to);
+  const double share = 100 * sum(map.cells, map.count) / sum(map.cells, &LawCell::impacts);
+  const auto across = edges(map, &LawCell::slenderness_from, &LawCell::slenderness_to);
+  const auto up = edges(map, &LawCell::mass_ratio_from, &LawCell::mass_ratio_to);
   std::string text =
       fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", plots::plain(x / width),
                   plots::plain((x + grid.side) / width), plots::plain(1 - (y + grid.side) / grid.height()),
@@ -150,7 +124,7 @@ std::string panel(const Map& map, std::size_t index, std::size_t panels, const G
                       plots::plain(std::log2(across.front())), plots::plain(std::log2(across.back())),
                       plots::plain(std::log2(up.front())), plots::plain(std::log2(up.back())), tics(across),
                       tics(up));
-  text += lowest ? "set xlabel 'h/b of the top block'\n" : "unset xlabel\n";
+  text += lowest ? "set xlabel 'top: height / width'\n" : "unset xlabel\n";
   text += place % grid.columns == 0 ? "set ylabel 'its mass over that below'\n" : "unset ylabel\n";
   text += fmt::format("set label 1 {} noenhanced at graph 0, graph 1 offset 0,1.7 font ',13'\n",
                       plots::quoted(map.kind));
@@ -187,18 +161,22 @@ plots::Drawing drawing(int blocks, const std::vector<Map>& maps) {
 }  // namespace
 
 bool has_impact_laws(const std::filesystem::path& results) {
-  return std::filesystem::exists(file_of(results));
+  return std::filesystem::exists(results / "impact-laws.csv");
 }
 
 void draw_impact_laws(const std::filesystem::path& results) {
   std::filesystem::create_directories(results / "figures");
-  for (const auto& [blocks, cells] : read_cells(results)) {
+  const plots::LawResults read = plots::read_law_results(results);
+  std::map<int, std::vector<LawCell>> by_blocks;
+  for (const LawCell& cell : read.cells) by_blocks[cell.blocks].push_back(cell);
+  for (const auto& [blocks, cells] : by_blocks) {
     const std::string title = fmt::format("impact-laws.{}-blocks", blocks);
     const std::vector<Map> maps = maps_of(cells);
     plots::draw(maps.empty() ? plots::empty_sheet(title, "Both laws give the same pattern everywhere.")
                              : drawing(blocks, maps),
                 results / "figures" / title);
   }
+  plots::draw(plots::law_engines(read), results / "figures" / "impact-laws.engines");
 }
 
 }  // namespace rockstack

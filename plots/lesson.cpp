@@ -2,12 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "analytic/scene/input_error.hpp"
 #include "plots/html.hpp"
+#include "plots/json_file.hpp"
 #include "plots/page_parts.hpp"
 #include "plots/player.hpp"
 #include "plots/template.hpp"
@@ -17,20 +16,17 @@ namespace plots {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using Values = std::map<std::string, std::string>;
 
-std::string table(const Json& json) {
+std::string lesson_table(const Json& json) {
   const auto columns = json.at("columns").get<std::vector<std::string>>();
-  std::string headings, rows;
-  for (const std::string& column : columns) headings += heading(column);
+  std::string rows;
   for (const Json& row : json.at("rows")) {
-    std::string cells;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      cells += table_cell(columns[i], row.at(i).get<std::string>());
-    rows += element("tr", cells) + "\n";
+    std::vector<std::string> cells;
+    for (std::size_t i = 0; i < columns.size(); ++i) cells.push_back(row.at(i).get<std::string>());
+    rows += table_row(columns, cells);
   }
-  return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
+  return table(columns, rows);
 }
 
 /// Names with a colon are parts of a page; numbers have none.
@@ -49,24 +45,22 @@ Values values_of(const fs::path& results, const Comparison& comparison, const Js
   Values values;
   for (const auto& [name, value] : lesson.at("numbers").items())
     values[name] = escaped(value.get<std::string>());
-  for (const auto& [name, value] : lesson.at("tables").items()) values["table:" + name] = table(value);
+  for (const auto& [name, value] : lesson.at("tables").items()) values["table:" + name] = lesson_table(value);
   add_parts(results, comparison, values);
   return values;
 }
 
-std::string page(const fs::path& results, const Json& lesson) {
+std::string lesson_page(const fs::path& results, const Json& lesson) {
   const Comparison comparison = read_comparison(results);
+  const std::string title = lesson.at("title").get<std::string>();
   const std::string text = lesson.at("text").get<std::string>();
-  return filled_in(lesson_html,
-                   {{"title", escaped(lesson.at("title").get<std::string>())},
-                    {"number", std::to_string(lesson.at("number").get<int>())},
-                    {"count", std::to_string(lesson.at("count").get<int>())},
-                    {"css", std::string(page_css) + std::string(player_css) + std::string(lesson_css)},
-                    {"js", std::string(page_js)},
-                    {"player_js", std::string(player_js)},
-                    {"text", filled_in(text, values_of(results, comparison, lesson))},
-                    {"command", escaped(comparison.command)},
-                    {"environment", definition_list(comparison.environment)}});
+  return page({title, "lesson",
+               filled_in(lesson_html, {{"title", escaped(title)},
+                                       {"number", std::to_string(lesson.at("number").get<int>())},
+                                       {"count", std::to_string(lesson.at("count").get<int>())},
+                                       {"text", filled_in(text, values_of(results, comparison, lesson))},
+                                       {"command", escaped(comparison.command)},
+                                       {"environment", definition_list(comparison.environment)}})});
 }
 
 }  // namespace
@@ -78,11 +72,9 @@ bool has_lesson(const std::filesystem::path& results) {
 
 void write_lesson(const std::filesystem::path& results) {
   const std::filesystem::path file = results / "lesson.json";
-  std::ifstream in(file);
-  if (!in) throw InputError(file.string() + ": cannot be read");
   std::string text;
   try {
-    text = plots::page(results, nlohmann::ordered_json::parse(in));
+    text = plots::lesson_page(results, plots::read_json(file));
   } catch (const nlohmann::json::exception& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }

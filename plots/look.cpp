@@ -50,11 +50,11 @@ Look look_from(const NamedLook& named) {
 
 }  // namespace
 
-Looks assign_looks(const Comparison& comparison) {
+Looks assign_looks(const std::vector<Run>& runs) {
   Looks looks;
   for (const NamedLook& named : own) looks[std::string(named.solver)] = look_from(named);
   std::size_t next = 0;
-  for (const Run& run : comparison.runs)
+  for (const Run& run : runs)
     if (!looks.contains(solver_name(run))) looks[solver_name(run)] = look_from(spare[next++ % spare.size()]);
   return looks;
 }

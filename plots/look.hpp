@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "plots/results.hpp"
 
@@ -14,12 +15,12 @@ struct Look {
   std::string dash;    ///< gnuplot's dash type
 };
 
-/// A look for each solver of a comparison, by solver_name().
+/// A look for each solver of some runs, by solver_name().
 using Looks = std::map<std::string, Look>;
 
 /// Solvers that have a look of their own keep it in every comparison; others get spare ones in the order of
-/// the file.
-Looks assign_looks(const Comparison& comparison);
+/// the runs.
+Looks assign_looks(const std::vector<Run>& runs);
 
 /// A tint for the band of patterns, pale enough for black letters; repeats after a while.
 std::string pattern_tint(std::size_t index);

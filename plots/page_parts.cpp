@@ -11,6 +11,7 @@
 #include "plots/html.hpp"
 #include "plots/look.hpp"
 #include "plots/player.hpp"
+#include "plots/template.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -36,6 +37,35 @@ std::optional<double> number_in(const std::string& cell) {
 
 }  // namespace
 
+std::string page(const PageParts& parts) {
+  return filled_in(page_html,
+                   {{"title", escaped(parts.title)},
+                    {"kind", parts.kind},
+                    {"css", std::string(page_css) + std::string(player_css) + std::string(lesson_css)},
+                    {"js", std::string(page_js)},
+                    {"player_js", std::string(player_js)},
+                    {"content", parts.content}});
+}
+
+std::string sentence_list(const std::vector<std::string>& sentences) {
+  std::string items;
+  for (const std::string& sentence : sentences) items += element("li", escaped(sentence)) + "\n";
+  return element("ul", items) + "\n";
+}
+
+std::string table(const std::vector<std::string>& columns, const std::string& rows) {
+  std::string headings;
+  for (const std::string& column : columns) headings += heading(column);
+  return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
+}
+
+std::string table_row(const std::vector<std::string>& columns, const std::vector<std::string>& cells,
+                      const std::string& attributes) {
+  std::string row;
+  for (std::size_t i = 0; i < columns.size(); ++i) row += table_cell(columns[i], cells[i]);
+  return element("tr", row, attributes) + "\n";
+}
+
 std::string definition_list(const Facts& facts) {
   std::string items;
   for (const auto& [name, text] : facts)
@@ -57,18 +87,22 @@ std::string heading(std::string column) {
   return element("th", element("button", escaped(column), " type=\"button\""), " scope=\"col\"");
 }
 
+std::string drawn_figure(const fs::path& file, const std::string& prefix, const std::string& label,
+                         const std::string& explanation) {
+  return element("figure",
+                 inline_svg(contents_of(file), prefix, label) + element("figcaption", escaped(explanation)));
+}
+
 std::string figure_part(const fs::path& results, const Comparison& comparison, std::size_t scene,
                         const FigureKind& kind) {
   const ComparedScene& compared = comparison.scenes[scene];
-  const std::string file =
-      contents_of(fs::path(figure_stem(results, compared.name, kind.name)).concat(".svg"));
-  const std::string svg = inline_svg(file, fmt::format("s{}-{}-", scene + 1, kind.name),
-                                     fmt::format("{}: {}", kind.title, compared.title));
-  return element("figure", svg + element("figcaption", escaped(kind.explanation)));
+  return drawn_figure(fs::path(figure_stem(results, compared.name, kind.name)).concat(".svg"),
+                      fmt::format("s{}-{}-", scene + 1, kind.name),
+                      fmt::format("{}: {}", kind.title, compared.title), kind.explanation);
 }
 
 std::string player_part(const Comparison& comparison, std::size_t scene) {
-  return player(comparison, comparison.scenes[scene], assign_looks(comparison), comparison.scenes.size(),
+  return player(comparison, comparison.scenes[scene], assign_looks(comparison.runs), comparison.scenes.size(),
                 fmt::format("player-{}", scene + 1));
 }
 

@@ -16,43 +16,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string sentence_list(const std::vector<std::string>& sentences) {
-  std::string items;
-  for (const std::string& sentence : sentences) items += element("li", escaped(sentence)) + "\n";
-  return element("ul", items) + "\n";
-}
-
-std::string table_row(const Comparison& comparison, const Run& run) {
+std::string run_row(const Comparison& comparison, const Run& run) {
   std::string cells = element("th", escaped(run.cells.front()), " scope=\"row\"");
   for (std::size_t i = 1; i < run.cells.size(); ++i) cells += table_cell(comparison.columns[i], run.cells[i]);
   const std::string kind = run.exact() ? " class=\"exact\"" : run.done() ? "" : " class=\"failed\"";
   return element("tr", cells, kind) + "\n";
 }
 
-std::string table(const Comparison& comparison) {
-  std::string headings, rows;
-  for (const std::string& column : comparison.columns) headings += heading(column);
-  for (const Run& run : comparison.runs) rows += table_row(comparison, run);
-  return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
+std::string runs_table(const Comparison& comparison) {
+  std::string rows;
+  for (const Run& run : comparison.runs) rows += run_row(comparison, run);
+  return table(comparison.columns, rows);
 }
 
 /// What the paper says beside what was computed; nothing where no statements were asked for.
 std::string statements_section(const Comparison& comparison) {
   if (comparison.statements.empty()) return "";
-  std::string headings, rows;
-  for (const char* words : {"Figure", "The paper says", "Verdict", "It holds if", "Computed"})
-    headings += heading(words);
+  const std::vector<std::string> columns{"Figure", "The paper says", "Verdict", "It holds if", "Computed"};
+  std::string rows;
   for (const PaperStatement& statement : comparison.statements)
-    rows += element("tr", element("td", escaped(statement.source)) + element("td", escaped(statement.claim)) +
-                              element("td", escaped(statement.verdict)) +
-                              element("td", escaped(statement.criterion)) +
-                              element("td", escaped(statement.computed))) +
-            "\n";
-  const std::string table =
-      element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
+    rows += table_row(columns, {statement.source, statement.claim, statement.verdict, statement.criterion,
+                                statement.computed});
   return element("section",
                  element("h2", "What the paper says, and what was computed") + "\n" +
-                     element("div", table, " class=\"statements\""),
+                     element("div", table(columns, rows), " class=\"statements\""),
                  " id=\"statements\"");
 }
 
@@ -106,23 +93,20 @@ std::string whole_summary(const Comparison& comparison) {
   return text;
 }
 
-std::string page(const fs::path& results, const Comparison& comparison) {
+std::string content(const fs::path& results, const Comparison& comparison) {
   std::string scenes, parameters;
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) scenes += scene_section(results, comparison, i);
   for (const Run& run : comparison.runs) parameters += parameters_of(run);
-  return filled_in(page_html, {{"title", escaped(comparison.title)},
-                               {"css", std::string(page_css) + std::string(player_css)},
-                               {"js", std::string(page_js)},
-                               {"player_js", std::string(player_js)},
-                               {"contents", contents_list(comparison)},
-                               {"summary", whole_summary(comparison)},
-                               {"statements", statements_section(comparison)},
-                               {"table", table(comparison)},
-                               {"scenes", scenes},
-                               {"parameters", parameters},
-                               {"definitions", definition_list(comparison.definitions)},
-                               {"command", escaped(comparison.command)},
-                               {"environment", definition_list(comparison.environment)}});
+  return filled_in(report_html, {{"title", escaped(comparison.title)},
+                                 {"contents", contents_list(comparison)},
+                                 {"summary", whole_summary(comparison)},
+                                 {"statements", statements_section(comparison)},
+                                 {"table", runs_table(comparison)},
+                                 {"scenes", scenes},
+                                 {"parameters", parameters},
+                                 {"definitions", definition_list(comparison.definitions)},
+                                 {"command", escaped(comparison.command)},
+                                 {"environment", definition_list(comparison.environment)}});
 }
 
 }  // namespace
@@ -131,8 +115,9 @@ std::string page(const fs::path& results, const Comparison& comparison) {
 namespace rockstack {
 
 void write_report(const std::filesystem::path& results) {
-  const std::string text = plots::page(results, plots::read_comparison(results));
-  plots::write_page(results / "report.html", text);
+  const plots::Comparison comparison = plots::read_comparison(results);
+  plots::write_page(results / "report.html",
+                    plots::page({comparison.title, "report", plots::content(results, comparison)}));
 }
 
 }  // namespace rockstack

@@ -4,46 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "analytic/scene/input_error.hpp"
 #include "comparisons/table.hpp"
+#include "plots/json_file.hpp"
 
 namespace rockstack::plots {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json read_json(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw InputError(file.string() + ": cannot be read");
-  try {
-    return Json::parse(in);
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
-}
-
-std::string text_of(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-void flatten(const Json& object, const std::string& prefix, Facts& facts) {
-  for (const auto& [key, value] : object.items()) {
-    if (value.is_object()) {
-      flatten(value, prefix + key + ".", facts);
-    } else {
-      facts.emplace_back(prefix + key, text_of(value));
-    }
-  }
-}
-
-Facts facts_of(const Json& object) {
-  Facts facts;
-  flatten(object, "", facts);
-  return facts;
-}
 
 /// Of files that do not say.
 const std::vector<std::string> all_results{"angles", "impacts", "patterns", "bodies", "histories"};

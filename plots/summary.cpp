@@ -8,20 +8,10 @@
 #include "comparisons/table.hpp"
 #include "plots/events.hpp"
 #include "plots/selection.hpp"
+#include "plots/words.hpp"
 
 namespace rockstack::plots {
 namespace {
-
-std::string counted(std::size_t count, const std::string& one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
-  return text;
-}
 
 /// The engine run of the scene with the smallest `measure`, without those that have none; null if no run has.
 template <class Measure>

@@ -4,16 +4,20 @@
 
 namespace rockstack::plots {
 
-/// The report's page with {{places}} to fill, its style sheet and its script, as in plots/report/.
+// The files of plots/report/, with {{places}} to fill.
+
+/// What all pages share: the frame around their content, style sheet and script.
 extern const std::string_view page_html;
 extern const std::string_view page_css;
 extern const std::string_view page_js;
 
-/// A lesson's page, and what its style sheet has beyond the report's.
+/// The contents of the pages, and what a lesson's style sheet has beyond the others'.
+extern const std::string_view report_html;
+extern const std::string_view impact_laws_html;
 extern const std::string_view lesson_html;
 extern const std::string_view lesson_css;
 
-/// One player, to be filled in likewise, and the style sheet and script of all players on a page.
+/// One player, and the style sheet and script of all players on a page.
 extern const std::string_view player_html;
 extern const std::string_view player_css;
 extern const std::string_view player_js;

@@ -50,7 +50,10 @@ Suite read_input(const std::string& input, const Common& common) {
 
 #ifdef ROCKSTACK_WITH_PLOTS
 void draw(const std::filesystem::path& results) {
-  if (has_impact_laws(results)) return draw_impact_laws(results);
+  if (has_impact_laws(results)) {
+    draw_impact_laws(results);
+    return write_impact_law_report(results);
+  }
   draw_figures(results);
   write_report(results);
 }
@@ -81,7 +84,7 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   const ImpactLawResults results = run_study(study);
   write_results(study, results, out, common.command);
 #ifdef ROCKSTACK_WITH_PLOTS
-  draw_impact_laws(out);
+  draw(out);
 #endif
   print_impact_laws(results, out, common);
   const bool failed = std::any_of(results.cases.begin(), results.cases.end(), [](const AskedCase& asked) {

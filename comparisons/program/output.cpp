@@ -201,6 +201,7 @@ void print_impact_laws(const ImpactLawResults& results, const std::filesystem::p
       "pattern the\nengines show where the laws differ\n");
   for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
   fmt::print("results: {}\n", folder.string());
+  print_report(folder, common);
 }
 
 void print_report(const std::filesystem::path& folder, const Common& common) {

@@ -94,7 +94,7 @@ TEST(Results, EverySolverHasALookOfItsOwn) {
   testing::Sample sample = tuned_and_default();
   sample.engines.push_back({"newton", "dynamics", "tuned", 1e-3});
   testing::write_sample(folder, sample);
-  const Looks looks = assign_looks(read_comparison(folder));
+  const Looks looks = assign_looks(read_comparison(folder).runs);
   std::set<std::tuple<std::string, int, std::string>> seen;
   for (const auto& [solver, look] : looks)
     EXPECT_TRUE(seen.emplace(look.colour, look.mark, look.dash).second) << solver;
