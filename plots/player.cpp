@@ -132,7 +132,7 @@ std::set<std::string> shown_at_first(const std::vector<Run>& runs) {
 }
 
 std::size_t samples_for(std::size_t tracks, int blocks, std::size_t players) {
-  constexpr std::size_t numbers = 400'000, most = 10'000, fewest = 500;  // 400,000 numbers are 2.1 MB
+  constexpr std::size_t numbers = 400'000, most = 20'000, fewest = 500;  // 400,000 numbers are 2.1 MB
   const std::size_t columns =
       tracks * (1 + static_cast<std::size_t>(blocks)) + 1 + 3 * static_cast<std::size_t>(blocks);
   return std::clamp(numbers / (players * columns), fewest, most);
