@@ -79,28 +79,15 @@ std::string ranges(const std::vector<ErrorLine>& lines) {
   }
   constexpr double room = 1.6;
   return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", plain(shortest / room),
-                     plain(longest * room), plain(small / room), plain(large * room));
+                     plain(longest * room), plain(small / room), plain(large * room)) +
+         logarithmic_tics("x", shortest / room, longest * room) +
+         logarithmic_tics("y", small / room, large * room);
 }
 
 std::string floors(const std::vector<ErrorLine>& lines, const Looks& looks) {
   std::string text;
   for (const ErrorLine& line : lines)
     if (line.fits()) text += floor_line(*line.fit, looks.at(solver_name(line.run)).colour);
-  return text;
-}
-
-/// What each fit says, in the corner that falling errors leave free.
-std::string fit_labels(const std::vector<ErrorLine>& lines, const Looks& looks) {
-  std::string text;
-  double height = 0.035;
-  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-    if (line->fit == nullptr) continue;
-    text += fmt::format(
-        "set label {} noenhanced at graph 0.985, graph {} right font ',11' textcolor rgb '{}' front\n",
-        quoted(line->label + ": " + fit_words(*line->fit)), plain(height),
-        looks.at(solver_name(line->run)).colour);
-    height += 0.036;
-  }
   return text;
 }
 
@@ -124,11 +111,13 @@ Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, co
     if (lines[i].fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted(lines[i])));
   }
   sheet.panel(560, 0,
-              "set logscale xy\nset format xy '10^{%T}'\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
+              "set logscale xy\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
               "set xlabel 'time step (s)'\nset ylabel " +
-                  quoted(errors.axis) + " offset 0\n" + ranges(lines) + floors(lines, looks) +
-                  fit_labels(lines, looks),
+                  quoted(errors.axis) + " offset 0\n" + ranges(lines) + floors(lines, looks),
               plots);
+  for (const ErrorLine& line : lines)
+    if (line.fit != nullptr)
+      sheet.words(line.label + ": " + fit_words(*line.fit), looks.at(solver_name(line.run)).colour);
   return sheet.finish();
 }
 

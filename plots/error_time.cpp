@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "comparisons/table.hpp"
 #include "plots/drawings.hpp"
@@ -80,7 +81,8 @@ struct Frame {
   void add(double time) { fast = std::min(fast, time), slow = std::max(slow, time); }
   std::string ranges() const {
     return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", plain(fast), plain(slow), plain(small),
-                       plain(large));
+                       plain(large)) +
+           logarithmic_tics("x", fast, slow) + logarithmic_tics("y", small, large);
   }
   double across(double time) const { return panel_across * std::log(time / fast) / std::log(slow / fast); }
   double up(double error) const { return panel_up * std::log(error / small) / std::log(large / small); }
@@ -113,25 +115,56 @@ bool is_free(const std::vector<Box>& taken, const Box& box) {
          std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); });
 }
 
-/// The words of one mark at the first of four corners that is free, or none: the other runs with its time
-/// step lie beside it.
-std::string label(const Frame& frame, const Cost& cost, const std::string& colour, std::vector<Box>& taken) {
+/// What lines pass through, as boxes beside each other.
+std::vector<Box> line_boxes(const std::vector<CostLine>& lines, const Frame& frame) {
+  constexpr double step = 4, half = 2;
+  std::vector<Box> boxes;
+  for (const CostLine& line : lines)
+    for (std::size_t i = 1; i < line.costs.size(); ++i) {
+      const double x = frame.across(line.costs[i - 1].time), y = frame.up(line.costs[i - 1].error);
+      const double across = frame.across(line.costs[i].time) - x, up = frame.up(line.costs[i].error) - y;
+      const int parts = 1 + static_cast<int>(std::hypot(across, up) / step);
+      for (int part = 0; part <= parts; ++part) {
+        const double at_x = x + across * part / parts, at_y = y + up * part / parts;
+        boxes.push_back({at_x - half, at_x + half, at_y - half, at_y + half});
+      }
+    }
+  return boxes;
+}
+
+/// Where words stand: their box, and on which side of the mark.
+struct Place {
+  Box box;
+  double side;
+};
+
+/// The first of four corners of a mark that is free of all boxes.
+std::optional<Place> free_corner(const Frame& frame, const Cost& cost, const std::vector<Box>& taken,
+                                 const std::vector<Box>& lines) {
   const double width = 9.5 * static_cast<double>(cost.words.size()) + 4;
   const double x = frame.across(cost.time), y = frame.up(cost.error);
-  constexpr double gap = 11, half_height = 8, rise = 9;
+  constexpr double gap = 11, half_height = 8, rise = 12;
   for (const double side : {1.0, -1.0})
     for (const double lift : {rise, -rise}) {
       const double near = x + side * gap, far = near + side * width;
       const Box box{std::min(near, far), std::max(near, far), y + lift - half_height, y + lift + half_height};
-      if (!is_free(taken, box)) continue;
-      taken.push_back(box);
-      return fmt::format("set label '{}' at graph {}, graph {} {} font ',11' textcolor rgb '{}' front\n",
-                         cost.words, plain(near / panel_across), plain((y + lift) / panel_up),
-                         side > 0 ? "left" : "right", colour);
+      if (is_free(taken, box) &&
+          std::none_of(lines.begin(), lines.end(), [&](const Box& other) { return box.meets(other); }))
+        return Place{box, side};
     }
-  return "";
+  return std::nullopt;
 }
 
+std::string label(const Cost& cost, const Place& place, const std::string& colour) {
+  const bool right = place.side > 0;
+  return fmt::format("set label '{}' at graph {}, graph {} {} font ',11' textcolor rgb '{}' front\n",
+                     cost.words, plain((right ? place.box.left : place.box.right) / panel_across),
+                     plain((place.box.low + place.box.high) / 2 / panel_up), right ? "left" : "right",
+                     colour);
+}
+
+/// The time steps beside their marks, clear of lines where there is room, and left out where words or marks
+/// are in the way: the other runs with that step lie beside it.
 std::string labels(const std::vector<CostLine>& lines, const Frame& frame, const Looks& looks) {
   std::vector<Box> taken;
   constexpr double half_mark = 7;
@@ -140,10 +173,16 @@ std::string labels(const std::vector<CostLine>& lines, const Frame& frame, const
       const double x = frame.across(cost.time), y = frame.up(cost.error);
       taken.push_back({x - half_mark, x + half_mark, y - half_mark, y + half_mark});
     }
+  const std::vector<Box> crossed = line_boxes(lines, frame);
   std::string text;
   for (const CostLine& line : lines)
-    for (const Cost& cost : line.costs)
-      text += label(frame, cost, looks.at(solver_name(line.run)).colour, taken);
+    for (const Cost& cost : line.costs) {
+      std::optional<Place> place = free_corner(frame, cost, taken, crossed);
+      if (!place) place = free_corner(frame, cost, taken, {});
+      if (!place) continue;
+      taken.push_back(place->box);
+      text += label(cost, *place, looks.at(solver_name(line.run)).colour);
+    }
   return text;
 }
 
@@ -184,7 +223,7 @@ Drawing error_time(const Comparison& comparison, const ComparedScene& scene, con
   Sheet sheet(scene.title, legend);
   for (std::size_t i = 0; i < lines.size(); ++i) sheet.data(line_data(i, lines[i]));
   sheet.panel(panel_up, 0,
-              "set logscale xy\nset format xy '10^{%T}'\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
+              "set logscale xy\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
               "set xlabel 'stepping time for one second of motion (s)'\n"
               "set ylabel 'RMS angle difference (rad)' offset 0\n" +
                   frame.ranges() + labels(lines, frame, looks) + floors(lines, frame, looks) +

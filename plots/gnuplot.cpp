@@ -59,12 +59,14 @@ std::string script(const Drawing& drawing) {
       "set encoding utf8\n{0}"
       "set terminal pngcairo {1} background '#ffffff' font 'DejaVu Sans,14' enhanced rounded\nmark = 1\n"
       "set output 'picture.png'\n{2}\nunset output\nreset\n"
-      "set terminal svg {1} dynamic background '#ffffff' font 'DejaVu Sans,17' enhanced rounded\nmark = "
+      "set terminal svg {1} dynamic background '#ffffff' font 'DejaVu Sans,14' fontscale 1.25 enhanced "
+      "rounded\nmark = "
       "0.55\n"
       "set output 'picture.svg'\n{2}\nunset output\nreset\n"
-      "set terminal pdfcairo size {3:.2f}in,{4:.2f}in background '#ffffff' font 'DejaVu Sans,10' enhanced "
+      "set terminal pdfcairo size {3:.2f}in,{4:.2f}in background '#ffffff' font 'DejaVu Sans,14' fontscale "
+      "0.57 enhanced "
       "rounded\n"
-      "mark = 0.8\nset output 'picture.pdf'\n{2}\nunset output\n",
+      "mark = 0.62\nset output 'picture.pdf'\n{2}\nunset output\n",
       drawing.data, size, drawing.commands, drawing.width / per_inch, drawing.height / per_inch);
 }
 

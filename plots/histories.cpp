@@ -165,7 +165,7 @@ void add_band(Sheet& sheet, const std::vector<PatternSpan>& spans, double exact_
   sheet.panel(height, gap,
               time_range(end) + time_label +
                   "set yrange [0:1]\nunset ytics\nunset grid\nunset ylabel\n"
-                  "set label 'pattern ' at graph 0, graph 0.5 right font ',12'\n" +
+                  "set label 'pattern ' at graph -0.004, graph 0.5 right font ',12'\n" +
                   pattern_band(spans, exact_end),
               {});
 }

@@ -61,7 +61,8 @@ std::string ranges(const std::vector<Marks>& list) {
     }
   constexpr double room = 1.6;
   return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", plain(left / room), plain(right * room),
-                     plain(least / room), plain(most * room));
+                     plain(least / room), plain(most * room)) +
+         logarithmic_tics("x", left / room, right * room) + logarithmic_tics("y", least / room, most * room);
 }
 
 }  // namespace
@@ -92,7 +93,7 @@ Drawing law_engines(const LawResults& results) {
   sheet.data(data);
   constexpr double height = 640;
   sheet.panel(height, 0,
-              "set logscale xy\nset format xy '10^{%T}'\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
+              "set logscale xy\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
               "set samples 200\nset xlabel 'from law paper, over the largest rate before'\n"
               "set ylabel 'from law consistent'\n" +
                   ranges(list),

@@ -48,6 +48,12 @@ std::string legend_plots(const Legend& legend, double height) {
   return text + "set border\nset tics\nunset key\n";
 }
 
+/// Long titles are set smaller, so that they stay inside the figure.
+int title_size(const std::string& title) {
+  constexpr std::size_t usual = 17, fitting = 88;  // letters across the figure
+  return static_cast<int>(usual * fitting / std::max(title.size(), fitting));
+}
+
 }  // namespace
 
 std::string quoted(const std::string& text) {
@@ -82,17 +88,37 @@ void Sheet::panel(double height, double gap, const std::string& settings,
 }
 
 Drawing Sheet::finish() const {
-  const double height = std::ceil(below_ + axis_height);
+  constexpr double word_row = 22;
+  const double words_top = below_ + axis_height;
+  const double height = std::ceil(words_top + static_cast<double>(words_.size()) * word_row);
   std::string text = fmt::format(
-      "set multiplot\nunset key\nset label 1 {} noenhanced at screen 0.5, screen {} center font ',17'\n",
-      quoted(title_), plain(1 - title_height / 2 / height));
+      "set multiplot\nunset key\nset label 1 {} noenhanced at screen 0.5, screen {} center font ',{}'\n",
+      quoted(title_), plain(1 - title_height / 2 / height), title_size(title_));
   text += legend_plots(legend_, height);
   for (const Panel& panel : panels_) {
     text += fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", left_edge, right_edge,
                         plain(1 - panel.bottom / height), plain(1 - panel.top / height));
+    if (&panel == &panels_.back())
+      for (std::size_t i = 0; i < words_.size(); ++i)
+        text += fmt::format("set label {} noenhanced at screen {}, screen {} left font ',12' tc rgb '{}'\n",
+                            quoted(words_[i].first), left_edge,
+                            plain(1 - (words_top + static_cast<double>(i) * word_row) / height),
+                            words_[i].second);
     text += panel.settings + fmt::format("plot {}\nunset label\nunset arrow\n", panel.plots);
   }
   return {.height = static_cast<int>(height), .data = blocks_, .commands = text + "unset multiplot"};
+}
+
+std::string logarithmic_tics(const std::string& axis, double low, double high) {
+  constexpr double enough = 100;
+  if (high / low >= enough) return fmt::format("set format {} '10^{{%T}}'\n", axis);
+  std::string tics;
+  for (int power = static_cast<int>(std::floor(std::log10(low))); std::pow(10, power) <= high; ++power)
+    for (const int times : {1, 2, 5})
+      tics +=
+          fmt::format("{}'{}10^{{{}}}' {}", tics.empty() ? "" : ", ",
+                      times == 1 ? "" : fmt::format("{}·", times), power, plain(times * std::pow(10, power)));
+  return fmt::format("set {}tics ({})\n", axis, tics);
 }
 
 std::string without_horizontal_labels() {

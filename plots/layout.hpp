@@ -30,9 +30,12 @@ class Sheet {
   /// a line of its own, `plots` the plot command's elements. An empty list of elements draws the bare frame.
   void panel(double height, double gap, const std::string& settings, const std::vector<std::string>& plots);
 
+  /// Adds a line of words in a colour, #rrggbb, under the last panel's axis.
+  void words(const std::string& text, const std::string& colour) { words_.emplace_back(text, colour); }
+
   void data(const std::string& block) { blocks_ += block; }
 
-  /// The drawing with room for the last panel's axis label.
+  /// The drawing with room for the last panel's axis label. Precondition: there is a panel.
   Drawing finish() const;
 
  private:
@@ -45,7 +48,12 @@ class Sheet {
   std::string title_, blocks_;
   Legend legend_;
   std::vector<Panel> panels_;
+  std::vector<std::pair<std::string, std::string>> words_;  ///< with their colours
 };
+
+/// Numbers along a logarithmic axis, "x" or "y": powers of ten, or where there are too few of them 1, 2 and 5
+/// times each.
+std::string logarithmic_tics(const std::string& axis, double low, double high);
 
 /// Settings of a panel whose horizontal axis is labelled in the panel under it.
 std::string without_horizontal_labels();
