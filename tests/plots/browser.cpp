@@ -4,16 +4,12 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
-#include "tests/plots/sample.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace rockstack::testing {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr auto before = R"(<script>
 const complaints = [];
@@ -73,16 +69,16 @@ bool has_browser() {
 }
 
 Answer ask_browser(const std::string& page, const std::string& probe) {
-  const fs::path folder = fs::absolute(fresh_folder());
-  std::ofstream(folder / "page.html") << with_probe(page, probe);
+  const TemporaryFolder scratch;
+  const std::string folder = scratch.path().string();
+  const std::string file = scratch.write("page.html", with_probe(page, probe)).string();
   const std::string dom =
-      output_of("HOME='" + folder.string() + "' timeout 120 chromium --headless --no-sandbox" +
-                " --disable-gpu --user-data-dir='" + (folder / "profile").string() +
-                "' --virtual-time-budget=20000 --window-size=1100,900 --dump-dom 'file://" +
-                (folder / "page.html").string() + "' 2>'" + (folder / "errors").string() + "'");
+      output_of("HOME='" + folder + "' timeout 120 chromium --headless --no-sandbox --disable-gpu" +
+                " --user-data-dir='" + folder + "/profile' --virtual-time-budget=20000" +
+                " --window-size=1100,900 --dump-dom 'file://" + file + "' 2>'" + folder + "/errors'");
   const std::size_t from = dom.find(opening), to = dom.find(closing);
   if (from == std::string::npos || to == std::string::npos)
-    throw std::runtime_error("the browser gave no answer: " + bytes_of(folder / "errors"));
+    throw std::runtime_error("the browser gave no answer: " + output_of("cat '" + folder + "/errors'"));
   const std::size_t begin = from + std::string(opening).size();
   const nlohmann::json answer = nlohmann::json::parse(from_base64(dom.substr(begin, to - begin)));
   return {answer.at("result"), answer.at("complaints")};
