@@ -21,11 +21,12 @@ struct Look {
   const char* colour;
   const char* words;
 };
+/// From light to dark, so that they are told apart in grey and by everyone.
 constexpr std::array<Look, 4> looks{
-    {{"sound", "#2A9D5C", "sound: within all limits"},
-     {"inexact", "#F4D35E", "inexact: physical, but off"},
-     {"unstable", "#D1495B", "unstable: gains energy, or topples what stands"},
-     {"failed", "#404040", "failed: the run did not end well"}}};
+    {{"sound", "#D3EDE0", "sound: within all limits"},
+     {"inexact", "#EDB93A", "inexact: physical, but off"},
+     {"unstable", "#C43C4E", "unstable: gains energy, or topples what stands"},
+     {"failed", "#2F2F2F", "failed: the run did not end well"}}};
 
 /// One square of a map.
 struct Cell {
