@@ -6,7 +6,7 @@
 
 #include "engines/placement.hpp"
 #include "tests/benchmarks/bare_loops.hpp"
-#include "tests/benchmarks/free_rocking.hpp"
+#include "tests/free_rocking.hpp"
 
 namespace rockstack {
 namespace {

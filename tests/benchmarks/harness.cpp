@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "tests/benchmarks/bare_loops.hpp"
-#include "tests/benchmarks/free_rocking.hpp"
 #include "tests/engines/linked_engines.hpp"
+#include "tests/free_rocking.hpp"
 
 namespace rockstack {
 namespace {

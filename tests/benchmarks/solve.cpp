@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "analytic/solve.hpp"
-#include "tests/benchmarks/free_rocking.hpp"
 #include "tests/engines/linked_engines.hpp"
+#include "tests/free_rocking.hpp"
 
 namespace rockstack {
 namespace {

@@ -6,17 +6,10 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/impacts.hpp"
+#include "tests/free_rocking.hpp"
 
 namespace rockstack {
 namespace {
-
-Scene free_rocking() {
-  Scene scene;
-  scene.duration = 3;
-  scene.blocks = {make_block(1.25, 1.25, 2500), make_block(1.0, 2.5, 2500)};
-  scene.initial = {{0.15, 0.15}, {0, 0}};
-  return scene;
-}
 
 Scene one_block() {
   Scene scene;
@@ -58,7 +51,7 @@ TEST(SampledPatterns, EndsOfAHistoryThatLieWithinTheBandAreClosed) {
 
 // Outside the band the solver's own pattern and the one read from its samples are the same.
 TEST(SampledPatterns, OfTheExactSolutionAreItsOwnWhereAllInterfacesAreWideOpen) {
-  const Scene scene = free_rocking();
+  const Scene scene = free_rocking(3);
   const History history = solve(scene, {.sample_times = regular_times(1e-3, scene.duration)});
   const auto patterns = sampled_patterns(scene, history);
   int compared = 0;

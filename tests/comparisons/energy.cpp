@@ -6,20 +6,13 @@
 
 #include "analytic/solve.hpp"
 #include "engines/registry.hpp"
+#include "tests/free_rocking.hpp"
 
 namespace rockstack {
 namespace {
 
-Scene free_rocking() {
-  Scene scene;
-  scene.duration = 3;
-  scene.blocks = {make_block(1.25, 1.25, 2500), make_block(1.0, 2.5, 2500)};
-  scene.initial = {{0.15, 0.15}, {0, 0}};
-  return scene;
-}
-
 TEST(Energy, OfTheExactMotionIsConstantBetweenImpactsAndNeverRises) {
-  const Scene scene = free_rocking();
+  const Scene scene = free_rocking(3);
   const History history = solve(scene, {.sample_times = regular_times(1e-3, scene.duration)});
   const auto energy = energies(scene, history);
   const double rounding = 1e-12 * energy_scale(scene);
@@ -31,7 +24,7 @@ TEST(Energy, OfTheExactMotionIsConstantBetweenImpactsAndNeverRises) {
 }
 
 TEST(Energy, IsZeroAtRestUpright) {
-  Scene scene = free_rocking();
+  Scene scene = free_rocking(3);
   scene.initial.angles = {0, 0};
   scene.duration = 0.1;
   const History history = solve(scene, {.sample_times = {0, 0.1}});
@@ -40,7 +33,7 @@ TEST(Energy, IsZeroAtRestUpright) {
 
 // Both sides count from the same zero: an engine starts with the exact solution's energy.
 TEST(Energy, EnginesStartWithThatOfTheExactSolution) {
-  const Scene scene = free_rocking();
+  const Scene scene = free_rocking(3);
   const History start = solve(scene, {.sample_times = {0}});
   for (const WorkerEngine& engine : engines()) {
     Scene brief = scene;

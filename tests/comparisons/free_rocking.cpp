@@ -11,19 +11,12 @@
 #include "comparisons/contact_patterns.hpp"
 #include "comparisons/impacts.hpp"
 #include "engines/registry.hpp"
+#include "tests/free_rocking.hpp"
 
 namespace rockstack {
 namespace {
 
 constexpr double dt = 1e-5;  ///< s
-
-Scene free_rocking() {
-  Scene scene;
-  scene.duration = 1.25;
-  scene.blocks = {make_block(1.25, 1.25, 2500), make_block(1.0, 2.5, 2500)};
-  scene.initial = {{0.15, 0.15}, {0, 0}};
-  return scene;
-}
 
 /// The sample at which the top block leans most after the first second.
 std::size_t second_peak(const History& history) {
@@ -38,7 +31,7 @@ std::size_t second_peak(const History& history) {
 class FreeRocking : public testing::TestWithParam<const WorkerEngine*> {};
 
 TEST_P(FreeRocking, FollowsTheExactSolutionToTheSecondPeak) {
-  const Scene scene = free_rocking();
+  const Scene scene = free_rocking(1.25);
   const History engine = simulate(*GetParam(), scene, dt, GetParam()->tuned_parameters()).history;
   const History exact = solve(scene, {.sample_times = engine.times});
   const double slowest = chatter_speed(scene);

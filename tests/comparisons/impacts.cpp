@@ -5,20 +5,13 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
+#include "tests/free_rocking.hpp"
 
 namespace rockstack {
 namespace {
 
-Scene free_rocking() {
-  Scene scene;
-  scene.duration = 3;
-  scene.blocks = {make_block(1.25, 1.25, 2500), make_block(1.0, 2.5, 2500)};
-  scene.initial = {{0.15, 0.15}, {0, 0}};
-  return scene;
-}
-
 TEST(Impacts, ObservedInSamplesOfTheExactSolutionAreTheReportedOnes) {
-  const Scene scene = free_rocking();
+  const Scene scene = free_rocking(3);
   const double interval = 1e-4;
   const History history = solve(scene, {.sample_times = regular_times(interval, scene.duration)});
   const double slowest = chatter_speed(scene);

@@ -12,24 +12,16 @@
 #include "comparisons/lessons/wording.hpp"
 #include "comparisons/reactions.hpp"
 #include "comparisons/table.hpp"
+#include "tests/free_rocking.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
 namespace {
 
-/// The paper's two blocks.
-Scene two_blocks() {
-  Scene scene;
-  scene.duration = 2;
-  scene.blocks = {make_block(1.25, 1.25, 2500), make_block(1.0, 2.5, 2500)};
-  scene.initial = {{0.15, 0.15}, {0, 0}};
-  return scene;
-}
-
 constexpr double rounding = 1e-12;  // of a few dozen operations on numbers of like size
 
 TEST(Landing, PutRightIsTheProjectionThatTheSolverMakes) {
-  const Scene scene = two_blocks();
+  const Scene scene = free_rocking(2);
   const Model<double> model = make_model<double>(scene);
   Impact<double> impact{{closed_pattern(2), Vector<double>::Zero(2), Vector<double>::Zero(2)}, {}};
   impact.before.pattern[0] = Contact::right;
@@ -45,7 +37,7 @@ TEST(Landing, PutRightIsTheProjectionThatTheSolverMakes) {
 
 TEST(Landing, AsPrintedItGainsEnergyAndPutRightItLosesSome) {
   // The numbers are those of analytic/paper-audit.md, to its three decimals.
-  const Scene scene = two_blocks();
+  const Scene scene = free_rocking(2);
   EXPECT_NEAR(land(scene, {}).energy, 0.705, 5e-4);
   EXPECT_NEAR(land(scene, {true, true}).energy, 1.359, 5e-4);
   EXPECT_NEAR(land(scene, {.eq137 = true}).base, 1.072, 5e-4);
@@ -54,7 +46,7 @@ TEST(Landing, AsPrintedItGainsEnergyAndPutRightItLosesSome) {
 
 TEST(Landing, TheWeldedBlockRocksAsTheClosedStackDoes) {
   // Their pull and inertia about the corner give the same acceleration.
-  const Scene scene = two_blocks();
+  const Scene scene = free_rocking(2);
   Scene one = scene;
   one.blocks = {welded(scene)};
   State<double> stack{closed_pattern(2), Vector<double>::Zero(2), Vector<double>::Zero(2)};
@@ -67,7 +59,7 @@ TEST(Landing, TheWeldedBlockRocksAsTheClosedStackDoes) {
 }
 
 TEST(ImpactEnergies, BeforeIsAfterPlusThatOfTheJump) {
-  const Scene scene = two_blocks();
+  const Scene scene = free_rocking(2);
   int impacts = 0;
   for (const Event& event : solve(scene).events) {
     if (event.kind != EventKind::impact) continue;
@@ -108,7 +100,7 @@ std::vector<std::vector<double>> reactions_of(const Scene& scene, const History&
 }
 
 TEST(Reactions, TheStackAtRestStandsOnItsWeightInTheMiddle) {
-  Scene scene = two_blocks();
+  Scene scene = free_rocking(2);
   scene.initial = {{0, 0}, {0, 0}};
   const History history = solve(scene, {.sample_times = {0, 1}});
   const auto columns = reactions_of(scene, history, {"normal_1", "normal_2", "tangential_1", "centre_1"});
@@ -123,7 +115,7 @@ TEST(Reactions, TheStackAtRestStandsOnItsWeightInTheMiddle) {
 }
 
 TEST(Reactions, TheCentreOfPressureReachesTheEndWhereTheBlocksPart) {
-  const Scene scene = two_blocks();
+  const Scene scene = free_rocking(2);
   const History events = solve(scene);
   ASSERT_EQ(events.events.front().kind, EventKind::opening);
   const double opening = events.events.front().time;

@@ -6,16 +6,14 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/distributions.hpp"
+#include "tests/free_rocking.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
 namespace {
 
 Scene two_blocks() {
-  Scene scene;
-  scene.duration = 2;
-  scene.blocks = {make_block(1.25, 1.25, 2500), make_block(1.0, 2.5, 2500)};
-  scene.initial = {{0.15, 0.15}, {0, 0}};
+  Scene scene = free_rocking(2);
   scene.horizontal = {0.01, {0, 1, -2, 1}, "made up", true, {}};
   scene.vertical.pulse = Pulse{.shape = PulseShape::sine, .amplitude = 0.5, .period = 0.3};
   return scene;

@@ -8,6 +8,7 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/swings.hpp"
+#include "tests/free_rocking.hpp"
 
 namespace rockstack {
 namespace {
@@ -43,10 +44,7 @@ TEST(Swings, AnglesBetweenSamplesLieOnStraightLines) {
 
 /// The paper's two examples without engines; the second under a strong half-sine in place of a record.
 Evidence evidence() {
-  Scene free;
-  free.duration = 5;
-  free.blocks = {make_block(1.25, 1.25, 2500), make_block(1.0, 2.5, 2500)};
-  free.initial = {{0.15, 0.15}, {0, 0}};
+  const Scene free = free_rocking(5);
   Scene shaken = free;
   shaken.initial = {{0, 0}, {0, 0}};
   shaken.horizontal = {0.5, {0, 7.0, -7.0, 0}, "a zigzag", true};
