@@ -8,6 +8,7 @@
 
 #include "analytic/scene/input_error.hpp"
 #include "plots/gnuplot.hpp"
+#include "plots/layout.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {
@@ -210,6 +211,11 @@ TEST(Figures, GnuplotThatSaysItIsDoneButIsNotLeavesNothing) {
   EXPECT_NE(failure_with(programs.string(), folder / "out" / "picture").find("unfinished"),
             std::string::npos);
   EXPECT_EQ(files_in(folder / "out"), 0u);
+}
+
+TEST(LogarithmicTics, ArePowersOfTenAndWithinTwoDecadesTheirMultiplesToo) {
+  EXPECT_EQ(logarithmic_tics("x", 1e-4, 1e-2), "set format x '10^{%T}'\n");
+  EXPECT_EQ(logarithmic_tics("y", 0.2, 0.9), "set ytics ('10^{-1}' 0.1, '2·10^{-1}' 0.2, '5·10^{-1}' 0.5)\n");
 }
 
 }  // namespace
