@@ -6,9 +6,9 @@
 
 #include "analytic/guards.hpp"
 #include "analytic/impact.hpp"
+#include "analytic/recorder.hpp"
 #include "analytic/rk4.hpp"
 #include "analytic/taylor_step.hpp"
-#include "analytic/validity.hpp"
 
 namespace rockstack {
 
@@ -36,10 +36,10 @@ class Solver {
   /// @throws std::invalid_argument for options out of range.
   Solver(const Scene& scene, const SolveOptions& options)
       : scene_(scene),
-        options_(options),
         model_(make_model<Real, N>(scene)),
         pieces_(scene),
-        steps_(model_, options) {
+        steps_(model_, options),
+        recorder_(model_, options) {
     const int size = model_.stack.size();
     Vector<Real, N> angles = Vector<Real, N>::Zero(size);
     Vector<Real, N> velocities = angles;
@@ -50,7 +50,6 @@ class Solver {
     }
     state_ = {{}, relative(angles), relative(velocities)};
     state_.pattern = pattern_of(state_.angles, state_.velocities);
-    weight_ = model_.gravity * model_.stack.mass.sum();
     rate_ = model_.gravity / (2 * model_.stack.half_height.sum());
     using std::sqrt;
     slack_ = 500 * std::numeric_limits<Real>::epsilon() * rate_;
@@ -58,13 +57,6 @@ class Solver {
     settling_speed_ = 500 * resolution_ * sqrt(rate_);
     slowest_flight_ = 100 * sqrt(resolution_ * rate_);
     brief_ = Real(1e-4) / sqrt(rate_);
-    demand_interval_ = Real(2e-3) / sqrt(rate_);
-    history_.blocks = size;
-    if (options.peaks) history_.peaks.assign(static_cast<std::size_t>(size), Real(0));
-    if (options.validity) {
-      history_.forces.resize(static_cast<std::size_t>(size));
-      history_.impulses.resize(static_cast<std::size_t>(size));
-    }
   }
 
   /// @throws std::runtime_error with the time where no pattern lets the motion go on, or interfaces chatter
@@ -74,8 +66,8 @@ class Solver {
     accelerations(model_, state_, pieces_.current().at(offset_));
     settle(state_.pattern);
     while (!pieces_.finished() && !toppled_) advance();
-    while (!toppled_ && sample_due(Real(scene_.duration))) record_sample(state_);
-    return std::move(history_);
+    if (!toppled_) recorder_.note_rest(state_, Real(scene_.duration));
+    return std::move(recorder_).history();
   }
 
  private:
@@ -90,12 +82,7 @@ class Solver {
     Flow<Real, N> flow = steps_(state_, linkage(), piece, offset_, longest, watched());
     keep_fresh_open(flow);
     const Next<Real> next = first_event(flow, toppling_angles_);
-    for (const auto& [s, kind, interface] : next.grazes) {
-      if (s <= next.s) history_.grazes.push_back({time() + s * flow.length, kind, interface});
-    }
-    record_samples(flow, next.s);
-    if (options_.validity) note_forces(flow, piece, next.s);
-    if (options_.peaks) note_peaks(flow, next.s);
+    recorder_.note_step(flow, piece, offset_, next);
     state_ = flow.at(next.s);
     note_progress(next.s);
     if (flow.length >= remaining && next.s == 1) {
@@ -132,42 +119,6 @@ class Solver {
       if (fresh_.test(static_cast<std::size_t>(k)) && angle.terms > 2 &&
           angle[2] * Real(sign(state_.pattern[k])) < 0)
         angle[2] = 0;
-    }
-  }
-
-  /// The largest angles of a step up to s of its length.
-  void note_peaks(const Flow<Real, N>& flow, const Real& s) {
-    Polynomial<Real> angle;  // absolute
-    for (std::size_t k = 0; k < history_.peaks.size(); ++k) {
-      add(flow.angles[k], angle);
-      using std::abs;
-      if (angle.terms == 0 || abs(angle[0]) + reach(angle) <= history_.peaks[k]) continue;
-      for (const Real& side : {Real(1), Real(-1)}) {
-        Polynomial<Real> part = angle;
-        for (Real& coefficient : part) coefficient *= side;
-        rescale(part, s);
-        history_.peaks[k] = maximum(part, history_.peaks[k]);
-      }
-    }
-  }
-
-  /// The demands of a step up to s of its length. The forces on a stack at rest are as straight as the
-  /// ground's line.
-  void note_forces(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& s) {
-    using std::ceil;
-    const bool straight = is_closed(state_.pattern) && piece.straight();
-    const int points = straight ? 1 : static_cast<int>(ceil(s * flow.length / demand_interval_)) + 1;
-    const bool told = flow.forces[0].normal.terms > 0;
-    const Real rounding = 1024 * std::numeric_limits<Real>::epsilon() * weight_;
-    for (int i = 0; i < points; ++i) {
-      const Real place = Real(i) / Real(points) * s;
-      const Real tau = place * flow.length;
-      if (told) {
-        note_demands(history_.forces, flow, place, rounding, time() + tau);
-      } else {
-        note_demands(history_.forces, accelerate(model_, flow.at(place), piece.at(offset_ + tau)),
-                     time() + tau);
-      }
     }
   }
 
@@ -253,7 +204,7 @@ class Solver {
       outcome = velocities_after(model_, impact, slow);
       settled = true;
     }
-    if (options_.validity) note_demands(history_.impulses, outcome, time());
+    recorder_.note_impact(outcome, time());
     state_.pattern = outcome.pattern;
     state_.velocities = outcome.relative;
     const EventKind kind = !settled                     ? EventKind::impact
@@ -314,43 +265,15 @@ class Solver {
 
   void record_event(EventKind kind, int interface, const Pattern& from, const Vector<Real, N>& before,
                     Consistency consistency) {
-    const auto list = [](const Vector<Real, N>& relative_values) {
-      const Vector<Real, N> values = absolute(relative_values);
-      return std::vector<Real>(values.begin(), values.end());
-    };
     note_burst();
-    history_.events.push_back({time(), kind, interface + 1, from, state_.pattern, list(state_.angles),
-                               list(before), list(state_.velocities), consistency});
-  }
-
-  bool sample_due(const Real& until) const {
-    return next_sample_ < options_.sample_times.size() && Real(options_.sample_times[next_sample_]) <= until;
-  }
-
-  /// Samples of a step up to, and without, s of its length.
-  void record_samples(const Flow<Real, N>& flow, const Real& end) {
-    for (; next_sample_ < options_.sample_times.size();) {
-      const Real sample(options_.sample_times[next_sample_]);
-      const Real s = ((sample - pieces_.current().start) - offset_) / flow.length;
-      if (!(s < end)) return;
-      record_sample(flow.at(std::max(s, Real(0))));
-    }
-  }
-
-  void record_sample(const State<Real, N>& state) {
-    history_.times.push_back(Real(options_.sample_times[next_sample_++]));
-    const Vector<Real, N> angles = absolute(state.angles);
-    const Vector<Real, N> velocities = absolute(state.velocities);
-    history_.angles.insert(history_.angles.end(), angles.begin(), angles.end());
-    history_.velocities.insert(history_.velocities.end(), velocities.begin(), velocities.end());
-    history_.patterns.push_back(state.pattern);
+    recorder_.note_event(time(), kind, interface + 1, from, before, state_, consistency);
   }
 
   const Scene& scene_;
-  const SolveOptions& options_;
   Model<Real, N> model_;
   GroundPieces<Real> pieces_;
   Steps<Real, N> steps_;
+  Recorder<Real, N> recorder_;
   Linkage<Real, N> linkage_;
   Pattern linked_;   ///< the pattern of linkage_
   Real offset_ = 0;  ///< into the current piece, s
@@ -358,21 +281,17 @@ class Solver {
   Interfaces fresh_;  ///< opened at this instant
   Interfaces held_;   ///< opened and closed again at this instant: stay closed for a brief step
   std::array<Real, max_blocks> toppling_angles_{};
-  Real weight_{};           ///< of the stack, N
-  Real rate_{};             ///< g/H, the stack's height H, 1/s²
-  Real slack_{};            ///< relative accelerations below this are rounding, rad/s²
-  Real settling_speed_{};   ///< rad/s
-  Real resolution_{};       ///< rad
-  Real slowest_flight_{};   ///< above this a flight cannot stay below the resolution, rad/s
-  Real brief_{};            ///< s
-  Real demand_interval_{};  ///< s
+  Real rate_{};            ///< g/H, the stack's height H, 1/s²
+  Real slack_{};           ///< relative accelerations below this are rounding, rad/s²
+  Real settling_speed_{};  ///< rad/s
+  Real resolution_{};      ///< rad
+  Real slowest_flight_{};  ///< above this a flight cannot stay below the resolution, rad/s
+  Real brief_{};           ///< s
   int instant_events_ = 0;
   int taken_back_ = 0;    ///< openings in a row
   Real burst_start_ = 0;  ///< s
   int burst_events_ = 0;
   bool toppled_ = false;
-  std::size_t next_sample_ = 0;
-  BasicHistory<Real> history_;
 };
 
 }  // namespace rockstack

@@ -1,0 +1,129 @@
+#pragma once
+
+#include "analytic/ground_pieces.hpp"
+#include "analytic/guards.hpp"
+#include "analytic/solve_options.hpp"
+#include "analytic/validity.hpp"
+
+namespace rockstack {
+
+/// Keeps the history of a motion that goes by step by step: its events, and what the options ask for.
+template <class Real, int N>
+class Recorder {
+ public:
+  /// Keeps references to `model` and `options`.
+  Recorder(const Model<Real, N>& model, const SolveOptions& options) : model_(model), options_(options) {
+    using std::sqrt;
+    const int size = model.stack.size();
+    rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model.gravity * model.stack.mass.sum());
+    demand_interval_ = Real(2e-3) / sqrt(model.gravity / (2 * model.stack.half_height.sum()));
+    history_.blocks = size;
+    if (options.peaks) history_.peaks.assign(static_cast<std::size_t>(size), Real(0));
+    if (options.validity) {
+      history_.forces.resize(static_cast<std::size_t>(size));
+      history_.impulses.resize(static_cast<std::size_t>(size));
+    }
+  }
+
+  /// A step from `offset` into a ground piece up to the event that ends it.
+  void note_step(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& offset,
+                 const Next<Real>& next) {
+    const Real start = piece.start + offset;
+    for (const auto& [s, kind, interface] : next.grazes) {
+      if (s <= next.s) history_.grazes.push_back({start + s * flow.length, kind, interface});
+    }
+    sample(flow, piece, offset, next.s);
+    if (options_.validity) note_forces(flow, piece, offset, next.s);
+    if (options_.peaks) note_peaks(flow, next.s);
+  }
+
+  /// The impulses of an impact.
+  void note_impact(const Outcome<Real, N>& outcome, const Real& time) {
+    if (options_.validity) note_demands(history_.impulses, outcome, time);
+  }
+
+  /// An event from pattern `from` and relative velocities `before` to the state `after`.
+  void note_event(const Real& time, EventKind kind, int interface, const Pattern& from,
+                  const Vector<Real, N>& before, const State<Real, N>& after, Consistency consistency) {
+    const auto list = [](const Vector<Real, N>& relative_values) {
+      const Vector<Real, N> values = absolute(relative_values);
+      return std::vector<Real>(values.begin(), values.end());
+    };
+    history_.events.push_back({time, kind, interface, from, after.pattern, list(after.angles), list(before),
+                               list(after.velocities), consistency});
+  }
+
+  /// The samples that are left up to the end, where the last step has led.
+  void note_rest(const State<Real, N>& state, const Real& end) {
+    while (sample_due() && Real(options_.sample_times[next_sample_]) <= end) record_sample(state);
+  }
+
+  BasicHistory<Real> history() && { return std::move(history_); }
+
+ private:
+  bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
+
+  /// Samples of a step up to, and without, `end` of its length.
+  void sample(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& offset,
+              const Real& end) {
+    while (sample_due()) {
+      const Real s = ((Real(options_.sample_times[next_sample_]) - piece.start) - offset) / flow.length;
+      if (!(s < end)) return;
+      record_sample(flow.at(std::max(s, Real(0))));
+    }
+  }
+
+  void record_sample(const State<Real, N>& state) {
+    history_.times.push_back(Real(options_.sample_times[next_sample_++]));
+    const Vector<Real, N> angles = absolute(state.angles);
+    const Vector<Real, N> velocities = absolute(state.velocities);
+    history_.angles.insert(history_.angles.end(), angles.begin(), angles.end());
+    history_.velocities.insert(history_.velocities.end(), velocities.begin(), velocities.end());
+    history_.patterns.push_back(state.pattern);
+  }
+
+  /// The largest angles of a step up to s of its length.
+  void note_peaks(const Flow<Real, N>& flow, const Real& s) {
+    Polynomial<Real> angle;  // absolute
+    for (std::size_t k = 0; k < history_.peaks.size(); ++k) {
+      add(flow.angles[k], angle);
+      using std::abs;
+      if (angle.terms == 0 || abs(angle[0]) + reach(angle) <= history_.peaks[k]) continue;
+      for (const Real& side : {Real(1), Real(-1)}) {
+        Polynomial<Real> part = angle;
+        for (Real& coefficient : part) coefficient *= side;
+        rescale(part, s);
+        history_.peaks[k] = maximum(part, history_.peaks[k]);
+      }
+    }
+  }
+
+  /// The demands of a step up to s of its length. The forces on a stack at rest are as straight as the
+  /// ground's line.
+  void note_forces(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& offset,
+                   const Real& s) {
+    using std::ceil;
+    const bool straight = is_closed(flow.start.pattern) && piece.straight();
+    const int points = straight ? 1 : static_cast<int>(ceil(s * flow.length / demand_interval_)) + 1;
+    const bool told = flow.forces[0].normal.terms > 0;
+    for (int i = 0; i < points; ++i) {
+      const Real place = Real(i) / Real(points) * s;
+      const Real tau = place * flow.length;
+      const Real time = piece.start + offset + tau;
+      if (told) {
+        note_demands(history_.forces, flow, place, rounding_, time);
+      } else {
+        note_demands(history_.forces, accelerate(model_, flow.at(place), piece.at(offset + tau)), time);
+      }
+    }
+  }
+
+  const Model<Real, N>& model_;
+  const SolveOptions& options_;
+  Real rounding_{};         ///< of forces, N
+  Real demand_interval_{};  ///< s
+  std::size_t next_sample_ = 0;
+  BasicHistory<Real> history_;
+};
+
+}  // namespace rockstack
