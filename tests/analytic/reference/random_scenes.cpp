@@ -60,11 +60,12 @@ const char* explain(const Scene& scene, const History& found, const QuadHistory&
 
 }  // namespace
 
-Scene seeded_scene(std::uint64_t seed) {
+Scene seeded_scene(std::uint64_t seed, Equations equations) {
   Draw draw(seed);
   const int size = 1 + draw.below(4);
   const int motion = draw.below(3);
   Scene scene = random_scene(draw, size, motion == 1);
+  scene.equations = equations;
   if (motion == 2) shake(draw, scene);
   return scene;
 }

@@ -8,7 +8,7 @@
 namespace rockstack::testing {
 
 /// The scene of a seed: one to four random blocks that move, free, under a record or under a pulse.
-Scene seeded_scene(std::uint64_t seed);
+Scene seeded_scene(std::uint64_t seed, Equations equations = Equations::nonlinear);
 
 /// Sums over scenes that were compared with the reference.
 struct Tally {
@@ -27,7 +27,9 @@ struct Tally {
   double amplified = 0;         ///< the largest of these over what roundings of the input make
 
   /// Compares the scene of a seed; a line about it where its events are not those of the reference.
-  std::string add(std::uint64_t seed) { return add(seed, seeded_scene(seed)); }
+  std::string add(std::uint64_t seed, Equations equations = Equations::nonlinear) {
+    return add(seed, seeded_scene(seed, equations));
+  }
   std::string add(std::uint64_t seed, const Scene& scene);
   std::string summary() const;
 };
