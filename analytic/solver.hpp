@@ -42,7 +42,7 @@ class Solver {
         recorder_(model_, options) {
     const int size = model_.stack.size();
     Vector<Real, N> angles = Vector<Real, N>::Zero(size);
-    Vector<Real, N> velocities = angles;
+    Vector<Real, N> velocities = Vector<Real, N>::Zero(size);
     for (int k = 0; k < size; ++k) {
       angles[k] = Real(scene.initial.angles[static_cast<std::size_t>(k)]);
       velocities[k] = Real(scene.initial.velocities[static_cast<std::size_t>(k)]);
