@@ -40,17 +40,15 @@ class Solver {
         pieces_(scene),
         steps_(model_, options),
         recorder_(model_, options) {
-    const int size = model_.stack.size();
-    Vector<Real, N> angles = Vector<Real, N>::Zero(size);
-    Vector<Real, N> velocities = Vector<Real, N>::Zero(size);
-    for (int k = 0; k < size; ++k) {
-      angles[k] = Real(scene.initial.angles[static_cast<std::size_t>(k)]);
-      velocities[k] = Real(scene.initial.velocities[static_cast<std::size_t>(k)]);
-      toppling_angles_[static_cast<std::size_t>(k)] = Real(toppling_angle(scene, k));
-    }
-    state_ = {{}, relative(angles), relative(velocities)};
+    const auto vector = [](const std::vector<double>& values) -> Vector<Real, N> {
+      return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
+          .template cast<Real>();
+    };
+    state_ = {{}, relative(vector(scene.initial.angles)), relative(vector(scene.initial.velocities))};
     state_.pattern = pattern_of(state_.angles, state_.velocities);
     rate_ = model_.gravity / (2 * model_.stack.half_height.sum());
+    for (int k = 0; k < model_.stack.size(); ++k)
+      toppling_angles_[static_cast<std::size_t>(k)] = Real(toppling_angle(scene, k));
     using std::sqrt;
     slack_ = 500 * std::numeric_limits<Real>::epsilon() * rate_;
     resolution_ = options.resolution > 0 ? Real(options.resolution) : std::numeric_limits<Real>::epsilon();
