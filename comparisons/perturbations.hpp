@@ -37,7 +37,7 @@ MotionTally exact_tally(const Scene& scene);
 /// Of an engine's history.
 MotionTally observed_tally(const Scene& scene, const History& history);
 
-/// run,peak_1,…,impacts,toppled: a line an tally, empty cells where a run failed (an tally without
+/// run,peak_1,…,impacts,toppled: a line a tally, empty cells where a run failed (a tally without
 /// peaks).
 std::string tallies_csv(const std::vector<MotionTally>& tallies, int blocks);
 
