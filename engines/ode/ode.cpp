@@ -3,13 +3,14 @@
 // The same in both sets, as the question asks for it: each body in a planar joint, no auto-disable, no
 // damping, no bounce. realign = 1 puts velocities and rotations back into the plane after every step, which
 // the planar joint leaves to the user; its time counts. maxContacts = 8 is what dCollide may return for a
-// pair (a box gives 4). contactApprox1 = 1 makes the scene's friction a coefficient; without it ODE takes the
-// number as a force limit. ODE reports errors through handlers: an error throws from the call; a message (the
-// solver's "s <= 0": it goes on with a step half solved) is counted as a warning, and the run goes on as it
-// does for a user, who sees it printed. Which stacks bring it about follows no plain rule. In
-// columns of 2 to 8 equal blocks that stand for 0.2 s, upright or turned by 1e-9 rad, at steps of 1e-2 to
-// 1e-4 s and in both sets: blocks of 0.5 m × 1.2 m, at most once; of 1 m × 0.6 m, up to 29 times; of 1 m × 1
-// m, from two on, never to at every step. In rocking columns of eight: in 9 steps of 30000 at most.
+// pair (a box gives 4). contactApprox1 = 1 makes the scene's friction a coefficient; with 0 the limit is a
+// force, that coefficient times the stack's weight. ODE reports errors through handlers: an error throws from
+// the call; a message (the solver's "s <= 0": it goes on with a step half solved) is counted as a warning,
+// and the run goes on as it does for a user, who sees it printed. Which stacks bring it about follows no
+// plain rule. In columns of 2 to 8 equal blocks that stand for 0.2 s, upright or turned by 1e-9 rad, at steps
+// of 1e-2 to 1e-4 s and in both sets: blocks of 0.5 m × 1.2 m, at most once; of 1 m × 0.6 m, up to 29 times;
+// of 1 m × 1 m, from two on, never to at every step. In rocking columns of eight: in 9 steps of 30000 at
+// most.
 //
 // Measured: Spanos et al. 2001's free rocking (both blocks released at 0.15 rad). "impact" is the first
 // ground impact's error against the event-driven 0.60565 s in steps, "peak" the error of the second peak of

@@ -117,10 +117,14 @@ class OdeSimulation : public Simulation {
     dRandSetSeed(static_cast<unsigned long>(parameters.at("randomSeed")));
   }
 
+  /// With contactApprox1 ODE's friction is a coefficient; without it a force, here that of the whole weight.
   void set_surface(const Parameters& parameters) {
+    const bool coefficient = parameters.at("contactApprox1") != 0;
+    double weight = 0;
+    for (const Placement& placement : place(scene_)) weight += placement.mass * scene_.gravity;
     for (dContact& contact : contacts_) {
-      contact.surface.mu = scene_.engine.friction;
-      if (parameters.at("contactApprox1") != 0) contact.surface.mode |= dContactApprox1;
+      contact.surface.mu = scene_.engine.friction * (coefficient ? 1 : weight);
+      if (coefficient) contact.surface.mode |= dContactApprox1;
       if (parameters.at("bounce") != 0) contact.surface.mode |= dContactBounce;
       contact.surface.bounce = parameters.at("bounce");
       contact.surface.bounce_vel = parameters.at("bounce_vel");
