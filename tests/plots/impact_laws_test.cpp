@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "analytic/scene/input_error.hpp"
-#include "plots/impact_law_summary.hpp"
+#include "plots/impact_laws/summary.hpp"
 #include "tests/plots/browser.hpp"
 #include "tests/plots/sample.hpp"
 

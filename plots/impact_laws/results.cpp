@@ -1,4 +1,4 @@
-#include "plots/impact_law_results.hpp"
+#include "plots/impact_laws/results.hpp"
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
-#include "plots/impact_law_summary.hpp"
+#include "plots/impact_laws/summary.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
 
-#include "plots/impact_law_counts.hpp"
+#include "plots/impact_laws/counts.hpp"
 #include "plots/selection.hpp"
 #include "plots/words.hpp"
 

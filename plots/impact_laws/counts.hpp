@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "plots/impact_law_results.hpp"
+#include "plots/impact_laws/results.hpp"
 
 namespace rockstack::plots {
 

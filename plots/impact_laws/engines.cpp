@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "plots/impact_law_drawings.hpp"
+#include "plots/impact_laws/drawings.hpp"
 #include "plots/layout.hpp"
 #include "plots/look.hpp"
 #include "plots/selection.hpp"

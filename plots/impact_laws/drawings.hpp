@@ -1,7 +1,7 @@
 #pragma once
 
 #include "plots/gnuplot.hpp"
-#include "plots/impact_law_results.hpp"
+#include "plots/impact_laws/results.hpp"
 
 namespace rockstack::plots {
 

@@ -1,4 +1,4 @@
-#include "plots/impact_law_counts.hpp"
+#include "plots/impact_laws/counts.hpp"
 
 #include <fmt/core.h>
 

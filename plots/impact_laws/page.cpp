@@ -6,10 +6,10 @@
 #include <sstream>
 
 #include "plots/html.hpp"
-#include "plots/impact_law_counts.hpp"
-#include "plots/impact_law_results.hpp"
-#include "plots/impact_law_summary.hpp"
 #include "plots/impact_laws.hpp"
+#include "plots/impact_laws/counts.hpp"
+#include "plots/impact_laws/results.hpp"
+#include "plots/impact_laws/summary.hpp"
 #include "plots/page_parts.hpp"
 #include "plots/selection.hpp"
 #include "plots/template.hpp"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "plots/gnuplot.hpp"
-#include "plots/impact_law_drawings.hpp"
-#include "plots/impact_law_results.hpp"
+#include "plots/impact_laws/drawings.hpp"
+#include "plots/impact_laws/results.hpp"
 #include "plots/layout.hpp"
 
 namespace rockstack {
