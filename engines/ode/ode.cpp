@@ -58,12 +58,12 @@
 // randomSeed makes runs repeatable.
 //
 // Friction: dWorldStep takes the limits of contactApprox1 from normal forces that it finds without friction.
-// After an impact that pushes blocks sideways these are too small, whatever the coefficient: the two blocks of
-// the test ode_friction_test.cpp slip by 0.53 mm within 12 ms at any step, and under an earthquake histories
-// part there (spanos-synthetic: after 2.3 s, RMS 1.3e-3 rad over 3 s at 1e-4 s). With contactApprox1 = 0 the
-// limits are constant forces: no slip, 1.5e-5 rad. Free rocking at 1e-5 s: 2.5e-4 rad with, 8.6e-6 without.
-// QuickStep takes limits from the sweep under way and does not slip. Both sets keep contactApprox1 = 1, for scenes
-// whose blocks are meant to slip; those that are not do better with 0.
+// After an impact that pushes blocks sideways these are too small, whatever the coefficient: the two blocks
+// of the test ode_friction_test.cpp slip by 0.53 mm within 12 ms at any step, and under an earthquake
+// histories part there (spanos-synthetic: after 2.3 s, RMS 1.3e-3 rad over 3 s at 1e-4 s). With
+// contactApprox1 = 0 the limits are constant forces: no slip, 1.5e-5 rad. Free rocking at 1e-5 s: 2.5e-4 rad
+// with, 8.6e-6 without. QuickStep takes limits from the sweep under way and does not slip. Both sets keep
+// contactApprox1 = 1, for scenes whose blocks are meant to slip; those that are not do better with 0.
 
 #include "engines/ode/ode.hpp"
 
