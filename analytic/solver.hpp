@@ -273,22 +273,22 @@ class Solver {
   Steps<Real, N> steps_;
   Recorder<Real, N> recorder_;
   Linkage<Real, N> linkage_;
-  Pattern linked_;   ///< the pattern of linkage_
-  Real offset_ = 0;  ///< into the current piece, s
   State<Real, N> state_;
-  Interfaces fresh_;  ///< opened at this instant
-  Interfaces held_;   ///< opened and closed again at this instant: stay closed for a brief step
   std::array<Real, max_blocks> toppling_angles_{};
+  Real offset_ = 0;        ///< into the current piece, s
   Real rate_{};            ///< g/H, the stack's height H, 1/s²
   Real slack_{};           ///< relative accelerations below this are rounding, rad/s²
   Real settling_speed_{};  ///< rad/s
   Real resolution_{};      ///< rad
   Real slowest_flight_{};  ///< above this a flight cannot stay below the resolution, rad/s
   Real brief_{};           ///< s
+  Real burst_start_ = 0;   ///< s
+  Interfaces fresh_;       ///< opened at this instant
+  Interfaces held_;        ///< opened and closed again at this instant: stay closed for a brief step
   int instant_events_ = 0;
-  int taken_back_ = 0;    ///< openings in a row
-  Real burst_start_ = 0;  ///< s
+  int taken_back_ = 0;  ///< openings in a row
   int burst_events_ = 0;
+  Pattern linked_;  ///< the pattern of linkage_
   bool toppled_ = false;
 };
 
