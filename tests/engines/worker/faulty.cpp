@@ -55,7 +55,7 @@ class Faulty : public Engine {
 };
 
 [[noreturn]] void loop(double&) {
-  for (volatile int turn = 0;;) turn = turn + 1;
+  for (volatile unsigned turn = 0;;) turn = turn + 1;
 }
 
 void abort_with_words(double&) {
