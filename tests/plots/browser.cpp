@@ -11,7 +11,10 @@
 namespace rockstack::testing {
 namespace {
 
+/// The browser's time is virtual and runs ahead of its drawing: on a busy machine it can be over before a
+/// frame comes. A timer of the same time gives the frames.
 constexpr auto before = R"(<script>
+requestAnimationFrame = (call) => setTimeout(() => call(performance.now()), 16);
 const complaints = [];
 addEventListener("error", (event) => complaints.push(String(event.message)));
 addEventListener("unhandledrejection", (event) => complaints.push(String(event.reason)));
