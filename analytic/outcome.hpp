@@ -66,13 +66,60 @@ std::optional<Violation> first_violation(const Stack<Real, N>& stack, const Outc
   return std::nullopt;
 }
 
+/// Principal pivoting: changes what violates, lowest interface first or all at once, until nothing does.
+/// Leaves in `pattern` where the attempts ended. An interface that opens because its centre of pressure is
+/// outside moves apart, as the mass matrix is positive; where it moves into itself though nothing else has
+/// changed, both are rounding, and it stays open.
+template <class Real, int N, class Evaluate>
+std::optional<Outcome<Real, N>> pivot(const Stack<Real, N>& stack, Pattern& pattern,
+                                      const Interfaces& touching, const Real& slack, bool at_once,
+                                      int attempts, const Evaluate& evaluate) {
+  int opened = -1;  // by the last change
+  while (attempts-- > 0) {
+    const Outcome<Real, N> outcome = evaluate(pattern);
+    Interfaces others = touching;
+    auto violation = first_violation(stack, outcome, others, slack);
+    if (violation && violation->interface == opened) {
+      others.reset(static_cast<std::size_t>(opened));
+      violation = first_violation(stack, outcome, others, slack);
+    }
+    if (!violation) return outcome;
+    opened = violation->mend == Contact::closed || at_once ? -1 : violation->interface;
+    do {
+      pattern[violation->interface] = violation->mend;
+      others.reset(static_cast<std::size_t>(violation->interface));
+      if (at_once) violation = first_violation(stack, outcome, others, slack);
+    } while (at_once && violation);
+  }
+  return std::nullopt;
+}
+
+/// The first pattern without violations of all in which the touching interfaces pivot either way or stay
+/// closed.
+template <class Real, int N, class Evaluate>
+std::optional<Outcome<Real, N>> try_all(const Stack<Real, N>& stack, Pattern pattern,
+                                        const Interfaces& touching, const Real& slack,
+                                        const Evaluate& evaluate) {
+  for (int k = 0; k < pattern.size;) {
+    const Outcome<Real, N> outcome = evaluate(pattern);
+    if (!first_violation(stack, outcome, touching, slack)) return outcome;
+    // Counts on: closed, right, left, and then the next interface.
+    for (k = 0; k < pattern.size; ++k) {
+      if (!touching.test(static_cast<std::size_t>(k))) continue;
+      pattern[k] = pattern[k] == Contact::closed  ? Contact::right
+                   : pattern[k] == Contact::right ? Contact::left
+                                                  : Contact::closed;
+      if (pattern[k] != Contact::closed) break;
+    }
+  }
+  return std::nullopt;
+}
+
 /// Finds a pattern without violations among those in which the touching interfaces may pivot either way or
-/// stay closed, by principal pivoting from all closed, lowest interface first. In long stacks that may take a
-/// number of changes that doubles with every interface; where it takes many, all interfaces change at once.
-/// `evaluate` maps a pattern to its outcome. Nothing is found where blocks would have to lift off. An
-/// interface that opens because its centre of pressure is outside moves apart, as the mass matrix is
-/// positive; where it moves into itself though nothing else has changed, both are rounding, and it stays
-/// open.
+/// stay closed, by principal pivoting from all closed. One interface at a time, two changes each are usual,
+/// but in long stacks their number may double with every interface; there all at once are quicker, but may go
+/// in circles. Of up to six touching interfaces all patterns are tried at last. `evaluate` maps a pattern to
+/// its outcome. Nothing is found where blocks would have to lift off.
 template <class Real, int N, class Evaluate>
 std::optional<Outcome<Real, N>> find_admissible(const Stack<Real, N>& stack, Pattern pattern,
                                                 const Interfaces& touching, const Real& slack,
@@ -80,30 +127,13 @@ std::optional<Outcome<Real, N>> find_admissible(const Stack<Real, N>& stack, Pat
   for (int k = 0; k < pattern.size; ++k) {
     if (touching.test(static_cast<std::size_t>(k))) pattern[k] = Contact::closed;
   }
-  const int many = 16 * pattern.size;  // two changes an interface are usual
-  int opened = -1;                     // by the last change
-  for (int attempt = 0; attempt < 2 * many; ++attempt) {
-    const Outcome<Real, N> outcome = evaluate(pattern);
-    auto violation = first_violation(stack, outcome, touching, slack);
-    if (violation && violation->interface == opened) {
-      Interfaces others = touching;
-      others.reset(static_cast<std::size_t>(opened));
-      violation = first_violation(stack, outcome, others, slack);
-    }
-    if (!violation) return outcome;
-    if (attempt >= many) {
-      Interfaces others = touching;
-      for (; violation; violation = first_violation(stack, outcome, others, slack)) {
-        pattern[violation->interface] = violation->mend;
-        others.reset(static_cast<std::size_t>(violation->interface));
-      }
-      opened = -1;
-    } else {
-      opened = violation->mend == Contact::closed ? -1 : violation->interface;
-      pattern[violation->interface] = violation->mend;
-    }
-  }
-  return std::nullopt;
+  const Pattern closed = pattern;
+  const int few = 4 * pattern.size;
+  auto found = pivot(stack, pattern, touching, slack, false, few, evaluate);
+  if (!found) found = pivot(stack, pattern, touching, slack, true, few, evaluate);
+  if (!found) found = pivot(stack, pattern, touching, slack, false, 4 * few, evaluate);
+  if (!found && touching.count() <= 6) found = try_all(stack, closed, touching, slack, evaluate);
+  return found;
 }
 
 /// True where no interface is pulled at.
