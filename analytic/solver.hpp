@@ -6,6 +6,7 @@
 
 #include "analytic/guards.hpp"
 #include "analytic/impact.hpp"
+#include "analytic/progress.hpp"
 #include "analytic/recorder.hpp"
 #include "analytic/rk4.hpp"
 #include "analytic/taylor_step.hpp"
@@ -29,9 +30,6 @@ namespace rockstack {
 template <class Real, int N = Eigen::Dynamic, template <class, int> class Steps = TaylorSteps>
 class Solver {
  public:
-  /// The most events within a thousandth of √(H/g).
-  static constexpr int most_in_burst = 10000;
-
   /// Keeps references to `scene` and `options`.
   /// @throws std::invalid_argument for options out of range.
   Solver(const Scene& scene, const SolveOptions& options)
@@ -39,7 +37,8 @@ class Solver {
         model_(make_model<Real, N>(scene)),
         pieces_(scene),
         steps_(model_, options),
-        recorder_(model_, options) {
+        recorder_(model_, options),
+        progress_(model_) {
     const auto vector = [](const std::vector<double>& values) -> Vector<Real, N> {
       return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
           .template cast<Real>();
@@ -57,22 +56,24 @@ class Solver {
     brief_ = Real(1e-4) / sqrt(rate_);
   }
 
-  /// @throws std::runtime_error with the time where no pattern lets the motion go on, or interfaces chatter
-  /// inside each other's chatter without an end in sight; IllConditioned for masses or sizes too far apart
-  /// for the number type.
+  /// @throws std::runtime_error with the time where no pattern lets the motion go on, or events do not come
+  /// to an end (progress.hpp); IllConditioned for masses or sizes too far apart for the number type.
   BasicHistory<Real> run() {
-    accelerations(model_, state_, pieces_.current().at(offset_));
-    settle(state_.pattern);
-    while (!pieces_.finished() && !toppled_) advance();
+    start();
+    while (!finished()) advance();
     if (!toppled_) recorder_.note_rest(state_, Real(scene_.duration));
     return std::move(recorder_).history();
   }
 
- private:
+  /// What run() does, step by step: start() once, then advance() until finished(). @throws as run().
+  void start() {
+    accelerations(model_, state_, pieces_.current().at(offset_));
+    settle(state_.pattern);
+  }
+  bool finished() const { return pieces_.finished() || toppled_; }
   Real time() const { return pieces_.current().start + offset_; }
 
   void advance() {
-    using std::ceil;
     const GroundPiece<Real>& piece = pieces_.current();
     const Real remaining = piece.length - offset_;
     if (!(remaining > 0)) return next_piece();
@@ -82,7 +83,11 @@ class Solver {
     const Next<Real> next = first_event(flow, toppling_angles_);
     recorder_.note_step(flow, piece, offset_, next);
     state_ = flow.at(next.s);
-    note_progress(next.s);
+    progress_.note_step(next, time());
+    if (next.s > 0) {
+      fresh_.reset();
+      if (!progress_.undecided()) held_.reset();
+    }
     if (flow.length >= remaining && next.s == 1) {
       next_piece();
     } else {
@@ -125,30 +130,6 @@ class Solver {
     offset_ = 0;
   }
 
-  /// Events without time between them must come to an end.
-  void note_progress(const Real& s) {
-    if (s > 0) {
-      instant_events_ = 0;
-      held_.reset();
-      fresh_.reset();
-    } else if (++instant_events_ > 16 * (model_.stack.size() + 1)) {
-      no_way_on();
-    }
-  }
-
-  /// A burst of events that nobody can wait for.
-  void note_burst() {
-    if (time() - burst_start_ > 10 * brief_) {
-      burst_start_ = time();
-      burst_events_ = 0;
-    }
-    if (++burst_events_ <= most_in_burst) return;
-    throw std::runtime_error(std::to_string(most_in_burst) + " events within " +
-                             std::to_string(static_cast<double>(10 * brief_)) +
-                             " s after t = " + std::to_string(static_cast<double>(burst_start_)) +
-                             " s: interfaces chatter inside each other's chatter, and no end is in sight");
-  }
-
   [[noreturn]] void no_way_on() const {
     throw std::runtime_error(
         "no pattern lets the motion go on at t = " + std::to_string(static_cast<double>(time())) +
@@ -164,15 +145,14 @@ class Solver {
       held_ |= next.closing & fresh_;
       collide(next.closing);
       settle(state_.pattern);
+    } else if (progress_.undecided()) {
+      held_ |= next.opening;
     } else {
       for (int k = 0; k < from.size; ++k) {
         if (next.opening.test(static_cast<std::size_t>(k))) state_.pattern[k] = next.opened[k];
       }
       fresh_ |= next.opening;
       settle(from);
-      // Rounding may take an opening back, and find it again at once; but not for ever.
-      taken_back_ = state_.pattern == from ? taken_back_ + 1 : 0;
-      if (taken_back_ > 100) held_ |= next.opening;
     }
   }
 
@@ -237,6 +217,7 @@ class Solver {
       if (state_.velocities[k] != 0) touching.reset(static_cast<std::size_t>(k));
       if (state_.pattern[k] == Contact::closed) touching.set(static_cast<std::size_t>(k));
     }
+    if (progress_.undecided()) touching &= ~held_;
     const Point<Real> ground = pieces_.current().at(offset_);
     const auto evaluate = [&](const Pattern& pattern) {
       return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, ground);
@@ -245,7 +226,7 @@ class Solver {
       const auto found = find_admissible(model_.stack, state_.pattern, touching, slack_, evaluate);
       if (!found) no_way_on();
       // To rounding, closed may do as well; but an opening taken back would be found again at once.
-      if (instant_events_ == 0 || !(found->pattern == from)) state_.pattern = found->pattern;
+      if (!progress_.at_instant() || !(found->pattern == from)) state_.pattern = found->pattern;
     }
     Interfaces changed;
     for (int k = 0; k < from.size; ++k)
@@ -263,7 +244,7 @@ class Solver {
 
   void record_event(EventKind kind, int interface, const Pattern& from, const Vector<Real, N>& before,
                     Consistency consistency) {
-    note_burst();
+    progress_.note_event(time());
     recorder_.note_event(time(), kind, interface + 1, from, before, state_, consistency);
   }
 
@@ -272,6 +253,7 @@ class Solver {
   GroundPieces<Real> pieces_;
   Steps<Real, N> steps_;
   Recorder<Real, N> recorder_;
+  Progress<Real> progress_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;
   std::array<Real, max_blocks> toppling_angles_{};
@@ -282,13 +264,9 @@ class Solver {
   Real resolution_{};      ///< rad
   Real slowest_flight_{};  ///< above this a flight cannot stay below the resolution, rad/s
   Real brief_{};           ///< s
-  Real burst_start_ = 0;   ///< s
   Interfaces fresh_;       ///< opened at this instant
-  Interfaces held_;        ///< opened and closed again at this instant: stay closed for a brief step
-  int instant_events_ = 0;
-  int taken_back_ = 0;  ///< openings in a row
-  int burst_events_ = 0;
-  Pattern linked_;  ///< the pattern of linkage_
+  Interfaces held_;  ///< opened and closed again at this instant, or undecided: stay closed for a brief step
+  Pattern linked_;   ///< the pattern of linkage_
   bool toppled_ = false;
 };
 

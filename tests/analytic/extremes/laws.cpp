@@ -92,6 +92,10 @@ std::string broken(const Scene& scene, const History& history) {
   return {};
 }
 
+Quad least_share(const Model<Quad>& model, const Event& event) {
+  return std::min(least_share(model, event.from, event.angles), least_share(model, event.to, event.angles));
+}
+
 }  // namespace
 
 Breaches breaches(const Scene& scene, const History& history) {
@@ -112,9 +116,7 @@ Breaches breaches(const Scene& scene, const History& history) {
     const Event& event = history.events[i];
     const Energies before = energies(model, event.from, event.angles, event.before);
     const Energies after = energies(model, event.to, event.angles, event.after);
-    const Quad share =
-        std::min(least_share(model, event.from, event.angles), least_share(model, event.to, event.angles));
-    const Quad rounding = std::numeric_limits<double>::epsilon() / share;
+    const Quad rounding = std::numeric_limits<double>::epsilon() / least_share(model, event);
     const Quad gain = after.kinetic - before.kinetic;
     if (gain > 0)
       found.impact_gain = std::max(found.impact_gain,
@@ -127,6 +129,21 @@ Breaches breaches(const Scene& scene, const History& history) {
     flying = true;
   }
   return found;
+}
+
+double weight_of_rounding(const Scene& scene, const History& history) {
+  double height = 0;
+  double radius = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    height += 2 * scene.blocks[k].half_height;
+    radius = std::min(
+        radius, std::hypot(interface_half_width(scene, static_cast<int>(k)), scene.blocks[k].half_height));
+  }
+  const auto model = make_model<Quad>(scene);
+  Quad share = 1;
+  for (const Event& event : history.events) share = std::min(share, least_share(model, event));
+  const double digits = share < least_pivot<double> ? std::ldexp(1.0, -11) : 1.0;
+  return height / radius / static_cast<double>(share) * digits;
 }
 
 }  // namespace rockstack::testing

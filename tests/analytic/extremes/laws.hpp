@@ -21,4 +21,11 @@ struct Breaches {
 /// the history holds.
 Breaches breaches(const Scene& scene, const History& history);
 
+/// By how much a rounding in the solver's operations may weigh more than one of the scene's own numbers. The
+/// momentum of a block about its own pivot, m r × the velocity that what is below it has at height H, is
+/// rounded; so the rotation that comes out of it is off by H/r roundings of that velocity over H, and by as
+/// many more as elimination leaves little of an entry of the mass matrix. Roundings of long double, where the
+/// solver takes to it, are 2⁻¹¹ of those.
+double weight_of_rounding(const Scene& scene, const History& history);
+
 }  // namespace rockstack::testing

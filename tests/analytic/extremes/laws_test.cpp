@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "analytic/rounded.hpp"
 #include "analytic/solve.hpp"
+#include "analytic/solver.hpp"
 #include "tests/analytic/extremes/laws.hpp"
 #include "tests/analytic/extremes/scenes.hpp"
 #include "tests/analytic/reference/agreement.hpp"
@@ -87,6 +89,67 @@ TEST(Extremes, ChatterInsideChatterWithoutAnEndIsSaidToBe) {
   } catch (const std::runtime_error& failure) {
     EXPECT_NE(std::string(failure.what()).find("chatter inside each other"), std::string::npos)
         << failure.what();
+  }
+}
+
+/// The time to which a number of steps brings a scene, s.
+double reached(const Scene& scene, int steps) {
+  const SolveOptions options;
+  Solver<double> solver(scene, options);
+  solver.start();
+  while (!solver.finished() && steps-- > 0) solver.advance();
+  return solver.time();
+}
+
+// At the instant at which the ground falls as fast as blocks do, all reactions vanish together: rounding
+// finds openings, takes them back, and finds others, with no time between them. Both scenes rest on a ground
+// whose record passes −g there, and need 752 and 10134 steps for all of their motion.
+TEST(Extremes, AStackWithoutWeightForAnInstantGetsOn) {
+  const Scene rests = extreme_scene(33281);
+  EXPECT_GT(peak(rests.vertical), rests.gravity);
+  EXPECT_GE(reached(rests, 3000), rests.duration * (1 - 1e-12));
+  const Scene topples = extreme_scene(80430);
+  EXPECT_GT(peak(topples.vertical), topples.gravity);
+  EXPECT_GT(reached(topples, 30000), 0.2);
+}
+
+// Heavy blocks on light ones that make way are in free fall, whatever the ground does: their reactions are
+// a few roundings, which open and close interfaces at one instant.
+TEST(Extremes, BlocksInFreeFallOnLightOnesGetOn) {
+  Scene scene = extreme_scene(1567);
+  scene.duration = 0.01;  // s, beyond the second such instant
+  EXPECT_FALSE(solve(scene).events.empty());
+}
+
+// With reactions that pull elsewhere, changing one interface at a time may go in circles, and so may changing
+// all of them.
+TEST(Extremes, APatternIsFoundWherePivotingGoesInCircles) {
+  EXPECT_FALSE(solve(extreme_scene(9644)).events.empty());
+}
+
+/// How far an event of a history is from that of the reference at most, in shares of the sizes so far.
+double largest_deviation(const testing::Agreement& agreement) {
+  double largest = 0;
+  for (const testing::Deviation& deviation : agreement.events) largest = std::max(largest, deviation.state);
+  return largest;
+}
+
+// Of unequal blocks, events in double may be off by 10⁴ times and more what 16 roundings of the scene's own
+// numbers make of them at 113 bits. So that is not the scene's doing, but that of roundings of operations:
+// those of long double, 2⁻¹¹ of double's, bring it down by as much, give or take their luck of a decade.
+TEST(Extremes, WhatUnequalBlocksAddIsRoundingOfOperations) {
+  for (const std::uint64_t seed : {121U, 922U}) {
+    const Scene scene = extreme_scene(seed);
+    const testing::QuadHistory expected = testing::reference(scene);
+    const History history = solve(scene);
+    const SolveOptions options{.resolution = std::numeric_limits<double>::epsilon()};
+    const History longer = rounded(Solver<long double>(scene, options).run());
+    const double by_double = largest_deviation(testing::compare(history, expected));
+    const double by_long_double = largest_deviation(testing::compare(longer, expected));
+    const double by_input = largest_deviation(testing::response_to_rounding(scene, expected, 16, 8));
+    EXPECT_GT(by_double, 1e4 * by_input) << seed;
+    EXPECT_LT(by_long_double, by_double / 200) << seed;
+    EXPECT_LT(by_double, 16 * by_input * testing::weight_of_rounding(scene, history)) << seed;
   }
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "analytic/outcome.hpp"
 #include "tests/analytic/solver/stacks.hpp"
 
 namespace rockstack {
@@ -50,6 +51,35 @@ TEST(Opening, TheThresholdItselfHidesNoLaterOpening) {
       EXPECT_TRUE(found) << testing::listing(history);
     }
   }
+}
+
+// Seven touching interfaces have 3⁷ patterns. Of those that push everywhere there is one at most
+// (impact.hpp); where the ground falls away faster than blocks do, others that pull may do.
+TEST(Opening, APatternIsFoundWhereverThereIsOne) {
+  constexpr int size = 7;
+  int pushing = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    testing::Draw draw(seed);
+    const Scene scene = testing::random_scene(draw, size, false);
+    const auto model = make_model<double>(scene);
+    const double g = scene.gravity;
+    const Point<double> ground{draw.between(-1.5, 1.5) * g, draw.between(-1.3, 0.5) * g};
+    const Vector<double> still = Vector<double>::Zero(size);
+    const auto evaluate = [&](const Pattern& pattern) {
+      return accelerate(model, State<double>{pattern, still, still}, ground);
+    };
+    Interfaces touching;
+    for (std::size_t k = 0; k < size; ++k) touching.set(k);
+    const Pattern closed = closed_pattern(size);
+    const double slack = 500 * std::numeric_limits<double>::epsilon();
+    const auto found = find_admissible(model.stack, closed, touching, slack, evaluate);
+    const auto first = try_all(model.stack, closed, touching, slack, evaluate);
+    ASSERT_EQ(found.has_value(), first.has_value()) << seed;
+    if (!found || !pushes(*found) || !pushes(*first)) continue;
+    EXPECT_TRUE(found->pattern == first->pattern) << seed;
+    ++pushing;
+  }
+  EXPECT_GT(pushing, 20);
 }
 
 }  // namespace
