@@ -1,7 +1,8 @@
-// Solves seeded scenes from all over the range of what can be asked: extremes [COUNT [FIRST]]. Each scene
-// goes through the laws that no motion may leave; each in a process that may end without taking this one
-// along. Prints a line for each scene that broke a law, did not end or could not go on, and a summary; fails
-// where a law was broken or a scene did not end.
+// Solves seeded scenes from all over the range of what can be asked: extremes [COUNT [FIRST [reference]]].
+// Each scene goes through the laws that no motion may leave; each in a process that may end without taking
+// this one along. A scene that takes longer than half a minute is long where its motion gets on all the same:
+// of that, the first part goes through the laws. Prints a line for each scene that broke a law, is long, got
+// stuck or could not go on, and a summary; fails where a law was broken or a scene got stuck.
 
 #include <sys/mman.h>
 #include <sys/time.h>
@@ -10,8 +11,10 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 #include "analytic/solve.hpp"
+#include "analytic/solver.hpp"
 #include "tests/analytic/extremes/laws.hpp"
 #include "tests/analytic/extremes/scenes.hpp"
 #include "tests/analytic/reference/random_scenes.hpp"
@@ -21,16 +24,20 @@ namespace {
 using namespace rockstack;
 using namespace rockstack::testing;
 
-constexpr long patience = 30;  // for one scene, s of processor time
-constexpr double few = 1000;   // roundings
+constexpr long patience = 30;   // for one scene, s of processor time
+constexpr double few = 1000;    // roundings
+constexpr double several = 16;  // operations in a row
 
 /// What the processes share.
 struct Shared {
   std::uint64_t seed = 0;
-  std::size_t events = 0, broken = 0, diagnosed = 0, unfinished = 0;
+  std::size_t events = 0, broken = 0, diagnosed = 0, lengthy = 0, stuck = 0;
   double impact_gain = 0, flight_drift = 0;
   std::size_t compared = 0, parted = 0, at_resolution = 0, by_input = 0, by_arithmetic = 0;
-  double amplified = 0;
+  double amplified = 0, weighed = 0;
+  double halfway = 0, reached = 0;  ///< of a long scene, in half of the patience and in all of it, s
+  std::size_t steps = 0;            ///< in that time
+  bool moves = false;               ///< in the second half too
 };
 
 void note(Shared& shared, const Scene& scene) {
@@ -48,10 +55,12 @@ void note(Shared& shared, const Scene& scene) {
 
 constexpr std::size_t most_compared = 150;  // events, at 113 bits
 
-/// Compares one scene with the reference. Where events differ, or differ by more than a few times what
-/// roundings of the scene's own numbers make, a law is broken.
+/// Compares one scene with the reference. Where events differ that roundings do not part, or differ by more
+/// than what roundings of the scene's own numbers make times what those of operations weigh more, a law is
+/// broken.
 void compare_one(Shared& shared, const Scene& scene) {
-  if (solve(scene).events.size() > most_compared) return;
+  const History history = solve(scene);
+  if (history.events.size() > most_compared) return;
   Tally tally;
   const std::string words = tally.add(shared.seed, scene);
   ++shared.compared;
@@ -61,25 +70,101 @@ void compare_one(Shared& shared, const Scene& scene) {
   shared.by_arithmetic += tally.sensitive_arithmetic;
   shared.events += tally.events;
   shared.amplified = std::max(shared.amplified, tally.amplified);
+  const double weighed = tally.amplified / weight_of_rounding(scene, history);
+  shared.weighed = std::max(shared.weighed, weighed);
   if (!words.empty()) std::printf("%s; %s\n", words.c_str(), features(scene).c_str());
-  shared.broken += tally.unexplained;
+  if (weighed > several)
+    std::printf("%llu off by %g times what roundings make; %s\n",
+                static_cast<unsigned long long>(shared.seed), weighed, features(scene).c_str());
+  shared.broken += tally.unexplained > 0 || weighed > several;
+}
+
+/// Ends this process after `seconds` of processor time.
+void limit_time(long seconds) {
+  const itimerval limit{{0, 0}, {seconds, 0}};
+  setitimer(ITIMER_PROF, &limit, nullptr);
+}
+
+template <class Work>
+void attempt(Shared& shared, const Scene& scene, const Work& work) {
+  try {
+    work();
+  } catch (const std::exception& failure) {
+    ++shared.diagnosed;
+    std::printf("%llu diagnosed: %s; %s\n", static_cast<unsigned long long>(shared.seed), failure.what(),
+                features(scene).c_str());
+  }
+  std::fflush(stdout);
 }
 
 /// Solves from the shared seed on, up to `end`.
 void solve_until(std::uint64_t end, bool reference, Shared& shared) {
   for (; shared.seed < end; ++shared.seed) {
-    const itimerval limit{{0, 0}, {patience, 0}};
-    setitimer(ITIMER_PROF, &limit, nullptr);
+    limit_time(patience);
     const Scene scene = extreme_scene(shared.seed);
-    try {
-      reference ? compare_one(shared, scene) : note(shared, scene);
-    } catch (const std::exception& failure) {
-      ++shared.diagnosed;
-      std::printf("%llu diagnosed: %s; %s\n", static_cast<unsigned long long>(shared.seed), failure.what(),
-                  features(scene).c_str());
-    }
-    std::fflush(stdout);
+    attempt(shared, scene, [&] { reference ? compare_one(shared, scene) : note(shared, scene); });
   }
+}
+
+/// How far the solver gets while patience lasts.
+template <class Real>
+void walk(Shared& shared, const Scene& scene) {
+  const std::clock_t start = std::clock();
+  const SolveOptions options;
+  Solver<Real> solver(scene, options);
+  solver.start();
+  for (shared.steps = 0; !solver.finished(); ++shared.steps) {
+    solver.advance();
+    shared.reached = static_cast<double>(solver.time());
+    const std::clock_t spent = std::clock() - start;
+    if (spent < patience * CLOCKS_PER_SEC / 2) shared.halfway = shared.reached;
+    if (spent > patience * CLOCKS_PER_SEC) break;
+  }
+  shared.moves = solver.finished() || shared.reached > shared.halfway;
+}
+
+void walk_in_either_precision(Shared& shared, const Scene& scene) {
+  try {
+    walk<double>(shared, scene);
+  } catch (const IllConditioned&) {
+    walk<long double>(shared, scene);
+  }
+}
+
+/// Does something in a process of its own; false where that is ended.
+template <class Work>
+bool apart(const Work& work) {
+  if (fork() == 0) {
+    work();
+    std::fflush(stdout);
+    _exit(0);
+  }
+  int status = 0;
+  wait(&status);
+  return status == 0;
+}
+
+/// Tells whether the motion of a scene that took too long gets on.
+void look_closer(Shared& shared) {
+  Scene scene = extreme_scene(shared.seed);
+  const std::size_t diagnosed = shared.diagnosed;
+  shared.moves = false;
+  apart([&] {
+    limit_time(3 * patience);
+    attempt(shared, scene, [&] { walk_in_either_precision(shared, scene); });
+  });
+  if (shared.diagnosed > diagnosed) return;
+  ++(shared.moves ? shared.lengthy : shared.stuck);
+  std::printf("%llu %s: %g s in %ld s of processor time, %g s in half of that, %zu steps; %s\n",
+              static_cast<unsigned long long>(shared.seed), shared.moves ? "long" : "stuck", shared.reached,
+              patience, shared.halfway, shared.steps, features(scene).c_str());
+  std::fflush(stdout);
+  if (!shared.moves) return;
+  scene.duration = shared.halfway;
+  apart([&] {
+    limit_time(2 * patience);
+    attempt(shared, scene, [&] { note(shared, scene); });
+  });
 }
 
 }  // namespace
@@ -92,32 +177,27 @@ int main(int arguments, char** values) {
   if (memory == MAP_FAILED) return 1;
   Shared& shared = *new (memory) Shared{.seed = first};
   while (shared.seed < first + count) {
-    const pid_t child = fork();
-    if (child == 0) {
-      solve_until(first + count, reference, shared);
-      _exit(0);
+    if (apart([&] { solve_until(first + count, reference, shared); })) break;
+    if (reference) {
+      ++shared.lengthy;
+      std::printf("%llu long at 113 bits\n", static_cast<unsigned long long>(shared.seed));
+      std::fflush(stdout);
+    } else {
+      look_closer(shared);
     }
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (status == 0) break;
-    ++shared.unfinished;
-    std::printf("%llu did not end: signal %d; %s\n", static_cast<unsigned long long>(shared.seed),
-                WTERMSIG(status), features(extreme_scene(shared.seed)).c_str());
-    std::fflush(stdout);
     ++shared.seed;
   }
   std::printf(
-      "%llu scenes, %zu events; %zu broke a law, %zu did not end, %zu have a diagnosis; largest gain of an "
-      "impact %g, largest drift of a flight %g\n",
-      static_cast<unsigned long long>(count), shared.events, shared.broken, shared.unfinished,
+      "%llu scenes, %zu events; %zu broke a law, %zu got stuck, %zu are long, %zu have a diagnosis; largest "
+      "gain of an impact %g, largest drift of a flight %g\n",
+      static_cast<unsigned long long>(count), shared.events, shared.broken, shared.stuck, shared.lengthy,
       shared.diagnosed, shared.impact_gain, shared.flight_drift);
   if (reference)
     std::printf(
         "%zu compared with 113 bits, %zu part from them: %zu at the resolution of chatter, %zu as they do by "
         "roundings of the input, %zu by roundings of operations; off by at most %g times what 16 roundings "
-        "of "
-        "the input make\n",
+        "of the input make, and by %g times that with the weight of operations\n",
         shared.compared, shared.parted, shared.at_resolution, shared.by_input, shared.by_arithmetic,
-        shared.amplified);
-  return shared.broken + shared.unfinished == 0 ? 0 : 1;
+        shared.amplified, shared.weighed);
+  return shared.broken + shared.stuck == 0 ? 0 : 1;
 }
