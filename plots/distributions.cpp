@@ -61,8 +61,7 @@ Curve shares(const std::vector<double>& values, const Span& span) {
 std::string style(const Run& run, const Looks& looks) {
   if (run.exact()) return "with steps lw 4 lc rgb '#000000'";
   const Look& look = looks.at(solver_name(run));
-  return fmt::format("with steps lw 2 lc rgb '{}' dt {}", look.colour,
-                     run.settings == "default" ? "(1,6)" : look.dash);
+  return fmt::format("with steps lw 2 lc rgb '{}' dt {}", look.colour, dash_of(run.settings, look.dash));
 }
 
 /// The distances of one quantity as a line above its panel.
@@ -76,7 +75,9 @@ std::string distance_line(const Comparison& comparison, const std::vector<Sample
         words = fmt::format("D, above {:.2f} once in twenty times by chance: ", one.critical);
       else
         words += ", ";
-      words += fmt::format("{} {:.2f}", solver_name(sample.run), one.distance);
+      const std::string& settings = sample.run.settings;
+      words += fmt::format("{}{} {:.2f}", solver_name(sample.run),
+                           settings.substr(std::min(settings.find('+'), settings.size())), one.distance);
     }
   return words.empty()
              ? ""

@@ -64,7 +64,9 @@ Curve fitted(const ErrorLine& line) {
 }
 
 std::string mark(const ErrorLine& line, const Looks& looks) {
-  return mark_style(looks.at(solver_name(line.run)), line.run.settings != "default", 1.5);
+  const Look& look = looks.at(solver_name(line.run));
+  return fmt::format("with points lw 2 lc rgb '{}' pt {} ps 1.5*mark", look.colour,
+                     mark_of(look, line.run.settings));
 }
 
 /// Half a decade of room around all marks.
@@ -102,7 +104,7 @@ Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, co
     legend.emplace_back(mark(lines[i], looks), lines[i].label);
     if (lines[i].fits())
       plots.push_back(fmt::format("$fitted_{} using 1:2 with lines lw 2 lc rgb '{}' dt {} notitle", i,
-                                  look.colour, lines[i].run.settings == "default" ? "(1,6)" : "solid"));
+                                  look.colour, dash_of(lines[i].run.settings, "solid")));
     plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark(lines[i], looks)));
   }
   Sheet sheet(scene.title, legend);

@@ -17,7 +17,7 @@ struct NamedLook {
   std::string_view dash;
 };
 
-constexpr int square = 4, circle = 6, triangle = 8, triangle_down = 10, diamond = 12, pentagon = 14;
+constexpr int star = 3, square = 4, circle = 6, triangle = 8, triangle_down = 10, diamond = 12, pentagon = 14;
 
 // The colours of Okabe and Ito (2008), told apart by people with any form of colour blindness.
 // Gaps are wide because the line's round ends reach into them.
@@ -74,6 +74,16 @@ std::string floor_line(const Fit& fit, const std::string& colour) {
       "set arrow from graph 0, first {0:.8g} to graph 1, first {0:.8g} nohead lw 1.5 dt {1} lc rgb '{2}' "
       "back\n",
       fit.gap, fit.gap_low > 0 ? "(8,8)" : "(1,9)", colour);
+}
+
+int mark_of(const Look& look, const std::string& settings) {
+  if (settings == "default") return look.mark;
+  return settings.find('+') == std::string::npos ? look.mark + 1 : star;
+}
+
+std::string dash_of(const std::string& settings, const std::string& whole) {
+  if (settings == "default") return "(1,6)";
+  return settings.find('+') == std::string::npos ? whole : "(10,7)";
 }
 
 std::string mark_style(const Look& look, bool filled, double size) {

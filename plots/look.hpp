@@ -32,6 +32,14 @@ std::string curve_style(const Look& look, std::size_t order);
 /// do not, empty where it is none.
 std::string floor_line(const Fit& fit, const std::string& colour);
 
+/// gnuplot's point type for a solver with some settings: open for its defaults, filled for a set of its own,
+/// a star where single parameters differ from their set.
+int mark_of(const Look& look, const std::string& settings);
+
+/// The dash type of a line for some settings: dots for defaults, dashes where single parameters differ from
+/// their set, else `whole`.
+std::string dash_of(const std::string& settings, const std::string& whole);
+
 /// "with points …", filled or open.
 std::string mark_style(const Look& look, bool filled, double size);
 

@@ -4,11 +4,13 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <set>
 #include <stdexcept>
 
 #include "analytic/scene/input_error.hpp"
 #include "plots/gnuplot.hpp"
 #include "plots/layout.hpp"
+#include "plots/look.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {
@@ -216,6 +218,19 @@ TEST(Figures, GnuplotThatSaysItIsDoneButIsNotLeavesNothing) {
 TEST(LogarithmicTics, ArePowersOfTenAndWithinTwoDecadesTheirMultiplesToo) {
   EXPECT_EQ(logarithmic_tics("x", 1e-4, 1e-2), "set format x '10^{%T}'\n");
   EXPECT_EQ(logarithmic_tics("y", 0.2, 0.9), "set ytics ('10^{-1}' 0.1, '2·10^{-1}' 0.2, '5·10^{-1}' 0.5)\n");
+}
+
+TEST(Look, DefaultsASetAndOneWithAChangedParameterAreToldApart) {
+  for (const auto& [solver, look] : assign_looks({})) {
+    std::set<int> marks;
+    std::set<std::string> dashes;
+    for (const std::string settings : {"default", "tuned", "tuned+contactApprox1=0"}) {
+      marks.insert(mark_of(look, settings));
+      dashes.insert(dash_of(settings, "solid"));
+    }
+    EXPECT_EQ(marks.size(), 3u) << solver;
+    EXPECT_EQ(dashes.size(), 3u) << solver;
+  }
 }
 
 }  // namespace
