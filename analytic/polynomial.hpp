@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 
 namespace rockstack {
 
@@ -128,26 +129,36 @@ Halves<Real> halve(Polynomial<Real> coefficients) {
   return halves;
 }
 
-/// The largest of `least` and all values on [0, 1], to rounding: the hull of a piece tells whether it may
-/// hold more.
+/// Where a polynomial is highest on [0, 1], and how high.
 template <class Real>
-Real maximum(const Polynomial<Real>& polynomial, Real least) {
-  struct Search {
-    Real& best;
+struct Summit {
+  Real s;
+  Real height;
+};
 
-    void operator()(const Polynomial<Real>& coefficients) const {
-      best = std::max({best, coefficients[0], coefficients[coefficients.terms - 1]});
-      const Real highest = *std::max_element(coefficients.begin(), coefficients.end());
-      using std::abs;
-      if (highest <= best + 4 * std::numeric_limits<Real>::epsilon() * abs(best)) return;
+/// The summit to within `slack`, > 0; nothing where the polynomial stays at or below `least`. The hull of a
+/// piece tells whether it may hold more.
+template <class Real>
+std::optional<Summit<Real>> summit(const Polynomial<Real>& polynomial, const Real& least, const Real& slack) {
+  struct Search {
+    Summit<Real> best;
+    Real slack;
+
+    void operator()(const Polynomial<Real>& coefficients, const Real& low, const Real& width) {
+      if (coefficients[0] > best.height) best = {low, coefficients[0]};
+      const Real last = coefficients[coefficients.terms - 1];
+      if (last > best.height) best = {low + width, last};
+      if (*std::max_element(coefficients.begin(), coefficients.end()) <= best.height + slack) return;
       const auto halves = halve(coefficients);
-      (*this)(halves.left);
-      (*this)(halves.right);
+      (*this)(halves.left, low, width / 2);
+      (*this)(halves.right, low + width / 2, width / 2);
     }
   };
-  if (polynomial.terms == 0 || polynomial[0] + reach(polynomial) <= least) return least;
-  Search{least}(bernstein(polynomial));
-  return least;
+  if (polynomial.terms == 0 || polynomial[0] + reach(polynomial) <= least) return std::nullopt;
+  Search search{{0, least}, slack};
+  search(bernstein(polynomial), Real(0), Real(1));
+  if (!(search.best.height > least)) return std::nullopt;
+  return search.best;
 }
 
 }  // namespace rockstack

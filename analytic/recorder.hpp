@@ -13,10 +13,8 @@ class Recorder {
  public:
   /// Keeps references to `model` and `options`.
   Recorder(const Model<Real, N>& model, const SolveOptions& options) : model_(model), options_(options) {
-    using std::sqrt;
     const int size = model.stack.size();
     rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model.gravity * model.stack.mass.sum());
-    demand_interval_ = Real(2e-3) / sqrt(model.gravity / (2 * model.stack.half_height.sum()));
     history_.blocks = size;
     if (options.peaks) history_.peaks.assign(static_cast<std::size_t>(size), Real(0));
     if (options.validity) {
@@ -93,35 +91,25 @@ class Recorder {
         Polynomial<Real> part = angle;
         for (Real& coefficient : part) coefficient *= side;
         rescale(part, s);
-        history_.peaks[k] = maximum(part, history_.peaks[k]);
+        const Real slack = 4 * std::numeric_limits<Real>::epsilon() * (abs(part[0]) + reach(part));
+        if (const auto top = summit(part, history_.peaks[k], slack)) history_.peaks[k] = top->height;
       }
     }
   }
 
-  /// The demands of a step up to s of its length. The forces on a stack at rest are as straight as the
-  /// ground's line.
+  /// The demands of a step up to s of its length; at its start alone where the integrator tells no forces.
   void note_forces(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& offset,
                    const Real& s) {
-    using std::ceil;
-    const bool straight = is_closed(flow.start.pattern) && piece.straight();
-    const int points = straight ? 1 : static_cast<int>(ceil(s * flow.length / demand_interval_)) + 1;
-    const bool told = flow.forces[0].normal.terms > 0;
-    for (int i = 0; i < points; ++i) {
-      const Real place = Real(i) / Real(points) * s;
-      const Real tau = place * flow.length;
-      const Real time = piece.start + offset + tau;
-      if (told) {
-        note_demands(history_.forces, flow, place, rounding_, time);
-      } else {
-        note_demands(history_.forces, accelerate(model_, flow.at(place), piece.at(offset + tau)), time);
-      }
-    }
+    const Real start = piece.start + offset;
+    if (flow.forces[0].normal.terms == 0)
+      return note_demands(history_.forces, accelerate(model_, flow.start, piece.at(offset)), start);
+    for (std::size_t k = 0; k < history_.forces.size(); ++k)
+      note_demand_along(history_.forces[k], flow.forces[k], s, rounding_, start, flow.length);
   }
 
   const Model<Real, N>& model_;
   const SolveOptions& options_;
-  Real rounding_{};         ///< of forces, N
-  Real demand_interval_{};  ///< s
+  Real rounding_{};  ///< of forces, N
   std::size_t next_sample_ = 0;
   BasicHistory<Real> history_;
 };

@@ -16,7 +16,7 @@ struct SolveOptions {
   std::vector<double> sample_times =
       {};  ///< when to sample the motion, s, ascending from ≥ 0; none: events alone
   bool validity =
-      false;  ///< whether to keep the demands on each interface, taken 500 times in √(H/g), H the height
+      false;  ///< whether to keep the demands on each interface, along whole steps; of rk4 at their starts
   bool peaks = false;     ///< whether to keep the largest angle of each block
   double resolution = 0;  ///< rad, ≥ 0: chatter ends where a flight would stay below it; 0: the rounding of 1
   double tolerance = 0;  ///< of taylor: the share of the velocity that a step may leave out, ≥ 0; 0: rounding

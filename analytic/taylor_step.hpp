@@ -112,6 +112,7 @@ class TaylorSteps {
     Real moment = 0;  // of the masses above an interface, about its height, kg·m
     for (std::size_t k = linkage.size(); k-- > 0;) {
       moment += linkage.moment_y[k];
+      if (forces_) stand_on(linkage.mass[k], pull, flow.length, flow.forces[k]);
       if (!watched.test(k)) continue;
       const Real push = linkage.mass[k] * model_.stack.half_width[static_cast<int>(k)];
       MarginCourses<Real>& margin = flow.margins[k];
@@ -122,6 +123,17 @@ class TaylorSteps {
         margin.right[n] = upright + lean;
         margin.left[n] = upright - lean;
       }
+    }
+  }
+
+  /// What an interface carries of a mass that is at rest above it.
+  static void stand_on(const Real& mass, const Pull<Real>& pull, const Real& length,
+                       ForceCourses<Real>& force) {
+    const Real scale = -mass / (length * length);
+    force.normal.terms = force.tangential.terms = std::max(pull.x.terms, pull.y.terms);
+    for (std::size_t n = 0; n < force.normal.terms; ++n) {
+      force.normal[n] = n < pull.y.terms ? pull.y[n] * scale : Real(0);
+      force.tangential[n] = n < pull.x.terms ? pull.x[n] * scale : Real(0);
     }
   }
 

@@ -38,13 +38,35 @@ void note_demands(std::vector<BasicDemand<Real>>& demands, const Outcome<Real, N
   }
 }
 
-/// Takes the forces at s into a step into account.
-template <class Real, int N>
-void note_demands(std::vector<BasicDemand<Real>>& demands, const Flow<Real, N>& flow, const Real& s,
-                  const Real& rounding, const Real& time) {
-  for (std::size_t k = 0; k < demands.size(); ++k)
-    note_demand(demands[k], value(flow.forces[k].normal, s), value(flow.forces[k].tangential, s), rounding,
-                time);
+/// The greatest demands along a step up to `end` of its length, to rounding: where the normal force is least,
+/// and where ±T/N is largest. The latter is the ratio μ at which the summit of ±T − μN comes down to zero
+/// (Dinkelbach 1967, Management Science 13, 492–498). Mostly the coefficients tell that a step holds no more
+/// than was known. `start` and `length` are those of the step, s.
+template <class Real>
+void note_demand_along(BasicDemand<Real>& demand, ForceCourses<Real> force, const Real& end,
+                       const Real& rounding, const Real& start, const Real& length) {
+  rescale(force.normal, end);
+  rescale(force.tangential, end);
+  const auto note_at = [&](const Real& s) {
+    note_demand(demand, value(force.normal, s), value(force.tangential, s), rounding,
+                start + s * end * length);
+  };
+  const auto combined = [&](const Real& normal, const Real& tangential) {
+    Polynomial<Real> sum;
+    sum.terms = force.normal.terms;
+    for (std::size_t n = 0; n < sum.terms; ++n)
+      sum[n] = normal * force.normal[n] + tangential * force.tangential[n];
+    return sum;
+  };
+  if (const auto lowest = summit<Real>(combined(-1, 0), rounding - demand.least_normal, rounding))
+    note_at(lowest->s);
+  for (const Real& side : {Real(1), Real(-1)}) {
+    for (Real before = -1; demand.friction > before && demand.friction <= std::numeric_limits<Real>::max();) {
+      before = demand.friction;
+      const Real negligible = rounding * (1 + before);
+      if (const auto worst = summit<Real>(combined(-before, side), negligible, negligible)) note_at(worst->s);
+    }
+  }
 }
 
 }  // namespace rockstack

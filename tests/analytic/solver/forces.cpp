@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "analytic/taylor_step.hpp"
+#include "analytic/validity.hpp"
 #include "tests/analytic/solver/stacks.hpp"
 
 namespace rockstack {
@@ -21,7 +24,6 @@ TEST(Forces, AlongAStepAreThoseThatTheAccelerationsCallFor) {
     scene.equations = draw.below(3) == 0 ? Equations::linear : Equations::nonlinear;
     const auto model = make_model<double>(scene);
     const auto state = testing::random_state<double>(draw, size);
-    if (is_closed(state.pattern)) continue;
     const GroundPiece<double> piece{0,
                                     0.01,
                                     {0.01, draw.between(-20, 20), draw.between(-900, 900)},
@@ -37,6 +39,43 @@ TEST(Forces, AlongAStepAreThoseThatTheAccelerationsCallFor) {
         ASSERT_NEAR(value(force.normal, s), expected.normal[k], scale) << name(state.pattern) << " at " << s;
         ASSERT_NEAR(value(force.tangential, s), expected.tangential[k], scale);
       }
+    }
+  }
+}
+
+// A demand is met somewhere in the step, and nowhere in a scan of it is there a greater one. Rounding of
+// forces is set at 1e-12 of the weight; a ratio with a normal force of 1e-3 of it is known to 2e-9 of itself.
+TEST(Forces, DemandsAlongAStepAreTheGreatestOfAScanAndAreMet) {
+  Draw draw(32);
+  const SolveOptions options{.validity = true};
+  for (int i = 0; i < 2000; ++i) {
+    const int size = 1 + draw.below(3);
+    const Scene scene = testing::random_stack(draw, size);
+    const auto model = make_model<double>(scene);
+    const auto state = testing::random_state<double>(draw, size);
+    const GroundPiece<double> piece{0,
+                                    0.1,
+                                    {0.1, draw.between(-8, 8), draw.between(-90, 90)},
+                                    {0.1, draw.between(-4, 4), draw.between(-30, 30)}};
+    TaylorSteps<double, Eigen::Dynamic> steps(model, options);
+    const auto flow = steps(state, make_linkage(model.stack, state.pattern), piece, 0, 0.1, {});
+    const double weight = model.gravity * model.stack.mass.sum();
+    const double end = draw.between(0.1, 1);
+    for (const ForceCourses<double>& force : flow.forces) {
+      if (force.normal.terms == 0) continue;
+      Demand found, scanned;
+      note_demand_along(found, force, end, 1e-12 * weight, 0.0, flow.length);
+      for (int j = 0; j <= 500; ++j) {
+        const double s = end * j / 500;
+        note_demand(scanned, value(force.normal, s), value(force.tangential, s), 1e-12 * weight, s);
+      }
+      EXPECT_LE(found.least_normal, scanned.least_normal + 3e-12 * weight);
+      const auto normal = [&](double time) { return value(force.normal, time / flow.length); };
+      EXPECT_NEAR(normal(found.least_normal_time), found.least_normal, 1e-12 * weight);
+      if (scanned.least_normal <= 1e-3 * weight) continue;
+      EXPECT_GE(found.friction, scanned.friction * (1 - 1e-8));
+      const double tangential = value(force.tangential, found.friction_time / flow.length);
+      EXPECT_NEAR(std::abs(tangential) / normal(found.friction_time), found.friction, 1e-8 * found.friction);
     }
   }
 }

@@ -14,7 +14,7 @@ TEST(LongRuns, AnHourAtRestIsOneStepAPieceAndHasNoEvents) {
   scene.duration = 3600;
   scene.blocks = {make_block(1.25, 1.25, 2500), make_block(1.0, 2.5, 2500)};
   scene.initial = {{0, 0}, {0, 0}};
-  // With validity, forces are noted once a step: a step of 3600 s is the only one, at t = 0.
+  // A force that stays as it is has its least value at first.
   const History history = solve(scene, {.sample_times = {0, 1800, 3600}, .validity = true});
   EXPECT_TRUE(history.events.empty());
   ASSERT_EQ(history.size(), 3u);
