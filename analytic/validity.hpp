@@ -38,33 +38,54 @@ void note_demands(std::vector<BasicDemand<Real>>& demands, const Outcome<Real, N
   }
 }
 
+/// True where the coefficients tell that a step demands no more than was known.
+template <class Real>
+bool demands_no_more(const BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& rounding) {
+  using std::abs;
+  const bool bounded = demand.friction <= std::numeric_limits<Real>::max();
+  const Real ratio = bounded ? demand.friction : Real(0);
+  Real fall = 0;             // of N, at most
+  Real right = 0, left = 0;  // the rise of T − μN and −T − μN, at most
+  for (std::size_t n = 1; n < force.normal.terms; ++n) {
+    const Real& tangential = force.tangential[n];
+    const Real held = ratio * force.normal[n];
+    fall += abs(force.normal[n]);
+    right += abs(tangential - held);
+    left += abs(tangential + held);
+  }
+  const Real held = ratio * force.normal[0];
+  const Real negligible = rounding * (1 + ratio);
+  return force.normal[0] - fall >= demand.least_normal - rounding &&
+         (!bounded || (force.tangential[0] - held + right <= negligible &&
+                       -force.tangential[0] - held + left <= negligible));
+}
+
 /// The greatest demands along a step up to `end` of its length, to rounding: where the normal force is least,
 /// and where ±T/N is largest. The latter is the ratio μ at which the summit of ±T − μN comes down to zero
-/// (Dinkelbach 1967, Management Science 13, 492–498). Mostly the coefficients tell that a step holds no more
-/// than was known. `start` and `length` are those of the step, s.
+/// (Dinkelbach 1967, Management Science 13, 492–498). `start` and `length` are those of the step, s.
 template <class Real>
-void note_demand_along(BasicDemand<Real>& demand, ForceCourses<Real> force, const Real& end,
+void note_demand_along(BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& end,
                        const Real& rounding, const Real& start, const Real& length) {
-  rescale(force.normal, end);
-  rescale(force.tangential, end);
+  if (demands_no_more(demand, force, rounding)) return;
   const auto note_at = [&](const Real& s) {
-    note_demand(demand, value(force.normal, s), value(force.tangential, s), rounding,
-                start + s * end * length);
+    note_demand(demand, value(force.normal, s), value(force.tangential, s), rounding, start + s * length);
   };
-  const auto combined = [&](const Real& normal, const Real& tangential) {
+  // Where normal · N + tangential · T passes `least` most.
+  const auto note_summit = [&](const Real& normal, const Real& tangential, const Real& least,
+                               const Real& slack) {
     Polynomial<Real> sum;
     sum.terms = force.normal.terms;
     for (std::size_t n = 0; n < sum.terms; ++n)
       sum[n] = normal * force.normal[n] + tangential * force.tangential[n];
-    return sum;
+    rescale(sum, end);
+    if (const auto top = summit<Real>(sum, least, slack)) note_at(top->s * end);
   };
-  if (const auto lowest = summit<Real>(combined(-1, 0), rounding - demand.least_normal, rounding))
-    note_at(lowest->s);
+  note_summit(-1, 0, rounding - demand.least_normal, rounding);
   for (const Real& side : {Real(1), Real(-1)}) {
     for (Real before = -1; demand.friction > before && demand.friction <= std::numeric_limits<Real>::max();) {
       before = demand.friction;
       const Real negligible = rounding * (1 + before);
-      if (const auto worst = summit<Real>(combined(-before, side), negligible, negligible)) note_at(worst->s);
+      note_summit(-before, side, negligible, negligible);
     }
   }
 }
