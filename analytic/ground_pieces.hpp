@@ -66,10 +66,9 @@ class GroundPieces {
   }
 
   GroundCourse<Real> line_course(const GroundMotion& motion) const {
-    using std::floor;
     const Real interval(motion.interval);
     // The quotient of a sample's time by the interval may round to just below its number.
-    auto sample = static_cast<std::size_t>(floor(start_ / interval));
+    auto sample = static_cast<std::size_t>(start_ / interval);
     if (Real(sample + 1) * interval <= start_) ++sample;
     if (sample + 1 >= motion.samples.size()) return {};
     const Real first(motion.samples[sample]);

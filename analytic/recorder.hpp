@@ -3,6 +3,7 @@
 #include "analytic/ground_pieces.hpp"
 #include "analytic/guards.hpp"
 #include "analytic/solve_options.hpp"
+#include "analytic/standing.hpp"
 #include "analytic/validity.hpp"
 
 namespace rockstack {
@@ -33,6 +34,17 @@ class Recorder {
     sample(flow, piece, offset, next.s);
     if (options_.validity) note_forces(flow, piece, offset, next.s);
     if (options_.peaks) note_peaks(flow, next.s);
+  }
+
+  /// Whether there is something to keep of a stretch of time through which the stack stands still.
+  bool wants(const Standing<Real, N>& standing, const Bearing<Real>& bears) const {
+    if (sample_due()) return true;
+    for (std::size_t k = 0; k < history_.forces.size(); ++k) {
+      const BasicDemand<Real>& known = history_.forces[k];
+      if (bears.tilt > known.friction || standing.mass[k] * bears.least_pull < known.least_normal)
+        return true;
+    }
+    return false;
   }
 
   /// The impulses of an impact.

@@ -9,6 +9,7 @@
 #include "analytic/progress.hpp"
 #include "analytic/recorder.hpp"
 #include "analytic/rk4.hpp"
+#include "analytic/standing.hpp"
 #include "analytic/taylor_step.hpp"
 
 namespace rockstack {
@@ -38,7 +39,8 @@ class Solver {
         pieces_(scene),
         steps_(model_, options),
         recorder_(model_, options),
-        progress_(model_) {
+        progress_(model_),
+        standing_(model_) {
     const auto vector = [](const std::vector<double>& values) -> Vector<Real, N> {
       return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
           .template cast<Real>();
@@ -76,7 +78,7 @@ class Solver {
   void advance() {
     const GroundPiece<Real>& piece = pieces_.current();
     const Real remaining = piece.length - offset_;
-    if (!(remaining > 0)) return next_piece();
+    if (!(remaining > 0) || stands_through(piece)) return next_piece();
     const Real longest = held_.any() ? std::min(remaining, brief_) : remaining;
     Flow<Real, N> flow = steps_(state_, linkage(), piece, offset_, longest, watched());
     keep_fresh_open(flow);
@@ -102,6 +104,14 @@ class Solver {
       linked_ = state_.pattern;
     }
     return linkage_;
+  }
+
+  /// True where the stack stands still through the rest of a ground piece, and nothing of it is to be kept.
+  /// At the instant of an event steps tell.
+  bool stands_through(const GroundPiece<Real>& piece) const {
+    if (!is_closed(state_.pattern) || fresh_.any() || held_.any() || progress_.at_instant()) return false;
+    const Bearing<Real> bears = bearing(model_.gravity, piece, offset_);
+    return bears.tilt < standing_.slenderness && !recorder_.wants(standing_, bears);
   }
 
   /// Closed interfaces that may open within the next step.
@@ -254,6 +264,7 @@ class Solver {
   Steps<Real, N> steps_;
   Recorder<Real, N> recorder_;
   Progress<Real> progress_;
+  Standing<Real, N> standing_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;
   std::array<Real, max_blocks> toppling_angles_{};

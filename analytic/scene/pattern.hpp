@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -30,7 +31,10 @@ struct Pattern {
 
   Contact& operator[](int interface) { return contacts[static_cast<std::size_t>(interface)]; }
   Contact operator[](int interface) const { return contacts[static_cast<std::size_t>(interface)]; }
-  bool operator==(const Pattern&) const = default;
+  bool operator==(const Pattern& other) const {
+    return size == other.size &&
+           std::equal(contacts.begin(), contacts.begin() + size, other.contacts.begin());
+  }
 };
 
 /// A pattern of `size` closed interfaces: the stack at rest.
