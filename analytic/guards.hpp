@@ -10,18 +10,18 @@ namespace rockstack {
 
 /// Where a gap or margin comes within rounding of zero and goes again, so that rounding decides whether it
 /// crosses; nothing where it clearly does, or clearly does not, and where the step starts or ends that close.
+/// `crossing` is its first crossing. Precondition: it has terms.
 template <class Real>
-std::optional<Real> grazing(const Polynomial<Real>& course) {
-  if (course.terms == 0) return std::nullopt;
+std::optional<Real> grazing(const Polynomial<Real>& course, const std::optional<Real>& crossing) {
   const Real extent = reach(course);
   const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (course[0] + extent);
   if (course[0] - extent > rounding || course[0] <= rounding || value(course, Real(1)) <= rounding)
     return std::nullopt;
-  Polynomial<Real> lower = course;
-  Polynomial<Real> higher = course;
-  lower[0] -= rounding;
-  higher[0] += rounding;
-  return first_crossing(higher) ? std::nullopt : first_crossing(lower);
+  Polynomial<Real> shifted = course;
+  shifted[0] += crossing ? rounding : -rounding;
+  const std::optional<Real> other = first_crossing(shifted);
+  if (crossing) return other ? std::nullopt : crossing;
+  return other;
 }
 
 /// What comes first within a step, at s of its length; nothing, at s = 1, where neither an interface closes
@@ -61,8 +61,9 @@ void find_closing(const Flow<Real, N>& flow, Next<Real>& next) {
     if (pattern[k] == Contact::closed) continue;
     if (stays_positive(flow.angles[static_cast<std::size_t>(k)], sign(pattern[k]))) continue;
     const Polynomial<Real> course = gap(flow, k);
-    if (next.admit(first_crossing(course))) next.closing.set(static_cast<std::size_t>(k));
-    if (const auto s = grazing(course)) next.grazes.push_back({*s, EventKind::impact, k + 1});
+    const auto crossing = first_crossing(course);
+    if (next.admit(crossing)) next.closing.set(static_cast<std::size_t>(k));
+    if (const auto s = grazing(course, crossing)) next.grazes.push_back({*s, EventKind::impact, k + 1});
   }
   if (next.closing.none()) return;
   // What rounding has carried past zero by then closes at the same time.
@@ -78,8 +79,10 @@ void find_opening(const Flow<Real, N>& flow, Next<Real>& next) {
     const auto& margin = flow.margins[static_cast<std::size_t>(k)];
     for (const Contact side : {Contact::right, Contact::left}) {
       const Polynomial<Real>& course = side == Contact::right ? margin.right : margin.left;
-      if (const auto s = grazing(course)) next.grazes.push_back({*s, EventKind::opening, k + 1});
-      if (!next.admit(first_crossing(course))) continue;
+      if (course.terms == 0 || stays_positive(course)) continue;
+      const auto crossing = first_crossing(course);
+      if (const auto s = grazing(course, crossing)) next.grazes.push_back({*s, EventKind::opening, k + 1});
+      if (!next.admit(crossing)) continue;
       next.opening.set(static_cast<std::size_t>(k));
       next.opened[k] = side;
     }

@@ -84,13 +84,18 @@ bool kinematically_admissible(const Outcome<Real, N>& outcome, const Interfaces&
   return true;
 }
 
-/// The pattern that is admissible both ways, if there is one.
+/// The pattern that is admissible both ways, if there is one. In most impacts the interfaces that impact go
+/// on to their other side, and the others stay as they are.
 template <class Real, int N>
 std::optional<Outcome<Real, N>> consistent_outcome(const Model<Real, N>& model, const Impact<Real, N>& impact,
                                                    const Approach<Real, N>& before) {
-  auto outcome =
-      find_admissible(model.stack, impact.before.pattern, impact.touching(), Real(0),
-                      [&](const Pattern& pattern) { return velocities_after(model, before, pattern); });
+  Pattern guess = impact.before.pattern;
+  for (int k = 0; k < guess.size; ++k) {
+    if (impact.impacting.test(static_cast<std::size_t>(k))) guess[k] = opposite(guess[k]);
+  }
+  auto outcome = find_admissible(model.stack, guess, impact.touching(), Real(0), [&](const Pattern& pattern) {
+    return velocities_after(model, before, pattern);
+  });
   if (outcome && !pushes(*outcome)) outcome.reset();
   return outcome;
 }

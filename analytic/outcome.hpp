@@ -66,6 +66,14 @@ std::optional<Violation> first_violation(const Stack<Real, N>& stack, const Outc
   return std::nullopt;
 }
 
+/// A pattern with some of its interfaces closed.
+inline Pattern with_closed(Pattern pattern, const Interfaces& closed) {
+  for (int k = 0; k < pattern.size; ++k) {
+    if (closed.test(static_cast<std::size_t>(k))) pattern[k] = Contact::closed;
+  }
+  return pattern;
+}
+
 /// Principal pivoting: changes what violates, lowest interface first or all at once, until nothing does.
 /// Leaves in `pattern` where the attempts ended. An interface that opens because its centre of pressure is
 /// outside moves apart, as the mass matrix is positive; where it moves into itself though nothing else has
@@ -116,23 +124,20 @@ std::optional<Outcome<Real, N>> try_all(const Stack<Real, N>& stack, Pattern pat
 }
 
 /// Finds a pattern without violations among those in which the touching interfaces may pivot either way or
-/// stay closed, by principal pivoting from all closed. One interface at a time, two changes each are usual,
-/// but in long stacks their number may double with every interface; there all at once are quicker, but may go
-/// in circles. Of up to six touching interfaces all patterns are tried at last. `evaluate` maps a pattern to
-/// its outcome. Nothing is found where blocks would have to lift off.
+/// stay closed, by principal pivoting from a first guess. One interface at a time, two changes each are
+/// usual, but in long stacks their number may double with every interface; there all at once are quicker, but
+/// may go in circles. Of up to six touching interfaces all patterns are tried at last. `evaluate` maps a
+/// pattern to its outcome. Nothing is found where blocks would have to lift off.
 template <class Real, int N, class Evaluate>
 std::optional<Outcome<Real, N>> find_admissible(const Stack<Real, N>& stack, Pattern pattern,
                                                 const Interfaces& touching, const Real& slack,
                                                 const Evaluate& evaluate) {
-  for (int k = 0; k < pattern.size; ++k) {
-    if (touching.test(static_cast<std::size_t>(k))) pattern[k] = Contact::closed;
-  }
-  const Pattern closed = pattern;
   const int few = 4 * pattern.size;
   auto found = pivot(stack, pattern, touching, slack, false, few, evaluate);
   if (!found) found = pivot(stack, pattern, touching, slack, true, few, evaluate);
   if (!found) found = pivot(stack, pattern, touching, slack, false, 4 * few, evaluate);
-  if (!found && touching.count() <= 6) found = try_all(stack, closed, touching, slack, evaluate);
+  if (!found && touching.count() <= 6)
+    found = try_all(stack, with_closed(pattern, touching), touching, slack, evaluate);
   return found;
 }
 

@@ -233,7 +233,8 @@ class Solver {
       return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, ground);
     };
     if (touching.any() && first_violation(model_.stack, evaluate(state_.pattern), touching, slack_)) {
-      const auto found = find_admissible(model_.stack, state_.pattern, touching, slack_, evaluate);
+      const auto found =
+          find_admissible(model_.stack, with_closed(state_.pattern, touching), touching, slack_, evaluate);
       if (!found) no_way_on();
       // To rounding, closed may do as well; but an opening taken back would be found again at once.
       if (!progress_.at_instant() || !(found->pattern == from)) state_.pattern = found->pattern;

@@ -1,18 +1,11 @@
 #include "analytic/scene/pattern.hpp"
 
-#include <algorithm>
-
 namespace rockstack {
 
 Pattern closed_pattern(int size) {
   Pattern pattern;
   pattern.size = size;
   return pattern;
-}
-
-bool is_closed(const Pattern& pattern) {
-  return std::all_of(pattern.contacts.begin(), pattern.contacts.begin() + pattern.size,
-                     [](Contact contact) { return contact == Contact::closed; });
 }
 
 std::string name(const Pattern& pattern) {

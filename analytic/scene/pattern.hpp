@@ -41,7 +41,10 @@ struct Pattern {
 Pattern closed_pattern(int size);
 
 /// True where every interface is closed.
-bool is_closed(const Pattern& pattern);
+inline bool is_closed(const Pattern& pattern) {
+  return std::all_of(pattern.contacts.begin(), pattern.contacts.begin() + pattern.size,
+                     [](Contact contact) { return contact == Contact::closed; });
+}
 
 /// The name of a pattern: for two blocks that of Spanos et al. 2001, Fig. 2 ("1a" … "4b", "rest"); otherwise
 /// a letter an interface from the ground up, L, C or R.
