@@ -28,27 +28,32 @@ Real bracketed_root(const Polynomial<Real>& polynomial, Real low, Real high, Rea
   return s;
 }
 
-/// True where a bound on the coefficients tells that the polynomial, up to the sign `side`, stays above zero
-/// for all s in (0, 1].
+/// True where a bound tells that the polynomial, up to the sign `side`, stays above zero for all s in (0, 1]:
+/// the least of the sums of its first coefficients. Summed by parts, the polynomial is a mean of them, with
+/// weights sⁱ − sⁱ⁺¹ and, of the last, sⁿ.
 template <class Real>
 bool stays_positive(const Polynomial<Real>& polynomial, int side = 1) {
-  using std::abs;
   std::size_t first = 0;
   while (first < polynomial.terms && polynomial[first] == 0) ++first;
   if (first == polynomial.terms) return false;
-  Real rest = 0;
-  for (std::size_t i = first + 1; i < polynomial.terms; ++i) rest += abs(polynomial[i]);
-  const Real leading = side > 0 ? polynomial[first] : -polynomial[first];
-  return leading > 0 && leading >= rest;
+  Real sum = 0;
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::size_t i = first; i < polynomial.terms; ++i) {
+    sum += side > 0 ? polynomial[i] : -polynomial[i];
+    least = std::min(least, sum);
+  }
+  return least > 0;
 }
 
-/// True where a bound on the coefficients tells that the polynomial falls for all s in [0, 1].
+/// True where the same bound on the derivative tells that the polynomial falls for all s in [0, 1].
 template <class Real>
 bool falls(const Polynomial<Real>& polynomial) {
-  using std::abs;
-  Real rest = 0;
-  for (std::size_t i = 2; i < polynomial.terms; ++i) rest += Real(i) * abs(polynomial[i]);
-  return polynomial.terms > 1 && -polynomial[1] > rest;
+  Real sum = 0;
+  for (std::size_t i = 1; i < polynomial.terms; ++i) {
+    sum += Real(i) * polynomial[i];
+    if (!(sum < 0)) return false;
+  }
+  return polynomial.terms > 1;
 }
 
 /// The first zero of a falling polynomial's first three terms, or 1/2 where it is not in (0, 1).

@@ -38,26 +38,24 @@ void note_demands(std::vector<BasicDemand<Real>>& demands, const Outcome<Real, N
   }
 }
 
-/// True where the coefficients tell that a step demands no more than was known.
+/// True where sums of coefficients, which bound a polynomial as in stays_positive(), tell that a step demands
+/// no more than was known.
 template <class Real>
 bool demands_no_more(const BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& rounding) {
-  using std::abs;
   const bool bounded = demand.friction <= std::numeric_limits<Real>::max();
   const Real ratio = bounded ? demand.friction : Real(0);
-  Real fall = 0;             // of N, at most
-  Real right = 0, left = 0;  // the rise of T − μN and −T − μN, at most
-  for (std::size_t n = 1; n < force.normal.terms; ++n) {
-    const Real& tangential = force.tangential[n];
+  const Real least = demand.least_normal - rounding;
+  const Real negligible = bounded ? rounding * (1 + ratio) : std::numeric_limits<Real>::infinity();
+  Real normal = 0;
+  Real right = 0, left = 0;  // T − μN and −T − μN
+  for (std::size_t n = 0; n < force.normal.terms; ++n) {
     const Real held = ratio * force.normal[n];
-    fall += abs(force.normal[n]);
-    right += abs(tangential - held);
-    left += abs(tangential + held);
+    normal += force.normal[n];
+    right += force.tangential[n] - held;
+    left -= force.tangential[n] + held;
+    if (!(normal >= least && right <= negligible && left <= negligible)) return false;
   }
-  const Real held = ratio * force.normal[0];
-  const Real negligible = rounding * (1 + ratio);
-  return force.normal[0] - fall >= demand.least_normal - rounding &&
-         (!bounded || (force.tangential[0] - held + right <= negligible &&
-                       -force.tangential[0] - held + left <= negligible));
+  return true;
 }
 
 /// The greatest demands along a step up to `end` of its length, to rounding: where the normal force is least,

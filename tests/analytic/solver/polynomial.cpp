@@ -175,6 +175,33 @@ TEST(Polynomial, TheSummitIsThatOfAScanAndNoLess) {
   }
 }
 
+// Bounds may say too little, never too much; and they say more than the sum of all sizes would.
+TEST(Polynomial, BoundsHoldWhereverTheyTell) {
+  std::mt19937_64 generator(5);
+  std::uniform_real_distribution<double> coefficient(-1, 1);
+  int above = 0, falling = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Quintic polynomial{0, 0, 0, 0, 0, 0};
+    for (std::size_t j = static_cast<std::size_t>(i) % 3; j < polynomial.terms; ++j)
+      polynomial[j] = coefficient(generator);
+    const bool positive = stays_positive(polynomial);
+    const bool negative = stays_positive(polynomial, -1);
+    const bool falls_all_along = falls(polynomial);
+    EXPECT_FALSE(positive && negative);
+    EXPECT_TRUE(positive || polynomial[0] <= reach(polynomial));
+    above += positive ? 1 : 0;
+    falling += falls_all_along ? 1 : 0;
+    for (int j = 1; j <= 64; ++j) {
+      const double s = j / 64.0;
+      EXPECT_TRUE(!positive || value(polynomial, s) > 0);
+      EXPECT_TRUE(!negative || value(polynomial, s) < 0);
+      EXPECT_TRUE(!falls_all_along || slope(polynomial, s) < 0);
+    }
+  }
+  EXPECT_GT(above, 1000);
+  EXPECT_GT(falling, 1000);
+}
+
 TEST(Polynomial, QuarticThroughFivePointsIsTheQuartic) {
   std::mt19937_64 generator(4);
   std::uniform_real_distribution<double> coefficient(-1, 1);
