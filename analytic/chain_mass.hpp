@@ -4,12 +4,15 @@
 
 namespace rockstack {
 
+template <class Real>
+struct PlaneVector {
+  Real x, y;
+};
+
 /// The mass matrix of a chain's relative angles, and its factors L D Lᵀ with closed interfaces held.
 template <class Real, int N>
 struct ChainMass {
-  struct Point2 {
-    Real x, y;
-  };
+  using Point2 = PlaneVector<Real>;
   PerBlock<Point2, N> links, moments;  ///< L and S of the linkage as they stand, m and kg·m
   std::array<PerBlock<Real, N>, capacity(N)> matrix, factors;
   PerBlock<Real, N> inverse;  ///< of D

@@ -28,21 +28,26 @@ Real bracketed_root(const Polynomial<Real>& polynomial, Real low, Real high, Rea
   return s;
 }
 
-/// True where a bound tells that the polynomial, up to the sign `side`, stays above zero for all s in (0, 1]:
-/// the least of the sums of its first coefficients. Summed by parts, the polynomial is a mean of them, with
-/// weights sⁱ − sⁱ⁺¹ and, of the last, sⁿ.
+/// True where its hull tells that the polynomial, up to the sign `side`, stays above zero over (0, 1].
 template <class Real>
 bool stays_positive(const Polynomial<Real>& polynomial, int side = 1) {
   std::size_t first = 0;
   while (first < polynomial.terms && polynomial[first] == 0) ++first;
   if (first == polynomial.terms) return false;
-  Real sum = 0;
-  Real least = std::numeric_limits<Real>::infinity();
-  for (std::size_t i = first; i < polynomial.terms; ++i) {
-    sum += side > 0 ? polynomial[i] : -polynomial[i];
-    least = std::min(least, sum);
-  }
-  return least > 0;
+  const Hull<Real> bounds = hull(polynomial, first);
+  return side > 0 ? bounds.least > 0 : bounds.greatest < 0;
+}
+
+/// The same, and that it does not come within rounding of zero unless it starts there.
+template <class Real>
+bool stays_clear(const Polynomial<Real>& polynomial, int side = 1) {
+  using std::abs;
+  std::size_t first = 0;
+  while (first < polynomial.terms && polynomial[first] == 0) ++first;
+  if (first == polynomial.terms) return false;
+  const Hull<Real> bounds = hull(polynomial, first);
+  const Real size = first > 0 ? Real(0) : abs(polynomial[0]) + reach(polynomial);
+  return (side > 0 ? bounds.least : -bounds.greatest) > 16 * std::numeric_limits<Real>::epsilon() * size;
 }
 
 /// True where the same bound on the derivative tells that the polynomial falls for all s in [0, 1].

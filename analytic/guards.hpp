@@ -55,11 +55,11 @@ Polynomial<Real> gap(const Flow<Real, N>& flow, int interface) {
 }
 
 template <class Real, int N>
-void find_closing(const Flow<Real, N>& flow, Next<Real>& next) {
+void find_closing(const Flow<Real, N>& flow, const Interfaces& cleared, Next<Real>& next) {
   const Pattern& pattern = flow.start.pattern;
   for (int k = 0; k < pattern.size; ++k) {
-    if (pattern[k] == Contact::closed) continue;
-    if (stays_positive(flow.angles[static_cast<std::size_t>(k)], sign(pattern[k]))) continue;
+    if (pattern[k] == Contact::closed || cleared.test(static_cast<std::size_t>(k))) continue;
+    if (stays_clear(flow.angles[static_cast<std::size_t>(k)], sign(pattern[k]))) continue;
     const Polynomial<Real> course = gap(flow, k);
     const auto crossing = first_crossing(course);
     if (next.admit(crossing)) next.closing.set(static_cast<std::size_t>(k));
@@ -79,7 +79,7 @@ void find_opening(const Flow<Real, N>& flow, Next<Real>& next) {
     const auto& margin = flow.margins[static_cast<std::size_t>(k)];
     for (const Contact side : {Contact::right, Contact::left}) {
       const Polynomial<Real>& course = side == Contact::right ? margin.right : margin.left;
-      if (course.terms == 0 || stays_positive(course)) continue;
+      if (course.terms == 0 || stays_clear(course)) continue;
       const auto crossing = first_crossing(course);
       if (const auto s = grazing(course, crossing)) next.grazes.push_back({*s, EventKind::opening, k + 1});
       if (!next.admit(crossing)) continue;
@@ -91,14 +91,15 @@ void find_opening(const Flow<Real, N>& flow, Next<Real>& next) {
 
 template <class Real, int N>
 void find_toppling(const Flow<Real, N>& flow, const std::array<Real, max_blocks>& toppling_angles,
-                   Next<Real>& next) {
-  using std::abs;
+                   const Interfaces& cleared, Next<Real>& next) {
   Polynomial<Real> angle;  // absolute
-  for (int k = 0; k < flow.start.pattern.size; ++k) {
+  const int size = flow.start.pattern.size;
+  if (cleared.count() == static_cast<std::size_t>(size)) return;
+  for (int k = 0; k < size; ++k) {
     const auto block = static_cast<std::size_t>(k);
     const Polynomial<Real>& relative = flow.angles[block];
     add(relative, angle);
-    if (angle.terms == 0 || abs(angle[0]) + reach(angle) < toppling_angles[block]) continue;
+    if (angle.terms == 0 || cleared.test(block) || hull(angle).size() < toppling_angles[block]) continue;
     Polynomial<Real> room = angle;
     for (Real& coefficient : room) coefficient *= angle[0] > 0 ? Real(-1) : Real(1);
     room[0] += toppling_angles[block];
@@ -109,12 +110,13 @@ void find_toppling(const Flow<Real, N>& flow, const std::array<Real, max_blocks>
 
 /// Finds the first event in a step.
 template <class Real, int N>
-Next<Real> first_event(const Flow<Real, N>& flow, const std::array<Real, max_blocks>& toppling_angles) {
+Next<Real> first_event(const Flow<Real, N>& flow, const std::array<Real, max_blocks>& toppling_angles,
+                       const Cleared& cleared = {}) {
   Next<Real> next;
   next.opened = flow.start.pattern;
-  find_closing(flow, next);
+  find_closing(flow, cleared.gaps, next);
   find_opening(flow, next);
-  find_toppling(flow, toppling_angles, next);
+  find_toppling(flow, toppling_angles, cleared.angles, next);
   return next;
 }
 

@@ -30,7 +30,7 @@ struct Polynomial {
     return *this;
   }
   ~Polynomial() = default;
-  Polynomial(std::initializer_list<Real> values) : coefficients{} {
+  Polynomial(std::initializer_list<Real> values) {
     for (const Real& coefficient : values) coefficients[terms++] = coefficient;
   }
 
@@ -64,6 +64,37 @@ Real reach(const Polynomial<Real>& polynomial) {
   Real sum = 0;
   for (std::size_t i = 1; i < polynomial.terms; ++i) sum += abs(polynomial[i]);
   return sum;
+}
+
+/// Bounds on a polynomial on [0, 1]: the least and the greatest of its partial sums c₀, c₀ + c₁, … It is a
+/// mean of them with the weights 1 − s, s − s², …, sⁿ (Abel's summation). What is no number stays none.
+template <class Real>
+struct Hull {
+  Real least, greatest;
+
+  void take(const Real& sum) {
+    least = std::min(sum, least);
+    greatest = std::max(sum, greatest);
+  }
+  Real size() const { return std::max(greatest, -least); }
+};
+
+/// The hull of at least one term, from order `first` on.
+template <class Real>
+Hull<Real> hull(const Polynomial<Real>& polynomial, std::size_t first = 0) {
+  Real sum = polynomial[first];
+  Hull<Real> result{sum, sum};
+  for (std::size_t i = first + 1; i < polynomial.terms; ++i) result.take(sum += polynomial[i]);
+  return result;
+}
+
+/// True where the coefficients of at least two terms tell that the slope keeps its sign on [0, 1].
+template <class Real>
+bool is_monotone(const Polynomial<Real>& polynomial) {
+  Real sum = polynomial[1];
+  Hull<Real> slopes{sum, sum};
+  for (std::size_t i = 2; i < polynomial.terms; ++i) slopes.take(sum += Real(i) * polynomial[i]);
+  return slopes.least >= 0 || slopes.greatest <= 0;
 }
 
 /// The polynomial in s/ratio: what a step becomes that is `ratio` times as long.

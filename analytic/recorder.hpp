@@ -26,18 +26,18 @@ class Recorder {
 
   /// A step from `offset` into a ground piece up to the event that ends it.
   void note_step(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& offset,
-                 const Next<Real>& next) {
+                 const Next<Real>& next, const Cleared& cleared) {
     const Real start = piece.start + offset;
     for (const auto& [s, kind, interface] : next.grazes) {
       if (s <= next.s) history_.grazes.push_back({start + s * flow.length, kind, interface});
     }
     sample(flow, piece, offset, next.s);
-    if (options_.validity) note_forces(flow, piece, offset, next.s);
-    if (options_.peaks) note_peaks(flow, next.s);
+    if (options_.validity) note_forces(flow, piece, offset, next.s, cleared.forces);
+    if (options_.peaks) note_peaks(flow, next.s, cleared.angles);
   }
 
   /// Whether there is something to keep of a stretch of time through which the stack stands still.
-  bool wants(const Standing<Real, N>& standing, const Bearing<Real>& bears) const {
+  bool wants(const StandingStack<Real, N>& standing, const Bearing<Real>& bears) const {
     if (sample_due()) return true;
     for (std::size_t k = 0; k < history_.forces.size(); ++k) {
       const BasicDemand<Real>& known = history_.forces[k];
@@ -68,6 +68,13 @@ class Recorder {
     while (sample_due() && Real(options_.sample_times[next_sample_]) <= end) record_sample(state);
   }
 
+  /// Of a whole step that takes them to these.
+  void raise_peaks(const PerBlock<Real, N>& peaks) {
+    std::copy_n(peaks.begin(), history_.peaks.size(), history_.peaks.begin());
+  }
+
+  const BasicHistory<Real>& so_far() const { return history_; }
+  const Real& rounding() const { return rounding_; }  ///< of forces, N
   BasicHistory<Real> history() && { return std::move(history_); }
 
  private:
@@ -93,16 +100,24 @@ class Recorder {
   }
 
   /// The largest angles of a step up to s of its length.
-  void note_peaks(const Flow<Real, N>& flow, const Real& s) {
+  void note_peaks(const Flow<Real, N>& flow, const Real& s, const Interfaces& cleared) {
+    if (cleared.count() == history_.peaks.size()) return;
     Polynomial<Real> angle;  // absolute
     for (std::size_t k = 0; k < history_.peaks.size(); ++k) {
       add(flow.angles[k], angle);
       using std::abs;
-      if (angle.terms == 0 || abs(angle[0]) + reach(angle) <= history_.peaks[k]) continue;
-      for (const Real& side : {Real(1), Real(-1)}) {
-        Polynomial<Real> part = angle;
-        for (Real& coefficient : part) coefficient *= side;
-        rescale(part, s);
+      if (angle.terms == 0 || cleared.test(k) || hull(angle).size() <= history_.peaks[k]) continue;
+      Polynomial<Real> part = angle;
+      rescale(part, s);
+      if (hull(part).size() <= history_.peaks[k]) continue;
+      if (is_monotone(part)) {
+        history_.peaks[k] = std::max({history_.peaks[k], abs(part[0]), abs(value(part, Real(1)))});
+        continue;
+      }
+      for (int side = 0; side < 2; ++side) {
+        if (side > 0) {
+          for (Real& coefficient : part) coefficient = -coefficient;
+        }
         const Real slack = 4 * std::numeric_limits<Real>::epsilon() * (abs(part[0]) + reach(part));
         if (const auto top = summit(part, history_.peaks[k], slack)) history_.peaks[k] = top->height;
       }
@@ -111,12 +126,14 @@ class Recorder {
 
   /// The demands of a step up to s of its length; at its start alone where the integrator tells no forces.
   void note_forces(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& offset,
-                   const Real& s) {
+                   const Real& s, const Interfaces& cleared) {
+    if (cleared.count() == history_.forces.size()) return;
     const Real start = piece.start + offset;
     if (flow.forces[0].normal.terms == 0)
       return note_demands(history_.forces, accelerate(model_, flow.start, piece.at(offset)), start);
     for (std::size_t k = 0; k < history_.forces.size(); ++k)
-      note_demand_along(history_.forces[k], flow.forces[k], s, rounding_, start, flow.length);
+      if (!cleared.test(k))
+        note_demand_along(history_.forces[k], flow.forces[k], s, rounding_, start, flow.length);
   }
 
   const Model<Real, N>& model_;

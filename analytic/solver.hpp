@@ -63,6 +63,10 @@ class Solver {
   BasicHistory<Real> run() {
     start();
     while (!finished()) advance();
+    return std::move(*this).history();
+  }
+  /// Once finished().
+  BasicHistory<Real> history() && {
     if (!toppled_) recorder_.note_rest(state_, Real(scene_.duration));
     return std::move(recorder_).history();
   }
@@ -77,25 +81,85 @@ class Solver {
 
   void advance() {
     const GroundPiece<Real>& piece = pieces_.current();
-    const Real remaining = piece.length - offset_;
-    if (!(remaining > 0) || stands_through(piece)) return next_piece();
-    const Real longest = held_.any() ? std::min(remaining, brief_) : remaining;
-    Flow<Real, N> flow = steps_(state_, linkage(), piece, offset_, longest, watched());
+    if (!(remaining() > 0) || stands_through(piece)) return next_piece();
+    Flow<Real, N> flow = steps_(state_, linkage(), piece, offset_, longest_step(), watched());
+    take(flow);
+  }
+
+  /// Goes on up to a step in which blocks move, and true; or to the end. @throws as run().
+  bool seek_motion() {
+    while (!finished()) {
+      if (remaining() > 0 && !is_closed(state_.pattern)) return true;
+      advance();
+    }
+    return false;
+  }
+
+  /// What the next step starts from. Preconditions: not finished, not at the end of a piece.
+  struct Start {
+    const State<Real, N>& state;
+    const Linkage<Real, N>& linkage;
+    Real length;  ///< s
+    Pull<Real> pull;
+    Interfaces watched;
+    bool settled;  ///< no interface has just opened, or is held
+  };
+  Start next_step() {
+    const Real length = steps_.length(longest_step());
+    return {state_,    linkage(),
+            length,    make_pull(model_.gravity, pieces_.current(), offset_, length),
+            watched(), fresh_.none() && held_.none()};
+  }
+
+  /// Goes along a step up to its first event, and through that. @throws as run().
+  void take(Flow<Real, N>& flow, const Cleared& cleared = {}) {
     keep_fresh_open(flow);
-    const Next<Real> next = first_event(flow, toppling_angles_);
-    recorder_.note_step(flow, piece, offset_, next);
+    const Next<Real> next = first_event(flow, toppling_angles_, cleared);
+    recorder_.note_step(flow, pieces_.current(), offset_, next, cleared);
     state_ = flow.at(next.s);
+    go_on(next, flow.length);
+    if (next.happens()) handle(next);
+  }
+
+  /// Where a step leads: relative angles and velocities of open interfaces, and all peaks so far.
+  struct End {
+    PerBlock<Real, N> angles, velocities, peaks;
+  };
+
+  /// Goes along a whole settled step in which nothing happens, and nothing is to be recorded but peaks.
+  void pass(const Real& length, const End& end) {
+    for (int k = 0; k < state_.pattern.size; ++k) {
+      if (state_.pattern[k] == Contact::closed) continue;
+      state_.angles[k] = end.angles[static_cast<std::size_t>(k)];
+      state_.velocities[k] = end.velocities[static_cast<std::size_t>(k)];
+    }
+    recorder_.raise_peaks(end.peaks);
+    go_on({}, length);
+  }
+
+  const State<Real, N>& state() const { return state_; }
+  const Model<Real, N>& model() const { return model_; }
+  const Recorder<Real, N>& recorder() const { return recorder_; }
+  const std::array<Real, max_blocks>& toppling_angles() const { return toppling_angles_; }
+  Steps<Real, N>& steps() { return steps_; }
+  const Steps<Real, N>& steps() const { return steps_; }
+
+ private:
+  Real remaining() const { return pieces_.current().length - offset_; }
+  Real longest_step() const { return held_.any() ? std::min(remaining(), brief_) : remaining(); }
+
+  /// To the event that ends a step of a length, or to its end.
+  void go_on(const Next<Real>& next, const Real& length) {
     progress_.note_step(next, time());
     if (next.s > 0) {
       fresh_.reset();
       if (!progress_.undecided()) held_.reset();
     }
-    if (flow.length >= remaining && next.s == 1) {
+    if (length >= remaining() && next.s == 1) {
       next_piece();
     } else {
-      offset_ += next.s * flow.length;
+      offset_ += next.s * length;
     }
-    if (next.happens()) handle(next);
   }
 
   const Linkage<Real, N>& linkage() {
@@ -265,7 +329,7 @@ class Solver {
   Steps<Real, N> steps_;
   Recorder<Real, N> recorder_;
   Progress<Real> progress_;
-  Standing<Real, N> standing_;
+  StandingStack<Real, N> standing_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;
   std::array<Real, max_blocks> toppling_angles_{};

@@ -13,12 +13,12 @@ namespace rockstack {
 /// with mₖ the mass above interface k, and the S of the linkage upright. For one block λ is b/h. Every
 /// interface bears N = mₖ (g + ÿg) and T = mₖ ẍg.
 template <class Real, int N>
-struct Standing {
+struct StandingStack {
   PerBlock<Real, N> mass;  ///< kg, of all above an interface
   Real gravity;            ///< m/s²
   Real slenderness;        ///< λ, less what rounding may make of it
 
-  explicit Standing(const Model<Real, N>& model) : gravity(model.gravity) {
+  explicit StandingStack(const Model<Real, N>& model) : gravity(model.gravity) {
     const Linkage<Real, N> linkage = make_linkage(model.stack, closed_pattern(model.stack.size()));
     mass = linkage.mass;
     slenderness = std::numeric_limits<Real>::infinity();

@@ -18,6 +18,14 @@ namespace rockstack {
 // the step: it is factorised once. What belongs to relative angles are sums from the top down, and held
 // interfaces drop out.
 
+/// What a number of a calculation is made of: itself, or what a pack of numbers holds many of.
+template <class Real>
+struct NumberIn {
+  using type = Real;
+};
+template <class Real>
+using Number = typename NumberIn<Real>::type;
+
 /// 1/i.
 template <class Real>
 inline const std::array<Real, max_terms<Real> + 1> reciprocals = [] {
@@ -26,19 +34,35 @@ inline const std::array<Real, max_terms<Real> + 1> reciprocals = [] {
   return result;
 }();
 
+/// The cosine and the sine of each block's angle, from relative angles; upright for the linear equations.
+template <class Real, int N>
+PerBlock<PlaneVector<Real>, N> block_directions(bool linear, std::size_t size,
+                                                const PerBlock<Real, N>& angles) {
+  using std::cos;
+  using std::sin;
+  PerBlock<PlaneVector<Real>, N> result;
+  Real angle = 0;
+  for (std::size_t k = 0; k < size; ++k) {
+    angle += angles[k];
+    result[k] = linear ? PlaneVector<Real>{Real(1), Real(0)} : PlaneVector<Real>{cos(angle), sin(angle)};
+  }
+  return result;
+}
+
 /// The series of a chain's motion over one step. Real may also be a pack of numbers that are computed side by
 /// side.
 template <class Real, int N>
 class ChainSeries {
  public:
   using Series = std::array<Real, max_terms<Real>>;
+  using Directions = PerBlock<PlaneVector<Real>, N>;
 
-  /// From relative angles in rad and relative velocities times the step's length; `forces` tells whether
+  /// From the blocks' directions and relative velocities times the step's length; `forces` tells whether
   /// push(), force() and reaction() will be asked for. Keeps a reference to `linkage`.
-  ChainSeries(const Linkage<Real, N>& linkage, bool linear, bool forces, const PerBlock<Real, N>& angles,
+  ChainSeries(const Linkage<Real, N>& linkage, bool linear, bool forces, const Directions& directions,
               const PerBlock<Real, N>& advances)
       : linkage_(linkage), linear_(linear), forces_(forces) {
-    start(angles, advances);
+    start(directions, advances);
   }
 
   std::size_t size() const { return linkage_.size(); }
@@ -82,23 +106,31 @@ class ChainSeries {
   Force force(std::size_t k, int face, std::size_t n) const {
     const Row& row = rows_[k];
     if (face < 0 || linear_) return {row.force_y[n], row.force_x[n]};
-    const Row& towards = rows_[static_cast<std::size_t>(face)];
+    const auto towards = static_cast<std::size_t>(face);
+    return force(k, cosine(towards), sine(towards), n);
+  }
+  /// Likewise, along a face whose angle has these.
+  Force force(std::size_t k, const Series& cosines, const Series& sines, std::size_t n) const {
+    const Row& row = rows_[k];
     Force sum{Real(0), Real(0)};
     for (std::size_t i = 0; i <= n; ++i) {
-      sum.normal += towards.sine[i] * row.force_x[n - i] + towards.cosine[i] * row.force_y[n - i];
-      sum.tangential += towards.cosine[i] * row.force_x[n - i] - towards.sine[i] * row.force_y[n - i];
+      sum.normal += sines[i] * row.force_x[n - i] + cosines[i] * row.force_y[n - i];
+      sum.tangential += cosines[i] * row.force_x[n - i] - sines[i] * row.force_y[n - i];
     }
     return sum;
   }
+
+  const Series& cosine(std::size_t block) const { return rows_[block].cosine; }
+  const Series& sine(std::size_t block) const { return rows_[block].sine; }
 
   /// Moment about the pivot of interface k, about its middle where it is closed; order n.
   const Real& reaction(std::size_t k, std::size_t n) const { return rows_[k].reaction[n]; }
 
  private:
   /// Short stacks in the processor's own numbers have each order compiled by itself.
-  static constexpr bool unrolled = N != Eigen::Dynamic && std::is_arithmetic_v<Real>;
+  static constexpr bool unrolled = N != Eigen::Dynamic && std::is_arithmetic_v<Number<Real>>;
 
-  using Point2 = typename ChainMass<Real, N>::Point2;
+  using Point2 = PlaneVector<Real>;
   struct Row {
     Series weighted;       // i times coefficient i of ψ
     Series cosine, sine;   // of ψ
@@ -108,23 +140,17 @@ class ChainSeries {
     Series force_x, force_y;  // on the block and all above
   };
 
-  void start(const PerBlock<Real, N>& angles, const PerBlock<Real, N>& advances) {
-    using std::cos;
-    using std::sin;
-    Real angle = 0;
+  void start(const Directions& directions, const PerBlock<Real, N>& advances) {
     Real advance = 0;
     for (std::size_t k = 0; k < size(); ++k) {
       Row& row = rows_[k];
-      angle += angles[k];
       advance += advances[k];
       row.weighted[1] = advance;
-      row.cosine[0] = linear_ ? Real(1) : cos(angle);
-      row.sine[0] = linear_ ? Real(0) : sin(angle);
+      row.cosine[0] = directions[k].x;
+      row.sine[0] = directions[k].y;
       row.cosine[1] = linear_ ? Real(0) : -row.sine[0] * advance;
       row.sine[1] = linear_ ? Real(0) : row.cosine[0] * advance;
     }
-    PerBlock<Point2, N> directions;
-    for (std::size_t k = 0; k < size(); ++k) directions[k] = {rows_[k].cosine[0], rows_[k].sine[0]};
     mass_.factorise(linkage_, directions);
   }
 
@@ -153,8 +179,8 @@ class ChainSeries {
       Row& row = rows_[k];
       row.relative[n] = relative[k];
       spin = spins[k] = k == 0 ? relative[0] : spin + relative[k];
-      row.weighted[n + 2] = spin * reciprocals<Real>[n + 1];
-      const Real twice = reciprocals<Real>[n + 1] * reciprocals<Real>[n + 2];
+      row.weighted[n + 2] = spin * reciprocals<Number<Real>>[n + 1];
+      const Real twice = reciprocals<Number<Real>>[n + 1] * reciprocals<Number<Real>>[n + 2];
       row.cosine[n + 2] = linear_ ? Real(0) : (bends[k].x - row.sine[0] * spin) * twice;
       row.sine[n + 2] = linear_ ? Real(0) : (bends[k].y + row.cosine[0] * spin) * twice;
     }

@@ -30,11 +30,11 @@ class TaylorSteps {
   Flow<Real, N> operator()(const State<Real, N>& state, const Linkage<Real, N>& linkage,
                            const GroundPiece<Real>& piece, const Real& offset, const Real& remaining,
                            const Interfaces& watched) {
-    Real length = std::min(remaining, longest_);
-    Pull<Real> pull = make_pull(model_.gravity, piece, offset, length);
+    Real step = length(remaining);
+    Pull<Real> pull = make_pull(model_.gravity, piece, offset, step);
     const std::size_t pulls = std::max(pull.x.terms, pull.y.terms);
     if (is_closed(state.pattern)) {
-      Flow<Real, N> flow{length, state, {}, {}};
+      Flow<Real, N> flow{step, state, {}, {}};
       stand(linkage, pull, watched, flow);
       fit(Real(0), pulls, flow);
       return flow;
@@ -43,14 +43,15 @@ class TaylorSteps {
     PerBlock<Real, N> advances{};
     for (std::size_t k = 0; k < linkage.size(); ++k) {
       angles[k] = state.angles[static_cast<int>(k)];
-      advances[k] = state.velocities[static_cast<int>(k)] * length;
+      advances[k] = state.velocities[static_cast<int>(k)] * step;
     }
-    ChainSeries<Real, N> series(linkage, model_.equations == Equations::linear, forces_ || watched.any(),
-                                angles, advances);
+    const bool linear = model_.equations == Equations::linear;
+    ChainSeries<Real, N> series(linkage, linear, forces_ || watched.any(),
+                                block_directions<Real, N>(linear, linkage.size(), angles), advances);
     series.extend(0, pull);
-    const Real ratio = landing(state.pattern, series, angles, advances, length);
+    const Real ratio = landing(state.pattern, series, angles, advances, step);
     if (ratio < 1) {
-      length *= ratio;
+      step *= ratio;
       for (Real& advance : advances) advance *= ratio;
       shorten(pull, ratio);
       series.shorten(ratio);
@@ -69,7 +70,7 @@ class TaylorSteps {
         last = std::max<Real>(last, abs(series.relative(k, orders)));
         if (orders < 2)
           scale = std::max<Real>(
-              scale, abs(advances[k]) + abs(series.relative(k, orders)) + abs(angles[k]) * length * rate_);
+              scale, abs(advances[k]) + abs(series.relative(k, orders)) + abs(angles[k]) * step * rate_);
       }
       ++orders;
       rest = std::max<Real>(last, earlier / 64);
@@ -77,12 +78,45 @@ class TaylorSteps {
       earlier = last;
       if ((rest <= allowed && orders >= pulls) || orders + 2 == max_terms<Real>) break;
     }
-    Flow<Real, N> flow{length, state, {}, {}};
+    Flow<Real, N> flow{step, state, {}, {}};
     read(linkage, series, orders, angles, advances, watched, flow);
     if (forces_) read_forces(series, orders, flow);
     fit(rest <= allowed ? Real(0) : rest / allowed, orders, flow);
     return flow;
   }
+
+  /// Of the next step, with `remaining` s to go, unless something ends it, s.
+  Real length(const Real& remaining) const { return std::min(remaining, longest_); }
+
+  /// Shortens a step whose series did not get down to the tolerance, and had `excess` times as much left;
+  /// lengthens the next where it did easily.
+  void fit(const Real& excess, std::size_t orders, Flow<Real, N>& flow) {
+    using std::pow;
+    if (excess > 1) {
+      const Real ratio = pow(excess, Real(-1) / Real(orders - 1)) * Real(0.9);
+      flow.length *= ratio;
+      longest_ = flow.length;
+      for (auto& angle : flow.angles) rescale(angle, ratio);
+      for (auto& margin : flow.margins) {
+        rescale(margin.right, ratio);
+        rescale(margin.left, ratio);
+      }
+      for (auto& force : flow.forces) {
+        rescale(force.normal, ratio);
+        rescale(force.tangential, ratio);
+      }
+    } else {
+      lengthen(flow.length, orders);
+    }
+  }
+
+  /// Lengthens the next step where one of a length got down to the tolerance easily.
+  void lengthen(const Real& step, std::size_t orders) {
+    if (step == longest_ && orders + 4 < max_terms<Real>) longest_ *= Real(1.25);
+  }
+
+  const Real& tolerance() const { return tolerance_; }
+  const Real& rate() const { return rate_; }
 
  private:
   /// The share of a step by whose end the first interface that is open has come back, as far as accelerations
@@ -170,27 +204,6 @@ class TaylorSteps {
         course.normal[n] = force.normal * scale;
         course.tangential[n] = force.tangential * scale;
       }
-    }
-  }
-
-  /// Shortens a step whose series did not get down to the tolerance; lengthens the next where it did easily.
-  void fit(const Real& excess, std::size_t orders, Flow<Real, N>& flow) {
-    using std::pow;
-    if (excess > 1) {
-      const Real ratio = pow(excess, Real(-1) / Real(orders - 1)) * Real(0.9);
-      flow.length *= ratio;
-      longest_ = flow.length;
-      for (auto& angle : flow.angles) rescale(angle, ratio);
-      for (auto& margin : flow.margins) {
-        rescale(margin.right, ratio);
-        rescale(margin.left, ratio);
-      }
-      for (auto& force : flow.forces) {
-        rescale(force.normal, ratio);
-        rescale(force.tangential, ratio);
-      }
-    } else if (flow.length == longest_ && orders + 4 < max_terms<Real>) {
-      longest_ *= Real(1.25);
     }
   }
 

@@ -38,7 +38,7 @@ void note_demands(std::vector<BasicDemand<Real>>& demands, const Outcome<Real, N
   }
 }
 
-/// True where sums of coefficients, which bound a polynomial as in stays_positive(), tell that a step demands
+/// True where sums of coefficients, which bound a polynomial (Hull), tell that a step demands
 /// no more than was known.
 template <class Real>
 bool demands_no_more(const BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& rounding) {
@@ -65,6 +65,12 @@ template <class Real>
 void note_demand_along(BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& end,
                        const Real& rounding, const Real& start, const Real& length) {
   if (demands_no_more(demand, force, rounding)) return;
+  if (end < 1) {
+    ForceCourses<Real> part = force;
+    rescale(part.normal, end);
+    rescale(part.tangential, end);
+    if (demands_no_more(demand, part, rounding)) return;
+  }
   const auto note_at = [&](const Real& s) {
     note_demand(demand, value(force.normal, s), value(force.tangential, s), rounding, start + s * length);
   };
