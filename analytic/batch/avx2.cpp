@@ -1,0 +1,9 @@
+#include "analytic/batch/kernel.hpp"
+#include "analytic/batch/kernels.hpp"
+
+namespace rockstack {
+
+constinit const StepKernels avx2_kernels{&StepKernel<Pack<xsimd::avx2>, 1>::make_steps,
+                                         &StepKernel<Pack<xsimd::avx2>, 2>::make_steps};
+
+}  // namespace rockstack

@@ -1,0 +1,327 @@
+#pragma once
+
+#include <limits>
+
+#include "analytic/batch/pack.hpp"
+#include "analytic/batch/step_rows.hpp"
+
+namespace rockstack {
+
+/// Makes the steps of as many lanes as a pack holds, operation by operation as TaylorSteps, first_event() and
+/// Recorder do for one; what a bound on coefficients does not tell is left to them.
+template <class Real, int N>
+class StepKernel {
+ public:
+  static constexpr auto blocks = static_cast<std::size_t>(N);
+
+  static void make_steps(StepRows<blocks>& rows) {
+    for (std::size_t lane = 0; lane < batch_lanes; lane += Real::size) {
+      StepKernel kernel(rows, lane);
+      kernel.make_step();
+    }
+  }
+
+ private:
+  using Mask = typename Real::Mask;
+  using Chain = ChainSeries<Real, N>;
+  using Coefficients = std::array<Real, max_terms<Real>>;
+
+  StepKernel(StepRows<blocks>& rows, std::size_t lane) : rows_(rows), lane_(lane) {}
+
+  Real load(const Row& row) const { return Real::load(row.lanes.data() + lane_); }
+  void store(const Real& values, Row& row) const { values.store(row.lanes.data() + lane_); }
+
+  void store_truth(const Mask& mask, Row& row) const { store(select(mask, Real(1), Real(0)), row); }
+
+  void make_step() {
+    const Real busy = load(rows_.busy);
+    if (!xsimd::any(busy > Real(0))) return;
+    const Linkage<Real, N> linkage = load_linkage();
+    typename Chain::Directions directions;
+    bool watched = false;
+    length_ = load(rows_.length);
+    for (std::size_t k = 0; k < blocks; ++k) {
+      angles_[k] = load(rows_.angle[k]);
+      advances_[k] = load(rows_.velocity[k]) * length_;
+      directions[k] = {load(rows_.cosine[k]), load(rows_.sine[k])};
+      watched = watched || xsimd::any(load(rows_.watched[k]) > Real(0));
+    }
+    load_pull();
+    Chain series(linkage, rows_.linear, rows_.forces || watched, directions, advances_);
+    series.extend(0, pull_);
+    land(series);
+    converge(series, busy);
+    plain_ = load(rows_.excess) == Real(0);
+    follow_angles(series);
+    if (watched) follow_margins(series, linkage);
+    if (rows_.forces) follow_forces(series);
+    store(length_, rows_.length);
+    store_truth(plain_, rows_.plain);
+  }
+
+  Linkage<Real, N> load_linkage() const {
+    Linkage<Real, N> linkage;
+    linkage.blocks = N;
+    for (std::size_t k = 0; k < blocks; ++k) {
+      linkage.moment_x[k] = load(rows_.moment_x[k]);
+      linkage.moment_y[k] = load(rows_.moment_y[k]);
+      linkage.link_x[k] = load(rows_.link_x[k]);
+      linkage.link_y[k] = load(rows_.link_y[k]);
+      linkage.inertia[k] = load(rows_.inertia[k]);
+      linkage.mass[k] = load(rows_.mass[k]);
+      linkage.width[k] = load(rows_.width[k]);
+      linkage.free[k] = load(rows_.free[k]);
+    }
+    return linkage;
+  }
+
+  void load_pull() {
+    const Real pulls = load(rows_.pulls);
+    std::size_t terms = 0;
+    while (terms < max_terms<Real> && xsimd::any(pulls > Real(static_cast<double>(terms)))) {
+      pull_.x[terms] = load(rows_.pull_x[terms]);
+      pull_.y[terms] = load(rows_.pull_y[terms]);
+      ++terms;
+    }
+    pull_.x.terms = pull_.y.terms = terms;
+  }
+
+  /// Shortens the steps that an impact will end.
+  void land(Chain& series) {
+    const Real ratio = landing(series);
+    const Mask shorter = ratio < Real(1);
+    if (!xsimd::any(shorter)) return;
+    const Real share = select(shorter, ratio, Real(1));
+    length_ *= share;
+    for (Real& advance : advances_) advance *= share;
+    Real power = 1;
+    for (std::size_t n = 0; n < pull_.x.terms; ++n, power *= share) {
+      pull_.x[n] = pull_.x[n] * power * (share * share);
+      pull_.y[n] = pull_.y[n] * power * (share * share);
+    }
+    series.shorten(share);
+    series.extend(0, pull_);
+  }
+
+  Real landing(const Chain& series) const {
+    const Real rate = load(rows_.rate);
+    const Real zero = 0;
+    Real first = 1;
+    for (std::size_t k = 0; k < blocks; ++k) {
+      const Real side = load(rows_.side[k]);
+      const Real gap = side * angles_[k];
+      const Real speed = side * advances_[k];
+      const Real acceleration = side * series.relative(k, 0);
+      const Real radicand = speed * speed - 2 * acceleration * gap;
+      const Real root = sqrt(radicand);
+      const Real s = select(speed < zero, 2 * gap / (root - speed), (root + speed) / -acceleration);
+      const Real end = s * (1 + s * length_ * rate) * Real(1.0625);
+      const Mask comes = (radicand > zero) & ((speed < zero) | (acceleration < zero)) & (s > zero);
+      first = select(comes, min(first, end), first);
+    }
+    return max(first, Real(1e-6) / (length_ * rate));
+  }
+
+  /// Computes orders until the last coefficients of all lanes are below the tolerance; each lane has its own
+  /// number.
+  void converge(Chain& series, const Real& busy) {
+    const Real tolerance = load(rows_.tolerance);
+    const Real pulls = load(rows_.pulls);
+    const Real rate = load(rows_.rate);
+    Mask open = busy > Real(0);
+    Real scale = 0;
+    Real earlier = std::numeric_limits<double>::infinity();
+    Real excess = 0;
+    own_ = 0;
+    for (orders_ = 0; xsimd::any(open) && orders_ + 2 < max_terms<Real>;) {
+      if (orders_ > 0) series.extend(orders_, pull_);
+      Real last = 0;
+      for (std::size_t k = 0; k < blocks; ++k) {
+        const Real size = abs(series.relative(k, orders_));
+        last = max(last, size);
+        if (orders_ < 2) scale = max(scale, abs(advances_[k]) + size + abs(angles_[k]) * length_ * rate);
+      }
+      const Real count = static_cast<double>(++orders_);
+      const Real rest = max(last, earlier / 64);
+      const Real allowed = tolerance * count * scale;
+      earlier = last;
+      own_ = select(open, count, own_);
+      const Mask enough = rest <= allowed;
+      excess = select(open, select(enough, Real(0), rest / allowed), excess);
+      open = open & ~(enough & (count >= pulls));
+    }
+    store(own_, rows_.orders);
+    store(excess, rows_.excess);
+  }
+
+  /// A coefficient of the lanes whose series has that order; the sums of the others stay as they are.
+  Real own(std::size_t order, const Real& coefficient) const {
+    return select(Real(static_cast<double>(order)) < own_, coefficient, Real(0));
+  }
+
+  /// The least and the greatest of partial sums.
+  struct Sums {
+    Real sum, least, greatest;
+
+    explicit Sums(const Real& first) : sum(first), least(first), greatest(first) {}
+    void add(const Real& term) {
+      sum += term;
+      least = min(sum, least);
+      greatest = max(sum, greatest);
+    }
+  };
+
+  void follow_angles(const Chain& series) {
+    const std::size_t terms = orders_ + 2;
+    Coefficients absolute;
+    for (std::size_t i = 0; i < terms; ++i) absolute[i] = 0;
+    for (std::size_t k = 0; k < blocks; ++k) {
+      Coefficients angle;
+      angle[0] = angles_[k];
+      angle[1] = advances_[k];
+      for (std::size_t n = 0; n < orders_; ++n)
+        angle[n + 2] =
+            own(n, series.relative(k, n) * reciprocals<double>[n + 1] * reciprocals<double>[n + 2]);
+      for (std::size_t i = 0; i < terms; ++i) {
+        store(angle[i], rows_.angles[k][i]);
+        absolute[i] += angle[i];
+      }
+      const Real side = load(rows_.side[k]);
+      const Mask stays = stays_open(angle, side);
+      plain_ = plain_ & (stays | (side == Real(0)));
+      store_truth(stays, rows_.stays[k]);
+      follow_peak(absolute, k);
+      end(angle, k);
+    }
+  }
+
+  Mask stays_open(const Coefficients& angle, const Real& side) const {
+    const Mask touching = angle[0] == Real(0);
+    const Real start = angle[0] * side;
+    Real reach = 0;
+    Sums beyond(start + angle[1] * side);
+    for (std::size_t i = 1; i < orders_ + 2; ++i) {
+      reach += abs(angle[i]);
+      if (i > 1) beyond.add(angle[i] * side);
+    }
+    const Real least = select(touching, beyond.least, min(beyond.least, start));
+    const Real size = select(touching, Real(0), abs(angle[0]) + reach);
+    return least > 16 * std::numeric_limits<double>::epsilon() * size;
+  }
+
+  /// The block does not topple, and its peak is known or at an end of the step.
+  void follow_peak(const Coefficients& angle, std::size_t k) {
+    Sums heights(angle[0]);
+    Sums slopes(angle[1]);
+    heights.add(angle[1]);
+    for (std::size_t i = 2; i < orders_ + 2; ++i) {
+      heights.add(angle[i]);
+      slopes.add(static_cast<double>(i) * angle[i]);
+    }
+    Real height = 0;
+    for (std::size_t i = orders_ + 2; i-- > 0;) height += angle[i];
+    const Real peak = load(rows_.peak[k]);
+    const Real size = max(heights.greatest, -heights.least);
+    const Mask known = size <= peak;
+    const Mask monotone = (slopes.least >= Real(0)) | (slopes.greatest <= Real(0));
+    const Mask stands = size < load(rows_.toppling[k]);
+    plain_ = plain_ & stands & (known | monotone);
+    store_truth(stands & known, rows_.upright[k]);
+    store(select(known, peak, max(max(peak, abs(angle[0])), abs(height))), rows_.peak[k]);
+  }
+
+  /// Where the step leads.
+  void end(const Coefficients& angle, std::size_t k) {
+    Real height = 0;
+    Real steepness = 0;
+    for (std::size_t i = orders_ + 2; i-- > 0;) height += angle[i];
+    for (std::size_t i = orders_ + 2; i-- > 1;) steepness += static_cast<double>(i) * angle[i];
+    store(height, rows_.end_angle[k]);
+    store(steepness / length_, rows_.end_velocity[k]);
+  }
+
+  void follow_margins(const Chain& series, const Linkage<Real, N>& linkage) {
+    for (std::size_t k = 0; k < blocks; ++k) {
+      const Mask watched = load(rows_.watched[k]) > Real(0);
+      if (!xsimd::any(watched)) continue;
+      Coefficients right, left;
+      right[0] = left[0] = 0;
+      for (std::size_t n = 0; n < orders_; ++n) {
+        const Real push = series.push(k, n) * linkage.width[k];
+        right[n] = own(n, push + series.reaction(k, n));
+        left[n] = own(n, push - series.reaction(k, n));
+        store(right[n], rows_.right[k][n]);
+        store(left[n], rows_.left[k][n]);
+      }
+      const Mask stays = stays_clear(right) & stays_clear(left);
+      plain_ = plain_ & (stays | ~watched);
+      store(select(watched, select(stays, Real(1), Real(0)), load(rows_.stays[k])), rows_.stays[k]);
+    }
+  }
+
+  /// Neither crosses zero nor grazes it.
+  Mask stays_clear(const Coefficients& margin) const {
+    Real reach = 0;
+    Sums sums(margin[0]);
+    for (std::size_t n = 1; n < orders_; ++n) {
+      reach += abs(margin[n]);
+      sums.add(margin[n]);
+    }
+    const Real rounding = 16 * std::numeric_limits<double>::epsilon() * (abs(margin[0]) + reach);
+    return (sums.least > rounding) & (margin[0] != Real(0));
+  }
+
+  void follow_forces(const Chain& series) {
+    const Real scale = 1 / (length_ * length_);
+    for (std::size_t k = 0; k < blocks; ++k) {
+      Coefficients cosine, sine, normal, tangential;
+      const bool upright = k == 0 || rows_.linear;
+      if (!upright) {
+        const Mask upper = load(rows_.face[k]) > Real(0);
+        for (std::size_t n = 0; n < orders_; ++n) {
+          cosine[n] = select(upper, series.cosine(k)[n], series.cosine(k - 1)[n]);
+          sine[n] = select(upper, series.sine(k)[n], series.sine(k - 1)[n]);
+        }
+      }
+      for (std::size_t n = 0; n < orders_; ++n) {
+        const auto force = upright ? series.force(k, -1, n) : series.force(k, cosine, sine, n);
+        normal[n] = own(n, force.normal * scale);
+        tangential[n] = own(n, force.tangential * scale);
+        store(normal[n], rows_.normal[k][n]);
+        store(tangential[n], rows_.tangential[k][n]);
+      }
+      const Mask borne = demands_no_more(normal, tangential, k);
+      plain_ = plain_ & borne;
+      store_truth(borne, rows_.borne[k]);
+    }
+  }
+
+  Mask demands_no_more(const Coefficients& normal, const Coefficients& tangential, std::size_t k) const {
+    const Real friction = load(rows_.friction[k]);
+    const Real rounding = load(rows_.rounding);
+    const Mask bounded = friction <= Real(std::numeric_limits<double>::max());
+    const Real ratio = select(bounded, friction, Real(0));
+    Sums pushes(normal[0]);
+    Sums right(tangential[0] - ratio * normal[0]);
+    Sums left(-(tangential[0] + ratio * normal[0]));
+    for (std::size_t n = 1; n < orders_; ++n) {
+      const Real held = ratio * normal[n];
+      pushes.add(normal[n]);
+      right.add(tangential[n] - held);
+      left.add(-(tangential[n] + held));
+    }
+    return (pushes.least >= load(rows_.least_normal[k]) - rounding) &
+           (~bounded | (max(right.greatest, left.greatest) <= rounding * (1 + ratio)));
+  }
+
+  Pull<Real> pull_;
+  Real length_;
+  Real own_;  ///< orders of each lane
+  PerBlock<Real, N> angles_, advances_;
+  Mask plain_;
+  StepRows<blocks>& rows_;
+  std::size_t lane_;
+  std::size_t orders_ = 0;  ///< of the lane that has most
+};
+
+}  // namespace rockstack

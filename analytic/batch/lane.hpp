@@ -1,0 +1,163 @@
+#pragma once
+
+#include "analytic/batch/step_rows.hpp"
+#include "analytic/solver.hpp"
+
+namespace rockstack {
+
+/// A scene that is solved in one lane of a batch. Steps are asked for in rows, and what the kernel says of
+/// them is taken from there; all else goes on as in Solver::run().
+template <std::size_t N>
+class Lane {
+ public:
+  static constexpr int blocks = static_cast<int>(N);
+
+  /// Keeps references to `scene` and `options`. @throws as Solver().
+  Lane(const Scene& scene, const SolveOptions& options) : solver_(scene, options) {}
+
+  /// Goes on up to the first step of moving blocks, and asks for it. False where there is none: the history
+  /// is complete. @throws as Solver::run().
+  bool start(StepRows<N>& rows, std::size_t lane) {
+    solver_.start();
+    describe_scene(rows, lane);
+    return ask(rows, lane, true);
+  }
+
+  /// Goes along the step that was asked for, and on up to the next; likewise. @throws as Solver::run().
+  bool go_on(StepRows<N>& rows, std::size_t lane) {
+    const bool plain = settled_ && rows.plain[lane] > 0;
+    if (plain) {
+      pass(rows, lane);
+    } else {
+      take(rows, lane);
+    }
+    return ask(rows, lane, !plain);
+  }
+
+  History history() && { return std::move(solver_).history(); }
+
+ private:
+  /// A step that nothing happens in.
+  void pass(const StepRows<N>& rows, std::size_t lane) {
+    typename Solver<double, blocks>::End end;
+    for (std::size_t k = 0; k < N; ++k) {
+      end.angles[k] = rows.end_angle[k][lane];
+      end.velocities[k] = rows.end_velocity[k][lane];
+      end.peaks[k] = rows.peak[k][lane];
+    }
+    const double length = rows.length[lane];
+    solver_.steps().lengthen(length, static_cast<std::size_t>(rows.orders[lane]));
+    solver_.pass(length, end);
+  }
+
+  /// A step that the kernel could not tell all about.
+  void take(const StepRows<N>& rows, std::size_t lane) {
+    const auto orders = static_cast<std::size_t>(rows.orders[lane]);
+    const auto read = [&](const CoefficientRows& from, std::size_t terms, Polynomial<double>& to) {
+      to.terms = terms;
+      for (std::size_t n = 0; n < terms; ++n) to[n] = from[n][lane];
+    };
+    const Cleared cleared = tell(rows, lane);
+    const bool bears = rows.forces && cleared.forces.count() < N;
+    Flow<double, blocks> flow{rows.length[lane], solver_.state(), {}, {}};
+    for (std::size_t k = 0; k < N; ++k) {
+      if (rows.side[k][lane] != 0) {
+        read(rows.angles[k], orders + 2, flow.angles[k]);
+      } else if (rows.watched[k][lane] > 0 && !cleared.gaps.test(k)) {
+        read(rows.right[k], orders, flow.margins[k].right);
+        read(rows.left[k], orders, flow.margins[k].left);
+      }
+      if (!bears) continue;
+      read(rows.normal[k], orders, flow.forces[k].normal);
+      read(rows.tangential[k], orders, flow.forces[k].tangential);
+    }
+    solver_.steps().fit(rows.excess[lane], orders, flow);
+    solver_.take(flow, cleared);
+  }
+
+  /// What the kernel has told of a step that keeps its series as it is.
+  Cleared tell(const StepRows<N>& rows, std::size_t lane) const {
+    Cleared cleared;
+    if (!settled_ || rows.excess[lane] != 0) return cleared;
+    for (std::size_t k = 0; k < N; ++k) {
+      cleared.gaps.set(k, rows.stays[k][lane] > 0);
+      cleared.angles.set(k, rows.upright[k][lane] > 0);
+      cleared.forces.set(k, rows.forces && rows.borne[k][lane] > 0);
+    }
+    return cleared;
+  }
+
+  /// `changed` tells whether more than the state may have changed since a step was asked for.
+  bool ask(StepRows<N>& rows, std::size_t lane, bool changed) {
+    if (!solver_.seek_motion()) return false;
+    const auto step = solver_.next_step();
+    settled_ = step.settled;
+    if (changed) describe_pattern(step.linkage, step.state.pattern, step.watched, rows, lane);
+    describe_state(step.state, rows, lane);
+    rows.length[lane] = step.length;
+    describe_pull(step.pull, rows, lane);
+    return true;
+  }
+
+  void describe_scene(StepRows<N>& rows, std::size_t lane) const {
+    rows.tolerance[lane] = solver_.steps().tolerance();
+    rows.rate[lane] = solver_.steps().rate();
+    rows.rounding[lane] = solver_.recorder().rounding();
+    for (std::size_t k = 0; k < N; ++k) {
+      rows.toppling[k][lane] = solver_.toppling_angles()[k];
+      rows.face[k][lane] = solver_.model().stack.overhangs[k] ? 1 : 0;
+    }
+  }
+
+  void describe_pattern(const Linkage<double, blocks>& linkage, const Pattern& pattern,
+                        const Interfaces& watched, StepRows<N>& rows, std::size_t lane) const {
+    const History& known = solver_.recorder().so_far();
+    for (std::size_t k = 0; k < N; ++k) {
+      rows.moment_x[k][lane] = linkage.moment_x[k];
+      rows.moment_y[k][lane] = linkage.moment_y[k];
+      rows.link_x[k][lane] = linkage.link_x[k];
+      rows.link_y[k][lane] = linkage.link_y[k];
+      rows.inertia[k][lane] = linkage.inertia[k];
+      rows.mass[k][lane] = linkage.mass[k];
+      rows.width[k][lane] = linkage.width[k];
+      rows.free[k][lane] = linkage.free[k];
+      rows.side[k][lane] = sign(pattern[static_cast<int>(k)]);
+      rows.watched[k][lane] = watched.test(k) ? 1 : 0;
+      rows.peak[k][lane] = known.peaks.empty() ? std::numeric_limits<double>::infinity() : known.peaks[k];
+      if (known.forces.empty()) continue;
+      rows.least_normal[k][lane] = known.forces[k].least_normal;
+      rows.friction[k][lane] = known.forces[k].friction;
+    }
+  }
+
+  static void describe_state(const State<double, blocks>& state, StepRows<N>& rows, std::size_t lane) {
+    PerBlock<double, blocks> angles;
+    for (std::size_t k = 0; k < N; ++k) {
+      rows.angle[k][lane] = angles[k] = state.angles[static_cast<int>(k)];
+      rows.velocity[k][lane] = state.velocities[static_cast<int>(k)];
+    }
+    const auto directions = block_directions<double, blocks>(rows.linear, N, angles);
+    for (std::size_t k = 0; k < N; ++k) {
+      rows.cosine[k][lane] = directions[k].x;
+      rows.sine[k][lane] = directions[k].y;
+    }
+  }
+
+  /// What has no coefficients is −0, so that its opposite adds nothing.
+  void describe_pull(const Pull<double>& pull, StepRows<N>& rows, std::size_t lane) {
+    const std::size_t terms = std::max(pull.x.terms, pull.y.terms);
+    const std::size_t filled = std::max(terms, pulls_);
+    for (std::size_t n = 0; n < filled; ++n) {
+      rows.pull_x[n][lane] = n < pull.x.terms ? pull.x[n] : -0.0;
+      rows.pull_y[n][lane] = n < pull.y.terms ? pull.y[n] : -0.0;
+    }
+    rows.pulls[lane] = static_cast<double>(terms);
+    pulls_ = terms;
+  }
+
+  Solver<double, blocks> solver_;
+  bool settled_ = false;                   ///< in the step that was asked for
+  std::size_t pulls_ = max_terms<double>;  ///< coefficients in the rows
+};
+
+}  // namespace rockstack

@@ -1,0 +1,9 @@
+#include "analytic/batch/kernel.hpp"
+#include "analytic/batch/kernels.hpp"
+
+namespace rockstack {
+
+constinit const StepKernels sse2_kernels{&StepKernel<Pack<xsimd::sse2>, 1>::make_steps,
+                                         &StepKernel<Pack<xsimd::sse2>, 2>::make_steps};
+
+}  // namespace rockstack

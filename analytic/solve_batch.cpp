@@ -1,0 +1,192 @@
+#include "analytic/solve_batch.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "analytic/batch/kernels.hpp"
+#include "analytic/batch/lane.hpp"
+#include "analytic/solve.hpp"
+
+namespace rockstack {
+namespace {
+
+using Take = std::function<void(Solved&&)>;
+
+/// Scenes of N blocks and one kind of equations that are solved side by side.
+template <std::size_t N>
+class Lanes {
+ public:
+  using MakeSteps = void (*)(StepRows<N>&);
+
+  /// Keeps references to `options` and `take`.
+  Lanes(bool linear, MakeSteps make_steps, const SolveOptions& options, const Take& take)
+      : make_steps_(make_steps), options_(options), take_(take) {
+    rows_.linear = linear;
+    rows_.forces = options.validity;
+  }
+
+  /// Goes on with the others until there is room.
+  void add(std::size_t number, Scene&& scene) {
+    while (busy_ == batch_lanes) go_on();
+    std::size_t lane = 0;
+    while (runs_[lane]) ++lane;
+    Run& run = *(runs_[lane] = std::make_unique<Run>(Run{number, std::move(scene), {}}));
+    ++busy_;
+    rows_.busy[lane] = 1;
+    attempt(lane, [&] {
+      validate(run.scene);
+      run.lane.emplace(run.scene, options_);
+      return run.lane->start(rows_, lane);
+    });
+  }
+
+  void finish() {
+    while (busy_ > 0) go_on();
+  }
+
+ private:
+  struct Run {
+    std::size_t number;
+    Scene scene;
+    std::optional<Lane<N>> lane;
+  };
+
+  void go_on() {
+    make_steps_(rows_);
+    for (std::size_t lane = 0; lane < batch_lanes; ++lane) {
+      if (runs_[lane]) attempt(lane, [&] { return runs_[lane]->lane->go_on(rows_, lane); });
+    }
+  }
+
+  /// A part of a run that tells whether there is more.
+  template <class Part>
+  void attempt(std::size_t lane, const Part& part) {
+    try {
+      if (part()) return;
+    } catch (const IllConditioned&) {
+      return again(lane);
+    } catch (const std::exception&) {
+      return end(lane, {}, std::current_exception());
+    }
+    end(lane, std::move(*runs_[lane]->lane).history(), nullptr);
+  }
+
+  /// A run that solve() makes in wider numbers.
+  void again(std::size_t lane) {
+    try {
+      end(lane, solve(runs_[lane]->scene, options_), nullptr);
+    } catch (const std::exception&) {
+      end(lane, {}, std::current_exception());
+    }
+  }
+
+  void end(std::size_t lane, History&& history, const std::exception_ptr& failure) {
+    const std::unique_ptr<Run> run = std::move(runs_[lane]);
+    --busy_;
+    rows_.busy[lane] = 0;
+    take_({run->number, run->scene, std::move(history), failure});
+  }
+
+  MakeSteps make_steps_;
+  const SolveOptions& options_;
+  const Take& take_;
+  std::array<std::unique_ptr<Run>, batch_lanes> runs_;
+  std::size_t busy_ = 0;
+  StepRows<N> rows_;
+};
+
+/// One scene after the other.
+class OneByOne {
+ public:
+  OneByOne(const SolveOptions& options, const Take& take) : options_(options), take_(take) {}
+
+  void add(std::size_t number, const Scene& scene) const {
+    Solved solved{number, scene, {}, nullptr};
+    try {
+      solved.history = solve(scene, options_);
+    } catch (const std::exception&) {
+      solved.failure = std::current_exception();
+    }
+    take_(std::move(solved));
+  }
+
+ private:
+  const SolveOptions& options_;
+  const Take& take_;
+};
+
+/// None for one scene after the other.
+const StepKernels* kernels(InstructionSet set) {
+  const auto& sets = instruction_sets();
+  if (std::find(sets.begin(), sets.end(), set) == sets.end())
+    throw std::invalid_argument("instruction set " + name(set) + ": not of this machine or build");
+#ifdef ROCKSTACK_WITH_INSTRUCTION_SETS
+  if (set == InstructionSet::sse2) return &sse2_kernels;
+  if (set == InstructionSet::avx2) return &avx2_kernels;
+  if (set == InstructionSet::avx512) return &avx512_kernels;
+#endif
+  return nullptr;
+}
+
+/// Whether a batch keeps all that the options ask for.
+bool fits(const SolveOptions& options) {
+  return options.integrator == Integrator::taylor && options.sample_times.empty();
+}
+
+}  // namespace
+
+std::string name(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::sse2:
+      return "SSE2";
+    case InstructionSet::avx2:
+      return "AVX2";
+    case InstructionSet::avx512:
+      return "AVX-512";
+    default:
+      return "scalar";
+  }
+}
+
+const std::vector<InstructionSet>& instruction_sets() {
+  static const std::vector<InstructionSet> sets = [] {
+    std::vector<InstructionSet> result{InstructionSet::scalar};
+#ifdef ROCKSTACK_WITH_INSTRUCTION_SETS
+    if (__builtin_cpu_supports("sse2")) result.push_back(InstructionSet::sse2);
+    if (__builtin_cpu_supports("avx2")) result.push_back(InstructionSet::avx2);
+    if (__builtin_cpu_supports("avx512f")) result.push_back(InstructionSet::avx512);
+#endif
+    return result;
+  }();
+  return sets;
+}
+
+void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveOptions& options,
+                 const Take& take, InstructionSet set) {
+  const StepKernels* const made_by = fits(options) ? kernels(set) : nullptr;
+  const OneByOne others(options, take);
+  std::size_t number = 0;
+  if (made_by == nullptr) {
+    while (std::optional<Scene> scene = next()) others.add(number++, *scene);
+    return;
+  }
+  Lanes<1> one[]{{false, made_by->one_block, options, take}, {true, made_by->one_block, options, take}};
+  Lanes<2> two[]{{false, made_by->two_blocks, options, take}, {true, made_by->two_blocks, options, take}};
+  for (; std::optional<Scene> scene = next(); ++number) {
+    const std::size_t kind = scene->equations == Equations::linear ? 1 : 0;
+    switch (scene->blocks.size()) {
+      case 1:
+        one[kind].add(number, std::move(*scene));
+        break;
+      case 2:
+        two[kind].add(number, std::move(*scene));
+        break;
+      default:
+        others.add(number, *scene);
+    }
+  }
+  for (Lanes<1>& lanes : one) lanes.finish();
+  for (Lanes<2>& lanes : two) lanes.finish();
+}
+
+}  // namespace rockstack

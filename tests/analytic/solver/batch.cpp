@@ -1,0 +1,169 @@
+#include "analytic/solve_batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <sstream>
+
+#include "tests/analytic/solver/stacks.hpp"
+
+namespace rockstack::testing {
+namespace {
+
+/// All of a history, numbers by their bits.
+class Bits {
+ public:
+  void add(double number) { text_ << std::hex << std::bit_cast<std::uint64_t>(number) << ' '; }
+  void add(const std::vector<double>& numbers) {
+    for (const double number : numbers) add(number);
+    text_ << '\n';
+  }
+  void add(const std::vector<Demand>& demands) {
+    for (const Demand& demand : demands)
+      add({demand.least_normal, demand.least_normal_time, demand.friction, demand.friction_time});
+  }
+  void add(const History& history) {
+    text_ << history.blocks << '\n';
+    for (const auto* numbers : {&history.times, &history.angles, &history.velocities, &history.peaks})
+      add(*numbers);
+    for (const Pattern& pattern : history.patterns) text_ << name(pattern) << ' ';
+    for (const Event& event : history.events) {
+      add(event.time);
+      text_ << name(event.kind) << ' ' << event.interface << ' ' << name(event.from) << ' ' << name(event.to)
+            << ' ' << name(event.consistency) << ' ';
+      for (const auto* numbers : {&event.angles, &event.before, &event.after}) add(*numbers);
+    }
+    for (const BasicGraze<double>& graze : history.grazes) {
+      add(graze.time);
+      text_ << name(graze.kind) << ' ' << graze.interface << '\n';
+    }
+    add(history.forces);
+    add(history.impulses);
+  }
+  std::string text() const { return text_.str(); }
+
+ private:
+  std::ostringstream text_;
+};
+
+/// A history by its bits, or why there is none.
+std::string answer(const History& history, const std::exception_ptr& failure) {
+  if (failure) {
+    try {
+      std::rethrow_exception(failure);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  }
+  Bits bits;
+  bits.add(history);
+  return bits.text();
+}
+
+std::string alone(const Scene& scene, const SolveOptions& options) {
+  try {
+    return answer(solve(scene, options), nullptr);
+  } catch (const std::exception&) {
+    return answer({}, std::current_exception());
+  }
+}
+
+std::vector<std::string> together(const std::vector<Scene>& scenes, const SolveOptions& options,
+                                  InstructionSet set) {
+  std::vector<std::string> answers(scenes.size(), "nothing came out");
+  std::size_t given = 0;
+  solve_batch(
+      [&] { return given < scenes.size() ? std::optional(scenes[given++]) : std::nullopt; }, options,
+      [&](const Solved& solved) { answers.at(solved.number) = answer(solved.history, solved.failure); }, set);
+  return answers;
+}
+
+/// One to three blocks, under records, pulses or none, along both axes, for up to 4 s.
+std::vector<Scene> mixed_scenes(std::uint64_t seed, int count) {
+  Draw draw(seed);
+  std::vector<Scene> scenes;
+  for (int i = 0; i < count; ++i) {
+    Scene scene = random_scene(draw, draw.below(8) == 0 ? 3 : 1 + draw.below(2), false);
+    if (draw.below(4) > 0) shake(draw, scene);
+    if (draw.below(4) == 0) scene.equations = Equations::linear;
+    scene.duration = draw.between(0.05, 4);
+    scenes.push_back(scene);
+  }
+  return scenes;
+}
+
+class Batch : public ::testing::TestWithParam<InstructionSet> {
+ protected:
+  void SetUp() override {
+    const auto& sets = instruction_sets();
+    if (std::find(sets.begin(), sets.end(), GetParam()) == sets.end())
+      GTEST_SKIP() << "this machine or build has no " << name(GetParam());
+  }
+
+  static void expect_the_bits_of_each_alone(const std::vector<Scene>& scenes, const SolveOptions& options) {
+    const auto answers = together(scenes, options, GetParam());
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+      ASSERT_EQ(answers[i], alone(scenes[i], options)) << "scene " << i;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, Batch,
+                         ::testing::Values(InstructionSet::scalar, InstructionSet::sse2, InstructionSet::avx2,
+                                           InstructionSet::avx512),
+                         [](const auto& set) {
+                           std::string text = name(set.param);
+                           std::erase(text, '-');
+                           return text;
+                         });
+
+TEST_P(Batch, GivesTheBitsOfEachSceneAlone) {
+  std::uint64_t seed = 0;
+  for (const double tolerance : {0.0, 1e-9, 1e-6}) {
+    for (const bool kept : {true, false}) {
+      const SolveOptions options{
+          .validity = kept, .peaks = kept, .resolution = tolerance, .tolerance = tolerance};
+      expect_the_bits_of_each_alone(mixed_scenes(++seed, 150), options);
+    }
+  }
+}
+
+TEST_P(Batch, TakesAnyNumberOfScenes) {
+  for (int count = 0; count < 20; ++count)
+    expect_the_bits_of_each_alone(mixed_scenes(100, count), {.peaks = true, .tolerance = 1e-9});
+}
+
+TEST_P(Batch, KeepsWhatNeedsStepsOfItsOwn) {
+  const auto scenes = mixed_scenes(200, 6);
+  expect_the_bits_of_each_alone(scenes, {.sample_times = {0, 0.01, 0.02}, .peaks = true});
+  expect_the_bits_of_each_alone(scenes, {.integrator = Integrator::rk4, .peaks = true});
+}
+
+TEST_P(Batch, AFailingSceneCostsItsOwnAnswerAlone) {
+  auto scenes = mixed_scenes(300, 24);
+  scenes[3].duration = -1;
+  scenes[9].blocks.clear();
+  // So far apart that the solver goes over to wider numbers.
+  scenes[14] = released({block(1, 1), block(1e-7, 1e-7)}, {0.1, 0.05}, 1);
+  expect_the_bits_of_each_alone(scenes, {.validity = true, .peaks = true, .tolerance = 1e-6});
+  expect_the_bits_of_each_alone(scenes, {.tolerance = -1});
+}
+
+TEST_P(Batch, WhatItsSourceAndItsTakerThrowGoesThrough) {
+  const auto scenes = mixed_scenes(400, 20);
+  std::size_t given = 0;
+  const auto next = [&] { return given < scenes.size() ? std::optional(scenes[given++]) : std::nullopt; };
+  const auto failing_source = [&]() -> std::optional<Scene> {
+    return given < 10 ? next() : throw std::logic_error("no source");
+  };
+  EXPECT_THROW(solve_batch(
+                   failing_source, {}, [](const Solved&) {}, GetParam()),
+               std::logic_error);
+  given = 0;
+  EXPECT_THROW(solve_batch(
+                   next, {}, [](const Solved&) { throw std::logic_error("no taker"); }, GetParam()),
+               std::logic_error);
+}
+
+}  // namespace
+}  // namespace rockstack::testing
