@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <exception>
+#include <optional>
 
 #include "analytic/scene/number_text.hpp"
-#include "comparisons/ensemble/run_one.hpp"
+#include "analytic/solve_batch.hpp"
+#include "comparisons/ensemble/run_outcome.hpp"
 #include "comparisons/table.hpp"
 
 namespace rockstack {
@@ -69,22 +71,68 @@ void add_failure(Line& line, std::size_t blocks, const std::string& reason) {
   line.add(text_cell(reason));
 }
 
-std::string run_line(const Ensemble& ensemble, std::size_t run, SceneDocument& document,
-                     MotionLibrary& library) {
-  const std::vector<Value> values = values_of(ensemble, run);
-  Line line;
-  line.add(run);
-  for (const Value& value : values) line.add(text_cell(value.text));
-  try {
-    for (std::size_t v = 0; v < values.size(); ++v) set_values(document, ensemble.variations[v], values[v]);
-    add_outcome(line, run_one(make_scene(document, library), ensemble.tolerance));
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    add_failure(line, block_count(ensemble), error.what());
+/// The lines of consecutive runs, whose scenes it makes one after the other.
+class Lines {
+ public:
+  Lines(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library)
+      : ensemble_(ensemble), first_(first), library_(library), document_(ensemble.base) {
+    lines_.resize(last - first);
   }
-  return line.finish();
-}
+
+  /// The scene of the next run that has one; a run that has none says why in its line.
+  std::optional<Scene> next_scene() {
+    for (; begun_ < lines_.size(); ++begun_) {
+      const std::vector<Value> values = values_of(ensemble_, first_ + begun_);
+      Line& line = lines_[begun_];
+      line.add(first_ + begun_);
+      for (const Value& value : values) line.add(text_cell(value.text));
+      std::optional<Scene> scene;
+      or_failure(line, [&] {
+        for (std::size_t v = 0; v < values.size(); ++v)
+          set_values(document_, ensemble_.variations[v], values[v]);
+        scene = make_scene(document_, library_);
+      });
+      if (!scene) continue;
+      of_scene_.push_back(begun_++);
+      return scene;
+    }
+    return std::nullopt;
+  }
+
+  void take(const Solved& solved) {
+    Line& line = lines_[of_scene_[solved.number]];
+    or_failure(line, [&] {
+      if (solved.failure) std::rethrow_exception(solved.failure);
+      add_outcome(line, run_outcome(solved.scene, solved.history));
+    });
+  }
+
+  std::string text() {
+    std::string text;
+    for (Line& line : lines_) text += line.finish();
+    return text;
+  }
+
+ private:
+  template <class Part>
+  void or_failure(Line& line, const Part& part) const {
+    try {
+      part();
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& error) {
+      add_failure(line, block_count(ensemble_), error.what());
+    }
+  }
+
+  const Ensemble& ensemble_;
+  std::size_t first_;
+  MotionLibrary& library_;
+  SceneDocument document_;
+  std::vector<Line> lines_;
+  std::size_t begun_ = 0;
+  std::vector<std::size_t> of_scene_;  ///< the line of each scene
+};
 
 }  // namespace
 
@@ -110,10 +158,10 @@ std::string header_line(const Ensemble& ensemble) {
 }
 
 std::string run_lines(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library) {
-  SceneDocument document = ensemble.base;
-  std::string lines;
-  for (std::size_t run = first; run < last; ++run) lines += run_line(ensemble, run, document, library);
-  return lines;
+  Lines lines(ensemble, first, last, library);
+  solve_batch([&] { return lines.next_scene(); }, run_options(ensemble.tolerance),
+              [&](const Solved& solved) { lines.take(solved); });
+  return lines.text();
 }
 
 }  // namespace rockstack

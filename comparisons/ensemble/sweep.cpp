@@ -96,8 +96,9 @@ void write_timing(const SweepResult& result, const Workers& workers, const Sweep
 }  // namespace
 
 std::size_t block_size(std::size_t runs) {
+  constexpr std::size_t smallest = 32;  // enough to be solved side by side
   constexpr std::size_t largest = 256, fewest_blocks = 64;
-  return std::clamp<std::size_t>(runs / fewest_blocks, 1, largest);
+  return std::clamp(runs / fewest_blocks, smallest, largest);
 }
 
 std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibrary& library) {

@@ -1,5 +1,5 @@
-// What sweeps of two blocks under records cost: two threads over one, as a ratio within one run, and the time
-// of a run.
+// What sweeps cost: two threads over one, and batches of each instruction set over one scene after the other,
+// as ratios within one run; and the time of a run.
 
 #include <benchmark/benchmark.h>
 
@@ -7,8 +7,11 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
+#include "analytic/solve_batch.hpp"
+#include "comparisons/ensemble/run_outcome.hpp"
 #include "comparisons/ensemble/sweep.hpp"
 
 namespace rockstack {
@@ -44,6 +47,61 @@ void sweep_of_two_blocks(benchmark::State& state) {
   state.counters["ms_per_run_of_one_thread"] = 1e3 * one / static_cast<double>(run_count(ensemble));
 }
 BENCHMARK(sweep_of_two_blocks)->Arg(0)->Arg(9)->Arg(6)->Iterations(5)->Unit(benchmark::kMillisecond);
+
+std::vector<Scene> scenes_of(const Ensemble& ensemble, MotionLibrary& library) {
+  std::vector<Scene> scenes;
+  SceneDocument document = ensemble.base;
+  for (std::size_t run = 0; run < std::min<std::size_t>(run_count(ensemble), 512); ++run) {
+    const auto values = values_of(ensemble, run);
+    for (std::size_t v = 0; v < values.size(); ++v) set_values(document, ensemble.variations[v], values[v]);
+    scenes.push_back(make_scene(document, library));
+  }
+  return scenes;
+}
+
+/// Solves scenes on one core, s.
+double seconds(const std::vector<Scene>& scenes, const SolveOptions& options, InstructionSet set) {
+  std::size_t given = 0;
+  const auto start = std::chrono::steady_clock::now();
+  solve_batch([&] { return given < scenes.size() ? std::optional(scenes[given++]) : std::nullopt; }, options,
+              [](const Solved& solved) { benchmark::DoNotOptimize(solved.history.events.data()); }, set);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The instruction sets by turns; the least time of each counts. Tolerances as above.
+void batch_over_scalar(benchmark::State& state, const std::string& ensemble_file) {
+  MotionLibrary library;
+  const Ensemble ensemble =
+      read_ensemble(ROCKSTACK_ENSEMBLES "/" + ensemble_file + ".toml", {"duration=20"}, library);
+  const std::vector<Scene> scenes = scenes_of(ensemble, library);
+  const SolveOptions options =
+      run_options(state.range(0) > 0 ? std::pow(10, -static_cast<double>(state.range(0))) : 0);
+  std::map<InstructionSet, double> least;
+  for ([[maybe_unused]] auto round : state) {
+    for (const InstructionSet set : instruction_sets()) {
+      const double time = seconds(scenes, options, set);
+      const auto known = least.try_emplace(set, time).first;
+      known->second = std::min(known->second, time);
+    }
+  }
+  const double scalar = least.at(InstructionSet::scalar);
+  for (const auto& [set, time] : least) {
+    if (set != InstructionSet::scalar) state.counters[name(set) + "_over_scalar"] = scalar / time;
+  }
+  state.counters["ms_per_run_of_scalar"] = 1e3 * scalar / static_cast<double>(scenes.size());
+}
+BENCHMARK_CAPTURE(batch_over_scalar, ida_two_blocks, "ida-two-blocks")
+    ->Arg(0)
+    ->Arg(9)
+    ->Arg(6)
+    ->Iterations(5)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(batch_over_scalar, fragility_block, "fragility-block")
+    ->Arg(0)
+    ->Arg(9)
+    ->Arg(6)
+    ->Iterations(5)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace rockstack

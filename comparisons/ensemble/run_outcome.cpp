@@ -1,9 +1,7 @@
-#include "comparisons/ensemble/run_one.hpp"
+#include "comparisons/ensemble/run_outcome.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "analytic/solve.hpp"
 
 namespace rockstack {
 namespace {
@@ -24,9 +22,11 @@ bool is_impact(const Event& event) {
 
 }  // namespace
 
-RunOutcome run_one(const Scene& scene, double tolerance) {
-  const History history =
-      solve(scene, {.validity = true, .peaks = true, .resolution = tolerance, .tolerance = tolerance});
+SolveOptions run_options(double tolerance) {
+  return {.validity = true, .peaks = true, .resolution = tolerance, .tolerance = tolerance};
+}
+
+RunOutcome run_outcome(const Scene& scene, const History& history) {
   RunOutcome outcome;
   outcome.peaks = history.peaks;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {

@@ -5,6 +5,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
+#include "analytic/solve_options.hpp"
 
 namespace rockstack {
 
@@ -21,8 +22,10 @@ struct RunOutcome {
   Demand impulse;              ///< likewise, by impulses
 };
 
-/// Solves a scene exactly, or to a tolerance that also ends chatter (SolveOptions), and sums it up.
-/// @throws as solve().
-RunOutcome run_one(const Scene& scene, double tolerance = 0);
+/// How the runs of a sweep are solved: exactly, or to a tolerance that also ends chatter.
+SolveOptions run_options(double tolerance = 0);
+
+/// Sums up the history of a scene that was solved with run_options().
+RunOutcome run_outcome(const Scene& scene, const History& history);
 
 }  // namespace rockstack
