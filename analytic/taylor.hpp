@@ -67,12 +67,19 @@ class ChainSeries {
 
   std::size_t size() const { return linkage_.size(); }
 
-  /// Makes the step `ratio` times as long; all orders are to be computed again.
+  /// Makes the step `ratio` times as long, where order 0 is known: its coefficients go with the length
+  /// squared.
   void shorten(const Real& ratio) {
+    const Real square = ratio * ratio;
     for (std::size_t k = 0; k < size(); ++k) {
-      rows_[k].weighted[1] *= ratio;
-      rows_[k].cosine[1] *= ratio;
-      rows_[k].sine[1] *= ratio;
+      Row& row = rows_[k];
+      for (Series* series : {&row.weighted, &row.cosine, &row.sine}) {
+        (*series)[1] *= ratio;
+        (*series)[2] *= square;
+      }
+      for (Series* series : {&row.across, &row.along, &row.relative}) (*series)[0] *= square;
+      if (!forces_) continue;
+      for (Series* series : {&row.reaction, &row.force_x, &row.force_y}) (*series)[0] *= square;
     }
   }
 

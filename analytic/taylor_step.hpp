@@ -55,7 +55,6 @@ class TaylorSteps {
       for (Real& advance : advances) advance *= ratio;
       shorten(pull, ratio);
       series.shorten(ratio);
-      series.extend(0, pull);
     }
     Real scale = 0;
     Real earlier = std::numeric_limits<Real>::infinity();

@@ -100,7 +100,6 @@ class StepKernel {
       pull_.y[n] = pull_.y[n] * power * (share * share);
     }
     series.shorten(share);
-    series.extend(0, pull_);
   }
 
   Real landing(const Chain& series) const {
