@@ -109,8 +109,8 @@ std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibra
 
 SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Workers& workers,
                   const SweepOptions& options) {
-  Journal journal(options.folder, identity(ensemble, library));
   SweepResult result{.runs = run_count(ensemble)};
+  Journal journal(options.folder, identity(ensemble, library) + std::to_string(block_size(result.runs)));
   std::vector<std::size_t> blocks;
   for (std::size_t block = 0; block < block_count(result.runs); ++block) {
     if (journal.has(block)) {
