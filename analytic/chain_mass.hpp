@@ -7,49 +7,41 @@ namespace rockstack {
 template <class Real>
 struct PlaneVector {
   Real x, y;
+
+  friend PlaneVector operator+(const PlaneVector& a, const PlaneVector& b) { return {a.x + b.x, a.y + b.y}; }
+  friend PlaneVector operator*(const Real& factor, const PlaneVector& a) {
+    return {factor * a.x, factor * a.y};
+  }
 };
 
-/// The mass matrix of a chain's relative angles, and its factors L D Lᵀ with closed interfaces held.
+/// (x, y) of a block's frame as it stands, from the cosine and the sine of its angle; or a derivative of it,
+/// from theirs.
+template <class Real>
+PlaneVector<Real> turned(const PlaneVector<Real>& direction, const Real& x, const Real& y) {
+  return {x * direction.x + y * direction.y, y * direction.x - x * direction.y};
+}
+
+/// a⊥ · b, with ⊥ the quarter turn that an increasing angle makes.
+template <class Real>
+Real across(const PlaneVector<Real>& a, const PlaneVector<Real>& b) {
+  return a.y * b.x - a.x * b.y;
+}
+
+/// The mass matrix of a chain's relative angles.
 template <class Real, int N>
 struct ChainMass {
   using Point2 = PlaneVector<Real>;
   PerBlock<Point2, N> links, moments;  ///< L and S of the linkage as they stand, m and kg·m
-  std::array<PerBlock<Real, N>, capacity(N)> matrix, factors;
-  PerBlock<Real, N> inverse;  ///< of D
+  std::array<PerBlock<Real, N>, capacity(N)> matrix;
+  HeldMass<Real, N> held;
 
   /// From the cosine and the sine of each block's angle.
   void factorise(const Linkage<Real, N>& linkage, const PerBlock<Point2, N>& directions) {
     fill(linkage, directions);
-    for (std::size_t i = 0; i < linkage.size(); ++i) {
-      for (std::size_t j = 0; j <= i; ++j) {
-        Real sum = matrix[i][j] * linkage.free[i] * linkage.free[j];
-        if (i == j) sum += Real(1) - linkage.free[i];
-        for (std::size_t m = 0; m < j; ++m) sum -= factors[i][m] * factors[m][m] * factors[j][m];
-        factors[i][j] = i == j ? sum : sum * inverse[j];
-      }
-      inverse[i] = Real(1) / factors[i][i];
-    }
-  }
-
-  /// −M⁻¹ of the moments of open interfaces.
-  PerBlock<Real, N> solve(const Linkage<Real, N>& linkage, const PerBlock<Real, N>& opposed) const {
-    PerBlock<Real, N> x;
-    for (std::size_t i = 0; i < linkage.size(); ++i) {
-      x[i] = -opposed[i] * linkage.free[i];
-      for (std::size_t m = 0; m < i; ++m) x[i] -= factors[i][m] * x[m];
-    }
-    for (std::size_t i = linkage.size(); i-- > 0;) {
-      x[i] *= inverse[i];
-      for (std::size_t m = i + 1; m < linkage.size(); ++m) x[i] -= factors[m][i] * x[m];
-    }
-    return x;
+    held.factorise(linkage.size(), linkage.free, [&](std::size_t i, std::size_t j) { return matrix[i][j]; });
   }
 
  private:
-  static Point2 turned(const Point2& direction, const Real& x, const Real& y) {
-    return {x * direction.x + y * direction.y, y * direction.x - x * direction.y};
-  }
-
   /// The matrix of absolute angles, then sums over all blocks from either index up: those that turn with a
   /// relative angle.
   void fill(const Linkage<Real, N>& linkage, const PerBlock<Point2, N>& directions) {

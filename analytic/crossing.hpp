@@ -11,15 +11,10 @@ namespace rockstack {
 template <class Real>
 Real bracketed_root(const Polynomial<Real>& polynomial, Real low, Real high, Real s) {
   for (int iteration = 0; iteration < 4 * std::numeric_limits<Real>::digits; ++iteration) {
-    Real height = 0;
-    Real steepness = 0;
-    for (std::size_t i = polynomial.terms; i-- > 0;) {
-      steepness = steepness * s + height;
-      height = height * s + polynomial[i];
-    }
+    const auto [height, slope] = tangent(polynomial, s);
     if (height == 0) return s;
     (height > 0 ? low : high) = s;
-    const Real newton = s - height / steepness;
+    const Real newton = s - height / slope;
     const Real next = newton > low && newton < high ? newton : (low + high) / 2;
     using std::abs;
     if (abs(next - s) <= std::numeric_limits<Real>::epsilon() * s) return next;
@@ -28,25 +23,18 @@ Real bracketed_root(const Polynomial<Real>& polynomial, Real low, Real high, Rea
   return s;
 }
 
-/// True where its hull tells that the polynomial, up to the sign `side`, stays above zero over (0, 1].
+/// True where its hull tells that the polynomial stays above zero over (0, 1].
 template <class Real>
-bool stays_positive(const Polynomial<Real>& polynomial, int side = 1) {
-  std::size_t first = 0;
-  while (first < polynomial.terms && polynomial[first] == 0) ++first;
-  if (first == polynomial.terms) return false;
-  const Hull<Real> bounds = hull(polynomial, first);
-  return side > 0 ? bounds.least > 0 : bounds.greatest < 0;
+bool stays_positive(const Polynomial<Real>& polynomial) {
+  return polynomial.terms > 0 && hull_beyond_zero(polynomial).least > 0;
 }
 
-/// The same, and that it does not come within rounding of zero unless it starts there.
+/// True where the hull beyond zero of a polynomial tells the same of it, or of its opposite for a `side`
+/// below zero, and that it does not come within rounding of zero unless it starts there: none of its
+/// coefficients is larger than the hull's width.
 template <class Real>
-bool stays_clear(const Polynomial<Real>& polynomial, int side = 1) {
-  using std::abs;
-  std::size_t first = 0;
-  while (first < polynomial.terms && polynomial[first] == 0) ++first;
-  if (first == polynomial.terms) return false;
-  const Hull<Real> bounds = hull(polynomial, first);
-  const Real size = first > 0 ? Real(0) : abs(polynomial[0]) + reach(polynomial);
+bool stays_clear(const Polynomial<Real>& polynomial, const Hull<Real>& bounds, int side = 1) {
+  const Real size = polynomial[0] == 0 ? Real(0) : 2 * Real(polynomial.terms) * bounds.size();
   return (side > 0 ? bounds.least : -bounds.greatest) > 16 * std::numeric_limits<Real>::epsilon() * size;
 }
 

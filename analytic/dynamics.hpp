@@ -1,10 +1,9 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <limits>
 #include <stdexcept>
 
-#include "analytic/scene/kinematics.hpp"
+#include "analytic/held_mass.hpp"
 
 namespace rockstack {
 
@@ -126,26 +125,28 @@ template <class Real, int N>
 Vector<Real, N> nearest_allowed(const Stack<Real, N>& stack, const Pattern& pattern,
                                 const Chain<Real, N>& chain, const Motion<Real, N>& free) {
   if (is_closed(pattern)) return Vector<Real, N>::Zero(pattern.size);
-  Matrix<Real, N> mass = mass_matrix(stack, chain);
-  Vector<Real, N> momentum = generalised_momentum(stack, chain, free);
-  for (int k = 0; k < pattern.size; ++k) {
-    if (pattern[k] != Contact::closed) continue;
-    mass.row(k).setZero();
-    mass.col(k).setZero();
-    mass(k, k) = 1;
-    momentum[k] = 0;
+  const Matrix<Real, N> mass = mass_matrix(stack, chain);
+  const Vector<Real, N> momentum = generalised_momentum(stack, chain, free);
+  const int size = stack.size();
+  PerBlock<Real, N> open;
+  PerBlock<Real, N> momenta;
+  for (int k = 0; k < size; ++k) {
+    open[static_cast<std::size_t>(k)] = pattern[k] == Contact::closed ? Real(0) : Real(1);
+    momenta[static_cast<std::size_t>(k)] = momentum[k];
   }
-  const Eigen::LLT<Matrix<Real, N>> factors(mass);
-  bool sound = factors.info() == Eigen::Success;
-  for (int k = 0; sound && k < pattern.size; ++k) {
-    const Real root = factors.matrixLLT()(k, k);
-    sound = root * root > mass(k, k) * least_pivot<Real>;
+  HeldMass<Real, N> held;
+  held.factorise(static_cast<std::size_t>(size), open, [&](std::size_t i, std::size_t j) {
+    return mass(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  });
+  for (int k = 0; k < size; ++k) {
+    if (pattern[k] != Contact::closed &&
+        !(held.pivot(static_cast<std::size_t>(k)) > mass(k, k) * least_pivot<Real>)) {
+      throw IllConditioned(
+          "block masses or sizes are too far apart: rounding would leave energies fewer than nine digits");
+    }
   }
-  if (!sound) {
-    throw IllConditioned(
-        "block masses or sizes are too far apart: rounding would leave energies fewer than nine digits");
-  }
-  return factors.solve(momentum);
+  const PerBlock<Real, N> motions = held.solve(momenta);
+  return Eigen::Map<const Vector<Real, N>>(motions.data(), size);
 }
 
 /// Accelerations of the centres that would remain if no relative angle accelerated, m/s².
@@ -179,13 +180,20 @@ Motion<Real, N> free_acceleration(const Model<Real, N>& model, const Chain<Real,
 }
 
 /// Relative angular accelerations φ̈ₖ, rad/s²; zero where closed. Spanos et al. 2001, Eqs. (8)–(18), and
-/// (19)–(28) for the linear equations, are the values for two blocks.
+/// (19)–(28) for the linear equations, are the values for two blocks. `towards` are directions_at() the
+/// state.
+template <class Real, int N>
+Vector<Real, N> accelerations(const Model<Real, N>& model, const State<Real, N>& state,
+                              const Directions<Real, N>& towards, const Point<Real>& ground) {
+  const Chain<Real, N> chain = make_chain(model.stack, state.pattern, towards);
+  return nearest_allowed(model.stack, state.pattern, chain,
+                         free_acceleration(model, chain, state.velocities, ground));
+}
+
 template <class Real, int N>
 Vector<Real, N> accelerations(const Model<Real, N>& model, const State<Real, N>& state,
                               const Point<Real>& ground) {
-  const Chain<Real, N> chain = chain_at(model, state.pattern, state.angles);
-  return nearest_allowed(model.stack, state.pattern, chain,
-                         free_acceleration(model, chain, state.velocities, ground));
+  return accelerations(model, state, directions_at(model, state.angles), ground);
 }
 
 /// Kinetic energy and height of the centres times weight, J, from the ground.

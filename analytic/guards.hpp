@@ -54,15 +54,21 @@ Polynomial<Real> gap(const Flow<Real, N>& flow, int interface) {
   return polynomial;
 }
 
+/// The hulls of relative angles beyond zero; of closed interfaces nothing.
 template <class Real, int N>
-void find_closing(const Flow<Real, N>& flow, const Interfaces& cleared, Next<Real>& next) {
+using AngleHulls = std::array<Hull<Real>, capacity(N)>;
+
+template <class Real, int N>
+void find_closing(const Flow<Real, N>& flow, const AngleHulls<Real, N>& hulls, const Interfaces& cleared,
+                  Next<Real>& next) {
   const Pattern& pattern = flow.start.pattern;
   for (int k = 0; k < pattern.size; ++k) {
-    if (pattern[k] == Contact::closed || cleared.test(static_cast<std::size_t>(k))) continue;
-    if (stays_clear(flow.angles[static_cast<std::size_t>(k)], sign(pattern[k]))) continue;
+    const auto interface = static_cast<std::size_t>(k);
+    if (pattern[k] == Contact::closed || cleared.test(interface)) continue;
+    if (stays_clear(flow.angles[interface], hulls[interface], sign(pattern[k]))) continue;
     const Polynomial<Real> course = gap(flow, k);
     const auto crossing = first_crossing(course);
-    if (next.admit(crossing)) next.closing.set(static_cast<std::size_t>(k));
+    if (next.admit(crossing)) next.closing.set(interface);
     if (const auto s = grazing(course, crossing)) next.grazes.push_back({*s, EventKind::impact, k + 1});
   }
   if (next.closing.none()) return;
@@ -79,7 +85,7 @@ void find_opening(const Flow<Real, N>& flow, Next<Real>& next) {
     const auto& margin = flow.margins[static_cast<std::size_t>(k)];
     for (const Contact side : {Contact::right, Contact::left}) {
       const Polynomial<Real>& course = side == Contact::right ? margin.right : margin.left;
-      if (course.terms == 0 || stays_clear(course)) continue;
+      if (course.terms == 0 || stays_clear(course, hull_beyond_zero(course))) continue;
       const auto crossing = first_crossing(course);
       if (const auto s = grazing(course, crossing)) next.grazes.push_back({*s, EventKind::opening, k + 1});
       if (!next.admit(crossing)) continue;
@@ -90,18 +96,18 @@ void find_opening(const Flow<Real, N>& flow, Next<Real>& next) {
 }
 
 template <class Real, int N>
-void find_toppling(const Flow<Real, N>& flow, const std::array<Real, max_blocks>& toppling_angles,
-                   const Interfaces& cleared, Next<Real>& next) {
-  Polynomial<Real> angle;  // absolute
-  const int size = flow.start.pattern.size;
-  if (cleared.count() == static_cast<std::size_t>(size)) return;
-  for (int k = 0; k < size; ++k) {
+void find_toppling(const Flow<Real, N>& flow, const AngleHulls<Real, N>& hulls,
+                   const std::array<Real, max_blocks>& toppling_angles, const Interfaces& cleared,
+                   Next<Real>& next) {
+  Real lean = 0;  // of the block, at most
+  for (int k = 0; k < flow.start.pattern.size; ++k) {
     const auto block = static_cast<std::size_t>(k);
-    const Polynomial<Real>& relative = flow.angles[block];
-    add(relative, angle);
-    if (angle.terms == 0 || cleared.test(block) || hull(angle).size() < toppling_angles[block]) continue;
-    Polynomial<Real> room = angle;
-    for (Real& coefficient : room) coefficient *= angle[0] > 0 ? Real(-1) : Real(1);
+    lean += hulls[block].size();
+    if (cleared.test(block) || lean < toppling_angles[block]) continue;
+    Polynomial<Real> room;
+    for (std::size_t j = 0; j <= block; ++j) add(flow.angles[j], room);
+    const bool leans_right = room.terms > 0 && room[0] > 0;
+    for (Real& coefficient : room) coefficient *= leans_right ? Real(-1) : Real(1);
     room[0] += toppling_angles[block];
     const auto crossing = first_crossing(room);
     if (crossing && *crossing < next.s && next.admit(crossing)) next.toppling = k;
@@ -114,9 +120,14 @@ Next<Real> first_event(const Flow<Real, N>& flow, const std::array<Real, max_blo
                        const Cleared& cleared = {}) {
   Next<Real> next;
   next.opened = flow.start.pattern;
-  find_closing(flow, cleared.gaps, next);
+  AngleHulls<Real, N> hulls{};
+  for (int k = 0; k < flow.start.pattern.size; ++k) {
+    const Polynomial<Real>& angle = flow.angles[static_cast<std::size_t>(k)];
+    if (angle.terms > 0) hulls[static_cast<std::size_t>(k)] = hull_beyond_zero(angle);
+  }
+  find_closing(flow, hulls, cleared.gaps, next);
   find_opening(flow, next);
-  find_toppling(flow, toppling_angles, cleared.angles, next);
+  find_toppling(flow, hulls, toppling_angles, cleared.angles, next);
   return next;
 }
 

@@ -54,10 +54,15 @@ struct Approach {
 };
 
 template <class Real, int N>
-Approach<Real, N> approach(const Model<Real, N>& model, const State<Real, N>& before) {
+Approach<Real, N> approach(const Model<Real, N>& model, const State<Real, N>& before,
+                           const Directions<Real, N>& towards) {
   const Vector<Real, N> rates = absolute(before.velocities);
-  const Directions<Real, N> towards = directions_at(model, before.angles);
   return {towards, {centre_velocities(make_chain(model.stack, before.pattern, towards), rates), rates}};
+}
+
+template <class Real, int N>
+Approach<Real, N> approach(const Model<Real, N>& model, const State<Real, N>& before) {
+  return approach(model, before, directions_at(model, before.angles));
 }
 
 /// The velocities that follow if `pattern` does, in rad/s, and the impulses that bring them about, in N·s.
@@ -146,8 +151,8 @@ struct Resolution {
 };
 
 template <class Real, int N>
-Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& impact, Law law) {
-  const Approach<Real, N> before = approach(model, impact.before);
+Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& impact,
+                            const Approach<Real, N>& before, Law law) {
   const auto consistent = consistent_outcome(model, impact, before);
   if (law == Law::consistent && consistent) return {*consistent, Consistency::consistent};
   const Outcome<Real, N> chosen = paper_outcome<Real, N>(impact, [&](const Pattern& pattern) {
@@ -156,6 +161,11 @@ Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& 
   });
   if (!consistent) return {chosen, Consistency::none};
   return {chosen, chosen.pattern == consistent->pattern ? Consistency::consistent : Consistency::other};
+}
+
+template <class Real, int N>
+Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& impact, Law law) {
+  return resolve(model, impact, approach(model, impact.before), law);
 }
 
 }  // namespace rockstack

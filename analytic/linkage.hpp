@@ -4,9 +4,6 @@
 
 namespace rockstack {
 
-template <class Real, int N>
-using PerBlock = std::array<Real, static_cast<std::size_t>(capacity(N))>;
-
 /// What a stack is while its pattern lasts: a chain of pendulums. Block k turns by ψₖ about its pivot. With
 /// constant Lₖ (from its pivot to the next) and Sₖ = mₖrₖ + (mass above) Lₖ in its own frame, both turned by
 /// ψₖ, a dot a time derivative and ⊥ a quarter turn, Lagrange's equation of ψₖ is

@@ -30,14 +30,20 @@ Outcome<Real, N> respond(const Model<Real, N>& model, const Pattern& pattern,
   return {pattern, relative_motion, reactions(model, chain, towards, change), rounding};
 }
 
-/// The accelerations of a moving stack and the forces it is under; `ground` is (ẍg, ÿg) in m/s².
+/// The accelerations of a moving stack and the forces it is under; `towards` are directions_at() the state,
+/// `ground` is (ẍg, ÿg) in m/s².
 template <class Real, int N>
 Outcome<Real, N> accelerate(const Model<Real, N>& model, const State<Real, N>& state,
-                            const Point<Real>& ground) {
-  const Directions<Real, N> towards = directions_at(model, state.angles);
+                            const Directions<Real, N>& towards, const Point<Real>& ground) {
   const Chain<Real, N> chain = make_chain(model.stack, state.pattern, towards);
   return respond(model, state.pattern, towards, chain,
                  free_acceleration(model, chain, state.velocities, ground));
+}
+
+template <class Real, int N>
+Outcome<Real, N> accelerate(const Model<Real, N>& model, const State<Real, N>& state,
+                            const Point<Real>& ground) {
+  return accelerate(model, state, directions_at(model, state.angles), ground);
 }
 
 /// A touching interface whose condition fails, and the contact that would mend it.

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
-#include <optional>
 
 namespace rockstack {
 
@@ -49,12 +48,28 @@ Real value(const Polynomial<Real>& polynomial, const Real& s) {
   return sum;
 }
 
-/// Derivative with respect to s.
+/// A polynomial and its derivative at a point.
 template <class Real>
-Real slope(const Polynomial<Real>& polynomial, const Real& s) {
-  Real sum = 0;
-  for (std::size_t i = polynomial.terms; i-- > 1;) sum = sum * s + Real(i) * polynomial[i];
-  return sum;
+struct Tangent {
+  Real height, slope;
+};
+
+template <class Real>
+Tangent<Real> tangent(const Polynomial<Real>& polynomial, const Real& s) {
+  Tangent<Real> result{0, 0};
+  for (std::size_t i = polynomial.terms; i-- > 0;) {
+    result.slope = result.slope * s + result.height;
+    result.height = result.height * s + polynomial[i];
+  }
+  return result;
+}
+
+/// With respect to s.
+template <class Real>
+Polynomial<Real> derivative(const Polynomial<Real>& polynomial) {
+  Polynomial<Real> result;
+  for (std::size_t i = 1; i < polynomial.terms; ++i) result[result.terms++] = Real(i) * polynomial[i];
+  return result;
 }
 
 /// Sum of the sizes of all coefficients but the first: how far the polynomial gets from its start, at most.
@@ -88,9 +103,18 @@ Hull<Real> hull(const Polynomial<Real>& polynomial, std::size_t first = 0) {
   return result;
 }
 
-/// True where the coefficients of at least two terms tell that the slope keeps its sign on [0, 1].
+/// The hull of at least one term, without a start exactly at zero.
+template <class Real>
+Hull<Real> hull_beyond_zero(const Polynomial<Real>& polynomial) {
+  std::size_t first = 0;
+  while (first + 1 < polynomial.terms && polynomial[first] == 0) ++first;
+  return hull(polynomial, first);
+}
+
+/// True where the coefficients tell that the slope keeps its sign on [0, 1].
 template <class Real>
 bool is_monotone(const Polynomial<Real>& polynomial) {
+  if (polynomial.terms < 2) return true;
   Real sum = polynomial[1];
   Hull<Real> slopes{sum, sum};
   for (std::size_t i = 2; i < polynomial.terms; ++i) slopes.take(sum += Real(i) * polynomial[i]);
@@ -158,38 +182,6 @@ Halves<Real> halve(Polynomial<Real> coefficients) {
       coefficients[i] = (coefficients[i] + coefficients[i + 1]) / 2;
   }
   return halves;
-}
-
-/// Where a polynomial is highest on [0, 1], and how high.
-template <class Real>
-struct Summit {
-  Real s;
-  Real height;
-};
-
-/// The summit to within `slack`, > 0; nothing where the polynomial stays at or below `least`. The hull of a
-/// piece tells whether it may hold more.
-template <class Real>
-std::optional<Summit<Real>> summit(const Polynomial<Real>& polynomial, const Real& least, const Real& slack) {
-  struct Search {
-    Summit<Real> best;
-    Real slack;
-
-    void operator()(const Polynomial<Real>& coefficients, const Real& low, const Real& width) {
-      if (coefficients[0] > best.height) best = {low, coefficients[0]};
-      const Real last = coefficients[coefficients.terms - 1];
-      if (last > best.height) best = {low + width, last};
-      if (*std::max_element(coefficients.begin(), coefficients.end()) <= best.height + slack) return;
-      const auto halves = halve(coefficients);
-      (*this)(halves.left, low, width / 2);
-      (*this)(halves.right, low + width / 2, width / 2);
-    }
-  };
-  if (polynomial.terms == 0 || polynomial[0] + reach(polynomial) <= least) return std::nullopt;
-  Search search{{0, least}, slack};
-  search(bernstein(polynomial), Real(0), Real(1));
-  if (!(search.best.height > least)) return std::nullopt;
-  return search.best;
 }
 
 }  // namespace rockstack

@@ -4,6 +4,7 @@
 #include "analytic/guards.hpp"
 #include "analytic/solve_options.hpp"
 #include "analytic/standing.hpp"
+#include "analytic/summit.hpp"
 #include "analytic/validity.hpp"
 
 namespace rockstack {
@@ -55,7 +56,8 @@ class Recorder {
   /// An event from pattern `from` and relative velocities `before` to the state `after`.
   void note_event(const Real& time, EventKind kind, int interface, const Pattern& from,
                   const Vector<Real, N>& before, const State<Real, N>& after, Consistency consistency) {
-    const auto list = [](const Vector<Real, N>& relative_values) {
+    const auto list = [&](const Vector<Real, N>& relative_values) -> std::vector<Real> {
+      if (!options_.event_states) return {};
       const Vector<Real, N> values = absolute(relative_values);
       return std::vector<Real>(values.begin(), values.end());
     };
@@ -110,10 +112,6 @@ class Recorder {
       Polynomial<Real> part = angle;
       rescale(part, s);
       if (hull(part).size() <= history_.peaks[k]) continue;
-      if (is_monotone(part)) {
-        history_.peaks[k] = std::max({history_.peaks[k], abs(part[0]), abs(value(part, Real(1)))});
-        continue;
-      }
       for (int side = 0; side < 2; ++side) {
         if (side > 0) {
           for (Real& coefficient : part) coefficient = -coefficient;

@@ -25,14 +25,14 @@ class Rk4Steps {
   /// interfaces: the quintic that has the angle, velocity and acceleration of both its ends. Its error, of
   /// order length⁶, stays below the method's own. The increments enter as they are, not as differences of end
   /// states, so that motions that start from zero keep their relative precision.
-  Flow<Real, N> operator()(const State<Real, N>& state, const Linkage<Real, N>&,
-                           const GroundPiece<Real>& piece, const Real& offset, const Real& remaining,
-                           const Interfaces& watched) const {
+  Flow<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& towards,
+                           const Linkage<Real, N>&, const GroundPiece<Real>& piece, const Real& offset,
+                           const Real& remaining, const Interfaces& watched) const {
     using std::ceil;
     // A stack at rest needs no steps where the ground's straight line alone decides when it opens.
     const bool whole = is_closed(state.pattern) && piece.straight();
     const Real length = whole ? remaining : remaining / ceil(remaining / step_);
-    Flow<Real, N> flow = free_motion(state, piece, offset, length);
+    Flow<Real, N> flow = free_motion(state, towards, piece, offset, length);
     if (watched.any()) add_margins(piece, offset, watched, flow);
     return flow;
   }
@@ -40,15 +40,15 @@ class Rk4Steps {
  private:
   static constexpr std::size_t nodes = 5;  ///< points of a step at which margins are evaluated
 
-  Flow<Real, N> free_motion(const State<Real, N>& state, const GroundPiece<Real>& piece, const Real& offset,
-                            const Real& length) const {
+  Flow<Real, N> free_motion(const State<Real, N>& state, const Directions<Real, N>& towards,
+                            const GroundPiece<Real>& piece, const Real& offset, const Real& length) const {
     const auto derivative = [&](const Vector<Real, N>& angles, const Vector<Real, N>& velocities,
                                 const Real& tau) {
       return accelerations(model_, State<Real, N>{state.pattern, angles, velocities}, piece.at(offset + tau));
     };
     const Real half = length / 2;
     const Vector<Real, N>& start = state.velocities;
-    const Vector<Real, N> a1 = derivative(state.angles, start, Real(0));
+    const Vector<Real, N> a1 = accelerations(model_, state, towards, piece.at(offset));
     const Vector<Real, N> v2 = start + half * a1;
     const Vector<Real, N> a2 = derivative(state.angles + half * start, v2, half);
     const Vector<Real, N> v3 = start + half * a2;

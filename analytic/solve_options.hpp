@@ -14,7 +14,8 @@ enum class Integrator {
 struct SolveOptions {
   Integrator integrator = Integrator::taylor;
   std::vector<double> sample_times =
-      {};  ///< when to sample the motion, s, ascending from ≥ 0; none: events alone
+      {};                    ///< when to sample the motion, s, ascending from ≥ 0; none: events alone
+  bool event_states = true;  ///< whether events tell the state on both sides
   bool validity =
       false;  ///< whether to keep the demands on each interface, along whole steps; of rk4 at their starts
   bool peaks = false;     ///< whether to keep the largest angle of each block

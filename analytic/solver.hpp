@@ -47,6 +47,7 @@ class Solver {
     };
     state_ = {{}, relative(vector(scene.initial.angles)), relative(vector(scene.initial.velocities))};
     state_.pattern = pattern_of(state_.angles, state_.velocities);
+    turn();
     rate_ = model_.gravity / (2 * model_.stack.half_height.sum());
     for (int k = 0; k < model_.stack.size(); ++k)
       toppling_angles_[static_cast<std::size_t>(k)] = Real(toppling_angle(scene, k));
@@ -73,7 +74,7 @@ class Solver {
 
   /// What run() does, step by step: start() once, then advance() until finished(). @throws as run().
   void start() {
-    accelerations(model_, state_, pieces_.current().at(offset_));
+    accelerations(model_, state_, towards_, pieces_.current().at(offset_));
     settle(state_.pattern);
   }
   bool finished() const { return pieces_.finished() || toppled_; }
@@ -82,7 +83,7 @@ class Solver {
   void advance() {
     const GroundPiece<Real>& piece = pieces_.current();
     if (!(remaining() > 0) || stands_through(piece)) return next_piece();
-    Flow<Real, N> flow = steps_(state_, linkage(), piece, offset_, longest_step(), watched());
+    Flow<Real, N> flow = steps_(state_, towards_, linkage(), piece, offset_, longest_step(), watched());
     take(flow);
   }
 
@@ -98,6 +99,7 @@ class Solver {
   /// What the next step starts from. Preconditions: not finished, not at the end of a piece.
   struct Start {
     const State<Real, N>& state;
+    const Directions<Real, N>& towards;
     const Linkage<Real, N>& linkage;
     Real length;  ///< s
     Pull<Real> pull;
@@ -106,9 +108,13 @@ class Solver {
   };
   Start next_step() {
     const Real length = steps_.length(longest_step());
-    return {state_,    linkage(),
-            length,    make_pull(model_.gravity, pieces_.current(), offset_, length),
-            watched(), fresh_.none() && held_.none()};
+    return {state_,
+            towards_,
+            linkage(),
+            length,
+            make_pull(model_.gravity, pieces_.current(), offset_, length),
+            watched(),
+            fresh_.none() && held_.none()};
   }
 
   /// Goes along a step up to its first event, and through that. @throws as run().
@@ -117,6 +123,7 @@ class Solver {
     const Next<Real> next = first_event(flow, toppling_angles_, cleared);
     recorder_.note_step(flow, pieces_.current(), offset_, next, cleared);
     state_ = flow.at(next.s);
+    if (next.closing.none()) turn();
     go_on(next, flow.length);
     if (next.happens()) handle(next);
   }
@@ -133,6 +140,7 @@ class Solver {
       state_.angles[k] = end.angles[static_cast<std::size_t>(k)];
       state_.velocities[k] = end.velocities[static_cast<std::size_t>(k)];
     }
+    turn();
     recorder_.raise_peaks(end.peaks);
     go_on({}, length);
   }
@@ -161,6 +169,9 @@ class Solver {
       offset_ += next.s * length;
     }
   }
+
+  /// After a change of angles.
+  void turn() { towards_ = directions_at(model_, state_.angles); }
 
   const Linkage<Real, N>& linkage() {
     if (linkage_.blocks == 0 || !(linked_ == state_.pattern)) {
@@ -247,13 +258,15 @@ class Solver {
     for (int k = 0; k < state_.pattern.size; ++k) {
       if (closing.test(static_cast<std::size_t>(k))) state_.angles[k] = 0;
     }
+    turn();
     const Impact<Real, N> impact{state_, closing};
-    const Resolution<Real, N> resolution = resolve(model_, impact, scene_.law);
+    const Approach<Real, N> before = approach(model_, state_, towards_);
+    const Resolution<Real, N> resolution = resolve(model_, impact, before, scene_.law);
     Outcome<Real, N> outcome = resolution.outcome;
     bool settled = false;
     for (Pattern slow = without_slow(outcome, impact.touching()); !(slow == outcome.pattern);
          slow = without_slow(outcome, impact.touching())) {
-      outcome = velocities_after(model_, impact, slow);
+      outcome = velocities_after(model_, before, slow);
       settled = true;
     }
     recorder_.note_impact(outcome, time());
@@ -275,7 +288,7 @@ class Solver {
       bool slow = speed <= settling_speed_;
       if (!slow && speed <= slowest_flight_) {
         const State<Real, N> parting{outcome.pattern, state_.angles, outcome.relative};
-        const Vector<Real, N> back = accelerations(model_, parting, pieces_.current().at(offset_));
+        const Vector<Real, N> back = accelerations(model_, parting, towards_, pieces_.current().at(offset_));
         slow = speed * speed <= -2 * resolution_ * back[k] * Real(sign(pattern[k]));
       }
       if (slow) pattern[k] = Contact::closed;
@@ -294,7 +307,7 @@ class Solver {
     if (progress_.undecided()) touching &= ~held_;
     const Point<Real> ground = pieces_.current().at(offset_);
     const auto evaluate = [&](const Pattern& pattern) {
-      return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, ground);
+      return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, towards_, ground);
     };
     if (touching.any() && first_violation(model_.stack, evaluate(state_.pattern), touching, slack_)) {
       const auto found =
@@ -332,6 +345,7 @@ class Solver {
   StandingStack<Real, N> standing_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;
+  Directions<Real, N> towards_;  ///< at the state
   std::array<Real, max_blocks> toppling_angles_{};
   Real offset_ = 0;        ///< into the current piece, s
   Real rate_{};            ///< g/H, the stack's height H, 1/s²

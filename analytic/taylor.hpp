@@ -34,27 +34,14 @@ inline const std::array<Real, max_terms<Real> + 1> reciprocals = [] {
   return result;
 }();
 
-/// The cosine and the sine of each block's angle, from relative angles; upright for the linear equations.
-template <class Real, int N>
-PerBlock<PlaneVector<Real>, N> block_directions(bool linear, std::size_t size,
-                                                const PerBlock<Real, N>& angles) {
-  using std::cos;
-  using std::sin;
-  PerBlock<PlaneVector<Real>, N> result;
-  Real angle = 0;
-  for (std::size_t k = 0; k < size; ++k) {
-    angle += angles[k];
-    result[k] = linear ? PlaneVector<Real>{Real(1), Real(0)} : PlaneVector<Real>{cos(angle), sin(angle)};
-  }
-  return result;
-}
-
 /// The series of a chain's motion over one step. Real may also be a pack of numbers that are computed side by
 /// side.
 template <class Real, int N>
 class ChainSeries {
  public:
+  using Point2 = PlaneVector<Real>;
   using Series = std::array<Real, max_terms<Real>>;
+  using PlaneSeries = std::array<Point2, max_terms<Real>>;
   using Directions = PerBlock<PlaneVector<Real>, N>;
 
   /// From the blocks' directions and relative velocities times the step's length; `forces` tells whether
@@ -73,13 +60,15 @@ class ChainSeries {
     const Real square = ratio * ratio;
     for (std::size_t k = 0; k < size(); ++k) {
       Row& row = rows_[k];
-      for (Series* series : {&row.weighted, &row.cosine, &row.sine}) {
-        (*series)[1] *= ratio;
-        (*series)[2] *= square;
-      }
-      for (Series* series : {&row.across, &row.along, &row.relative}) (*series)[0] *= square;
+      row.weighted[1] *= ratio;
+      row.weighted[2] *= square;
+      row.direction[1] = ratio * row.direction[1];
+      row.direction[2] = square * row.direction[2];
+      row.sway[0] = square * row.sway[0];
+      row.relative[0] *= square;
       if (!forces_) continue;
-      for (Series* series : {&row.reaction, &row.force_x, &row.force_y}) (*series)[0] *= square;
+      row.reaction[0] *= square;
+      row.force[0] = square * row.force[0];
     }
   }
 
@@ -97,12 +86,8 @@ class ChainSeries {
 
   /// Normal force at interface k, order n, in kg·m of s-time.
   Real push(std::size_t k, std::size_t n) const {
-    if (k == 0 || linear_) return rows_[k].force_y[n];
-    const Row& face = rows_[k - 1];
-    Real sum = 0;
-    for (std::size_t i = 0; i <= n; ++i)
-      sum += face.sine[i] * rows_[k].force_x[n - i] + face.cosine[i] * rows_[k].force_y[n - i];
-    return sum;
+    if (k == 0 || linear_) return rows_[k].force[n].y;
+    return force(k, rows_[k - 1].direction, n).normal;
   }
 
   /// Forces at interface k along the normal and the direction of a block's face (the ground's: −1); order n,
@@ -111,24 +96,23 @@ class ChainSeries {
     Real normal, tangential;
   };
   Force force(std::size_t k, int face, std::size_t n) const {
-    const Row& row = rows_[k];
-    if (face < 0 || linear_) return {row.force_y[n], row.force_x[n]};
-    const auto towards = static_cast<std::size_t>(face);
-    return force(k, cosine(towards), sine(towards), n);
+    const Point2& own = rows_[k].force[n];
+    if (face < 0 || linear_) return {own.y, own.x};
+    return force(k, direction(static_cast<std::size_t>(face)), n);
   }
-  /// Likewise, along a face whose angle has these.
-  Force force(std::size_t k, const Series& cosines, const Series& sines, std::size_t n) const {
+  /// Likewise, along a face of this direction.
+  Force force(std::size_t k, const PlaneSeries& direction, std::size_t n) const {
     const Row& row = rows_[k];
     Force sum{Real(0), Real(0)};
     for (std::size_t i = 0; i <= n; ++i) {
-      sum.normal += sines[i] * row.force_x[n - i] + cosines[i] * row.force_y[n - i];
-      sum.tangential += cosines[i] * row.force_x[n - i] - sines[i] * row.force_y[n - i];
+      sum.normal += direction[i].y * row.force[n - i].x + direction[i].x * row.force[n - i].y;
+      sum.tangential += direction[i].x * row.force[n - i].x - direction[i].y * row.force[n - i].y;
     }
     return sum;
   }
 
-  const Series& cosine(std::size_t block) const { return rows_[block].cosine; }
-  const Series& sine(std::size_t block) const { return rows_[block].sine; }
+  /// The cosine and the sine of a block's angle.
+  const PlaneSeries& direction(std::size_t block) const { return rows_[block].direction; }
 
   /// Moment about the pivot of interface k, about its middle where it is closed; order n.
   const Real& reaction(std::size_t k, std::size_t n) const { return rows_[k].reaction[n]; }
@@ -137,14 +121,13 @@ class ChainSeries {
   /// Short stacks in the processor's own numbers have each order compiled by itself.
   static constexpr bool unrolled = N != Eigen::Dynamic && std::is_arithmetic_v<Number<Real>>;
 
-  using Point2 = PlaneVector<Real>;
   struct Row {
-    Series weighted;       // i times coefficient i of ψ
-    Series cosine, sine;   // of ψ
-    Series across, along;  // what the cosine and the sine are multiplied by in the block's equation
-    Series relative;       // φ''
+    Series weighted;        // i times coefficient i of ψ
+    PlaneSeries direction;  // cosine and sine of ψ
+    PlaneSeries sway;       // what they are multiplied by in the block's equation
+    Series relative;        // φ''
     Series reaction;
-    Series force_x, force_y;  // on the block and all above
+    PlaneSeries force;  // on the block and all above
   };
 
   void start(const Directions& directions, const PerBlock<Real, N>& advances) {
@@ -153,10 +136,8 @@ class ChainSeries {
       Row& row = rows_[k];
       advance += advances[k];
       row.weighted[1] = advance;
-      row.cosine[0] = directions[k].x;
-      row.sine[0] = directions[k].y;
-      row.cosine[1] = linear_ ? Real(0) : -row.sine[0] * advance;
-      row.sine[1] = linear_ ? Real(0) : row.cosine[0] * advance;
+      row.direction[0] = directions[k];
+      row.direction[1] = linear_ ? none() : advance * ahead(directions[k]);
     }
     mass_.factorise(linkage_, directions);
   }
@@ -164,34 +145,30 @@ class ChainSeries {
   /// Order n, a number or the constant of one.
   template <class Order>
   void extend_by(Order n, const Pull<Real>& pull) {
-    PerBlock<Point2, N> bends;
-    for (std::size_t k = 0; k < size(); ++k)
-      bends[k] = linear_ ? Point2{Real(0), Real(0)} : known_bend(rows_[k], n);
-    couple(n, bends, pull);
-    PerBlock<Real, N> known;
-    for (std::size_t k = size(); k-- > 0;) {
-      known[k] = moment(rows_[k], n);
-      if (k + 1 < size()) known[k] += known[k + 1];
-    }
-    const PerBlock<Real, N> relative = mass_.solve(linkage_, known);
+    const Point2 lift{n < pull.x.terms ? -pull.x[n] : Real(0), n < pull.y.terms ? -pull.y[n] : Real(0)};
+    PerBlock<Point2, N> bends;  // of directions, as far as they are known, then all
+    for (std::size_t k = 0; k < size(); ++k) bends[k] = linear_ ? none() : known_bend(rows_[k], n);
+    const PerBlock<Real, N> known = known_moments(n, bends, lift);
+    PerBlock<Real, N> opposed;
+    for (std::size_t k = 0; k < size(); ++k) opposed[k] = -known[k];
+    const PerBlock<Real, N> relative = mass_.held.solve(opposed);
     if (forces_) {
       for (std::size_t k = 0; k < size(); ++k) {
         rows_[k].reaction[n] = known[k];
         for (std::size_t j = 0; j < size(); ++j) rows_[k].reaction[n] += mass_.matrix[k][j] * relative[j];
       }
     }
-    PerBlock<Real, N> spins;
     Real spin = 0;
     for (std::size_t k = 0; k < size(); ++k) {
       Row& row = rows_[k];
       row.relative[n] = relative[k];
-      spin = spins[k] = k == 0 ? relative[0] : spin + relative[k];
+      spin = k == 0 ? relative[0] : spin + relative[k];
       row.weighted[n + 2] = spin * reciprocals<Number<Real>>[n + 1];
       const Real twice = reciprocals<Number<Real>>[n + 1] * reciprocals<Number<Real>>[n + 2];
-      row.cosine[n + 2] = linear_ ? Real(0) : (bends[k].x - row.sine[0] * spin) * twice;
-      row.sine[n + 2] = linear_ ? Real(0) : (bends[k].y + row.cosine[0] * spin) * twice;
+      bends[k] = bends[k] + spin * ahead(row.direction[0]);
+      row.direction[n + 2] = linear_ ? none() : twice * bends[k];
     }
-    couple(n, spins);
+    couple(n, bends, lift);
   }
 
   template <std::size_t n>
@@ -209,91 +186,65 @@ class ChainSeries {
   /// The known parts of (c'')ₙ and (s'')ₙ.
   template <class Order>
   static Point2 known_bend(const Row& row, Order n) {
-    Real x = row.weighted[1] * row.sine[n + 1];
-    Real y = row.weighted[1] * row.cosine[n + 1];
-    for (std::size_t j = 2; j < n + 2; ++j) {
-      x += row.weighted[j] * row.sine[n + 2 - j];
-      y += row.weighted[j] * row.cosine[n + 2 - j];
-    }
-    return {-Real(n + 1) * x, Real(n + 1) * y};
+    Point2 sum = row.weighted[1] * row.direction[n + 1];
+    for (std::size_t j = 2; j < n + 2; ++j) sum = sum + row.weighted[j] * row.direction[n + 2 - j];
+    return {-Real(n + 1) * sum.y, Real(n + 1) * sum.x};
   }
 
-  /// Order n of what each block feels of the others, as far as it is known, and of the pull.
+  /// Order n of the moments about all pivots, but for what the blocks' spins (ψ'')ₙ will add.
   template <class Order>
-  void couple(Order n, const PerBlock<Point2, N>& bends, const Pull<Real>& pull) {
-    Point2 below{n < pull.x.terms ? -pull.x[n] : Real(0), n < pull.y.terms ? -pull.y[n] : Real(0)};
+  PerBlock<Real, N> known_moments(Order n, const PerBlock<Point2, N>& bends, const Point2& lift) const {
+    PerBlock<Real, N> moments;
+    Point2 below = lift;
     for (std::size_t k = 0; k < size(); ++k) {
-      const Real& sx = linkage_.moment_x[k];
-      const Real& sy = linkage_.moment_y[k];
-      Row& row = rows_[k];
-      row.across[n] = sy * below.x - sx * below.y;
-      row.along[n] = -(sx * below.x + sy * below.y);
-      if (forces_) {
-        row.force_x[n] = linkage_.mass[k] * below.x;
-        row.force_y[n] = linkage_.mass[k] * below.y;
-      }
-      if (k + 1 == size()) break;
-      below.x += linkage_.link_x[k] * bends[k].x + linkage_.link_y[k] * bends[k].y;
-      below.y += linkage_.link_y[k] * bends[k].x - linkage_.link_x[k] * bends[k].y;
+      moments[k] = across(mass_.moments[k], below);
+      if (!linear_) moments[k] += past_moment(rows_[k], n);
+      if (k + 1 < size()) below = below + turned(bends[k], linkage_.link_x[k], linkage_.link_y[k]);
     }
-    Point2 above{Real(0), Real(0)};
-    for (std::size_t k = size(); k-- > 0;) {
-      const Real& sx = linkage_.moment_x[k];
-      const Real& sy = linkage_.moment_y[k];
-      if (k + 1 < size()) lean(n, k, above);
-      if (k == 0 && !forces_) break;
-      above.x += sx * bends[k].x + sy * bends[k].y;
-      above.y += sy * bends[k].x - sx * bends[k].y;
-      if (!forces_) continue;
-      rows_[k].force_x[n] += above.x;
-      rows_[k].force_y[n] += above.y;
+    Point2 above = none();
+    for (std::size_t k = size() - 1; k-- > 0;) {
+      above = above + turned(bends[k + 1], linkage_.moment_x[k + 1], linkage_.moment_y[k + 1]);
+      moments[k] += moments[k + 1] + across(mass_.links[k], above);
     }
+    return moments;
   }
 
-  /// The rest of it, from the spins (ψ'')ₙ.
+  /// What later orders than i of the sway add to order n of Sₖ⊥ · (…) + Lₖ⊥ · (…): all i but 0.
   template <class Order>
-  void couple(Order n, const PerBlock<Real, N>& spins) {
-    Point2 below{Real(0), Real(0)};
-    for (std::size_t k = 0; k + 1 < size(); ++k) {
-      below.x += spins[k] * mass_.links[k].y;
-      below.y -= spins[k] * mass_.links[k].x;
-      const Real& sx = linkage_.moment_x[k + 1];
-      const Real& sy = linkage_.moment_y[k + 1];
-      Row& row = rows_[k + 1];
-      row.across[n] += sy * below.x - sx * below.y;
-      row.along[n] -= sx * below.x + sy * below.y;
-      if (!forces_) continue;
-      row.force_x[n] += linkage_.mass[k + 1] * below.x;
-      row.force_y[n] += linkage_.mass[k + 1] * below.y;
-    }
-    Point2 above{Real(0), Real(0)};
-    for (std::size_t k = size(); k-- > 0;) {
-      if (k + 1 < size()) lean(n, k, above);
-      if (k == 0 && !forces_) break;
-      above.x += spins[k] * mass_.moments[k].y;
-      above.y -= spins[k] * mass_.moments[k].x;
-      if (!forces_) continue;
-      rows_[k].force_x[n] += above.x;
-      rows_[k].force_y[n] += above.y;
-    }
-  }
-
-  /// Adds what block k feels of those above it.
-  template <class Order>
-  void lean(Order n, std::size_t k, const Point2& above) {
-    const Real& lx = linkage_.link_x[k];
-    const Real& ly = linkage_.link_y[k];
-    rows_[k].across[n] += ly * above.x - lx * above.y;
-    rows_[k].along[n] -= lx * above.x + ly * above.y;
-  }
-
-  /// Order n of Sₖ⊥ · (…) + Lₖ⊥ · (…).
-  template <class Order>
-  static Real moment(const Row& row, Order n) {
-    Real sum = row.cosine[0] * row.across[n] + row.sine[0] * row.along[n];
+  static Real past_moment(const Row& row, Order n) {
+    Point2 sum = none();
     for (std::size_t i = 1; i <= n; ++i)
-      sum += row.cosine[i] * row.across[n - i] + row.sine[i] * row.along[n - i];
-    return sum;
+      sum = {sum.x + row.direction[i].x * row.sway[n - i].x, sum.y + row.direction[i].y * row.sway[n - i].y};
+    return sum.x + sum.y;
+  }
+
+  /// Order n of what each block feels of the others and of the lift, and of the forces.
+  template <class Order>
+  void couple(Order n, const PerBlock<Point2, N>& bends, const Point2& lift) {
+    Point2 below = lift;
+    for (std::size_t k = 0; k < size(); ++k) {
+      Row& row = rows_[k];
+      row.sway[n] = sway(below, linkage_.moment_x[k], linkage_.moment_y[k]);
+      if (forces_) row.force[n] = linkage_.mass[k] * below;
+      if (k + 1 < size()) below = below + turned(bends[k], linkage_.link_x[k], linkage_.link_y[k]);
+    }
+    Point2 above = none();
+    for (std::size_t k = size(); k-- > 0;) {
+      Row& row = rows_[k];
+      if (k + 1 < size()) row.sway[n] = row.sway[n] + sway(above, linkage_.link_x[k], linkage_.link_y[k]);
+      if (k == 0 && !forces_) break;
+      above = above + turned(bends[k], linkage_.moment_x[k], linkage_.moment_y[k]);
+      if (forces_) row.force[n] = row.force[n] + above;
+    }
+  }
+
+  static Point2 none() { return {Real(0), Real(0)}; }
+  /// The derivative of a direction by its angle.
+  static Point2 ahead(const Point2& direction) { return {-direction.y, direction.x}; }
+  /// What the cosine and the sine of a block's angle are multiplied by to give (x, y)⊥ · push, with (x, y) in
+  /// the block's frame.
+  static Point2 sway(const Point2& push, const Real& x, const Real& y) {
+    return {y * push.x - x * push.y, -(x * push.x + y * push.y)};
   }
 
   const Linkage<Real, N>& linkage_;

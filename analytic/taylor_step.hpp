@@ -27,9 +27,9 @@ class TaylorSteps {
 
   /// A step from `offset` into a ground piece, no longer than `remaining`, with margins of `watched`
   /// interfaces.
-  Flow<Real, N> operator()(const State<Real, N>& state, const Linkage<Real, N>& linkage,
-                           const GroundPiece<Real>& piece, const Real& offset, const Real& remaining,
-                           const Interfaces& watched) {
+  Flow<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& towards,
+                           const Linkage<Real, N>& linkage, const GroundPiece<Real>& piece,
+                           const Real& offset, const Real& remaining, const Interfaces& watched) {
     Real step = length(remaining);
     Pull<Real> pull = make_pull(model_.gravity, piece, offset, step);
     const std::size_t pulls = std::max(pull.x.terms, pull.y.terms);
@@ -41,13 +41,15 @@ class TaylorSteps {
     }
     PerBlock<Real, N> angles{};
     PerBlock<Real, N> advances{};
+    typename ChainSeries<Real, N>::Directions directions;
     for (std::size_t k = 0; k < linkage.size(); ++k) {
-      angles[k] = state.angles[static_cast<int>(k)];
-      advances[k] = state.velocities[static_cast<int>(k)] * step;
+      const auto block = static_cast<int>(k);
+      angles[k] = state.angles[block];
+      advances[k] = state.velocities[block] * step;
+      directions[k] = {towards.cosine[block], towards.sine[block]};
     }
-    const bool linear = model_.equations == Equations::linear;
-    ChainSeries<Real, N> series(linkage, linear, forces_ || watched.any(),
-                                block_directions<Real, N>(linear, linkage.size(), angles), advances);
+    ChainSeries<Real, N> series(linkage, model_.equations == Equations::linear, forces_ || watched.any(),
+                                directions, advances);
     series.extend(0, pull);
     const Real ratio = landing(state.pattern, series, angles, advances, step);
     if (ratio < 1) {

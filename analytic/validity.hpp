@@ -3,6 +3,7 @@
 #include "analytic/flow.hpp"
 #include "analytic/outcome.hpp"
 #include "analytic/scene/history.hpp"
+#include "analytic/summit.hpp"
 
 namespace rockstack {
 

@@ -233,8 +233,10 @@ class StepKernel {
   void end(const Coefficients& angle, std::size_t k) {
     Real height = 0;
     Real steepness = 0;
-    for (std::size_t i = orders_ + 2; i-- > 0;) height += angle[i];
-    for (std::size_t i = orders_ + 2; i-- > 1;) steepness += static_cast<double>(i) * angle[i];
+    for (std::size_t i = orders_ + 2; i-- > 0;) {
+      steepness += height;
+      height += angle[i];
+    }
     store(height, rows_.end_angle[k]);
     store(steepness / length_, rows_.end_velocity[k]);
   }
@@ -273,17 +275,19 @@ class StepKernel {
   void follow_forces(const Chain& series) {
     const Real scale = 1 / (length_ * length_);
     for (std::size_t k = 0; k < blocks; ++k) {
-      Coefficients cosine, sine, normal, tangential;
+      typename Chain::PlaneSeries direction;
+      Coefficients normal, tangential;
       const bool upright = k == 0 || rows_.linear;
       if (!upright) {
         const Mask upper = load(rows_.face[k]) > Real(0);
         for (std::size_t n = 0; n < orders_; ++n) {
-          cosine[n] = select(upper, series.cosine(k)[n], series.cosine(k - 1)[n]);
-          sine[n] = select(upper, series.sine(k)[n], series.sine(k - 1)[n]);
+          const auto& own = series.direction(k)[n];
+          const auto& below = series.direction(k - 1)[n];
+          direction[n] = {select(upper, own.x, below.x), select(upper, own.y, below.y)};
         }
       }
       for (std::size_t n = 0; n < orders_; ++n) {
-        const auto force = upright ? series.force(k, -1, n) : series.force(k, cosine, sine, n);
+        const auto force = upright ? series.force(k, -1, n) : series.force(k, direction, n);
         normal[n] = own(n, force.normal * scale);
         tangential[n] = own(n, force.tangential * scale);
         store(normal[n], rows_.normal[k][n]);

@@ -93,7 +93,7 @@ class Lane {
     const auto step = solver_.next_step();
     settled_ = step.settled;
     if (changed) describe_pattern(step.linkage, step.state.pattern, step.watched, rows, lane);
-    describe_state(step.state, rows, lane);
+    describe_state(step.state, step.towards, rows, lane);
     rows.length[lane] = step.length;
     describe_pull(step.pull, rows, lane);
     return true;
@@ -130,16 +130,14 @@ class Lane {
     }
   }
 
-  static void describe_state(const State<double, blocks>& state, StepRows<N>& rows, std::size_t lane) {
-    PerBlock<double, blocks> angles;
+  static void describe_state(const State<double, blocks>& state, const Directions<double, blocks>& towards,
+                             StepRows<N>& rows, std::size_t lane) {
     for (std::size_t k = 0; k < N; ++k) {
-      rows.angle[k][lane] = angles[k] = state.angles[static_cast<int>(k)];
-      rows.velocity[k][lane] = state.velocities[static_cast<int>(k)];
-    }
-    const auto directions = block_directions<double, blocks>(rows.linear, N, angles);
-    for (std::size_t k = 0; k < N; ++k) {
-      rows.cosine[k][lane] = directions[k].x;
-      rows.sine[k][lane] = directions[k].y;
+      const auto block = static_cast<int>(k);
+      rows.angle[k][lane] = state.angles[block];
+      rows.velocity[k][lane] = state.velocities[block];
+      rows.cosine[k][lane] = towards.cosine[block];
+      rows.sine[k][lane] = towards.sine[block];
     }
   }
 

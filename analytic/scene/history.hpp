@@ -30,7 +30,8 @@ enum class Consistency {
 
 std::string name(Consistency consistency);
 
-/// One event with the state on both sides of it. `interface` counts from 1; for `topple` it is the block.
+/// One event with the state on both sides of it, unless that was not asked for: then its vectors are empty.
+/// `interface` counts from 1; for `topple` it is the block.
 template <class Real>
 struct BasicEvent {
   Real time{};  ///< s

@@ -23,7 +23,11 @@ bool is_impact(const Event& event) {
 }  // namespace
 
 SolveOptions run_options(double tolerance) {
-  return {.validity = true, .peaks = true, .resolution = tolerance, .tolerance = tolerance};
+  return {.event_states = false,
+          .validity = true,
+          .peaks = true,
+          .resolution = tolerance,
+          .tolerance = tolerance};
 }
 
 RunOutcome run_outcome(const Scene& scene, const History& history) {

@@ -29,7 +29,8 @@ TEST(Forces, AlongAStepAreThoseThatTheAccelerationsCallFor) {
                                     {0.01, draw.between(-20, 20), draw.between(-900, 900)},
                                     {0.01, draw.between(-8, 8), draw.between(-300, 300)}};
     TaylorSteps<double, Eigen::Dynamic> steps(model, options);
-    const auto flow = steps(state, make_linkage(model.stack, state.pattern), piece, 0, 0.01, {});
+    const auto flow = steps(state, directions_at(model, state.angles),
+                            make_linkage(model.stack, state.pattern), piece, 0, 0.01, {});
     for (const double s : {0.0, 0.37, 1.0}) {
       const auto expected = accelerate(model, flow.at(s), piece.at(s * flow.length)).reactions;
       const double scale = 1e-8 * (1 + std::max(expected.normal.cwiseAbs().maxCoeff(),
@@ -58,7 +59,8 @@ TEST(Forces, DemandsAlongAStepAreTheGreatestOfAScanAndAreMet) {
                                     {0.1, draw.between(-8, 8), draw.between(-90, 90)},
                                     {0.1, draw.between(-4, 4), draw.between(-30, 30)}};
     TaylorSteps<double, Eigen::Dynamic> steps(model, options);
-    const auto flow = steps(state, make_linkage(model.stack, state.pattern), piece, 0, 0.1, {});
+    const auto flow = steps(state, directions_at(model, state.angles),
+                            make_linkage(model.stack, state.pattern), piece, 0, 0.1, {});
     const double weight = model.gravity * model.stack.mass.sum();
     const double end = draw.between(0.1, 1);
     for (const ForceCourses<double>& force : flow.forces) {

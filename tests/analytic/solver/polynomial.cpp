@@ -1,4 +1,5 @@
 #include "analytic/crossing.hpp"
+#include "analytic/summit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ Quintic product(double factor, const std::vector<double>& roots) {
 
 // Rounding of the coefficients (at most 2⁵ in size) moves a simple root by their error over the slope there.
 double root_error(const Quintic& polynomial, double root) {
-  return 64 * 32 * std::numeric_limits<double>::epsilon() / std::abs(slope(polynomial, root));
+  return 64 * 32 * std::numeric_limits<double>::epsilon() / std::abs(tangent(polynomial, root).slope);
 }
 
 TEST(Polynomial, FirstCrossingIsTheFirstKnownRoot) {
@@ -61,7 +62,7 @@ TEST(Polynomial, FirstCrossingAgreesWithAScan) {
     if (!crossing) continue;
     ++crossings;
     EXPECT_NEAR(value(polynomial, end), 0, 1e-13);
-    EXPECT_LE(slope(polynomial, end), 1e-6);  // 0 at a double root, to the root of rounding
+    EXPECT_LE(tangent(polynomial, end).slope, 1e-6);  // 0 at a double root, to the root of rounding
   }
   EXPECT_GT(crossings, 1000);
 }
@@ -185,7 +186,9 @@ TEST(Polynomial, BoundsHoldWhereverTheyTell) {
     for (std::size_t j = static_cast<std::size_t>(i) % 3; j < polynomial.terms; ++j)
       polynomial[j] = coefficient(generator);
     const bool positive = stays_positive(polynomial);
-    const bool negative = stays_positive(polynomial, -1);
+    const auto bounds = hull_beyond_zero(polynomial);
+    const bool negative = stays_clear(polynomial, bounds, -1);
+    EXPECT_TRUE(positive || !stays_clear(polynomial, bounds));
     const bool falls_all_along = falls(polynomial);
     EXPECT_FALSE(positive && negative);
     EXPECT_TRUE(positive || polynomial[0] <= reach(polynomial));
@@ -195,7 +198,7 @@ TEST(Polynomial, BoundsHoldWhereverTheyTell) {
       const double s = j / 64.0;
       EXPECT_TRUE(!positive || value(polynomial, s) > 0);
       EXPECT_TRUE(!negative || value(polynomial, s) < 0);
-      EXPECT_TRUE(!falls_all_along || slope(polynomial, s) < 0);
+      EXPECT_TRUE(!falls_all_along || tangent(polynomial, s).slope < 0);
     }
   }
   EXPECT_GT(above, 1000);
