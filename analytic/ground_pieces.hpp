@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 
 #include "analytic/scene/kinematics.hpp"
@@ -41,52 +43,65 @@ struct GroundPiece {
 template <class Real>
 class GroundPieces {
  public:
-  explicit GroundPieces(const Scene& scene) : scene_(scene) { find_piece(); }
+  explicit GroundPieces(const Scene& scene) : scene_(scene), duration_(scene.duration) { find_piece(); }
 
-  bool finished() const { return !(start_ < Real(scene_.duration)); }
+  bool finished() const { return !(piece_.start < duration_); }
   const GroundPiece<Real>& current() const { return piece_; }
 
   void advance() {
-    start_ = end_;
+    piece_.start = end_;
     find_piece();
   }
 
  private:
-  /// A component from start_ on.
-  GroundCourse<Real> course(const GroundMotion& motion) const {
-    if (motion.pulse) return pulse_course(*motion.pulse);
-    return motion.empty() ? GroundCourse<Real>{} : line_course(motion);
+  void find_piece() {
+    follow(scene_.horizontal, horizontal_sample_, piece_.horizontal);
+    follow(scene_.vertical, vertical_sample_, piece_.vertical);
+    end_ = std::min({piece_.horizontal.end, piece_.vertical.end, duration_});
+    piece_.length = end_ - piece_.start;
+  }
+
+  /// A component from the start of the piece on: its course goes on to the next sample, from `sample` on;
+  /// where the other component has ended the piece before, the sample is found anew.
+  void follow(const GroundMotion& motion, std::ptrdiff_t& sample, GroundCourse<Real>& course) const {
+    if (motion.pulse) {
+      course = pulse_course(*motion.pulse);
+    } else if (!motion.samples.empty()) {
+      sample = course.end == piece_.start ? sample + 1 : last_sample(Real(motion.interval));
+      course = line_course(motion, sample);
+    }
   }
 
   GroundCourse<Real> pulse_course(const Pulse& pulse) const {
     const Real start(pulse.start);
     const Real end = start + Real(length(pulse));
-    if (start_ < start) return {start};
-    return start_ < end ? GroundCourse<Real>{end, 0, 0, &pulse, start_ - start} : GroundCourse<Real>{};
+    if (piece_.start < start) return {start};
+    return piece_.start < end ? GroundCourse<Real>{end, 0, 0, &pulse, piece_.start - start}
+                              : GroundCourse<Real>{};
   }
 
-  GroundCourse<Real> line_course(const GroundMotion& motion) const {
-    const Real interval(motion.interval);
+  /// Before or at the start of the piece.
+  std::ptrdiff_t last_sample(const Real& interval) const {
     // The quotient of a sample's time by the interval may round to just below its number.
-    auto sample = static_cast<std::size_t>(start_ / interval);
-    if (Real(sample + 1) * interval <= start_) ++sample;
-    if (sample + 1 >= motion.samples.size()) return {};
-    const Real first(motion.samples[sample]);
-    const Real rate = (Real(motion.samples[sample + 1]) - first) / interval;
-    return {Real(sample + 1) * interval, first + (start_ - Real(sample) * interval) * rate, rate};
+    const auto sample = static_cast<std::ptrdiff_t>(piece_.start / interval);
+    return Real(sample + 1) * interval <= piece_.start ? sample + 1 : sample;
   }
 
-  void find_piece() {
-    const GroundCourse<Real> horizontal = course(scene_.horizontal);
-    const GroundCourse<Real> vertical = course(scene_.vertical);
-    end_ = std::min({horizontal.end, vertical.end, Real(scene_.duration)});
-    piece_ = {start_, end_ - start_, horizontal, vertical};
+  GroundCourse<Real> line_course(const GroundMotion& motion, std::ptrdiff_t sample) const {
+    if (sample + 1 >= std::ssize(motion.samples)) return {};
+    const Real interval(motion.interval);
+    const auto samples = motion.samples.begin() + sample;
+    const Real first(samples[0]);
+    const Real rate = (Real(samples[1]) - first) / interval;
+    return {Real(sample + 1) * interval, first + (piece_.start - Real(sample) * interval) * rate, rate};
   }
 
   const Scene& scene_;
-  Real start_ = 0;
-  Real end_ = 0;
+  Real duration_;
   GroundPiece<Real> piece_{};
+  Real end_ = 0;  ///< of the piece, s
+  std::ptrdiff_t horizontal_sample_ = 0;
+  std::ptrdiff_t vertical_sample_ = 0;
 };
 
 }  // namespace rockstack
