@@ -72,14 +72,6 @@ Polynomial<Real> series_of(const Pulse& pulse, const Real& elapsed, const Real& 
   return series;
 }
 
-/// A component of the ground's acceleration from `offset` s into its course on, over `length` s, m/s².
-template <class Real>
-Polynomial<Real> series_of(const GroundCourse<Real>& course, const Real& offset, const Real& length) {
-  if (course.pulse) return series_of<Real>(*course.pulse, course.elapsed + offset, length);
-  if (course.rate != 0) return {course.value + offset * course.rate, course.rate * length};
-  return {course.value};
-}
-
 /// What pulls at every unit of mass in the frame of the ground, (−ẍg, −(g + ÿg)), over one step, times its
 /// length squared, m.
 template <class Real>
@@ -87,20 +79,32 @@ struct Pull {
   Polynomial<Real> x, y;
 };
 
+/// A component of it, from `offset` s into the ground's course on: of the course and of what pulls `at_rest`,
+/// without the last coefficients where they are negligible, m/s².
+template <class Real>
+Polynomial<Real> pull_along(const GroundCourse<Real>& course, const Real& at_rest, const Real& negligible,
+                            const Real& offset, const Real& length) {
+  using std::abs;
+  const Real scale = -(length * length);
+  if (!course.pulse) [[likely]] {
+    const Real first = (course.at(offset) + at_rest) * scale;
+    const Real change = course.rate * length;
+    if (abs(change) <= negligible) return {first};
+    return {first, change * scale};
+  }
+  Polynomial<Real> series = series_of<Real>(*course.pulse, course.elapsed + offset, length);
+  series[0] += at_rest;
+  while (series.terms > 1 && abs(series[series.terms - 1]) <= negligible) --series.terms;
+  for (Real& coefficient : series) coefficient *= scale;
+  return series;
+}
+
 template <class Real>
 Pull<Real> make_pull(const Real& gravity, const GroundPiece<Real>& piece, const Real& offset,
                      const Real& length) {
-  using std::abs;
-  Pull<Real> pull{series_of<Real>(piece.horizontal, offset, length),
-                  series_of<Real>(piece.vertical, offset, length)};
-  pull.y[0] += gravity;
-  for (Polynomial<Real>* series : {&pull.x, &pull.y}) {
-    while (series->terms > 1 &&
-           abs((*series)[series->terms - 1]) <= std::numeric_limits<Real>::epsilon() / 8 * gravity)
-      --series->terms;
-    for (std::size_t i = 0; i < series->terms; ++i) (*series)[i] *= -(length * length);
-  }
-  return pull;
+  const Real negligible = std::numeric_limits<Real>::epsilon() / 8 * gravity;
+  return {pull_along<Real>(piece.horizontal, 0, negligible, offset, length),
+          pull_along<Real>(piece.vertical, gravity, negligible, offset, length)};
 }
 
 /// The pull over a step `ratio` times as long.
