@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "analytic/batch/pack.hpp"
+#include "analytic/batch/bounds.hpp"
 #include "analytic/batch/step_rows.hpp"
 
 namespace rockstack {
@@ -51,7 +51,6 @@ class StepKernel {
     series.extend(0, pull_);
     land(series);
     converge(series, busy);
-    plain_ = load(rows_.excess) == Real(0);
     follow_angles(series);
     if (watched) follow_margins(series, linkage);
     if (rows_.forces) follow_forces(series);
@@ -128,9 +127,11 @@ class StepKernel {
     const Real pulls = load(rows_.pulls);
     const Real rate = load(rows_.rate);
     Mask open = busy > Real(0);
+    Mask enough = open;
     Real scale = 0;
     Real earlier = std::numeric_limits<double>::infinity();
-    Real excess = 0;
+    Real rest = 0;
+    Real allowed = 0;
     own_ = 0;
     for (orders_ = 0; xsimd::any(open) && orders_ + 2 < max_terms<Real>;) {
       if (orders_ > 0) series.extend(orders_, pull_);
@@ -141,16 +142,17 @@ class StepKernel {
         if (orders_ < 2) scale = max(scale, abs(advances_[k]) + size + abs(angles_[k]) * length_ * rate);
       }
       const Real count = static_cast<double>(++orders_);
-      const Real rest = max(last, earlier / 64);
-      const Real allowed = tolerance * count * scale;
+      rest = max(last, earlier / 64);
+      allowed = tolerance * count * scale;
       earlier = last;
       own_ = select(open, count, own_);
-      const Mask enough = rest <= allowed;
-      excess = select(open, select(enough, Real(0), rest / allowed), excess);
+      enough = rest <= allowed;
       open = open & ~(enough & (count >= pulls));
     }
+    const Mask exceeds = open & ~enough;
     store(own_, rows_.orders);
-    store(excess, rows_.excess);
+    store(select(exceeds, rest / allowed, Real(0)), rows_.excess);
+    plain_ = ~exceeds;
   }
 
   /// A coefficient of the lanes whose series has that order; the sums of the others stay as they are.
@@ -158,125 +160,79 @@ class StepKernel {
     return select(Real(static_cast<double>(order)) < own_, coefficient, Real(0));
   }
 
-  /// The least and the greatest of partial sums.
-  struct Sums {
-    Real sum, least, greatest;
-
-    explicit Sums(const Real& first) : sum(first), least(first), greatest(first) {}
-    void add(const Real& term) {
-      sum += term;
-      least = min(sum, least);
-      greatest = max(sum, greatest);
-    }
-  };
-
   void follow_angles(const Chain& series) {
-    const std::size_t terms = orders_ + 2;
     Coefficients absolute;
-    for (std::size_t i = 0; i < terms; ++i) absolute[i] = 0;
     for (std::size_t k = 0; k < blocks; ++k) {
-      Coefficients angle;
-      angle[0] = angles_[k];
-      angle[1] = advances_[k];
-      for (std::size_t n = 0; n < orders_; ++n)
-        angle[n + 2] =
-            own(n, series.relative(k, n) * reciprocals<double>[n + 1] * reciprocals<double>[n + 2]);
-      for (std::size_t i = 0; i < terms; ++i) {
-        store(angle[i], rows_.angles[k][i]);
-        absolute[i] += angle[i];
-      }
+      const auto keep = [&](std::size_t i, const Real& coefficient) {
+        store(coefficient, rows_.angles[k][i]);
+        absolute[i] = k > 0 ? absolute[i] + coefficient : coefficient;
+      };
       const Real side = load(rows_.side[k]);
-      const Mask stays = stays_open(angle, side);
+      keep(0, angles_[k]);
+      keep(1, advances_[k]);
+      Clearance<Real> gap(angles_[k] * side);
+      Swing<Real> swing(absolute[0]);
+      gap.add(advances_[k] * side);
+      swing.add(1, absolute[1]);
+      for (std::size_t n = 0; n < orders_; ++n) {
+        const Real coefficient =
+            own(n, series.relative(k, n) * reciprocals<double>[n + 1] * reciprocals<double>[n + 2]);
+        keep(n + 2, coefficient);
+        gap.add(coefficient * side);
+        swing.add(static_cast<double>(n + 2), absolute[n + 2]);
+      }
+      const Mask stays = gap.holds();
       plain_ = plain_ & (stays | (side == Real(0)));
       store_truth(stays, rows_.stays[k]);
-      follow_peak(absolute, k);
-      end(angle, k);
+      end(absolute, swing, k);
     }
   }
 
-  Mask stays_open(const Coefficients& angle, const Real& side) const {
-    const Mask touching = angle[0] == Real(0);
-    const Real start = angle[0] * side;
-    Real reach = 0;
-    Sums beyond(start + angle[1] * side);
-    for (std::size_t i = 1; i < orders_ + 2; ++i) {
-      reach += abs(angle[i]);
-      if (i > 1) beyond.add(angle[i] * side);
-    }
-    const Real least = select(touching, beyond.least, min(beyond.least, start));
-    const Real size = select(touching, Real(0), abs(angle[0]) + reach);
-    return least > 16 * std::numeric_limits<double>::epsilon() * size;
-  }
-
-  /// The block does not topple, and its peak is known or at an end of the step.
-  void follow_peak(const Coefficients& angle, std::size_t k) {
-    Sums heights(angle[0]);
-    Sums slopes(angle[1]);
-    heights.add(angle[1]);
-    for (std::size_t i = 2; i < orders_ + 2; ++i) {
-      heights.add(angle[i]);
-      slopes.add(static_cast<double>(i) * angle[i]);
-    }
-    Real height = 0;
-    for (std::size_t i = orders_ + 2; i-- > 0;) height += angle[i];
-    const Real peak = load(rows_.peak[k]);
-    const Real size = max(heights.greatest, -heights.least);
-    const Mask known = size <= peak;
-    const Mask monotone = (slopes.least >= Real(0)) | (slopes.greatest <= Real(0));
-    const Mask stands = size < load(rows_.toppling[k]);
-    plain_ = plain_ & stands & (known | monotone);
-    store_truth(stands & known, rows_.upright[k]);
-    store(select(known, peak, max(max(peak, abs(angle[0])), abs(height))), rows_.peak[k]);
-  }
-
-  /// Where the step leads.
-  void end(const Coefficients& angle, std::size_t k) {
+  /// Where the step leads. The block's peak is to be known, or at an end of the step.
+  void end(const Coefficients& absolute, const Swing<Real>& swing, std::size_t k) {
+    Real angle = 0;
     Real height = 0;
     Real steepness = 0;
     for (std::size_t i = orders_ + 2; i-- > 0;) {
-      steepness += height;
-      height += angle[i];
+      steepness += angle;
+      angle += load(rows_.angles[k][i]);
+      height += absolute[i];
     }
-    store(height, rows_.end_angle[k]);
+    store(angle, rows_.end_angle[k]);
     store(steepness / length_, rows_.end_velocity[k]);
+    const Real peak = load(rows_.peak[k]);
+    const Mask known = swing.size() <= peak;
+    const Mask stands = swing.size() < load(rows_.toppling[k]);
+    plain_ = plain_ & stands & (known | swing.is_monotone());
+    store_truth(stands & known, rows_.upright[k]);
+    store(select(known, peak, max(max(peak, abs(absolute[0])), abs(height))), rows_.peak[k]);
   }
 
   void follow_margins(const Chain& series, const Linkage<Real, N>& linkage) {
     for (std::size_t k = 0; k < blocks; ++k) {
       const Mask watched = load(rows_.watched[k]) > Real(0);
       if (!xsimd::any(watched)) continue;
-      Coefficients right, left;
-      right[0] = left[0] = 0;
       for (std::size_t n = 0; n < orders_; ++n) {
         const Real push = series.push(k, n) * linkage.width[k];
-        right[n] = own(n, push + series.reaction(k, n));
-        left[n] = own(n, push - series.reaction(k, n));
-        store(right[n], rows_.right[k][n]);
-        store(left[n], rows_.left[k][n]);
+        store(own(n, push + series.reaction(k, n)), rows_.right[k][n]);
+        store(own(n, push - series.reaction(k, n)), rows_.left[k][n]);
       }
-      const Mask stays = stays_clear(right) & stays_clear(left);
+      const Mask stays = stays_clear(rows_.right[k]) & stays_clear(rows_.left[k]);
       plain_ = plain_ & (stays | ~watched);
       store(select(watched, select(stays, Real(1), Real(0)), load(rows_.stays[k])), rows_.stays[k]);
     }
   }
 
-  /// Neither crosses zero nor grazes it.
-  Mask stays_clear(const Coefficients& margin) const {
-    Real reach = 0;
-    Sums sums(margin[0]);
-    for (std::size_t n = 1; n < orders_; ++n) {
-      reach += abs(margin[n]);
-      sums.add(margin[n]);
-    }
-    const Real rounding = 16 * std::numeric_limits<double>::epsilon() * (abs(margin[0]) + reach);
-    return (sums.least > rounding) & (margin[0] != Real(0));
+  Mask stays_clear(const CoefficientRows& margin) const {
+    Clearance<Real> clearance(load(margin[0]));
+    for (std::size_t n = 1; n < orders_; ++n) clearance.add(load(margin[n]));
+    return clearance.holds();
   }
 
   void follow_forces(const Chain& series) {
     const Real scale = 1 / (length_ * length_);
     for (std::size_t k = 0; k < blocks; ++k) {
       typename Chain::PlaneSeries direction;
-      Coefficients normal, tangential;
       const bool upright = k == 0 || rows_.linear;
       if (!upright) {
         const Mask upper = load(rows_.face[k]) > Real(0);
@@ -286,35 +242,19 @@ class StepKernel {
           direction[n] = {select(upper, own.x, below.x), select(upper, own.y, below.y)};
         }
       }
+      ForceBounds<Real> bounds(load(rows_.friction[k]));
       for (std::size_t n = 0; n < orders_; ++n) {
         const auto force = upright ? series.force(k, -1, n) : series.force(k, direction, n);
-        normal[n] = own(n, force.normal * scale);
-        tangential[n] = own(n, force.tangential * scale);
-        store(normal[n], rows_.normal[k][n]);
-        store(tangential[n], rows_.tangential[k][n]);
+        const Real normal = own(n, force.normal * scale);
+        const Real tangential = own(n, force.tangential * scale);
+        store(normal, rows_.normal[k][n]);
+        store(tangential, rows_.tangential[k][n]);
+        bounds.add(normal, tangential);
       }
-      const Mask borne = demands_no_more(normal, tangential, k);
+      const Mask borne = bounds.hold(load(rows_.least_normal[k]), load(rows_.rounding));
       plain_ = plain_ & borne;
       store_truth(borne, rows_.borne[k]);
     }
-  }
-
-  Mask demands_no_more(const Coefficients& normal, const Coefficients& tangential, std::size_t k) const {
-    const Real friction = load(rows_.friction[k]);
-    const Real rounding = load(rows_.rounding);
-    const Mask bounded = friction <= Real(std::numeric_limits<double>::max());
-    const Real ratio = select(bounded, friction, Real(0));
-    Sums pushes(normal[0]);
-    Sums right(tangential[0] - ratio * normal[0]);
-    Sums left(-(tangential[0] + ratio * normal[0]));
-    for (std::size_t n = 1; n < orders_; ++n) {
-      const Real held = ratio * normal[n];
-      pushes.add(normal[n]);
-      right.add(tangential[n] - held);
-      left.add(-(tangential[n] + held));
-    }
-    return (pushes.least >= load(rows_.least_normal[k]) - rounding) &
-           (~bounded | (max(right.greatest, left.greatest) <= rounding * (1 + ratio)));
   }
 
   Pull<Real> pull_;
