@@ -81,9 +81,10 @@ class Solver {
   Real time() const { return pieces_.current().start + offset_; }
 
   void advance() {
-    const GroundPiece<Real>& piece = pieces_.current();
-    if (!(remaining() > 0) || stands_through(piece)) return next_piece();
-    Flow<Real, N> flow = steps_(state_, towards_, linkage(), piece, offset_, longest_step(), watched());
+    if (!(remaining() > 0)) return next_piece();
+    if (stand()) return;
+    Flow<Real, N> flow =
+        steps_(state_, towards_, linkage(), pieces_.current(), offset_, longest_step(), watched());
     take(flow);
   }
 
@@ -181,12 +182,17 @@ class Solver {
     return linkage_;
   }
 
-  /// True where the stack stands still through the rest of a ground piece, and nothing of it is to be kept.
-  /// At the instant of an event steps tell.
-  bool stands_through(const GroundPiece<Real>& piece) const {
+  /// Goes on past the ground pieces through whose rest the stack stands still, and nothing of it is to be
+  /// kept. False where there is none. At the instant of an event steps tell.
+  bool stand() {
     if (!is_closed(state_.pattern) || fresh_.any() || held_.any() || progress_.at_instant()) return false;
-    const Bearing<Real> bears = bearing(model_.gravity, piece, offset_);
-    return bears.tilt < standing_.slenderness && !recorder_.wants(standing_, bears);
+    const auto stands = [&] {
+      const Bearing<Real> bears = bearing(model_.gravity, pieces_.current(), offset_);
+      return bears.tilt < standing_.slenderness && !recorder_.wants(standing_, bears);
+    };
+    bool stood = false;
+    for (; !finished() && stands(); stood = true) next_piece();
+    return stood;
   }
 
   /// Closed interfaces that may open within the next step.
