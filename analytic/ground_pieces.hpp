@@ -20,8 +20,9 @@ struct GroundCourse {
   Real elapsed = 0;  ///< from the start of the pulse to that of the stretch, s
 
   Real at(const Real& offset) const {
-    return pulse ? acceleration(*pulse, elapsed + offset) : value + offset * rate;
+    return pulse ? acceleration(*pulse, elapsed + offset) : line_at(offset);
   }
+  Real line_at(const Real& offset) const { return value + offset * rate; }
 };
 
 /// A stretch of time over which the ground's acceleration is smooth, in the number type of a calculation.

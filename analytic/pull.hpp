@@ -87,7 +87,7 @@ Polynomial<Real> pull_along(const GroundCourse<Real>& course, const Real& at_res
   using std::abs;
   const Real scale = -(length * length);
   if (!course.pulse) [[likely]] {
-    const Real first = (course.at(offset) + at_rest) * scale;
+    const Real first = (course.line_at(offset) + at_rest) * scale;
     const Real change = course.rate * length;
     if (abs(change) <= negligible) return {first};
     return {first, change * scale};

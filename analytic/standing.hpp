@@ -45,10 +45,10 @@ template <class Real>
 Bearing<Real> bearing(const Real& gravity, const GroundPiece<Real>& piece, const Real& offset) {
   Bearing<Real> result{std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()};
   if (!piece.straight()) return result;
-  const auto pull_at = [&](const Real& time) { return gravity + piece.vertical.at(time); };
+  const auto pull_at = [&](const Real& time) { return gravity + piece.vertical.line_at(time); };
   const auto push_at = [&](const Real& time) {
     using std::abs;
-    return abs(piece.horizontal.at(time));
+    return abs(piece.horizontal.line_at(time));
   };
   const Real first = pull_at(offset);
   const Real last = pull_at(piece.length);
