@@ -26,7 +26,7 @@ std::optional<Summit<Real>> summit(const Polynomial<Real>& polynomial, const Rea
     void operator()(const Polynomial<Real>& coefficients, const Real& low, const Real& width) {
       best.raise({low, coefficients[0]});
       best.raise({low + width, coefficients[coefficients.terms - 1]});
-      if (*std::max_element(coefficients.begin(), coefficients.end()) <= best.height + slack) return;
+      if (!(*std::max_element(coefficients.begin(), coefficients.end()) > best.height + slack)) return;
       const auto halves = halve(coefficients);
       (*this)(halves.left, low, width / 2);
       (*this)(halves.right, low + width / 2, width / 2);
