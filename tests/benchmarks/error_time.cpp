@@ -55,13 +55,15 @@ Contender ours(const std::string& method, Integrator integrator, double setting)
   } else {
     options.step = setting;
   }
+  SolveOptions timed = options;
+  timed.event_states = false;  // no other method keeps them
   return {method, setting,
           [options](const Scene& scene, const std::vector<double>& samples) {
             SolveOptions sampled = options;
             sampled.sample_times = samples;
             return solve(scene, sampled).angles;
           },
-          [options](const Scene& scene) { return processor_seconds([&] { solve(scene, options); }); }};
+          [timed](const Scene& scene) { return processor_seconds([&] { solve(scene, timed); }); }};
 }
 
 template <template <int> class Method, int N>
