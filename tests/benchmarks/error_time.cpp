@@ -107,7 +107,7 @@ Contender stepped_by(const Engine& engine, double dt) {
 
 std::vector<Contender> contenders() {
   std::vector<Contender> all;
-  for (const double tolerance : {0.0, 1e-12, 1e-9, 1e-6})
+  for (const double tolerance : {0.0, 1e-12, 1e-9, 1e-8, 1e-7, 1e-6})
     all.push_back(ours("taylor", Integrator::taylor, tolerance));
   for (const double step : {2e-4, 1e-3}) all.push_back(ours("rk4, exact events", Integrator::rk4, step));
   for (const double step : {1e-4, 1e-3})
