@@ -48,7 +48,16 @@ Real value(const Polynomial<Real>& polynomial, const Real& s) {
   return sum;
 }
 
-/// A polynomial and its derivative at a point.
+/// Derivative with respect to s.
+template <class Real>
+Real slope(const Polynomial<Real>& polynomial, const Real& s) {
+  Real sum = 0;
+  for (std::size_t i = polynomial.terms; i-- > 1;) sum = sum * s + Real(i) * polynomial[i];
+  return sum;
+}
+
+/// Both at once, the derivative from partial sums of the value, whose rounding adds to its own: enough for
+/// Newton's method, but energies would drift by a third more.
 template <class Real>
 struct Tangent {
   Real height, slope;

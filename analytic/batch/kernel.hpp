@@ -194,9 +194,10 @@ class StepKernel {
     Real height = 0;
     Real steepness = 0;
     for (std::size_t i = orders_ + 2; i-- > 0;) {
-      steepness += angle;
-      angle += load(rows_.angles[k][i]);
+      const Real coefficient = load(rows_.angles[k][i]);
+      angle += coefficient;
       height += absolute[i];
+      if (i > 0) steepness += static_cast<double>(i) * coefficient;
     }
     store(angle, rows_.end_angle[k]);
     store(steepness / length_, rows_.end_velocity[k]);
