@@ -209,7 +209,7 @@ class ChainSeries {
     return moments;
   }
 
-  /// What later orders than i of the sway add to order n of Sₖ⊥ · (…) + Lₖ⊥ · (…): all i but 0.
+  /// Order n of Sₖ⊥ · (…) + Lₖ⊥ · (…), but for order n of the sway: products of lower orders alone.
   template <class Order>
   static Real past_moment(const Row& row, Order n) {
     Point2 sum = none();
