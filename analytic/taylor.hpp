@@ -148,7 +148,9 @@ class ChainSeries {
     const Point2 lift{n < pull.x.terms ? -pull.x[n] : Real(0), n < pull.y.terms ? -pull.y[n] : Real(0)};
     PerBlock<Point2, N> bends;  // of directions, as far as they are known, then all
     for (std::size_t k = 0; k < size(); ++k) bends[k] = linear_ ? none() : known_bend(rows_[k], n);
-    const PerBlock<Real, N> known = known_moments(n, bends, lift);
+    // A block alone sways under nothing but the pull.
+    const std::size_t sways = size() > 1 ? n : std::min<std::size_t>(n, std::max(pull.x.terms, pull.y.terms));
+    const PerBlock<Real, N> known = known_moments(n, sways, bends, lift);
     PerBlock<Real, N> opposed;
     for (std::size_t k = 0; k < size(); ++k) opposed[k] = -known[k];
     const PerBlock<Real, N> relative = mass_.held.solve(opposed);
@@ -193,12 +195,13 @@ class ChainSeries {
 
   /// Order n of the moments about all pivots, but for what the blocks' spins (ψ'')ₙ will add.
   template <class Order>
-  PerBlock<Real, N> known_moments(Order n, const PerBlock<Point2, N>& bends, const Point2& lift) const {
+  PerBlock<Real, N> known_moments(Order n, std::size_t sways, const PerBlock<Point2, N>& bends,
+                                  const Point2& lift) const {
     PerBlock<Real, N> moments;
     Point2 below = lift;
     for (std::size_t k = 0; k < size(); ++k) {
       moments[k] = across(mass_.moments[k], below);
-      if (!linear_) moments[k] += past_moment(rows_[k], n);
+      if (!linear_) moments[k] += past_moment(rows_[k], n, sways);
       if (k + 1 < size()) below = below + turned(bends[k], linkage_.link_x[k], linkage_.link_y[k]);
     }
     Point2 above = none();
@@ -209,12 +212,13 @@ class ChainSeries {
     return moments;
   }
 
-  /// Order n of Sₖ⊥ · (…) + Lₖ⊥ · (…), but for order n of the sway: products of lower orders alone.
+  /// Order n of Sₖ⊥ · (…) + Lₖ⊥ · (…), but for order n of the sway: products of lower orders alone, of which
+  /// the first `sways` of the sway are not zero.
   template <class Order>
-  static Real past_moment(const Row& row, Order n) {
+  static Real past_moment(const Row& row, Order n, std::size_t sways) {
     Point2 sum = none();
-    for (std::size_t i = 1; i <= n; ++i)
-      sum = {sum.x + row.direction[i].x * row.sway[n - i].x, sum.y + row.direction[i].y * row.sway[n - i].y};
+    for (std::size_t i = sways; i-- > 0;)
+      sum = {sum.x + row.direction[n - i].x * row.sway[i].x, sum.y + row.direction[n - i].y * row.sway[i].y};
     return sum.x + sum.y;
   }
 
