@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analytic/dynamics.hpp"
+#include "analytic/held_mass.hpp"
 
 namespace rockstack {
 
@@ -26,25 +26,27 @@ struct Linkage {
 
 template <class Real, int N>
 Linkage<Real, N> make_linkage(const Stack<Real, N>& stack, const Pattern& pattern) {
-  const Chain<Real, N> chain = make_chain(stack, pattern, Vector<Real, N>::Zero(stack.size()));
   Linkage<Real, N> linkage;
   linkage.blocks = stack.size();
-  Real above = 0;
-  for (int block = linkage.blocks - 1; block >= 0; --block) {
-    const auto k = static_cast<std::size_t>(block);
-    const Point<Real> arm = chain.arms.col(block);
-    const Point<Real> link = chain.links.col(block);
-    const Point<Real> moment = stack.mass[block] * arm + above * link;
-    linkage.moment_x[k] = moment.x();
-    linkage.moment_y[k] = moment.y();
-    linkage.link_x[k] = link.x();
-    linkage.link_y[k] = link.y();
-    linkage.inertia[k] =
-        stack.inertia[block] + stack.mass[block] * arm.squaredNorm() + above * link.squaredNorm();
-    above += stack.mass[block];
+  Real above = 0;  // mass, kg
+  Real next = 0;   // where the pivot above is, from the middle, m
+  for (std::size_t k = linkage.size(); k-- > 0;) {
+    const auto block = static_cast<int>(k);
+    const Real mass = stack.mass[block];
+    const Real pivot = Real(sign(pattern[block])) * stack.half_width[block];
+    const Real height = stack.half_height[block];
+    const Real link = next - pivot;
+    linkage.moment_x[k] = above * link - mass * pivot;
+    linkage.moment_y[k] = above * (2 * height) + mass * height;
+    linkage.link_x[k] = link;
+    linkage.link_y[k] = 2 * height;
+    linkage.inertia[k] = stack.inertia[block] + mass * (pivot * pivot + height * height) +
+                         above * (link * link + 4 * height * height);
+    above += mass;
     linkage.mass[k] = above;
     linkage.width[k] = stack.half_width[block];
     linkage.free[k] = pattern[block] == Contact::closed ? Real(0) : Real(1);
+    next = pivot;
   }
   return linkage;
 }

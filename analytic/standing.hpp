@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analytic/dynamics.hpp"
 #include "analytic/ground_pieces.hpp"
 #include "analytic/linkage.hpp"
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "analytic/dynamics.hpp"
 #include "analytic/ground_pieces.hpp"
 #include "analytic/linkage.hpp"
 
