@@ -46,6 +46,8 @@ struct State {
   Pattern pattern;
   Vector<Real, N> angles;
   Vector<Real, N> velocities;
+
+  int size() const { return static_cast<int>(angles.size()); }
 };
 
 /// The directions of the blocks at a state; upright for the linear equations.

@@ -37,7 +37,7 @@ struct Flow {
 
   State<Real, N> at(const Real& s) const {
     State<Real, N> state = start;
-    for (int k = 0; k < state.pattern.size; ++k) {
+    for (int k = 0; k < state.size(); ++k) {
       if (state.pattern[k] == Contact::closed) continue;
       const auto& angle = angles[static_cast<std::size_t>(k)];
       state.angles[k] = value(angle, s);

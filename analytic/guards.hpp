@@ -62,26 +62,27 @@ template <class Real, int N>
 void find_closing(const Flow<Real, N>& flow, const AngleHulls<Real, N>& hulls, const Interfaces& cleared,
                   Next<Real>& next) {
   const Pattern& pattern = flow.start.pattern;
-  for (int k = 0; k < pattern.size; ++k) {
+  std::array<Polynomial<Real>, capacity(N)> gaps;  // of interfaces that may close
+  for (int k = 0; k < flow.start.size(); ++k) {
     const auto interface = static_cast<std::size_t>(k);
     if (pattern[k] == Contact::closed || cleared.test(interface)) continue;
     if (stays_clear(flow.angles[interface], hulls[interface], sign(pattern[k]))) continue;
-    const Polynomial<Real> course = gap(flow, k);
+    const Polynomial<Real>& course = gaps[interface] = gap(flow, k);
     const auto crossing = first_crossing(course);
     if (next.admit(crossing)) next.closing.set(interface);
     if (const auto s = grazing(course, crossing)) next.grazes.push_back({*s, EventKind::impact, k + 1});
   }
   if (next.closing.none()) return;
   // What rounding has carried past zero by then closes at the same time.
-  for (int k = 0; k < pattern.size; ++k) {
-    if (pattern[k] != Contact::closed && value(gap(flow, k), next.s) < 0)
-      next.closing.set(static_cast<std::size_t>(k));
+  for (int k = 0; k < flow.start.size(); ++k) {
+    const auto interface = static_cast<std::size_t>(k);
+    if (gaps[interface].terms > 0 && value(gaps[interface], next.s) < 0) next.closing.set(interface);
   }
 }
 
 template <class Real, int N>
 void find_opening(const Flow<Real, N>& flow, Next<Real>& next) {
-  for (int k = 0; k < flow.start.pattern.size; ++k) {
+  for (int k = 0; k < flow.start.size(); ++k) {
     const auto& margin = flow.margins[static_cast<std::size_t>(k)];
     for (const Contact side : {Contact::right, Contact::left}) {
       const Polynomial<Real>& course = side == Contact::right ? margin.right : margin.left;
@@ -100,7 +101,7 @@ void find_toppling(const Flow<Real, N>& flow, const AngleHulls<Real, N>& hulls,
                    const std::array<Real, max_blocks>& toppling_angles, const Interfaces& cleared,
                    Next<Real>& next) {
   Real lean = 0;  // of the block, at most
-  for (int k = 0; k < flow.start.pattern.size; ++k) {
+  for (int k = 0; k < flow.start.size(); ++k) {
     const auto block = static_cast<std::size_t>(k);
     lean += hulls[block].size();
     if (cleared.test(block) || lean < toppling_angles[block]) continue;
@@ -121,7 +122,7 @@ Next<Real> first_event(const Flow<Real, N>& flow, const std::array<Real, max_blo
   Next<Real> next;
   next.opened = flow.start.pattern;
   AngleHulls<Real, N> hulls{};
-  for (int k = 0; k < flow.start.pattern.size; ++k) {
+  for (int k = 0; k < flow.start.size(); ++k) {
     const Polynomial<Real>& angle = flow.angles[static_cast<std::size_t>(k)];
     if (angle.terms > 0) hulls[static_cast<std::size_t>(k)] = hull_beyond_zero(angle);
   }

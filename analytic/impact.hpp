@@ -39,7 +39,7 @@ struct Impact {
   /// Interfaces that touch along their whole width.
   Interfaces touching() const {
     Interfaces result = impacting;
-    for (int k = 0; k < before.pattern.size; ++k) {
+    for (int k = 0; k < before.size(); ++k) {
       if (before.pattern[k] == Contact::closed) result.set(static_cast<std::size_t>(k));
     }
     return result;
@@ -82,7 +82,7 @@ Outcome<Real, N> velocities_after(const Model<Real, N>& model, const Impact<Real
 /// True where every touching interface that is open opens towards its side.
 template <class Real, int N>
 bool kinematically_admissible(const Outcome<Real, N>& outcome, const Interfaces& touching) {
-  for (int k = 0; k < outcome.pattern.size; ++k) {
+  for (int k = 0; k < outcome.size(); ++k) {
     if (!touching.test(static_cast<std::size_t>(k)) || outcome.pattern[k] == Contact::closed) continue;
     if (!(Real(sign(outcome.pattern[k])) * outcome.relative[k] > 0)) return false;
   }
@@ -95,7 +95,7 @@ template <class Real, int N>
 std::optional<Outcome<Real, N>> consistent_outcome(const Model<Real, N>& model, const Impact<Real, N>& impact,
                                                    const Approach<Real, N>& before) {
   Pattern guess = impact.before.pattern;
-  for (int k = 0; k < guess.size; ++k) {
+  for (int k = 0; k < impact.before.size(); ++k) {
     if (impact.impacting.test(static_cast<std::size_t>(k))) guess[k] = opposite(guess[k]);
   }
   auto outcome = find_admissible(model.stack, guess, impact.touching(), Real(0), [&](const Pattern& pattern) {
@@ -121,7 +121,7 @@ Outcome<Real, N> paper_outcome(const Impact<Real, N>& impact, const Evaluate& ev
   Pattern open = impact.before.pattern;
   Pattern joined = impact.before.pattern;
   Pattern closed = impact.before.pattern;
-  for (int k = 0; k < open.size; ++k) {
+  for (int k = 0; k < impact.before.size(); ++k) {
     const auto bit = static_cast<std::size_t>(k);
     if (!touching.test(bit)) continue;
     const bool impacts = impact.impacting.test(bit);

@@ -14,6 +14,8 @@ struct Outcome {
   Vector<Real, N> relative;      ///< φ̈ in rad/s², or φ̇ in rad/s; zero at closed interfaces
   Reactions<Real, N> reactions;  ///< N and N·m, or N·s and N·m·s
   Vector<Real, N> rounding;      ///< reactions below this are rounding of what stands above, N or N·s
+
+  int size() const { return static_cast<int>(relative.size()); }
 };
 
 /// The allowed motion nearest to `free` (with any bias already taken off) and what brings it about.
@@ -57,7 +59,7 @@ struct Violation {
 template <class Real, int N>
 std::optional<Violation> first_violation(const Stack<Real, N>& stack, const Outcome<Real, N>& outcome,
                                          const Interfaces& touching, const Real& slack) {
-  for (int k = 0; k < outcome.pattern.size; ++k) {
+  for (int k = 0; k < outcome.size(); ++k) {
     if (!touching.test(static_cast<std::size_t>(k))) continue;
     const Contact contact = outcome.pattern[k];
     if (contact == Contact::closed) {

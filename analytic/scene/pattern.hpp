@@ -42,8 +42,10 @@ Pattern closed_pattern(int size);
 
 /// True where every interface is closed.
 inline bool is_closed(const Pattern& pattern) {
-  return std::all_of(pattern.contacts.begin(), pattern.contacts.begin() + pattern.size,
-                     [](Contact contact) { return contact == Contact::closed; });
+  for (int k = 0; k < pattern.size; ++k) {
+    if (pattern[k] != Contact::closed) return false;
+  }
+  return true;
 }
 
 /// The name of a pattern: for two blocks that of Spanos et al. 2001, Fig. 2 ("1a" … "4b", "rest"); otherwise
