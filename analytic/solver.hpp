@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "analytic/chatter.hpp"
 #include "analytic/guards.hpp"
 #include "analytic/impact.hpp"
 #include "analytic/progress.hpp"
@@ -16,18 +17,6 @@ namespace rockstack {
 
 /// Solves a valid scene exactly: smooth motion in a fixed pattern, interrupted by events that are located to
 /// rounding.
-///
-/// Chatter, ever smaller impacts whose number is infinite, ends where an interface would part at a speed u
-/// that takes it no further than the resolution ρ = u²/(2a), a the relative acceleration that brings it back:
-/// it closes instead, and in any case at u = 500 ρ √(g/H), ρ taken as a number, with H the stack's height.
-/// What is left out are excursions of at most ρ rad. As the angular momentum above the other pivots is kept,
-/// by one impact as by the many it stands for, the motion after it is off by some ρ at most;
-/// the closure comes 2u/(a(1 − η)) s early. As each impact takes its share of the speed, the number of
-/// impacts is at most ln(u₀/u)/ln(1/η), for a speed u₀ at first and a velocity ratio η.
-///
-/// Where several interfaces chatter together, each may do so to its end between two impacts of another. No
-/// burst of events has been seen to exceed 2 ∏ (1 + nₖ), nₖ the bound of each alone with η the largest 1 −
-/// 2mw²/I of what stands above it; this is not proved, as an impact may speed up another interface.
 template <class Real, int N = Eigen::Dynamic, template <class, int> class Steps = TaylorSteps>
 class Solver {
  public:
@@ -40,7 +29,9 @@ class Solver {
         steps_(model_, options),
         recorder_(model_, options),
         progress_(model_),
-        standing_(model_) {
+        standing_(model_),
+        chatter_(model_,
+                 options.resolution > 0 ? Real(options.resolution) : std::numeric_limits<Real>::epsilon()) {
     const auto vector = [](const std::vector<double>& values) -> Vector<Real, N> {
       return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
           .template cast<Real>();
@@ -48,15 +39,12 @@ class Solver {
     state_ = {{}, relative(vector(scene.initial.angles)), relative(vector(scene.initial.velocities))};
     state_.pattern = pattern_of(state_.angles, state_.velocities);
     turn();
-    rate_ = model_.gravity / (2 * model_.stack.half_height.sum());
     for (int k = 0; k < model_.stack.size(); ++k)
       toppling_angles_[static_cast<std::size_t>(k)] = Real(toppling_angle(scene, k));
     using std::sqrt;
-    slack_ = 500 * std::numeric_limits<Real>::epsilon() * rate_;
-    resolution_ = options.resolution > 0 ? Real(options.resolution) : std::numeric_limits<Real>::epsilon();
-    settling_speed_ = 500 * resolution_ * sqrt(rate_);
-    slowest_flight_ = 100 * sqrt(resolution_ * rate_);
-    brief_ = Real(1e-4) / sqrt(rate_);
+    const Real rate = model_.gravity / (2 * model_.stack.half_height.sum());
+    slack_ = 500 * std::numeric_limits<Real>::epsilon() * rate;
+    brief_ = Real(1e-4) / sqrt(rate);
   }
 
   /// @throws std::runtime_error with the time where no pattern lets the motion go on, or events do not come
@@ -136,7 +124,7 @@ class Solver {
 
   /// Goes along a whole settled step in which nothing happens, and nothing is to be recorded but peaks.
   void pass(const Real& length, const End& end) {
-    for (int k = 0; k < state_.pattern.size; ++k) {
+    for (int k = 0; k < state_.size(); ++k) {
       if (state_.pattern[k] == Contact::closed) continue;
       state_.angles[k] = end.angles[static_cast<std::size_t>(k)];
       state_.velocities[k] = end.velocities[static_cast<std::size_t>(k)];
@@ -198,7 +186,7 @@ class Solver {
   /// Closed interfaces that may open within the next step.
   Interfaces watched() const {
     Interfaces result;
-    for (int k = 0; k < state_.pattern.size; ++k) {
+    for (int k = 0; k < state_.size(); ++k) {
       const auto bit = static_cast<std::size_t>(k);
       result.set(bit, state_.pattern[k] == Contact::closed && !held_.test(bit));
     }
@@ -208,7 +196,7 @@ class Solver {
   /// An interface that has just opened accelerates towards its side, though its acceleration may round to the
   /// other.
   void keep_fresh_open(Flow<Real, N>& flow) const {
-    for (int k = 0; k < state_.pattern.size; ++k) {
+    for (int k = 0; k < state_.size(); ++k) {
       Polynomial<Real>& angle = flow.angles[static_cast<std::size_t>(k)];
       if (fresh_.test(static_cast<std::size_t>(k)) && angle.terms > 2 &&
           angle[2] * Real(sign(state_.pattern[k])) < 0)
@@ -239,7 +227,7 @@ class Solver {
     } else if (progress_.undecided()) {
       held_ |= next.opening;
     } else {
-      for (int k = 0; k < from.size; ++k) {
+      for (int k = 0; k < state_.size(); ++k) {
         if (next.opening.test(static_cast<std::size_t>(k))) state_.pattern[k] = next.opened[k];
       }
       fresh_ |= next.opening;
@@ -247,31 +235,26 @@ class Solver {
     }
   }
 
-  /// Open by less than the bounds on what ending chatter leaves out: such interfaces close with the next that
-  /// does, or two of them would push each other open for ever.
-  bool negligibly_open(int k) const {
-    using std::abs;
-    return state_.pattern[k] != Contact::closed && abs(state_.velocities[k]) <= settling_speed_ &&
-           abs(state_.angles[k]) * rate_ <= settling_speed_ * settling_speed_;
-  }
-
   /// Rule 4: an impact, or the end of chatter.
   void collide(Interfaces closing) {
     const int first = lowest(closing);
-    for (int k = 0; k < state_.pattern.size; ++k) {
-      if (negligibly_open(k)) closing.set(static_cast<std::size_t>(k));
+    for (int k = 0; k < state_.size(); ++k) {
+      if (chatter_.negligibly_open(state_, k)) closing.set(static_cast<std::size_t>(k));
     }
-    for (int k = 0; k < state_.pattern.size; ++k) {
+    for (int k = 0; k < state_.size(); ++k) {
       if (closing.test(static_cast<std::size_t>(k))) state_.angles[k] = 0;
     }
     turn();
     const Impact<Real, N> impact{state_, closing};
     const Approach<Real, N> before = approach(model_, state_, towards_);
-    const Resolution<Real, N> resolution = resolve(model_, impact, before, scene_.law);
-    Outcome<Real, N> outcome = resolution.outcome;
+    Resolution<Real, N> resolution = resolve(model_, impact, before, scene_.law);
+    Outcome<Real, N>& outcome = resolution.outcome;
+    const auto without_slow = [&] {
+      return chatter_.without_slow({outcome.pattern, state_.angles, outcome.relative}, impact.touching(),
+                                   towards_, pieces_.current().at(offset_));
+    };
     bool settled = false;
-    for (Pattern slow = without_slow(outcome, impact.touching()); !(slow == outcome.pattern);
-         slow = without_slow(outcome, impact.touching())) {
+    for (Pattern slow = without_slow(); !(slow == outcome.pattern); slow = without_slow()) {
       outcome = velocities_after(model_, before, slow);
       settled = true;
     }
@@ -284,28 +267,10 @@ class Solver {
     record_event(kind, first, impact.before.pattern, impact.before.velocities, resolution.consistency);
   }
 
-  /// The pattern of an outcome with the interfaces closed that part too slowly to be followed.
-  Pattern without_slow(const Outcome<Real, N>& outcome, const Interfaces& touching) const {
-    using std::abs;
-    Pattern pattern = outcome.pattern;
-    for (int k = 0; k < pattern.size; ++k) {
-      const Real speed = abs(outcome.relative[k]);
-      if (!touching.test(static_cast<std::size_t>(k)) || pattern[k] == Contact::closed) continue;
-      bool slow = speed <= settling_speed_;
-      if (!slow && speed <= slowest_flight_) {
-        const State<Real, N> parting{outcome.pattern, state_.angles, outcome.relative};
-        const Vector<Real, N> back = accelerations(model_, parting, towards_, pieces_.current().at(offset_));
-        slow = speed * speed <= -2 * resolution_ * back[k] * Real(sign(pattern[k]));
-      }
-      if (slow) pattern[k] = Contact::closed;
-    }
-    return pattern;
-  }
-
   /// Rule 2 at an instant: opens the closed interfaces whose centre of pressure would lie outside.
   void settle(Pattern from) {
     Interfaces touching = fresh_;
-    for (int k = 0; k < state_.pattern.size; ++k) {
+    for (int k = 0; k < state_.size(); ++k) {
       // An impact may since have parted what has just opened.
       if (state_.velocities[k] != 0) touching.reset(static_cast<std::size_t>(k));
       if (state_.pattern[k] == Contact::closed) touching.set(static_cast<std::size_t>(k));
@@ -323,7 +288,7 @@ class Solver {
       if (!progress_.at_instant() || !(found->pattern == from)) state_.pattern = found->pattern;
     }
     Interfaces changed;
-    for (int k = 0; k < from.size; ++k)
+    for (int k = 0; k < state_.size(); ++k)
       changed.set(static_cast<std::size_t>(k), from[k] != state_.pattern[k]);
     if (changed.none()) return;
     fresh_ |= changed;
@@ -349,20 +314,17 @@ class Solver {
   Recorder<Real, N> recorder_;
   Progress<Real> progress_;
   StandingStack<Real, N> standing_;
+  Chatter<Real, N> chatter_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;
   Directions<Real, N> towards_;  ///< at the state
   std::array<Real, max_blocks> toppling_angles_{};
-  Real offset_ = 0;        ///< into the current piece, s
-  Real rate_{};            ///< g/H, the stack's height H, 1/s²
-  Real slack_{};           ///< relative accelerations below this are rounding, rad/s²
-  Real settling_speed_{};  ///< rad/s
-  Real resolution_{};      ///< rad
-  Real slowest_flight_{};  ///< above this a flight cannot stay below the resolution, rad/s
-  Real brief_{};           ///< s
-  Interfaces fresh_;       ///< opened at this instant
-  Interfaces held_;  ///< opened and closed again at this instant, or undecided: stay closed for a brief step
-  Pattern linked_;   ///< the pattern of linkage_
+  Real offset_ = 0;   ///< into the current piece, s
+  Real slack_{};      ///< relative accelerations below this are rounding, rad/s²
+  Real brief_{};      ///< s
+  Interfaces fresh_;  ///< opened at this instant
+  Interfaces held_;   ///< opened and closed again at this instant, or undecided: stay closed for a brief step
+  Pattern linked_;    ///< the pattern of linkage_
   bool toppled_ = false;
 };
 
