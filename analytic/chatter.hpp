@@ -27,6 +27,14 @@ class Chatter {
     reach_ = 2 * (model.stack.half_width + model.stack.half_height).sum();
   }
 
+  /// No relative angle accelerates more, rad/s². By Gauss's principle a motion has no more energy than that
+  /// of free blocks: Σ Iω̇² ≤ Σ m|a|², with a their pull less what is centripetal, ω² times all links at most.
+  Real fastest_return(const State<Real, N>& state, const Point<Real>& ground) const {
+    const Real pull = ground.template lpNorm<1>() + model_.gravity;
+    const Real spin = state.velocities.template lpNorm<1>();
+    return yield_ * (pull + spin * spin * reach_);
+  }
+
   /// Open by less than the bounds on what ending chatter leaves out: such interfaces close with the next that
   /// does, or two of them would push each other open for ever.
   bool negligibly_open(const State<Real, N>& state, int k) const {
@@ -56,14 +64,6 @@ class Chatter {
   }
 
  private:
-  /// No relative angle accelerates more, rad/s². By Gauss's principle a motion has no more energy than that
-  /// of free blocks: Σ Iω̇² ≤ Σ m|a|², with a their pull less what is centripetal, ω² times all links at most.
-  Real fastest_return(const State<Real, N>& state, const Point<Real>& ground) const {
-    const Real pull = ground.template lpNorm<1>() + model_.gravity;
-    const Real spin = state.velocities.template lpNorm<1>();
-    return yield_ * (pull + spin * spin * reach_);
-  }
-
   const Model<Real, N>& model_;
   Real resolution_;        ///< rad
   Real rate_{};            ///< g/H, 1/s²

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "analytic/chatter.hpp"
 #include "tests/analytic/solver/stacks.hpp"
 
 namespace rockstack {
@@ -106,6 +107,29 @@ TEST(Chatter, EndingItEarlyMovesTheMotionByLessThanTheResolution) {
       EXPECT_NEAR(static_cast<double>(ended[i] - exact[i]), 0, resolution) << resolution;
     EXPECT_NE(ended[1], exact[1]) << resolution;
   }
+}
+
+// Gauss's principle bounds accelerations of any stack, a pebble on a tower's top among them.
+TEST(Chatter, NoRelativeAngleAcceleratesMoreThanTheBound) {
+  testing::Draw draw(71);
+  double largest_share = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const int size = 1 + draw.below(5);
+    Scene scene = testing::random_stack(draw, size);
+    Block& top = scene.blocks.back();
+    const double scale = draw.coin() ? 1 : std::pow(10, draw.between(-4, 0));
+    top.half_width *= scale;
+    top.half_height *= scale;
+    top.inertia *= scale * scale;
+    const auto model = make_model<double>(scene);
+    const auto state = testing::random_state<double>(draw, size);
+    const Point<double> ground{draw.between(-20, 20), draw.between(-8, 8)};
+    const double bound = Chatter<double, Eigen::Dynamic>(model, 1e-9).fastest_return(state, ground);
+    const double found = accelerations(model, state, ground).cwiseAbs().maxCoeff();
+    ASSERT_LE(found, bound) << name(state.pattern);
+    largest_share = std::max(largest_share, found / bound);
+  }
+  EXPECT_GT(largest_share, 0.01) << "the draws must come near the bound";
 }
 
 }  // namespace
