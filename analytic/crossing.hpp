@@ -10,14 +10,17 @@ namespace rockstack {
 /// Newton's method from s, kept inside the bracket by bisection, to rounding.
 template <class Real>
 Real bracketed_root(const Polynomial<Real>& polynomial, Real low, Real high, Real s) {
+  const Real rounding = std::numeric_limits<Real>::epsilon();
   for (int iteration = 0; iteration < 4 * std::numeric_limits<Real>::digits; ++iteration) {
     const auto [height, slope] = tangent(polynomial, s);
     if (height == 0) return s;
     (height > 0 ? low : high) = s;
-    const Real newton = s - height / slope;
-    const Real next = newton > low && newton < high ? newton : (low + high) / 2;
     using std::abs;
-    if (abs(next - s) <= std::numeric_limits<Real>::epsilon() * s) return next;
+    const Real newton = s - height / slope;
+    // At the root, rounding may put the next point on the bracket's end or beyond.
+    if (abs(newton - s) <= rounding * s) return std::clamp(newton, low, high);
+    const Real next = newton > low && newton < high ? newton : (low + high) / 2;
+    if (abs(next - s) <= rounding * s) return next;
     s = next;
   }
   return s;
