@@ -16,10 +16,10 @@ namespace rockstack {
 /// burst of events has been seen to exceed 2 ∏ (1 + nₖ), nₖ the bound of each alone with η the largest 1 −
 /// 2mw²/I of what stands above it; this is not proved, as an impact may speed up another interface.
 template <class Real, int N>
-class Chatter {
+class EndOfChatter {
  public:
   /// Keeps a reference to `model`. `resolution` in rad, > 0.
-  Chatter(const Model<Real, N>& model, const Real& resolution) : model_(model), resolution_(resolution) {
+  EndOfChatter(const Model<Real, N>& model, const Real& resolution) : model_(model), resolution_(resolution) {
     using std::sqrt;
     rate_ = model.gravity / (2 * model.stack.half_height.sum());
     settling_speed_ = 500 * resolution * sqrt(rate_);

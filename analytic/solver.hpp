@@ -30,8 +30,8 @@ class Solver {
         recorder_(model_, options),
         progress_(model_),
         standing_(model_),
-        chatter_(model_,
-                 options.resolution > 0 ? Real(options.resolution) : std::numeric_limits<Real>::epsilon()) {
+        end_of_chatter_(model_, options.resolution > 0 ? Real(options.resolution)
+                                                       : std::numeric_limits<Real>::epsilon()) {
     const auto vector = [](const std::vector<double>& values) -> Vector<Real, N> {
       return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
           .template cast<Real>();
@@ -239,7 +239,7 @@ class Solver {
   void collide(Interfaces closing) {
     const int first = lowest(closing);
     for (int k = 0; k < state_.size(); ++k) {
-      if (chatter_.negligibly_open(state_, k)) closing.set(static_cast<std::size_t>(k));
+      if (end_of_chatter_.negligibly_open(state_, k)) closing.set(static_cast<std::size_t>(k));
     }
     for (int k = 0; k < state_.size(); ++k) {
       if (closing.test(static_cast<std::size_t>(k))) state_.angles[k] = 0;
@@ -250,8 +250,8 @@ class Solver {
     Resolution<Real, N> resolution = resolve(model_, impact, before, scene_.law);
     Outcome<Real, N>& outcome = resolution.outcome;
     const auto without_slow = [&] {
-      return chatter_.without_slow({outcome.pattern, state_.angles, outcome.relative}, impact.touching(),
-                                   towards_, pieces_.current().at(offset_));
+      return end_of_chatter_.without_slow({outcome.pattern, state_.angles, outcome.relative},
+                                          impact.touching(), towards_, pieces_.current().at(offset_));
     };
     bool settled = false;
     for (Pattern slow = without_slow(); !(slow == outcome.pattern); slow = without_slow()) {
@@ -314,7 +314,7 @@ class Solver {
   Recorder<Real, N> recorder_;
   Progress<Real> progress_;
   StandingStack<Real, N> standing_;
-  Chatter<Real, N> chatter_;
+  EndOfChatter<Real, N> end_of_chatter_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;
   Directions<Real, N> towards_;  ///< at the state

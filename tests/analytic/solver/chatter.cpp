@@ -124,7 +124,7 @@ TEST(Chatter, NoRelativeAngleAcceleratesMoreThanTheBound) {
     const auto model = make_model<double>(scene);
     const auto state = testing::random_state<double>(draw, size);
     const Point<double> ground{draw.between(-20, 20), draw.between(-8, 8)};
-    const double bound = Chatter<double, Eigen::Dynamic>(model, 1e-9).fastest_return(state, ground);
+    const double bound = EndOfChatter<double, Eigen::Dynamic>(model, 1e-9).fastest_return(state, ground);
     const double found = accelerations(model, state, ground).cwiseAbs().maxCoeff();
     ASSERT_LE(found, bound) << name(state.pattern);
     largest_share = std::max(largest_share, found / bound);
