@@ -39,9 +39,9 @@ struct Flow {
     State<Real, N> state = start;
     for (int k = 0; k < state.size(); ++k) {
       if (state.pattern[k] == Contact::closed) continue;
-      const auto& angle = angles[static_cast<std::size_t>(k)];
-      state.angles[k] = value(angle, s);
-      state.velocities[k] = slope(angle, s) / length;
+      const auto [angle, advance] = tangent(angles[static_cast<std::size_t>(k)], s);
+      state.angles[k] = angle;
+      state.velocities[k] = advance / length;
     }
     return state;
   }

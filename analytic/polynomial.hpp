@@ -48,16 +48,8 @@ Real value(const Polynomial<Real>& polynomial, const Real& s) {
   return sum;
 }
 
-/// Derivative with respect to s.
-template <class Real>
-Real slope(const Polynomial<Real>& polynomial, const Real& s) {
-  Real sum = 0;
-  for (std::size_t i = polynomial.terms; i-- > 1;) sum = sum * s + Real(i) * polynomial[i];
-  return sum;
-}
-
-/// Both at once, the derivative from partial sums of the value, whose rounding adds to its own: enough for
-/// Newton's method, but energies would drift by a third more.
+/// The value and the derivative with respect to s, each by a scheme of its own: from partial sums of the
+/// value the derivative would take over their rounding, and energies would drift by a third more.
 template <class Real>
 struct Tangent {
   Real height, slope;
@@ -66,10 +58,13 @@ struct Tangent {
 template <class Real>
 Tangent<Real> tangent(const Polynomial<Real>& polynomial, const Real& s) {
   Tangent<Real> result{0, 0};
-  for (std::size_t i = polynomial.terms; i-- > 0;) {
-    result.slope = result.slope * s + result.height;
+  Real order(polynomial.terms);
+  for (std::size_t i = polynomial.terms; i-- > 1;) {
+    order -= 1;
+    result.slope = result.slope * s + order * polynomial[i];
     result.height = result.height * s + polynomial[i];
   }
+  if (polynomial.terms > 0) result.height = result.height * s + polynomial[0];
   return result;
 }
 
