@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analytic/rounded.hpp"
+#include "analytic/solver.hpp"
 
 namespace rockstack {
 

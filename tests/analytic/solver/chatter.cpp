@@ -6,6 +6,7 @@
 #include <set>
 
 #include "analytic/chatter.hpp"
+#include "analytic/solver.hpp"
 #include "tests/analytic/solver/stacks.hpp"
 
 namespace rockstack {

@@ -3,6 +3,7 @@
 #include <random>
 #include <string>
 
+#include "analytic/dynamics.hpp"
 #include "analytic/solve.hpp"
 
 namespace rockstack::testing {
