@@ -47,7 +47,7 @@ struct State {
   Vector<Real, N> angles;
   Vector<Real, N> velocities;
 
-  int size() const { return static_cast<int>(angles.size()); }
+  int size() const { return N == Eigen::Dynamic ? pattern.size : N; }
 };
 
 /// The directions of the blocks at a state; upright for the linear equations.

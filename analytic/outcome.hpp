@@ -15,7 +15,7 @@ struct Outcome {
   Reactions<Real, N> reactions;  ///< N and N·m, or N·s and N·m·s
   Vector<Real, N> rounding;      ///< reactions below this are rounding of what stands above, N or N·s
 
-  int size() const { return static_cast<int>(relative.size()); }
+  int size() const { return N == Eigen::Dynamic ? pattern.size : N; }
 };
 
 /// The allowed motion nearest to `free` (with any bias already taken off) and what brings it about.
