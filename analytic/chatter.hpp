@@ -6,11 +6,12 @@ namespace rockstack {
 
 /// Chatter, ever smaller impacts whose number is infinite, ends where an interface would part at a speed u
 /// that takes it no further than the resolution ρ = u²/(2a), a the relative acceleration that brings it back:
-/// it closes instead, and in any case at u = 500 ρ √(g/H), ρ taken as a number, with H the stack's height.
-/// What is left out are excursions of at most ρ rad. As the angular momentum above the other pivots is kept,
-/// by one impact as by the many it stands for, the motion after it is off by some ρ at most;
-/// the closure comes 2u/(a(1 − η)) s early. As each impact takes its share of the speed, the number of
-/// impacts is at most ln(u₀/u)/ln(1/η), for a speed u₀ at first and a velocity ratio η.
+/// it closes instead, and in any case at u = 500 ε √(g/H), with ε the rounding of 1 in double precision or ρ,
+/// whichever is less, and H the stack's height. What is left out are excursions of at most ρ rad, or what
+/// rounding makes of speeds. As the angular momentum above the other pivots is kept, by one impact as by the
+/// many it stands for, the motion after it is off by some ρ at most; the closure comes 2u/(a(1 − η)) s early.
+/// As each impact takes its share of the speed, the number of impacts is at most ln(u₀/u)/ln(1/η), for a
+/// speed u₀ at first and a velocity ratio η.
 ///
 /// Where several interfaces chatter together, each may do so to its end between two impacts of another. No
 /// burst of events has been seen to exceed 2 ∏ (1 + nₖ), nₖ the bound of each alone with η the largest 1 −
@@ -22,7 +23,7 @@ class EndOfChatter {
   EndOfChatter(const Model<Real, N>& model, const Real& resolution) : model_(model), resolution_(resolution) {
     using std::sqrt;
     rate_ = model.gravity / (2 * model.stack.half_height.sum());
-    settling_speed_ = 500 * resolution * sqrt(rate_);
+    settling_speed_ = 500 * std::min(resolution, Real(std::numeric_limits<double>::epsilon())) * sqrt(rate_);
     yield_ = 2 * sqrt(model.stack.mass.sum() / model.stack.inertia.minCoeff());
     reach_ = 2 * (model.stack.half_width + model.stack.half_height).sum();
   }
@@ -35,8 +36,8 @@ class EndOfChatter {
     return yield_ * (pull + spin * spin * reach_);
   }
 
-  /// Open by less than the bounds on what ending chatter leaves out: such interfaces close with the next that
-  /// does, or two of them would push each other open for ever.
+  /// Open by what rounding makes of angles and speeds: such interfaces close with the next that does, or two
+  /// of them would push each other open for ever.
   bool negligibly_open(const State<Real, N>& state, int k) const {
     using std::abs;
     return state.pattern[k] != Contact::closed && abs(state.velocities[k]) <= settling_speed_ &&

@@ -118,7 +118,7 @@ class IllConditioned : public std::domain_error {
 /// The least share that may remain of a diagonal entry of the mass matrix when the motions of the interfaces
 /// below are taken out of it. Energies keep nine digits then.
 template <class Real>
-inline const Real least_pivot = (1 << 30) * std::numeric_limits<Real>::epsilon();
+inline const Real least_diagonal_share = (1 << 30) * std::numeric_limits<Real>::epsilon();
 
 /// The allowed motion nearest to `free` (with any bias already taken off), as relative motions of the
 /// interfaces; zero where they are closed.
@@ -142,7 +142,7 @@ Vector<Real, N> nearest_allowed(const Stack<Real, N>& stack, const Pattern& patt
   });
   for (int k = 0; k < size; ++k) {
     if (pattern[k] != Contact::closed &&
-        !(held.pivot(static_cast<std::size_t>(k)) > mass(k, k) * least_pivot<Real>)) {
+        !(held.diagonal(static_cast<std::size_t>(k)) > mass(k, k) * least_diagonal_share<Real>)) {
       throw IllConditioned(
           "block masses or sizes are too far apart: rounding would leave energies fewer than nine digits");
     }

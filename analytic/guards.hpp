@@ -105,13 +105,12 @@ void find_toppling(const Flow<Real, N>& flow, const AngleHulls<Real, N>& hulls,
     const auto block = static_cast<std::size_t>(k);
     lean += hulls[block].size();
     if (cleared.test(block) || lean < toppling_angles[block]) continue;
-    Polynomial<Real> room;
-    for (std::size_t j = 0; j <= block; ++j) add(flow.angles[j], room);
-    const bool leans_right = room.terms > 0 && room[0] > 0;
-    for (Real& coefficient : room) coefficient *= leans_right ? Real(-1) : Real(1);
-    room[0] += toppling_angles[block];
-    const auto crossing = first_crossing(room);
-    if (crossing && *crossing < next.s && next.admit(crossing)) next.toppling = k;
+    for (const Contact side : {Contact::right, Contact::left}) {
+      Polynomial<Real> room{toppling_angles[block]};
+      for (std::size_t j = 0; j <= block; ++j) add(flow.angles[j], -Real(sign(side)), room);
+      const auto crossing = first_crossing(room);
+      if (crossing && *crossing < next.s && next.admit(crossing)) next.toppling = k;
+    }
   }
 }
 

@@ -7,8 +7,8 @@ namespace rockstack {
 template <class Real, int N>
 using PerBlock = std::array<Real, static_cast<std::size_t>(capacity(N))>;
 
-/// The mass matrix of relative angles, kg·m², with closed interfaces held: in their rows and columns it is
-/// that of one. As factors L D Lᵀ.
+/// The mass matrix of relative angles, kg·m², with closed interfaces held: their rows and columns are those
+/// of the identity. As factors L D Lᵀ.
 template <class Real, int N>
 class HeldMass {
  public:
@@ -28,8 +28,8 @@ class HeldMass {
     }
   }
 
-  /// What is left of a diagonal entry when the motions of the interfaces below are taken out of it.
-  const Real& pivot(std::size_t k) const { return factors_[k][k]; }
+  /// Of D: what is left of a diagonal entry when the motions of the interfaces below are taken out of it.
+  const Real& diagonal(std::size_t k) const { return factors_[k][k]; }
 
   /// The relative motions that take up generalised momenta; zero where an interface is closed.
   PerBlock<Real, N> solve(const PerBlock<Real, N>& momenta) const {

@@ -10,20 +10,18 @@ namespace rockstack {
 // An impact takes no time, does not bounce and does not slip. Once the pattern that follows is known, so are
 // the velocities: they are the allowed ones nearest to those before (dynamics.hpp). The pattern is chosen
 // among those in which every *touching* interface (the one that impacts, and every closed one) pivots left,
-// right, or stays closed:
+// right, or stays closed. A pattern is kinematically admissible if each touching interface opens towards the
+// side of its pivot; it is impulse admissible if each pivot pushes, and the impulse of each closed interface
+// acts inside its width.
 //
-//   kinematically admissible   each touching interface opens towards the side of its pivot,
-//   impulse admissible         each pivot pushes, and the impulse of each closed interface acts inside its
-//   width.
+// Law `paper` (Spanos et al. 2001, Sections 3 and 4) takes the first of these that is kinematically
+// admissible:
 //
-// Law `paper` (Spanos et al. 2001, Sections 3 and 4) tries, in this order, and takes the first that is
-// kinematically admissible:
-//   open     every touching interface pivots about the side that the impact comes from: patterns 1 and 2;
-//   joined   only the interface that impacts does so, the others stay closed: 3a → 3b and 4a → 4b;
-//   closed   every touching interface closes: pattern 3 after an impact between the blocks, Eqs. (84) and
-//   (125). The
-//            paper is silent where the base would have to leave the ground on the wrong side; this is where
-//            it lands.
+// 1. open: every touching interface pivots about the side that the impact comes from; patterns 1 and 2.
+// 2. joined: only the interface that impacts does so, the others stay closed; 3a → 3b and 4a → 4b.
+// 3. closed: every touching interface closes; pattern 3 after an impact between the blocks, Eqs. (84) and
+//    (125). The paper is silent where the base would have to leave the ground on the wrong side; this is
+//    where it lands.
 //
 // Law `consistent` takes the pattern that is admissible both ways. There is at most one: no slip is linear
 // and the corners' gaps are one-sided, so the velocities after are the nearest point of a convex cone to

@@ -5,8 +5,8 @@
 namespace rockstack {
 
 /// What a stack is while its pattern lasts: a chain of pendulums. Block k turns by ψₖ about its pivot. With
-/// constant Lₖ (from its pivot to the next) and Sₖ = mₖrₖ + (mass above) Lₖ in its own frame, both turned by
-/// ψₖ, a dot a time derivative and ⊥ a quarter turn, Lagrange's equation of ψₖ is
+/// constant Lₖ (from its pivot to the next) and the first moment of mass Sₖ = mₖrₖ + (mass above) Lₖ in its
+/// own frame, both turned by ψₖ, a dot a time derivative and ⊥ a quarter turn, Lagrange's equation of ψₖ is
 ///
 ///     Jₖ ψ̈ₖ + Lₖ⊥ · Σ_{j>k} S̈ⱼ + Sₖ⊥ · (Σ_{j<k} L̈ⱼ − pull) = moment about the pivot of k − that about k + 1
 ///

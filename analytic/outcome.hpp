@@ -2,6 +2,8 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "analytic/reactions.hpp"
 
@@ -87,9 +89,9 @@ inline Pattern with_closed(Pattern pattern, const Interfaces& closed) {
 /// outside moves apart, as the mass matrix is positive; where it moves into itself though nothing else has
 /// changed, both are rounding, and it stays open.
 template <class Real, int N, class Evaluate>
-std::optional<Outcome<Real, N>> pivot(const Stack<Real, N>& stack, Pattern& pattern,
-                                      const Interfaces& touching, const Real& slack, bool at_once,
-                                      int attempts, const Evaluate& evaluate) {
+std::optional<Outcome<Real, N>> mend_violations(const Stack<Real, N>& stack, Pattern& pattern,
+                                                const Interfaces& touching, const Real& slack, bool at_once,
+                                                int attempts, const Evaluate& evaluate) {
   int opened = -1;  // by the last change
   while (attempts-- > 0) {
     const Outcome<Real, N> outcome = evaluate(pattern);
@@ -110,25 +112,22 @@ std::optional<Outcome<Real, N>> pivot(const Stack<Real, N>& stack, Pattern& patt
   return std::nullopt;
 }
 
-/// The first pattern without violations of all in which the touching interfaces pivot either way or stay
-/// closed.
-template <class Real, int N, class Evaluate>
-std::optional<Outcome<Real, N>> try_all(const Stack<Real, N>& stack, Pattern pattern,
-                                        const Interfaces& touching, const Real& slack,
-                                        const Evaluate& evaluate) {
-  for (int k = 0; k < pattern.size;) {
-    const Outcome<Real, N> outcome = evaluate(pattern);
-    if (!first_violation(stack, outcome, touching, slack)) return outcome;
-    // Counts on: closed, right, left, and then the next interface.
-    for (k = 0; k < pattern.size; ++k) {
-      if (!touching.test(static_cast<std::size_t>(k))) continue;
-      pattern[k] = pattern[k] == Contact::closed  ? Contact::right
-                   : pattern[k] == Contact::right ? Contact::left
-                                                  : Contact::closed;
-      if (pattern[k] != Contact::closed) break;
+/// Every pattern that differs at most in touching interfaces, which stay closed or pivot either way; the
+/// lowest changes fastest.
+inline std::vector<Pattern> candidates(const Pattern& pattern, const Interfaces& touching) {
+  std::vector<Pattern> list{pattern};
+  for (int k = 0; k < pattern.size; ++k) {
+    if (!touching.test(static_cast<std::size_t>(k))) continue;
+    std::vector<Pattern> longer;
+    for (const Contact contact : {Contact::closed, Contact::right, Contact::left}) {
+      for (Pattern candidate : list) {
+        candidate[k] = contact;
+        longer.push_back(candidate);
+      }
     }
+    list = std::move(longer);
   }
-  return std::nullopt;
+  return list;
 }
 
 /// Finds a pattern without violations among those in which the touching interfaces may pivot either way or
@@ -141,12 +140,15 @@ std::optional<Outcome<Real, N>> find_admissible(const Stack<Real, N>& stack, Pat
                                                 const Interfaces& touching, const Real& slack,
                                                 const Evaluate& evaluate) {
   const int few = 4 * pattern.size;
-  auto found = pivot(stack, pattern, touching, slack, false, few, evaluate);
-  if (!found) found = pivot(stack, pattern, touching, slack, true, few, evaluate);
-  if (!found) found = pivot(stack, pattern, touching, slack, false, 4 * few, evaluate);
-  if (!found && touching.count() <= 6)
-    found = try_all(stack, with_closed(pattern, touching), touching, slack, evaluate);
-  return found;
+  auto found = mend_violations(stack, pattern, touching, slack, false, few, evaluate);
+  if (!found) found = mend_violations(stack, pattern, touching, slack, true, few, evaluate);
+  if (!found) found = mend_violations(stack, pattern, touching, slack, false, 4 * few, evaluate);
+  if (found || touching.count() > 6) return found;
+  for (const Pattern& candidate : candidates(pattern, touching)) {
+    const Outcome<Real, N> outcome = evaluate(candidate);
+    if (!first_violation(stack, outcome, touching, slack)) return outcome;
+  }
+  return std::nullopt;
 }
 
 /// True where no interface is pulled at.

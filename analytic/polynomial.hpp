@@ -86,7 +86,7 @@ Real reach(const Polynomial<Real>& polynomial) {
 }
 
 /// Bounds on a polynomial on [0, 1]: the least and the greatest of its partial sums c₀, c₀ + c₁, … It is a
-/// mean of them with the weights 1 − s, s − s², …, sⁿ (Abel's summation). What is no number stays none.
+/// mean of them with the weights 1 − s, s − s², …, sⁿ (Abel's summation). What is not a number stays so.
 template <class Real>
 struct Hull {
   Real least, greatest;
@@ -135,10 +135,11 @@ void rescale(Polynomial<Real>& polynomial, const Real& ratio) {
   }
 }
 
+/// Adds a multiple of a polynomial.
 template <class Real>
-void add(const Polynomial<Real>& summand, Polynomial<Real>& sum) {
+void add(const Polynomial<Real>& summand, const Real& factor, Polynomial<Real>& sum) {
   while (sum.terms < summand.terms) sum[sum.terms++] = 0;
-  for (std::size_t i = 0; i < summand.terms; ++i) sum[i] += summand[i];
+  for (std::size_t i = 0; i < summand.terms; ++i) sum[i] += factor * summand[i];
 }
 
 /// The quartic through values at s = 0, 1/4, 1/2, 3/4 and 1 (Newton's forward differences).

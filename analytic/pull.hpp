@@ -10,12 +10,12 @@ template <class Real>
 void add_sine(Polynomial<Real>& series, const Real& amplitude, const Real& phase, const Real& turn) {
   using std::cos;
   using std::sin;
-  Real derivative = amplitude * sin(phase);
+  Real coefficient = amplitude * sin(phase);
   Real next = amplitude * cos(phase) * turn;
   for (std::size_t i = 0; i < series.terms; ++i) {
-    series[i] += derivative;
-    const Real after = -derivative * turn * turn / Real((i + 1) * (i + 2));
-    derivative = next;
+    series[i] += coefficient;
+    const Real after = -coefficient * turn * turn / Real((i + 1) * (i + 2));
+    coefficient = next;
     next = after;
   }
 }

@@ -42,7 +42,7 @@ Reactions<Real, N> reactions(const Model<Real, N>& model, const Chain<Real, N>& 
 /// How far the centre of pressure of a closed interface is from either end, times the normal force: N (w − x)
 /// and N (w + x), N·m. The interface opens about an end where the value for that end turns negative; so it
 /// does where it would have to pull.
-template <class Real, int N = Eigen::Dynamic>
+template <class Real>
 struct Margins {
   Real right;
   Real left;

@@ -106,7 +106,7 @@ class Recorder {
     if (cleared.count() == history_.peaks.size()) return;
     Polynomial<Real> angle;  // absolute
     for (std::size_t k = 0; k < history_.peaks.size(); ++k) {
-      add(flow.angles[k], angle);
+      add(flow.angles[k], Real(1), angle);
       using std::abs;
       if (angle.terms == 0 || cleared.test(k) || hull(angle).size() <= history_.peaks[k]) continue;
       Polynomial<Real> part = angle;

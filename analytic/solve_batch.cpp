@@ -12,6 +12,20 @@ namespace {
 
 using Take = std::function<void(Solved&&)>;
 
+/// A scene's history, or why there is none.
+struct Ending {
+  History history;
+  std::exception_ptr failure;
+};
+
+Ending alone(const Scene& scene, const SolveOptions& options) {
+  try {
+    return {solve(scene, options), nullptr};
+  } catch (const std::exception&) {
+    return {{}, std::current_exception()};
+  }
+}
+
 /// Scenes of N blocks and one kind of equations that are solved side by side.
 template <std::size_t N>
 class Lanes {
@@ -61,30 +75,23 @@ class Lanes {
   /// A part of a run that tells whether there is more.
   template <class Part>
   void attempt(std::size_t lane, const Part& part) {
+    Ending ending;
     try {
       if (part()) return;
+      ending.history = std::move(*runs_[lane]->lane).history();
     } catch (const IllConditioned&) {
-      return again(lane);
+      ending = alone(runs_[lane]->scene, options_);  // in wider numbers
     } catch (const std::exception&) {
-      return end(lane, {}, std::current_exception());
+      ending.failure = std::current_exception();
     }
-    end(lane, std::move(*runs_[lane]->lane).history(), nullptr);
+    end(lane, std::move(ending));
   }
 
-  /// A run that solve() makes in wider numbers.
-  void again(std::size_t lane) {
-    try {
-      end(lane, solve(runs_[lane]->scene, options_), nullptr);
-    } catch (const std::exception&) {
-      end(lane, {}, std::current_exception());
-    }
-  }
-
-  void end(std::size_t lane, History&& history, const std::exception_ptr& failure) {
+  void end(std::size_t lane, Ending&& ending) {
     const std::unique_ptr<Run> run = std::move(runs_[lane]);
     --busy_;
     rows_.busy[lane] = 0;
-    take_({run->number, run->scene, std::move(history), failure});
+    take_({run->number, run->scene, std::move(ending.history), ending.failure});
   }
 
   MakeSteps make_steps_;
@@ -101,13 +108,8 @@ class OneByOne {
   OneByOne(const SolveOptions& options, const Take& take) : options_(options), take_(take) {}
 
   void add(std::size_t number, const Scene& scene) const {
-    Solved solved{number, scene, {}, nullptr};
-    try {
-      solved.history = solve(scene, options_);
-    } catch (const std::exception&) {
-      solved.failure = std::current_exception();
-    }
-    take_(std::move(solved));
+    Ending ending = alone(scene, options_);
+    take_({number, scene, std::move(ending.history), ending.failure});
   }
 
  private:

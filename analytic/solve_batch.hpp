@@ -21,7 +21,7 @@ std::string name(InstructionSet set);
 /// Those that this build has and this machine can, the fastest last.
 const std::vector<InstructionSet>& instruction_sets();
 
-/// What came out of one scene of a batch.
+/// What came out of one scene of a batch, which is there while it is taken.
 struct Solved {
   std::size_t number = 0;  ///< of the scene, in the order they came in, from 0
   const Scene& scene;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -32,6 +33,7 @@ class Solver {
         standing_(model_),
         end_of_chatter_(model_, options.resolution > 0 ? Real(options.resolution)
                                                        : std::numeric_limits<Real>::epsilon()) {
+    validate(options);
     const auto vector = [](const std::vector<double>& values) -> Vector<Real, N> {
       return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
           .template cast<Real>();
@@ -54,14 +56,18 @@ class Solver {
     while (!finished()) advance();
     return std::move(*this).history();
   }
-  /// Once finished().
+  /// Once finished(). @throws std::runtime_error where numbers have left the range of their type.
   BasicHistory<Real> history() && {
+    const Real size = state_.angles.template lpNorm<1>() + state_.velocities.template lpNorm<1>();
+    if (!(size <= std::numeric_limits<Real>::max()))
+      throw std::runtime_error("angles or velocities have become too large for numbers");
     if (!toppled_) recorder_.note_rest(state_, Real(scene_.duration));
     return std::move(recorder_).history();
   }
 
   /// What run() does, step by step: start() once, then advance() until finished(). @throws as run().
   void start() {
+    // For the IllConditioned that it may throw: steps do not look.
     accelerations(model_, state_, towards_, pieces_.current().at(offset_));
     settle(state_.pattern);
   }
@@ -122,7 +128,7 @@ class Solver {
     PerBlock<Real, N> angles, velocities, peaks;
   };
 
-  /// Goes along a whole settled step in which nothing happens, and nothing is to be recorded but peaks.
+  /// Goes along a whole step in which nothing happens, and nothing is to be recorded but peaks.
   void pass(const Real& length, const End& end) {
     for (int k = 0; k < state_.size(); ++k) {
       if (state_.pattern[k] == Contact::closed) continue;

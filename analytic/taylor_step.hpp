@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "analytic/flow.hpp"
 #include "analytic/solve_options.hpp"
 #include "analytic/taylor.hpp"
@@ -13,13 +11,11 @@ namespace rockstack {
 template <class Real, int N>
 class TaylorSteps {
  public:
-  /// Keeps a reference to `model`. @throws std::invalid_argument for a tolerance below zero.
+  /// Keeps a reference to `model`.
   TaylorSteps(const Model<Real, N>& model, const SolveOptions& options)
       : model_(model),
         forces_(options.validity),
         tolerance_(std::max<Real>(Real(options.tolerance), 4 * std::numeric_limits<Real>::epsilon())) {
-    if (!(options.tolerance >= 0))
-      throw std::invalid_argument("tolerance = " + std::to_string(options.tolerance) + ": must be ≥ 0");
     using std::sqrt;
     rate_ = sqrt(model.gravity / (2 * model.stack.half_height.sum()));
     longest_ = 1 / rate_;

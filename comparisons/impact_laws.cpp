@@ -68,31 +68,13 @@ bool carries_itself(const Model<double>& model, const State<double>& state) {
   return true;
 }
 
-/// Every pattern whose touching interfaces pivot left, stay closed or pivot right.
-std::vector<Pattern> candidates(const Impact<double>& impact) {
-  std::vector<Pattern> list{impact.before.pattern};
-  const Interfaces touching = impact.touching();
-  for (int k = 0; k < impact.before.pattern.size; ++k) {
-    if (!touching.test(static_cast<std::size_t>(k))) continue;
-    std::vector<Pattern> longer;
-    for (Pattern pattern : list) {
-      for (const Contact contact : {Contact::left, Contact::closed, Contact::right}) {
-        pattern[k] = contact;
-        longer.push_back(pattern);
-      }
-    }
-    list = std::move(longer);
-  }
-  return list;
-}
-
 bool admissible(const Model<double>& model, const Outcome<double>& outcome, const Interfaces& touching) {
   return kinematically_admissible(outcome, touching) && pushes(outcome) &&
          !first_violation(model.stack, outcome, touching, 0.0);
 }
 
 /// How clearly an engine can tell the two answers of an impact apart.
-double clearness(const DrawnImpact& drawn, const Verdict& verdict) {
+double clearness(const DrawnImpact& drawn, const LawVerdict& verdict) {
   const State<double>& before = drawn.impact.before;
   const Interfaces touching = drawn.impact.touching();
   double least =
@@ -106,7 +88,7 @@ double clearness(const DrawnImpact& drawn, const Verdict& verdict) {
   return least / before.velocities.cwiseAbs().maxCoeff();
 }
 
-void note_disagreement(const ImpactKind& kind, const DrawnImpact& drawn, const Verdict& verdict,
+void note_disagreement(const ImpactKind& kind, const DrawnImpact& drawn, const LawVerdict& verdict,
                        std::vector<Disagreement>& list) {
   auto found = std::find_if(list.begin(), list.end(), [&](const Disagreement& known) {
     return known.kind.before == kind.before && known.kind.interface == kind.interface &&
@@ -129,7 +111,7 @@ void fill(const ImpactDraws& draws, ImpactShare& share, std::mt19937_64& random,
     const auto drawn =
         draw_impact(draws, share.kind, share.slenderness, share.mass_ratio, attempts, random, share.drawn);
     if (!drawn) continue;
-    const Verdict verdict = judge(*drawn);
+    const LawVerdict verdict = judge(*drawn);
     ++share.impacts;
     share.differ += static_cast<int>(verdict.differ());
     share.none += static_cast<int>(!verdict.consistent);
@@ -149,9 +131,12 @@ std::string name(const ImpactKind& kind) {
 }
 
 std::vector<ImpactKind> impact_kinds(int blocks) {
-  Impact<double> all{{closed_pattern(blocks), {}, {}}, {}};
+  const Impact<double> standing{{closed_pattern(blocks), {}, {}}, {}};
+  std::vector<Pattern> all = candidates(standing.before.pattern, standing.touching());
+  std::sort(all.begin(), all.end(),
+            [](const Pattern& a, const Pattern& b) { return a.contacts < b.contacts; });
   std::vector<ImpactKind> kinds;
-  for (const Pattern& pattern : candidates(all)) {
+  for (const Pattern& pattern : all) {
     int lowest = 0;
     while (lowest < blocks && pattern[lowest] == Contact::closed) ++lowest;
     if (lowest == blocks || pattern[lowest] == Contact::left) continue;
@@ -177,11 +162,11 @@ std::optional<DrawnImpact> draw_impact(const ImpactDraws& draws, const ImpactKin
   return std::nullopt;
 }
 
-Verdict judge(const DrawnImpact& drawn) {
+LawVerdict judge(const DrawnImpact& drawn) {
   const Model<double> model = make_model<double>(drawn.scene);
   const Interfaces touching = drawn.impact.touching();
-  Verdict verdict{paper_outcome(model, drawn.impact), std::nullopt};
-  for (const Pattern& pattern : candidates(drawn.impact)) {
+  LawVerdict verdict{paper_outcome(model, drawn.impact), std::nullopt};
+  for (const Pattern& pattern : candidates(drawn.impact.before.pattern, touching)) {
     Outcome<double> outcome = velocities_after(model, drawn.impact, pattern);
     if (!admissible(model, outcome, touching)) continue;
     ++verdict.admissible;

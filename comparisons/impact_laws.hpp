@@ -58,7 +58,7 @@ std::optional<DrawnImpact> draw_impact(const ImpactDraws& draws, const ImpactKin
                                        std::mt19937_64& random, int& drawn);
 
 /// What the laws make of an impact. `consistent` is empty where no candidate is.
-struct Verdict {
+struct LawVerdict {
   Outcome<double> paper;
   std::optional<Outcome<double>> consistent;
   int admissible = 0;   ///< candidates that are admissible both ways, of all 3ⁿ for n touching interfaces
@@ -67,7 +67,7 @@ struct Verdict {
   bool differ() const { return consistent && !(consistent->pattern == paper.pattern); }
 };
 
-Verdict judge(const DrawnImpact& drawn);
+LawVerdict judge(const DrawnImpact& drawn);
 
 /// One cell of the grid for one kind.
 struct ImpactShare {

@@ -56,11 +56,11 @@ class Clearance {
 
 /// How far a block leans in a step, and whether it only rises or only falls.
 template <class Real>
-class Swing {
+class Leaning {
  public:
   using Mask = typename Real::Mask;
 
-  explicit Swing(const Real& start) { heights_.add(start); }
+  explicit Leaning(const Real& start) { heights_.add(start); }
 
   /// The next coefficient: of order 1, 2, …
   void add(const Real& order, const Real& coefficient) {

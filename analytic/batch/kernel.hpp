@@ -28,10 +28,10 @@ class StepKernel {
 
   StepKernel(StepRows<blocks>& rows, std::size_t lane) : rows_(rows), lane_(lane) {}
 
-  Real load(const Row& row) const { return Real::load(row.lanes.data() + lane_); }
-  void store(const Real& values, Row& row) const { values.store(row.lanes.data() + lane_); }
+  Real load(const LaneRow& row) const { return Real::load(row.lanes.data() + lane_); }
+  void store(const Real& values, LaneRow& row) const { values.store(row.lanes.data() + lane_); }
 
-  void store_truth(const Mask& mask, Row& row) const { store(select(mask, Real(1), Real(0)), row); }
+  void store_truth(const Mask& mask, LaneRow& row) const { store(select(mask, Real(1), Real(0)), row); }
 
   void make_step() {
     const Real busy = load(rows_.busy);
@@ -171,7 +171,7 @@ class StepKernel {
       keep(0, angles_[k]);
       keep(1, advances_[k]);
       Clearance<Real> gap(angles_[k] * side);
-      Swing<Real> swing(absolute[0]);
+      Leaning<Real> swing(absolute[0]);
       gap.add(advances_[k] * side);
       swing.add(1, absolute[1]);
       for (std::size_t n = 0; n < orders_; ++n) {
@@ -189,7 +189,7 @@ class StepKernel {
   }
 
   /// Where the step leads. The block's peak is to be known, or at an end of the step.
-  void end(const Coefficients& absolute, const Swing<Real>& swing, std::size_t k) {
+  void end(const Coefficients& absolute, const Leaning<Real>& swing, std::size_t k) {
     Real angle = 0;
     Real height = 0;
     Real steepness = 0;

@@ -25,7 +25,8 @@ class Lane {
 
   /// Goes along the step that was asked for, and on up to the next; likewise. @throws as Solver::run().
   bool go_on(StepRows<N>& rows, std::size_t lane) {
-    const bool plain = settled_ && rows.plain[lane] > 0;
+    // Never just after an opening: from zero and at rest, no bound clears the gap.
+    const bool plain = rows.plain[lane] > 0;
     if (plain) {
       pass(rows, lane);
     } else {
@@ -75,10 +76,11 @@ class Lane {
     solver_.take(flow, cleared);
   }
 
-  /// What the kernel has told of a step that keeps its series as it is.
+  /// What the kernel has told of a step whose series stays as it is; what holds over all of a step holds over
+  /// the part that fit() leaves of it.
   Cleared tell(const StepRows<N>& rows, std::size_t lane) const {
     Cleared cleared;
-    if (!settled_ || rows.excess[lane] != 0) return cleared;
+    if (!settled_) return cleared;
     for (std::size_t k = 0; k < N; ++k) {
       cleared.gaps.set(k, rows.stays[k][lane] > 0);
       cleared.angles.set(k, rows.upright[k][lane] > 0);

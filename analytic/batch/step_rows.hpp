@@ -11,7 +11,7 @@ namespace rockstack {
 inline constexpr std::size_t batch_lanes = 8;
 
 /// A number of each lane.
-struct alignas(64) Row {
+struct alignas(64) LaneRow {
   std::array<double, batch_lanes> lanes{};
 
   double& operator[](std::size_t lane) { return lanes[lane]; }
@@ -19,7 +19,7 @@ struct alignas(64) Row {
 };
 
 /// A coefficient of each lane, for every order.
-using CoefficientRows = std::array<Row, max_terms<double>>;
+using CoefficientRows = std::array<LaneRow, max_terms<double>>;
 
 /// One step of stacks of N blocks, lane by lane: what it starts from, and what comes out. Numbers are those
 /// of the structures that they are named for; truth is 1 and 0.
@@ -30,30 +30,30 @@ struct StepRows {
 
   bool linear = false;  ///< of all lanes
   bool forces = false;  ///< of all lanes: whether forces are asked for
-  Row busy;             ///< whether there is a step to make
+  LaneRow busy;         ///< whether there is a step to make
   // of a scene
-  Row tolerance, rate, rounding;
-  PerBlock<Row> toppling;  ///< angle, rad
-  PerBlock<Row> face;      ///< whether forces are measured along the upper block's face
+  LaneRow tolerance, rate, rounding;
+  PerBlock<LaneRow> toppling;  ///< angle, rad
+  PerBlock<LaneRow> face;      ///< whether forces are measured along the upper block's face
   // of a pattern
-  PerBlock<Row> moment_x, moment_y, link_x, link_y, inertia, mass, width, free;  ///< linkage
-  PerBlock<Row> side;                                                            ///< sign of the contact
-  PerBlock<Row> watched;  ///< whether a closed interface may open
+  PerBlock<LaneRow> moment_x, moment_y, link_x, link_y, inertia, mass, width, free;  ///< linkage
+  PerBlock<LaneRow> side;                                                            ///< sign of the contact
+  PerBlock<LaneRow> watched;  ///< whether a closed interface may open
   // of what is known
-  PerBlock<Row> least_normal, friction, peak;
+  PerBlock<LaneRow> least_normal, friction, peak;
   // of the step
-  PerBlock<Row> angle, velocity, cosine, sine;
-  Row length, pulls;  ///< s; terms of the pull
+  PerBlock<LaneRow> angle, velocity, cosine, sine;
+  LaneRow length, pulls;  ///< s; terms of the pull
   CoefficientRows pull_x, pull_y;
 
   // what comes out
-  Row plain;   ///< whether nothing happens in the step, and nothing is to be recorded
-  Row orders;  ///< of the series
-  Row excess;  ///< how many times the tolerance is left out, 0 where none
-  PerBlock<Row> end_angle, end_velocity;
-  PerBlock<Row> stays;    ///< whether an open interface stays open, or a watched one closed
-  PerBlock<Row> upright;  ///< whether a block does not topple, nor lean more than before
-  PerBlock<Row> borne;    ///< whether an interface demands no more than before
+  LaneRow plain;   ///< whether nothing happens in the step, and nothing is to be recorded
+  LaneRow orders;  ///< of the series
+  LaneRow excess;  ///< how many times the tolerance is left out, 0 where none
+  PerBlock<LaneRow> end_angle, end_velocity;
+  PerBlock<LaneRow> stays;    ///< whether an open interface stays open, or a watched one closed
+  PerBlock<LaneRow> upright;  ///< whether a block does not topple, nor lean more than before
+  PerBlock<LaneRow> borne;    ///< whether an interface demands no more than before
   PerBlock<CoefficientRows> angles, right, left, normal, tangential;  ///< coefficients of the flow
 };
 

@@ -1,6 +1,7 @@
 #include "analytic/scene/fields.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "analytic/scene/scene.hpp"
 
@@ -27,6 +28,18 @@ double number(const Node& node) {
   return node.number;
 }
 
+double number_above_zero(const Node& node) {
+  if (!(number(node) > 0)) throw wrong_value(node, "a number > 0");
+  return node.number;
+}
+
+int whole_number(const Node& node, int least) {
+  const double value = number(node);
+  if (!(value >= least) || value > 1e9 || value != std::floor(value))
+    throw wrong_value(node, "a whole number ≥ " + std::to_string(least));
+  return static_cast<int>(value);
+}
+
 double required_number(const Node& table, std::string_view name) {
   return number(required(table, name, "a number"));
 }
@@ -36,13 +49,18 @@ double number_or(const Node& table, std::string_view name, double otherwise) {
   return node == nullptr ? otherwise : number(*node);
 }
 
+const std::vector<Node>& entries(const Node& array, const std::string& allowed) {
+  if (array.kind != Node::Kind::array || array.children.empty()) throw wrong_value(array, allowed);
+  return array.children;
+}
+
 std::vector<double> numbers(const Node& node) {
   if (node.kind != Node::Kind::array) throw wrong_value(node, "an array of numbers");
   std::vector<double> result;
   result.reserve(node.children.size());
   for (const Node& child : node.children) {
-    result.push_back(number(child));
-    require_finite(child.key, result.back());
+    if (!std::isfinite(number(child))) throw wrong_value(child, "a finite number");
+    result.push_back(child.number);
   }
   return result;
 }

@@ -20,10 +20,16 @@ void require_table(const Node& node, std::initializer_list<std::string_view> all
 const Node& required(const Node& table, std::string_view name, const std::string& allowed);
 
 double number(const Node& node);
+double number_above_zero(const Node& node);
+/// From `least` to 10⁹.
+int whole_number(const Node& node, int least);
 double required_number(const Node& table, std::string_view name);
 double number_or(const Node& table, std::string_view name, double otherwise);
 
-/// All entries of an array of numbers, each finite (@throws FieldError where one is not).
+/// The entries of an array that has some; `allowed` says what it must be.
+const std::vector<Node>& entries(const Node& array, const std::string& allowed);
+
+/// All entries of an array of numbers, each finite.
 std::vector<double> numbers(const Node& node);
 
 const std::string& text(const Node& node);

@@ -91,10 +91,13 @@ double interface_half_width(const Scene& scene, int interface) {
   return k == 0 ? own : std::min(own, scene.blocks[k - 1].half_width);
 }
 
-double toppling_angle(const Scene& scene, int block) {
+double slenderness(const Scene& scene, int block) {
   const double half_height = scene.blocks[static_cast<std::size_t>(block)].half_height;
-  const double balance = std::atan2(interface_half_width(scene, block), half_height);
-  return 0.5 * (balance + 0.5 * std::numbers::pi);
+  return std::atan2(interface_half_width(scene, block), half_height);
+}
+
+double toppling_angle(const Scene& scene, int block) {
+  return 0.5 * (slenderness(scene, block) + 0.5 * std::numbers::pi);
 }
 
 void validate(const Scene& scene) {

@@ -74,9 +74,12 @@ struct Scene {
 /// endless.
 double interface_half_width(const Scene& scene, int interface);
 
-/// The angle at which block k counts as toppled: halfway between its unstable balance atan(w/h) over its own
-/// pivot and lying on its side, π/2. Past it free motion does not come back, and an engine's block that lies
-/// on the floor has passed it. rad.
+/// The angle of a block's unstable balance over its pivot, atan(w/h) with w that of its lower interface. rad.
+double slenderness(const Scene& scene, int block);
+
+/// The angle at which a block counts as toppled: halfway between its unstable balance and lying on its side,
+/// π/2. Past it free motion does not come back, and an engine's block that lies on the floor has passed it.
+/// rad.
 double toppling_angle(const Scene& scene, int block);
 
 /// A field of a scene is out of range. `key` is the scene file's name for it, e.g. "blocks.1.height".

@@ -75,9 +75,9 @@ Node converted(const toml::node& value, Node target, const Places& places) {
 std::string contents(const std::filesystem::path& file, const std::string& name) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
-    throw InputError(name + ": must be a scene file, nothing is there");
+    throw InputError(name + ": must be a file, or a name from `rockstack list`; nothing is there");
   if (std::filesystem::is_directory(file, ignored)) {
-    throw InputError(name + ": must be a scene file, this is a directory");
+    throw InputError(name + ": must be a file, this is a directory");
   }
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};

@@ -125,7 +125,7 @@ TEST(ImpactLaws, TheBaseStaysExactlyWhereTheDerivedConditionSays) {
     const double h = b * (0.75 + 8 * unit());
     const double room = 1 - b - 2 * H * 3 * b * h / (4 * h * h + b * b);
     if (std::abs(room) < 1e-9) continue;
-    const Verdict verdict = judge(falling_back(b, H, h / b, std::exp(6 * unit() - 3)));
+    const LawVerdict verdict = judge(falling_back(b, H, h / b, std::exp(6 * unit() - 3)));
     ASSERT_TRUE(verdict.consistent);
     EXPECT_EQ(name(verdict.consistent->pattern) == "4b", room > 0) << b << " " << H << " " << h;
     stays += static_cast<int>(room > 0);
@@ -137,7 +137,7 @@ TEST(ImpactLaws, TheBaseStaysExactlyWhereTheDerivedConditionSays) {
 /// The squat top of nearly the base's width: law paper keeps the base down, law consistent lifts it.
 Disagreement squat_top() {
   const DrawnImpact drawn = falling_back(0.95, 1, 0.9, 1);
-  const Verdict verdict = judge(drawn);
+  const LawVerdict verdict = judge(drawn);
   return {{drawn.impact.before.pattern, 1}, verdict.paper.pattern, verdict.consistent->pattern, 1, 1, drawn};
 }
 

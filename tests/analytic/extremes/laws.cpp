@@ -142,7 +142,7 @@ double weight_of_rounding(const Scene& scene, const History& history) {
   const auto model = make_model<Quad>(scene);
   Quad share = 1;
   for (const Event& event : history.events) share = std::min(share, least_share(model, event));
-  const double digits = share < least_pivot<double> ? std::ldexp(1.0, -11) : 1.0;
+  const double digits = share < least_diagonal_share<double> ? std::ldexp(1.0, -11) : 1.0;
   return height / radius / static_cast<double>(share) * digits;
 }
 

@@ -151,8 +151,8 @@ TEST(SceneErrors, AFileThatIsNotThereOrADirectory) {
     return std::string();
   };
   const std::string missing = (folder.path() / "none.toml").string();
-  EXPECT_EQ(text(missing), missing + ": must be a scene file, nothing is there");
-  EXPECT_EQ(text(folder.path()), folder.path().string() + ": must be a scene file, this is a directory");
+  EXPECT_EQ(text(missing), missing + ": must be a file, or a name from `rockstack list`; nothing is there");
+  EXPECT_EQ(text(folder.path()), folder.path().string() + ": must be a file, this is a directory");
 }
 
 }  // namespace

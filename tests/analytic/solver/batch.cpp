@@ -150,7 +150,9 @@ TEST_P(Batch, AFailingSceneCostsItsOwnAnswerAlone) {
 }
 
 TEST_P(Batch, WhatItsSourceAndItsTakerThrowGoesThrough) {
-  const auto scenes = mixed_scenes(400, 20);
+  auto scenes = mixed_scenes(400, 20);
+  scenes.insert(scenes.begin(),
+                released({block(1, 1), block(1e-7, 1e-7)}, {0.1, 0.05}, 1));  // in wider numbers
   std::size_t given = 0;
   const auto next = [&] { return given < scenes.size() ? std::optional(scenes[given++]) : std::nullopt; };
   const auto failing_source = [&]() -> std::optional<Scene> {

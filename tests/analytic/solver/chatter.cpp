@@ -110,6 +110,30 @@ TEST(Chatter, EndingItEarlyMovesTheMotionByLessThanTheResolution) {
   }
 }
 
+// A block that leaves the ground at a speed u ≤ √(2ρa), a = p² sin α, rises to θ with u²/2 = p² ∫₀^θ sin(α −
+// s) ds ≥ p² θ sin(α − θ) ≥ p² θ (1 − θ/α) sin α, the sine being concave: to θ = α/2 (1 − √(1 − 4ρ/α)) at
+// most.
+TEST(Chatter, WhatIsLeftOutStaysBelowTheResolution) {
+  for (const double slenderness : {0.1, 0.3, 0.6}) {
+    for (const double resolution : {1e-3, 1e-4, 1e-5, 1e-7}) {
+      const Scene scene =
+          testing::released({testing::block(2 * std::tan(slenderness), 2)}, {0.7 * slenderness}, 60);
+      const History ended = solve(scene, {.resolution = resolution});
+      ASSERT_EQ(ended.events.back().kind, EventKind::rest);
+      const double rest = ended.events.back().time;
+      std::vector<double> after = regular_times(1e-3, 1);
+      for (double& time : after) time += rest;
+      const History followed = solve(scene, {.sample_times = after});
+      EXPECT_GT(followed.events.size(), ended.events.size());
+      double most = 0;
+      for (const double angle : followed.angles) most = std::max(most, std::abs(angle));
+      EXPECT_GT(most, 0) << slenderness << ' ' << resolution;
+      EXPECT_LE(most, slenderness / 2 * (1 - std::sqrt(1 - 4 * resolution / slenderness)))
+          << slenderness << ' ' << resolution;
+    }
+  }
+}
+
 // Gauss's principle bounds accelerations of any stack, a pebble on a tower's top among them.
 TEST(Chatter, NoRelativeAngleAcceleratesMoreThanTheBound) {
   testing::Draw draw(71);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
+
 #include "tests/analytic/solver/maximal.hpp"
 #include "tests/analytic/solver/stacks.hpp"
 
@@ -27,21 +30,20 @@ Impact<Real> random_impact(Draw& draw, int size) {
   return impact;
 }
 
-/// All patterns that the touching interfaces may take.
-std::vector<Pattern> candidates(const Pattern& before, const Interfaces& touching) {
-  std::vector<Pattern> result{before};
-  for (int k = 0; k < before.size; ++k) {
-    if (!touching.test(static_cast<std::size_t>(k))) continue;
-    std::vector<Pattern> longer;
-    for (Pattern pattern : result) {
-      for (const Contact contact : {Contact::left, Contact::closed, Contact::right}) {
-        pattern[k] = contact;
-        longer.push_back(pattern);
+TEST(Impact, CandidatesAreAllPatternsOfTheTouchingInterfaces) {
+  const Pattern before{4, {Contact::left, Contact::closed, Contact::right, Contact::left}};
+  for (unsigned mask = 0; mask < 16; ++mask) {
+    std::set<std::string> names;
+    for (const Pattern& candidate : candidates(before, Interfaces(mask))) {
+      names.insert(name(candidate));
+      for (int k = 0; k < 4; ++k) {
+        if ((mask >> k & 1U) == 0) {
+          EXPECT_EQ(candidate[k], before[k]);
+        }
       }
     }
-    result = std::move(longer);
+    EXPECT_EQ(names.size(), static_cast<std::size_t>(std::pow(3, Interfaces(mask).count())));
   }
-  return result;
 }
 
 TEST(Impact, AngularMomentumAboveEveryPivotIsKeptWhateverThePattern) {

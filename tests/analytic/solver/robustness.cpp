@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <span>
+
 #include "tests/analytic/solver/stacks.hpp"
 
 namespace rockstack {
@@ -105,6 +109,31 @@ TEST(Robustness, AColumnOfEightDrumsIsFollowedUnderBothLaws) {
     const History history = solve(scene, {.sample_times = regular_times(0.01, 1.5)});
     EXPECT_FALSE(history.events.empty());
     expect_sides(history, 71);
+  }
+}
+
+TEST(Robustness, WhatLeavesTheRangeOfNumbersIsDiagnosed) {
+  for (const double speed : {1e154, -1e200}) {
+    Scene scene = testing::released({testing::block(1, 2)}, {0}, 1);
+    scene.initial.velocities = {speed};
+    EXPECT_THROW(solve(scene), std::runtime_error) << speed;
+  }
+}
+
+TEST(Robustness, OptionsOutOfRangeAreRefused) {
+  const Scene scene = testing::paper_example();
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double wrong : {-1.0, none}) {
+    EXPECT_THROW(solve(scene, {.resolution = wrong}), std::invalid_argument);
+    EXPECT_THROW(solve(scene, {.tolerance = wrong}), std::invalid_argument);
+    EXPECT_THROW(solve(scene, {.integrator = Integrator::rk4, .step = wrong}), std::invalid_argument);
+    EXPECT_THROW(regular_times(wrong, 1), std::invalid_argument);
+  }
+  EXPECT_THROW(regular_times(0, 1), std::invalid_argument);
+  for (const std::vector<double>& wrong :
+       {std::vector{-1.0}, {0.0, none, 1.0}, {0.0, infinite}, {0.2, 0.1}}) {
+    EXPECT_THROW(solve(scene, {.sample_times = wrong}), std::invalid_argument);
   }
 }
 

@@ -122,6 +122,25 @@ TEST(SingleBlock, DecayEndsAtRestWithinTheStatedNumberOfImpacts) {
   }
 }
 
+// Fast enough to pass the toppling angle in the first step, from the upright or after an impact.
+TEST(SingleBlock, TopplesAtTheTopplingAngleToEitherSide) {
+  for (const double speed : {20.0, 50.0, 1000.0}) {
+    for (const double start : {0.0, 0.1, -0.1}) {
+      Scene scene = testing::released({testing::block(1, 2)}, {start}, 1);
+      scene.initial.velocities = {speed};
+      Scene mirrored = testing::released({testing::block(1, 2)}, {-start}, 1);
+      mirrored.initial.velocities = {-speed};
+      const Event right = solve(scene).events.back();
+      const Event left = solve(mirrored).events.back();
+      ASSERT_EQ(right.kind, EventKind::topple);
+      ASSERT_EQ(left.kind, EventKind::topple);
+      EXPECT_EQ(right.time, left.time) << start << ' ' << speed;
+      EXPECT_EQ(right.angles[0], -left.angles[0]) << start << ' ' << speed;
+      EXPECT_NEAR(right.angles[0], toppling_angle(scene, 0), 1e-14 * speed) << start << ' ' << speed;
+    }
+  }
+}
+
 TEST(SingleBlock, LinearEquationsFallWithConstantAcceleration) {
   Scene scene = slab(0.2, 0.5, 2);
   scene.equations = Equations::linear;
