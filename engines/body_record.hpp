@@ -7,9 +7,10 @@ namespace rockstack {
 /// What the bodies of an engine did that angles alone do not tell, over one run. SI units, in the ground's
 /// frame.
 struct BodyRecord {
-  std::vector<double>
-      energy;  ///< kinetic and potential, zero where the stack rests upright, at each sample, J
-  std::vector<double> input;     ///< work that the ground's motion has done on the blocks by then, J
+  /// At each sample: kinetic and potential, zero where the stack rests upright, J.
+  std::vector<double> energy;
+  /// Work that the ground's motion has done on the blocks by then, J.
+  std::vector<double> input;
   double penetration = 0;        ///< largest depth of a block in the block or ground under it, m
   double gap = 0;                ///< largest height of a block over what it stands on, m
   double slip = 0;               ///< largest way of a pivot along the face that it stands on, m

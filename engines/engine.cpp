@@ -12,6 +12,7 @@ namespace rockstack {
 namespace {
 
 std::size_t steps_of(const Scene& scene, double dt) {
+  check_step(dt, scene.duration);
   // A duration that is a whole number of steps up to rounding counts as one.
   return static_cast<std::size_t>(std::floor(scene.duration / dt + 1e-9));
 }

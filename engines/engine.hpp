@@ -81,7 +81,8 @@ class NotFinite : public std::runtime_error {
 };
 
 /// Runs a scene for its duration in this process; `bodies`: keeps a BodyRecord.
-/// @throws NotFinite with the time at which that happened, or the engine's own error.
+/// @throws std::invalid_argument as check_step(); NotFinite with the time at which that happened, or the
+/// engine's own error.
 EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters,
                    bool bodies = false);
 

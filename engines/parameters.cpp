@@ -84,4 +84,11 @@ void check(const std::string& engine, const std::vector<Setting>& settings, cons
   }
 }
 
+void check_step(double dt, double duration) {
+  const double shortest = 1e-9 * duration;
+  if (!(dt >= shortest && dt <= duration * (1 + 1e-9)))
+    throw std::invalid_argument(
+        fmt::format("dt = {} s: must be from {} s to the duration, {} s", dt, shortest, duration));
+}
+
 }  // namespace rockstack

@@ -42,4 +42,8 @@ void check_value(const std::string& engine, const std::vector<Setting>& settings
 void check(const std::string& engine, const std::vector<Setting>& settings, const Parameters& given,
            double dt);
 
+/// @throws std::invalid_argument for a time step that a duration holds less than once, or more than 10⁹
+/// times. Both in s.
+void check_step(double dt, double duration);
+
 }  // namespace rockstack

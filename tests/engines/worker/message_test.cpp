@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "engines/worker/request.hpp"
@@ -40,6 +42,78 @@ TEST(Messages, SceneComesBackAsItWas) {
   EXPECT_EQ(read.run->scene.vertical.pulse->shape, PulseShape::ricker);
   EXPECT_EQ(read.run->scene.law, Law::consistent);
   EXPECT_EQ(read.run->parameters.at("limit"), HUGE_VAL);
+}
+
+/// A change of one field; of each, other bytes are to come back.
+template <class Message>
+using Change = std::function<void(Message&)>;
+
+TEST(Messages, EveryFieldOfARequestIsInIt) {
+  const RunRequest given{"step", full_scene(), 1e-3, {{"erp", 0.2}}, 3};
+  const std::vector<Change<RunRequest>> changes{
+      [](RunRequest& run) { run.solver = "quickstep"; },
+      [](RunRequest& run) { run.dt = 2e-3; },
+      [](RunRequest& run) { run.parameters["erp"] = 0.3; },
+      [](RunRequest& run) { run.repeats = 4; },
+      [](RunRequest& run) { run.bodies = true; },
+      [](RunRequest& run) { run.scene.duration = 2; },
+      [](RunRequest& run) { run.scene.gravity = 2; },
+      [](RunRequest& run) { run.scene.law = Law::paper; },
+      [](RunRequest& run) { run.scene.equations = Equations::nonlinear; },
+      [](RunRequest& run) { run.scene.blocks[1].half_width = 7; },
+      [](RunRequest& run) { run.scene.blocks[1].half_height = 7; },
+      [](RunRequest& run) { run.scene.blocks[1].mass = 7; },
+      [](RunRequest& run) { run.scene.blocks[1].inertia = 7; },
+      [](RunRequest& run) { run.scene.initial.angles[1] = 0.2; },
+      [](RunRequest& run) { run.scene.initial.velocities[1] = 0.2; },
+      [](RunRequest& run) { run.scene.horizontal.interval = 0.03; },
+      [](RunRequest& run) { run.scene.horizontal.samples[1] = 2; },
+      [](RunRequest& run) { run.scene.horizontal.made_up = false; },
+      [](RunRequest& run) { run.scene.vertical.pulse->shape = PulseShape::sine; },
+      [](RunRequest& run) { run.scene.vertical.pulse->amplitude = 7; },
+      [](RunRequest& run) { run.scene.vertical.pulse->period = 7; },
+      [](RunRequest& run) { run.scene.vertical.pulse->start = 7; },
+      [](RunRequest& run) { run.scene.vertical.pulse->cycles = 7; },
+      [](RunRequest& run) { run.scene.vertical.pulse->phase = 7; },
+      [](RunRequest& run) { run.scene.engine.friction = 7; },
+      [](RunRequest& run) { run.scene.engine.depth = 7; }};
+  std::set<std::string> messages{to_bytes(Request{given})};
+  for (const auto& change : changes) {
+    RunRequest changed = given;
+    change(changed);
+    messages.insert(to_bytes(read_request(to_bytes(Request{changed}))));
+  }
+  EXPECT_EQ(messages.size(), changes.size() + 1);
+}
+
+TEST(Messages, EveryFieldOfAReplyIsInIt) {
+  RunReply given{"done", "", {}, 4, {0.1, 0.2}, 1e6, BodyRecord{.energy = {1.5, 2}, .input = {0, 0.5}}};
+  given.history.blocks = 1;
+  given.history.times = {0, 0.1};
+  given.history.angles = given.history.velocities = {0, 0};
+  const std::vector<Change<RunReply>> changes{[](RunReply& run) { run.status = "failed"; },
+                                              [](RunReply& run) { run.reason = "why"; },
+                                              [](RunReply& run) { run.history.blocks = 2; },
+                                              [](RunReply& run) { run.history.times[1] = 7; },
+                                              [](RunReply& run) { run.history.angles[1] = 7; },
+                                              [](RunReply& run) { run.history.velocities[1] = 7; },
+                                              [](RunReply& run) { run.warnings = 7; },
+                                              [](RunReply& run) { run.seconds[1] = 7; },
+                                              [](RunReply& run) { run.peak_memory = 7; },
+                                              [](RunReply& run) { run.bodies->energy[1] = 7; },
+                                              [](RunReply& run) { run.bodies->input[1] = 7; },
+                                              [](RunReply& run) { run.bodies->penetration = 7; },
+                                              [](RunReply& run) { run.bodies->gap = 7; },
+                                              [](RunReply& run) { run.bodies->slip = 7; },
+                                              [](RunReply& run) { run.bodies->out_of_plane = 7; },
+                                              [](RunReply& run) { run.bodies->out_of_plane_tilt = 7; }};
+  std::set<std::string> messages{to_bytes(Reply{{}, given})};
+  for (const auto& change : changes) {
+    RunReply changed = given;
+    change(changed);
+    messages.insert(to_bytes(read_reply(to_bytes(Reply{{}, changed}))));
+  }
+  EXPECT_EQ(messages.size(), changes.size() + 1);
 }
 
 TEST(Messages, HistoryComesBackWithItsNumbersThatAreNone) {
