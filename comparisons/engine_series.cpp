@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "analytic/scene/fields.hpp"
@@ -21,19 +23,17 @@ bool left_out(const std::string& name) {
 std::vector<double> read_steps(const Node& table) {
   const Node* node = find(table, "dt");
   if (node == nullptr) return default_steps();
-  std::vector<double> steps = numbers(*node);
-  for (const Node& child : node->children) {
-    if (!(child.number > 0)) throw wrong_value(child, "a number > 0");
+  for (const Node& child : entries(*node, "an array of at least one step > 0, s")) {
+    if (!(number(child) > 0)) throw wrong_value(child, "a number > 0");
   }
-  return steps;
+  return numbers(*node);
 }
 
 std::vector<std::string> read_settings(const Node& table) {
   const Node* node = find(table, "settings");
   if (node == nullptr) return {"default", "tuned"};
-  if (node->kind != Node::Kind::array) throw wrong_value(*node, "an array of \"default\" and \"tuned\"");
   std::vector<std::string> settings;
-  for (const Node& child : node->children) {
+  for (const Node& child : entries(*node, "an array of \"default\" and \"tuned\"")) {
     settings.push_back(choice<std::string>(child, {{"default", "default"}, {"tuned", "tuned"}}));
   }
   return settings;
@@ -73,7 +73,8 @@ std::vector<Parameters> read_changes(const Node& table, const WorkerEngine& engi
   for (const Node& child : node->children) {
     const bool several = child.kind == Node::Kind::array;
     std::vector<Parameters> extended;
-    for (const Node& given : several ? child.children : std::vector<Node>{child}) {
+    for (const Node& given :
+         several ? entries(child, "a value, or an array of some") : std::vector<Node>{child}) {
       const double value = read_value(given, child.name, engine);
       for (Parameters changes : list) {
         changes[child.name] = value;
@@ -129,9 +130,18 @@ EngineSeries make_series(const WorkerEngine& engine, const std::string& settings
 
 std::vector<EngineSeries> read_engines(const Node& root) {
   std::vector<EngineSeries> list;
-  if (const Node* engines = find(root, "engines")) {
-    for (const Node& table : engines->children) {
-      for (EngineSeries& series : read_series(table)) list.push_back(std::move(series));
+  const Node* engines = find(root, "engines");
+  if (engines == nullptr) return list;
+  std::set<std::tuple<const WorkerEngine*, std::string, double>> runs;
+  for (const Node& table : entries(*engines, "an array of tables")) {
+    for (EngineSeries& series : read_series(table)) {
+      for (const double dt : series.steps) {
+        if (!runs.emplace(series.engine, series.settings, dt).second)
+          throw InputError(fmt::format("{}: {}: must not name a run twice: {}:{}, {}, dt = {} s", table.place,
+                                       table.key, series.engine->name(), series.engine->solver(),
+                                       series.settings, dt));
+      }
+      list.push_back(std::move(series));
     }
   }
   return list;

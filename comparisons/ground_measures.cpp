@@ -125,8 +125,8 @@ GroundMeasures measure_ground(const GroundMotion& motion) {
   return measures;
 }
 
-GroundPath ground_path(const GroundMotion& motion) {
-  GroundPath path{{0}, {0}};
+GroundIntegrals ground_integrals(const GroundMotion& motion) {
+  GroundIntegrals path{{0}, {0}};
   for (const Piece& piece : pieces(motion)) {
     path.velocities.push_back(piece.velocity_at(piece.length));
     path.displacements.push_back(piece.displacement_at(piece.length));

@@ -17,7 +17,7 @@ struct Peak {
 };
 
 /// Velocity and displacement of the ground at the samples, from rest.
-struct GroundPath {
+struct GroundIntegrals {
   std::vector<double> velocities;     ///< m/s
   std::vector<double> displacements;  ///< m
 };
@@ -46,7 +46,7 @@ struct GroundMeasures {
 
 /// Precondition for all of these: the motion has samples.
 GroundMeasures measure_ground(const GroundMotion& motion);
-GroundPath ground_path(const GroundMotion& motion);
+GroundIntegrals ground_integrals(const GroundMotion& motion);
 
 /// The share of the final ∫a² dt that is reached at each sample, 0 to 1 (Husid 1969); zeros where the ground
 /// is still.

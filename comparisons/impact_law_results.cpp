@@ -42,6 +42,7 @@ std::vector<int> read_blocks(const Node& root, const std::vector<int>& otherwise
   const Node* node = find(root, "blocks");
   if (node == nullptr) return otherwise;
   std::vector<int> blocks;
+  entries(*node, "an array of 2 and 3");
   for (const double value : numbers(*node)) {
     if (value != 2 && value != 3) throw wrong_value(*node, "an array of 2 and 3");
     blocks.push_back(static_cast<int>(value));
@@ -50,9 +51,8 @@ std::vector<int> read_blocks(const Node& root, const std::vector<int>& otherwise
 }
 
 double read_positive(const Node& root, const char* key, double otherwise) {
-  const double value = number_or(root, key, otherwise);
-  if (!(value > 0)) throw wrong_value(*find(root, key), "a number > 0");
-  return value;
+  const Node* node = find(root, key);
+  return node == nullptr ? otherwise : number_above_zero(*node);
 }
 
 ImpactDraws read_draws(const Node& root) {

@@ -11,6 +11,7 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/against_exact.hpp"
+#include "comparisons/contact_patterns.hpp"
 #include "comparisons/environment.hpp"
 #include "comparisons/files.hpp"
 #include "comparisons/reactions.hpp"
@@ -236,6 +237,7 @@ History simulate_into(const NamedScene& scene, const EngineSeries& series, doubl
   row.steps = static_cast<int>(history.size() - 1);
   row.warnings = static_cast<int>(warnings);
   row.toppled = observed_toppling(scene.scene, history);
+  history.patterns = sampled_patterns(scene.scene, history);
   write_history(folder, history);
   const Parameters parameters = all_parameters(series, scene.scene);
   write_file(folder / "summary.json", summary(row, scene, parameters, {&series}, command).dump(2) + "\n");

@@ -33,8 +33,8 @@ Row measure(const Job& job, const std::filesystem::path& folder, const CompareOp
 History solve_into(const NamedScene& scene, const SolveOptions& options, const std::filesystem::path& folder,
                    const std::string& command);
 
-/// Runs one engine and writes the same files; an engine reports no events, so events.csv has its header
-/// alone.
+/// Runs one engine and writes the same files, with patterns as its angles tell them (contact_patterns.hpp);
+/// an engine reports no events, so events.csv has its header alone.
 History simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
                       const std::filesystem::path& folder, const std::string& command);
 

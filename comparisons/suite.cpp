@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
@@ -17,32 +16,19 @@
 namespace rockstack {
 namespace {
 
-double positive(const Node& node) {
-  if (!(number(node) > 0)) throw wrong_value(node, "a number > 0");
-  return node.number;
-}
-
 std::uint64_t mebibytes(const Node& node) {
   if (!(number(node) >= 64 && node.number <= 1e9)) throw wrong_value(node, "a number of MiB from 64 to 1e9");
   return static_cast<std::uint64_t>(node.number * 1048576);
 }
 
-/// A whole number from `least`.
-int whole(const Node& node, int least) {
-  const double value = number(node);
-  if (!(value >= least) || value > 1e9 || value != std::floor(value))
-    throw wrong_value(node, fmt::format("a whole number ≥ {}", least));
-  return static_cast<int>(value);
-}
-
 Perturbations read_perturbations(const Node& table) {
   require_table(table, {"runs", "size", "seed"});
   Perturbations perturbations;
-  perturbations.runs = whole(required(table, "runs", "a whole number ≥ 2"), 2);
-  if (const Node* node = find(table, "size")) perturbations.size = positive(*node);
+  perturbations.runs = whole_number(required(table, "runs", "a whole number ≥ 2"), 2);
+  if (const Node* node = find(table, "size")) perturbations.size = number_above_zero(*node);
   if (perturbations.size > 0.1) throw wrong_value(*find(table, "size"), "a number > 0 and ≤ 0.1");
   if (const Node* node = find(table, "seed"))
-    perturbations.seed = static_cast<std::uint64_t>(whole(*node, 0));
+    perturbations.seed = static_cast<std::uint64_t>(whole_number(*node, 0));
   return perturbations;
 }
 
@@ -131,20 +117,20 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   suite.title = text(required(root, "title", "a text"));
   std::vector<std::string> changes;
   if (const Node* node = find(root, "set")) {
-    for (const Node& child : node->children) changes.push_back(text(child));
+    for (const Node& child : entries(*node, "an array of key=value texts")) changes.push_back(text(child));
   }
   changes.insert(changes.end(), overrides.begin(), overrides.end());
-  for (const Node& scene : required(root, "scenes", "an array of scene files").children) {
+  const char* scenes = "an array of at least one scene file";
+  for (const Node& scene : entries(required(root, "scenes", scenes), scenes)) {
     suite.scenes.push_back(read_named_scene(file.parent_path() / text(scene), changes));
   }
-  if (suite.scenes.empty()) throw wrong_value(*find(root, "scenes"), "an array of at least one scene file");
-  if (const Node* node = find(root, "tolerance")) suite.tolerance = positive(*node);
+  if (const Node* node = find(root, "tolerance")) suite.tolerance = number_above_zero(*node);
   if (const Node* node = find(root, "repeats")) {
-    suite.repeats = whole(*node, 1);
+    suite.repeats = whole_number(*node, 1);
   }
   if (const Node* node = find(root, "results")) suite.wanted = read_wanted(*node);
   if (const Node* table = find(root, "perturbations")) suite.perturbations = read_perturbations(*table);
-  if (const Node* node = find(root, "time_limit")) suite.limits.time = positive(*node);
+  if (const Node* node = find(root, "time_limit")) suite.limits.time = number_above_zero(*node);
   if (const Node* node = find(root, "memory_limit")) suite.limits.memory = mebibytes(*node);
   if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);
   suite.series = read_engines(root);
@@ -154,13 +140,16 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
 
 void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::path& record) {
   const Record replacement = read_record(record);
+  const double largest = peak({replacement.interval, replacement.samples, ""});
+  if (largest == 0)
+    throw InputError(fmt::format("--record {}: must not be zero throughout", record.string()));
   bool replaced = false;
   for (Suite& suite : suites) {
     for (NamedScene& scene : suite.scenes) {
       GroundMotion& motion = scene.scene.horizontal;
       if (!motion.made_up) continue;
       GroundMotion real{replacement.interval, replacement.samples, ""};
-      const double factor = peak(motion) / peak(real);
+      const double factor = peak(motion) / largest;
       for (double& sample : real.samples) sample *= factor;
       real.source =
           fmt::format("{} ({}), scaled by {:.4g}", record.filename().string(), replacement.format, factor);

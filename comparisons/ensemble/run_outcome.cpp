@@ -1,7 +1,6 @@
 #include "comparisons/ensemble/run_outcome.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rockstack {
 namespace {
@@ -34,8 +33,8 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
   RunOutcome outcome;
   outcome.peaks = history.peaks;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    const double slenderness = std::atan2(scene.blocks[k].half_width, scene.blocks[k].half_height);
-    outcome.peak_ratio = std::max(outcome.peak_ratio, outcome.peaks[k] / slenderness);
+    outcome.peak_ratio =
+        std::max(outcome.peak_ratio, outcome.peaks[k] / slenderness(scene, static_cast<int>(k)));
   }
   outcome.events = history.events.size();
   outcome.impacts =

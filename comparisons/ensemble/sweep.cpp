@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -85,6 +86,14 @@ void write_results(const Ensemble& ensemble, const Journal& journal, const std::
   write_summaries(folder, ensemble.summary);
 }
 
+std::size_t count_failed(const std::filesystem::path& runs) {
+  std::ifstream lines(runs);
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line);)
+    count += line.find(",failed,") != std::string::npos ? 1 : 0;
+  return count;
+}
+
 void write_timing(const SweepResult& result, const Workers& workers, const SweepOptions& options) {
   const Json json{{"command", options.command},
                   {"workers", workers.description()},
@@ -133,6 +142,7 @@ SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Workers& wor
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!result.finished()) return result;
   write_results(ensemble, journal, options.folder);
+  result.failed = count_failed(options.folder / "runs.csv");
   if (result.computed > 0) write_timing(result, workers, options);
   return result;
 }

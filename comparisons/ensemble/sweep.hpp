@@ -21,6 +21,7 @@ struct SweepResult {
   std::size_t runs = 0;
   std::size_t done = 0;      ///< before or now
   std::size_t computed = 0;  ///< now
+  std::size_t failed = 0;    ///< of all, once finished
   double seconds = 0;        ///< wall time of those
   bool finished() const { return done == runs; }
 };

@@ -39,13 +39,6 @@ const Event* first_event(const History& history, EventKind kind) {
   return found == history.events.end() ? nullptr : &*found;
 }
 
-double angle_at(const History& history, int block, double time) {
-  const auto after = std::upper_bound(history.times.begin(), history.times.end(), time + 1e-9);
-  const auto sample =
-      static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - history.times.begin() - 1, 0));
-  return history.angles_at(sample)[static_cast<std::size_t>(block) - 1];
-}
-
 double first_gap(const History& history, int interface, double size) {
   const auto upper = static_cast<std::size_t>(interface) - 1;
   for (std::size_t i = 0; i < history.size(); ++i) {

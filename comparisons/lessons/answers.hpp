@@ -24,9 +24,6 @@ const Row& find_row(const std::vector<Row>& rows, const std::string& engine, con
 /// The first event of a kind, or nullptr.
 const Event* first_event(const History& history, EventKind kind);
 
-/// The angle of a block (from 1) at a sample's time or the sample before it, rad.
-double angle_at(const History& history, int block, double time);
-
 /// Where sampled motion first passes that size of relative angle at an interface (from 1), s; negative where
 /// it never does.
 double first_gap(const History& history, int interface, double size);

@@ -6,6 +6,7 @@
 #include "analytic/scene/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/build.hpp"
+#include "comparisons/kolmogorov_smirnov.hpp"
 #include "comparisons/lessons/answers.hpp"
 #include "comparisons/lessons/values.hpp"
 #include "comparisons/lessons/wording.hpp"
@@ -78,22 +79,6 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// The largest distance between two samples' shares below any value (Kolmogorov and Smirnov).
-double distance(std::vector<double> a, std::vector<double> b) {
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
-  double most = 0;
-  for (const std::vector<double>* list : {&a, &b})
-    for (const double value : *list) {
-      const auto below = [&](const std::vector<double>& one) {
-        return static_cast<double>(std::upper_bound(one.begin(), one.end(), value) - one.begin()) /
-               static_cast<double>(one.size());
-      };
-      most = std::max(most, std::abs(below(a) - below(b)));
-    }
-  return most;
-}
-
 Table quantiles(const Peaks& peaks) {
   Table table{
       {"share of earthquakes below", "exact: largest |θ₂| (rad)", "Bullet, 1 ms (rad)", "ODE, 1 ms (rad)"},
@@ -110,20 +95,14 @@ std::vector<double> relative_differences(const std::vector<double>& exact, const
   return list;
 }
 
-/// The distance that two samples of that many from one distribution exceed once in twenty times.
-double critical_distance() {
-  constexpr double asymptotic = 1.358;  // quantile of Kolmogorov's distribution at 95 %
-  return asymptotic * std::sqrt(2.0 / seeds);
-}
-
 void add_engine(const std::string& name, const std::vector<double>& exact, const std::vector<double>& engine,
                 LessonValues& values) {
   const std::vector<double> apart = relative_differences(exact, engine);
-  const double away = distance(exact, engine);
+  const KolmogorovSmirnov test = kolmogorov_smirnov(exact, engine);
   values.numbers[name + "_median"] = percent(quantile(apart, 0.5), 0);
   values.numbers[name + "_most"] = percent(quantile(apart, 1.0), 0);
-  values.numbers[name + "_distance"] = fixed(away, 3);
-  values.numbers[name + "_verdict"] = away > critical_distance() ? "differ" : "cannot be told apart";
+  values.numbers[name + "_distance"] = fixed(test.distance, 3);
+  values.numbers[name + "_verdict"] = test.distance > test.critical ? "differ" : "cannot be told apart";
 }
 
 }  // namespace
@@ -136,6 +115,7 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<Row>& rows
   const History bullet = answer("bullet", "tuned", scene, engine_step),
                 ode = answer("ode", "tuned", scene, engine_step);
   const Peaks peaks = peaks_over_seeds(named);
+  const KolmogorovSmirnov changed_test = kolmogorov_smirnov(peaks.exact, peaks.changed);
   LessonValues values;
   values.numbers = {
       {"change", power(change, 0)},
@@ -144,8 +124,8 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<Row>& rows
       {"ode_until", fixed(*find_row(rows, "ode", "tuned", engine_step).agreement_time, 2)},
       {"tolerance", fixed(suite.tolerance, 2)},
       {"seeds", std::to_string(seeds)},
-      {"changed_distance", fixed(distance(peaks.exact, peaks.changed), 3)},
-      {"critical", fixed(critical_distance(), 3)}};
+      {"changed_distance", fixed(changed_test.distance, 3)},
+      {"critical", fixed(changed_test.critical, 3)}};
   add_engine("bullet", peaks.exact, peaks.bullet, values);
   add_engine("ode", peaks.exact, peaks.ode, values);
   values.tables = {{"partings", partings(exact, {{"exact, ground changed by 1e-9 (s)", changed},

@@ -5,6 +5,7 @@
 #include "comparisons/lessons/landing.hpp"
 #include "comparisons/lessons/values.hpp"
 #include "comparisons/lessons/wording.hpp"
+#include "comparisons/swings.hpp"
 
 namespace rockstack {
 namespace {
@@ -58,7 +59,7 @@ Table solvers(const Scene& scene, const History& exact) {
   Table table{{"solver", "gap of 0.001 rad between the blocks at (s)", "θ₂ at 1 s (rad)"}, {}};
   const auto add = [&](const char* words, const History& history) {
     table.rows.push_back(
-        {words, cell(first_gap(history, 2, visible_gap)), cell(angle_at(history, 2, quoted_time))});
+        {words, cell(first_gap(history, 2, visible_gap)), cell(angle_at(history, 1, quoted_time))});
   };
   add("exact", exact);
   add("Bullet, tuned, 0.1 ms", answer("bullet", "tuned", scene, 1e-4));
@@ -83,7 +84,7 @@ LessonValues separation_values(const Suite& suite, const std::vector<Row>& rows)
       {"impact_from", name(impact.from)},
       {"impact_to", name(impact.to)},
       {"gap", fixed(impact.angles[1] - impact.angles[0], 4)},
-      {"angle", fixed(std::abs(angle_at(history, 2, quoted_time)), 4)},
+      {"angle", fixed(std::abs(angle_at(history, 1, quoted_time)), 4)},
       {"quoted", fixed(quoted_angle, 3)},
       {"one_body_landing", fixed(landed.time, 4)},
       {"one_body_angle", fixed(std::abs(angle_after(scene, landed, right)), 4)},

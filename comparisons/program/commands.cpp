@@ -16,6 +16,7 @@
 #include "comparisons/program/output.hpp"
 #include "comparisons/stability/study.hpp"
 #include "comparisons/validity.hpp"
+#include "engines/parameters.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/animation.hpp"
 #include "plots/figures.hpp"
@@ -29,12 +30,6 @@
 
 namespace rockstack {
 namespace {
-
-void require_positive_option(const char* option, double value) {
-  if (!(value > 0) || !std::isfinite(value)) {
-    throw InputError(fmt::format("{} = {}: must be a finite number > 0 s", option, value));
-  }
-}
 
 /// The suite or scene that an input of `compare` names.
 std::filesystem::path find_input(const std::string& input) {
@@ -78,6 +73,7 @@ void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& res
 #endif
 
 int study_command(const std::filesystem::path& file, const std::filesystem::path& out, const Common& common) {
+  refuse_overrides(common, "a study of impact laws draws its own scenes");
   const ImpactLawStudy study = read_impact_law_study(file);
   prepare_folder(out);
   const FolderLock lock(out);
@@ -96,6 +92,16 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
 
 }  // namespace
 
+void require_positive_option(const char* option, double value) {
+  if (!(value > 0) || !std::isfinite(value))
+    throw InputError(fmt::format("{} = {}: must be a finite number > 0", option, value));
+}
+
+void refuse_overrides(const Common& common, const char* reason) {
+  if (!common.overrides.empty())
+    throw InputError(fmt::format("--set {}: must be left out, {}", common.overrides.front(), reason));
+}
+
 std::filesystem::path find_file(const std::string& input, const char* folder) {
   const auto shipped = std::filesystem::path(folder) / (input + ".toml");
   return !std::filesystem::is_regular_file(input) && std::filesystem::exists(shipped)
@@ -107,12 +113,13 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
   require_positive_option("--step", arguments.step);
   require_positive_option("--interval", arguments.interval);
   const auto scene = read_named_scene(find_file(arguments.scene, build::scenes), common.overrides);
-  prepare_folder(arguments.out);
   const SolveOptions options{
       .integrator = arguments.integrator == "rk4" ? Integrator::rk4 : Integrator::taylor,
       .sample_times = regular_times(arguments.interval, scene.scene.duration),
       .validity = true,
+      .peaks = true,
       .step = arguments.step};
+  prepare_folder(arguments.out);
   const History history = solve_into(scene, options, arguments.out, common.command);
   print_history(history, validity_warnings(scene.scene, history), arguments.out, common);
   return 0;
@@ -122,6 +129,7 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   require_positive_option("--dt", arguments.dt);
   const WorkerEngine& engine = find_engine(arguments.engine);
   const auto scene = read_named_scene(find_file(arguments.scene, build::scenes), common.overrides);
+  check_step(arguments.dt, scene.scene.duration);
   prepare_folder(arguments.out);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt});
   const History history = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
@@ -134,6 +142,8 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
     const auto file = find_input(input);
     if (!is_study(file)) continue;
     if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
+    if (!arguments.record.empty())
+      throw InputError(fmt::format("--record {}: must be left out of a study", arguments.record.string()));
     if (is_stability_study(file)) return stability_command(file, arguments.out, arguments.jobs, common);
     return study_command(file, arguments.out, common);
   }
@@ -153,6 +163,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
 }
 
 int plot_command(const PlotArguments& arguments, const Common& common) {
+  refuse_overrides(common, "figures are of results that are there");
   const std::filesystem::path& results = arguments.results;
 #ifdef ROCKSTACK_WITH_PLOTS
   const bool record = std::filesystem::exists(results / "record.json");
@@ -185,6 +196,7 @@ int plot_command(const PlotArguments& arguments, const Common& common) {
 }
 
 int list_command(const std::string& what, const Common& common) {
+  refuse_overrides(common, "names have no scene keys");
   std::vector<std::string> names;
   if (what == "engines") {
     for (const WorkerEngine& engine : engines()) {

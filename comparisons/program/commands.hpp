@@ -82,6 +82,12 @@ int list_command(const std::string& what, const Common& common);
 int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, std::size_t jobs,
                       const Common& common);
 
+/// @throws InputError where the value is not finite and > 0.
+void require_positive_option(const char* option, double value);
+
+/// @throws InputError with the reason where there are overrides.
+void refuse_overrides(const Common& common, const char* reason);
+
 /// The file itself, or the one of that name among those shipped in `folder`.
 std::filesystem::path find_file(const std::string& input, const char* folder);
 

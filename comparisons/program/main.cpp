@@ -2,21 +2,35 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "analytic/scene/document.hpp"
 #include "comparisons/program/commands.hpp"
+#include "comparisons/program/output.hpp"
 
 namespace {
 
 using namespace rockstack;
 
+/// Results are written in it.
+void require_utf8(const std::string& word) {
+  try {
+    nlohmann::json(word).dump();
+  } catch (const nlohmann::json::type_error&) {
+    throw std::invalid_argument(fmt::format("{}: must be text in UTF-8", one_line(word)));
+  }
+}
+
 std::string command_line(int count, char** words) {
   std::string line = "rockstack";
   for (int i = 1; i < count; ++i) {
-    const std::string word = words[i];
-    line += word.find_first_of(" \t[]\"'*$") == std::string::npos ? " " + word : " '" + word + "'";
+    require_utf8(words[i]);
+    line += " " + shell_word(words[i]);
   }
   return line;
 }
@@ -147,7 +161,7 @@ Command add_list(CLI::App& app, const Common& common) {
 
 int run(int count, char** words) {
   CLI::App app{"Stacked rocking blocks: the exact theory beside physics engines", "rockstack"};
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.fallthrough();
   Common common;
   common.command = command_line(count, words);
@@ -167,21 +181,27 @@ int run(int count, char** words) {
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(error.what());
   }
-  return std::find_if(commands.begin(), commands.end(),
-                      [](const Command& command) { return command.app->parsed(); })
-      ->run();
+  const auto given = std::find_if(commands.begin(), commands.end(),
+                                  [](const Command& command) { return command.app->parsed(); });
+  if (given != commands.end()) return given->run();
+  std::string names;
+  for (const Command& command : commands) names += " " + command.app->get_name();
+  throw std::invalid_argument("a command must be given, one of" + names);
 }
 
 }  // namespace
 
 int main(int count, char** words) {
   try {
-    return run(count, words);
+    const int code = run(count, words);
+    if (std::fflush(stdout) != 0) throw std::runtime_error("standard output: cannot be written");
+    return code;
   } catch (const std::invalid_argument& error) {
     fmt::print(stderr, "rockstack: {}\n", error.what());
     return 2;
   } catch (const std::exception& error) {
     fmt::print(stderr, "rockstack: {}\n", error.what());
-    return 1;
+    const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+    return file != nullptr && file->code() == std::errc::permission_denied ? 2 : 1;
   }
 }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -61,7 +62,9 @@ std::string waiting_time(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
+/// The largest angles, of samples where nothing else is known.
 std::vector<double> peaks(const History& history) {
+  if (!history.peaks.empty()) return history.peaks;
   std::vector<double> result(static_cast<std::size_t>(history.blocks));
   for (std::size_t i = 0; i < history.angles.size(); ++i) {
     double& peak = result[i % result.size()];
@@ -71,6 +74,17 @@ std::vector<double> peaks(const History& history) {
 }
 
 }  // namespace
+
+std::string shell_word(const std::string& word) {
+  const auto plain = [](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || (letter & 0x80) != 0 ||
+           std::string_view("-_./=:+,@%").find(letter) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string quoted = "'";
+  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
+}
 
 std::function<void(const Standing&)> progress(const Common& common) {
   if (!shows_progress(common)) return [](const Standing&) {};
@@ -110,12 +124,14 @@ void print_sweep(const SweepResult& result, const std::filesystem::path& folder,
     fmt::print("{}\n", Json{{"runs", result.runs},
                             {"done", result.done},
                             {"computed", result.computed},
+                            {"failed", result.failed},
                             {"seconds", result.seconds},
                             {"folder", folder.string()}}
                            .dump(2));
   } else if (!common.quiet) {
-    fmt::print("runs: {}, {} of them now in {:.3g} s\nresults: {}\n", result.runs, result.computed,
-               result.seconds, folder.string());
+    fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
+    if (result.failed > 0) fmt::print("failed: {}, runs.csv says why\n", result.failed);
+    fmt::print("results: {}\n", folder.string());
   }
 }
 

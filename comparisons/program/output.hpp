@@ -14,6 +14,9 @@ namespace rockstack {
 
 // What the program says on standard output; progress goes to standard error, and only to a terminal.
 
+/// A word as a shell reads it back.
+std::string shell_word(const std::string& word);
+
 /// A line that counts runs, names the last one and says how long the rest will take.
 std::function<void(const Standing&)> progress(const Common& common);
 

@@ -99,7 +99,7 @@ void print_text(const MeasuredRecord& record, const std::string& base_line) {
 }
 
 std::string record_csv(const GroundMotion& motion) {
-  const GroundPath path = ground_path(motion);
+  const GroundIntegrals path = ground_integrals(motion);
   const std::vector<double> shares = husid(motion);
   std::string text = "time,acceleration,velocity,displacement,husid\n";
   for (std::size_t i = 0; i < motion.samples.size(); ++i) {
@@ -137,10 +137,7 @@ void write_results(const MeasuredRecord& record, Json json, const RecordArgument
 }  // namespace
 
 int record_command(const RecordArguments& arguments, const Common& common) {
-  if (!common.overrides.empty()) {
-    throw InputError(
-        fmt::format("--set {}: must be left out, a record has no scene keys", common.overrides.front()));
-  }
+  refuse_overrides(common, "a record has no scene keys");
   const MeasuredRecord record = measure_record(arguments);
   const Json json = to_json(record, arguments);
   if (!arguments.out.empty()) {

@@ -72,7 +72,7 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
   draw_sweep(arguments.out);
 #endif
   print_sweep(result, arguments.out, common);
-  return 0;
+  return result.failed > 0 ? 1 : 0;
 }
 
 }  // namespace rockstack

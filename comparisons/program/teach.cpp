@@ -40,10 +40,7 @@ void print_lesson(const std::filesystem::path& folder, const Common& common) {
 }  // namespace
 
 int teach_command(const TeachArguments& arguments, const Common& common) {
-  if (!common.overrides.empty())
-    throw InputError(fmt::format(
-        "--set {}: must be left out, a lesson's text is about its own scenes; `rockstack compare` takes it",
-        common.overrides.front()));
+  refuse_overrides(common, "a lesson's text is about its own scenes; `rockstack compare` takes it");
   if (arguments.lesson.empty()) {
     list_lessons(common);
     return 0;

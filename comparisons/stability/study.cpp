@@ -44,10 +44,10 @@ Scene stacked(Scene scene, std::size_t blocks) {
 
 std::vector<Course> read_courses(const Node& axis, std::size_t count) {
   std::vector<Course> courses;
-  const Node* set = find(axis, "set");
-  if (set == nullptr) return courses;
-  if (set->kind != Node::Kind::table) throw wrong_value(*set, "a table of scene keys, each an array");
-  for (const Node& child : set->children) {
+  const Node& set = required(axis, "set", "a table of scene keys, each an array");
+  if (set.kind != Node::Kind::table || set.children.empty())
+    throw wrong_value(set, "a table of scene keys, each an array");
+  for (const Node& child : set.children) {
     courses.push_back({child.name, numbers(child)});
     if (courses.back().values.size() != count)
       throw wrong_value(child, fmt::format("an array of {} numbers, one for each of axis.values", count));
@@ -64,7 +64,11 @@ StabilityAxis read_axis(const Node& axis) {
   StabilityAxis result;
   result.name = text(required(axis, "name", "a text"));
   result.parameter = word(axis, "parameter", "");
-  if (result.parameter.empty()) result.values = numbers(required(axis, "values", "an array of numbers"));
+  if (result.parameter.empty()) {
+    const Node& values = required(axis, "values", "an array of numbers");
+    entries(values, "an array of at least one number");
+    result.values = numbers(values);
+  }
   const Node* scale = find(axis, "scale");
   result.logarithmic = scale != nullptr && choice<bool>(*scale, {{"linear", false}, {"logarithmic", true}});
   return result;
@@ -173,7 +177,7 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
   study.suite.title = text(required(root, "title", "a text"));
   std::vector<std::string> changes;
   if (const Node* set = find(root, "set"))
-    for (const Node& child : set->children) changes.push_back(text(child));
+    for (const Node& child : entries(*set, "an array of key=value texts")) changes.push_back(text(child));
   changes.insert(changes.end(), overrides.begin(), overrides.end());
   const Node& axis = required(root, "axis", "a table of name, values and set, or name and parameter");
   study.axis = read_axis(axis);
@@ -182,12 +186,17 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
   study.suite.series = read_engines(root);
   if (const Node* steps = find(root, "rk4")) {
     if (!study.axis.parameter.empty()) throw wrong_value(*steps, "no key where engines' parameters vary");
-    for (const double step : numbers(*steps)) study.suite.variants.push_back({"rk4", step});
+    for (const double step : numbers(*steps)) {
+      if (!(step > 0)) throw wrong_value(*steps, "an array of steps > 0, s");
+      study.suite.variants.push_back({"rk4", step});
+    }
   }
   study.suite.wanted = {
       .angles = true, .impacts = false, .patterns = false, .bodies = true, .histories = false};
-  study.suite.repeats = static_cast<int>(number_or(root, "repeats", 1));
-  study.suite.limits.time = number_or(root, "time_limit", 60);
+  study.suite.repeats = 1;
+  study.suite.limits.time = 60;
+  if (const Node* repeats = find(root, "repeats")) study.suite.repeats = whole_number(*repeats, 1);
+  if (const Node* limit = find(root, "time_limit")) study.suite.limits.time = number_above_zero(*limit);
   for (const EngineSeries& series : study.suite.series) {
     if (!study.axis.parameter.empty() && !series.parameters.contains(study.axis.parameter))
       throw wrong_value(axis, fmt::format("about a parameter that {} has", series.engine->name()));

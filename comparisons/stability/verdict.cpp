@@ -29,7 +29,7 @@ Scale scale_of(const Scene& scene) {
     const double half_width = interface_half_width(scene, static_cast<int>(k));
     scale.height = std::min(scale.height, 2 * block.half_height);
     scale.width = std::min(scale.width, 2 * half_width);
-    scale.slenderness = std::min(scale.slenderness, std::atan2(half_width, block.half_height));
+    scale.slenderness = std::min(scale.slenderness, slenderness(scene, static_cast<int>(k)));
     mass += block.mass;
     moment += block.mass * (height + block.half_height);
     height += 2 * block.half_height;

@@ -137,8 +137,8 @@ TEST(GroundMeasures, StillGroundHasNone) {
   }
 }
 
-TEST(GroundPath, IsTheIntegralAtTheSamples) {
-  const GroundPath path = ground_path(motion_of({0, 6, 6}, 1));
+TEST(GroundIntegrals, IsTheIntegralAtTheSamples) {
+  const GroundIntegrals path = ground_integrals(motion_of({0, 6, 6}, 1));
   EXPECT_EQ(path.velocities, (std::vector<double>{0, 3, 9}));
   EXPECT_EQ(path.displacements, (std::vector<double>{0, 1, 7}));
 }
@@ -173,7 +173,7 @@ TEST(BaseLine, LeavesTheLeastVelocity) {
   const BaseLine best = fitted_base_line(motion);
   const auto velocity = [&](const BaseLine& line) {
     double sum = 0;
-    for (const double v : ground_path(without(motion, line)).velocities) sum += v * v;
+    for (const double v : ground_integrals(without(motion, line)).velocities) sum += v * v;
     return sum;
   };
   // Away from the best line the sum grows by 1 % of its square and more; sums over samples differ from the

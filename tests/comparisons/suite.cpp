@@ -151,7 +151,7 @@ TEST(Compare, AFailingRunCostsItsOwnRow) {
   const TemporaryFolder folder;
   Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
   suite.repeats = 1;
-  suite.limits.time = 1;
+  suite.limits.time = 5;
   for (EngineSeries& series : suite.series) series.steps = {1e-2};
   const std::vector<WorkerEngine> faulty = engines_of(FAULTY_WORKER);
   const std::map<std::string, std::string> expected{

@@ -1,0 +1,44 @@
+#include "comparisons/stability/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "comparisons/files.hpp"
+#include "comparisons/program/commands.hpp"
+#include "comparisons/program/output.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/stability.hpp"
+#endif
+
+namespace rockstack {
+
+int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, std::size_t jobs,
+                      const Common& common) {
+  const StabilityStudy study = read_stability_study(file, common.overrides);
+  prepare_folder(out);
+  const FolderLock lock(out);
+  const std::vector<StabilityRow> rows = run_stability(study, out, {common.command, jobs, progress(common)});
+#ifdef ROCKSTACK_WITH_PLOTS
+  draw_stability(out);
+#endif
+  const bool failed =
+      std::any_of(rows.begin(), rows.end(), [](const StabilityRow& row) { return row.row.status != "done"; });
+  const int code = failed ? 1 : 0;
+  if (common.quiet) return code;
+  std::map<std::string, int> counts{{"sound", 0}, {"inexact", 0}, {"unstable", 0}, {"failed", 0}};
+  for (const StabilityRow& row : rows) {
+    if (row.row.dt) ++counts[name(row.verdict.soundness)];
+  }
+  if (common.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"verdicts", counts}, {"folder", out.string()}}.dump(2));
+    return code;
+  }
+  for (const auto& [verdict, count] : counts) fmt::print("{:>6} runs {}\n", count, verdict);
+  fmt::print("{}\n{}\n", (out / "stability.csv").string(), (out / "steps.csv").string());
+  return code;
+}
+
+}  // namespace rockstack
