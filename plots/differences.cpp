@@ -62,7 +62,7 @@ std::vector<std::string> panel_plots(const std::vector<Departure>& departures, c
   for (std::size_t i = 0; i < departures.size(); ++i)
     if (!departures[i].sizes[block].times.empty())
       plots.push_back(fmt::format("${} using 1:2 {} notitle", curve_name(i, block),
-                                  curve_style(looks.at(solver_name(departures[i].run)), i)));
+                                  curve_style(looks, departures[i].run, i)));
   for (const Departure& departure : departures)
     if (departure.run.agreement_time < departure.end)
       plots.push_back(agreement_mark(departure, looks, tolerance));
@@ -78,8 +78,7 @@ double last_time(const std::vector<Departure>& departures) {
 Legend legend_of(const std::vector<Departure>& departures, const Looks& looks) {
   Legend legend;
   for (std::size_t i = 0; i < departures.size(); ++i)
-    legend.emplace_back(curve_style(looks.at(solver_name(departures[i].run)), i),
-                        run_label(departures[i].run));
+    legend.emplace_back(curve_style(looks, departures[i].run, i), run_label(departures[i].run));
   legend.emplace_back("with lines lw 2 dt (5,8) lc rgb '#666666'", "tolerance; filled mark: agreement ends");
   return legend;
 }

@@ -61,7 +61,8 @@ Curve shares(const std::vector<double>& values, const Span& span) {
 std::string style(const Run& run, const Looks& looks) {
   if (run.exact()) return "with steps lw 4 lc rgb '#000000'";
   const Look& look = looks.at(solver_name(run));
-  return fmt::format("with steps lw 2 lc rgb '{}' dt {}", look.colour, dash_of(run.settings, look.dash));
+  return fmt::format("with steps lw 2 lc rgb '{}' dt {}", look.colour,
+                     dash_of(look, run.settings, look.dash));
 }
 
 /// The distances of one quantity as a line above its panel.

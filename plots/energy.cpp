@@ -40,8 +40,7 @@ constexpr auto core_style = "with lines lw 1 lc rgb '#000000'";
 std::vector<std::string> level_plots(const std::vector<Energies>& all, const Looks& looks) {
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < all.size(); ++i)
-    plots.push_back(
-        fmt::format("$engine_{} using 1:2 {} notitle", i, curve_style(looks.at(solver_name(all[i].run)), i)));
+    plots.push_back(fmt::format("$engine_{} using 1:2 {} notitle", i, curve_style(looks, all[i].run, i)));
   plots.push_back(fmt::format("$exact using 1:2 {} notitle", exact_style));
   plots.push_back(fmt::format("$exact using 1:2 {} notitle", core_style));
   return plots;
@@ -50,15 +49,14 @@ std::vector<std::string> level_plots(const std::vector<Energies>& all, const Loo
 std::vector<std::string> apart_plots(const std::vector<Energies>& all, const Looks& looks) {
   std::vector<std::string> plots{"0 with lines lw 1.5 lc rgb '#000000' notitle"};
   for (std::size_t i = 0; i < all.size(); ++i)
-    plots.push_back(
-        fmt::format("$apart_{} using 1:2 {} notitle", i, curve_style(looks.at(solver_name(all[i].run)), i)));
+    plots.push_back(fmt::format("$apart_{} using 1:2 {} notitle", i, curve_style(looks, all[i].run, i)));
   return plots;
 }
 
 Legend legend_of(const std::vector<Energies>& all, const Looks& looks) {
   Legend legend{{exact_style, "exact"}};
   for (std::size_t i = 0; i < all.size(); ++i)
-    legend.emplace_back(curve_style(looks.at(solver_name(all[i].run)), i), run_label(all[i].run));
+    legend.emplace_back(curve_style(looks, all[i].run, i), run_label(all[i].run));
   return legend;
 }
 

@@ -104,7 +104,7 @@ Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, co
     legend.emplace_back(mark(lines[i], looks), lines[i].label);
     if (lines[i].fits())
       plots.push_back(fmt::format("$fitted_{} using 1:2 with lines lw 2 lc rgb '{}' dt {} notitle", i,
-                                  look.colour, dash_of(lines[i].run.settings, "solid")));
+                                  look.colour, dash_of(look, lines[i].run.settings, "solid")));
     plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark(lines[i], looks)));
   }
   Sheet sheet(scene.title, legend);

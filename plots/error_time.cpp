@@ -67,7 +67,7 @@ std::string line_data(std::size_t index, const CostLine& line) {
 std::string line_style(const CostLine& line, const Looks& looks) {
   const Look& look = looks.at(solver_name(line.run));
   return fmt::format("with linespoints lw 2 lc rgb '{}' dt {} pt {} ps 1.7*mark", look.colour,
-                     dash_of(line.run.settings, "solid"), mark_of(look, line.run.settings));
+                     dash_of(look, line.run.settings, "solid"), mark_of(look, line.run.settings));
 }
 
 /// The panel's edges, and where its points lie in pixels from its lower left corner.

@@ -11,11 +11,17 @@ namespace {
 
 constexpr double left_edge = 0.095, right_edge = 0.975;
 constexpr double title_height = 56, legend_row = 28, legend_gap = 14, axis_height = 80;
-constexpr std::size_t legend_columns = 2;
+constexpr std::size_t half_a_figure = 46;  // letters of a legend
+
+/// In two columns, or in one where some words are too long for half of the figure.
+std::size_t legend_rows(const Legend& legend) {
+  const bool wide = std::any_of(legend.begin(), legend.end(),
+                                [](const auto& entry) { return entry.second.size() > half_a_figure; });
+  return wide ? legend.size() : (legend.size() + 1) / 2;
+}
 
 double legend_height(const Legend& legend) {
-  const std::size_t rows = (legend.size() + legend_columns - 1) / legend_columns;
-  return legend.empty() ? 0 : static_cast<double>(rows) * legend_row + legend_gap;
+  return legend.empty() ? 0 : static_cast<double>(legend_rows(legend)) * legend_row + legend_gap;
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -41,7 +47,7 @@ std::string legend_column(const Legend& legend, std::size_t from, std::size_t to
 std::string legend_plots(const Legend& legend, double height) {
   if (legend.empty()) return "";
   constexpr double first = left_edge - 0.01, second = 0.54;
-  const std::size_t half = (legend.size() + 1) / legend_columns;
+  const std::size_t half = legend_rows(legend);
   std::string text = "unset border\nunset tics\nset margins screen 0, screen 1, screen 0, screen 1\n";
   text += legend_column(legend, 0, half, first, height);
   if (half < legend.size()) text += legend_column(legend, half, legend.size(), second, height);

@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
-#include <set>
 #include <string_view>
 #include <vector>
 
@@ -17,7 +17,8 @@ struct NamedLook {
   std::string_view dash;
 };
 
-constexpr int star = 3, square = 4, circle = 6, triangle = 8, triangle_down = 10, diamond = 12, pentagon = 14;
+constexpr int plus = 1, cross = 2, star = 3, square = 4, circle = 6, triangle = 8, triangle_down = 10,
+              diamond = 12, pentagon = 14;
 
 // The colours of Okabe and Ito (2008), told apart by people with any form of colour blindness.
 // Gaps are wide because the line's round ends reach into them.
@@ -48,6 +49,17 @@ Look look_from(const NamedLook& named) {
   return {std::string(named.colour), named.mark, std::string(named.dash)};
 }
 
+/// What tells settings in which single parameters differ from their set.
+template <class Kind, std::size_t count>
+Kind by_turns(const Look& look, const std::string& settings, const std::array<Kind, count>& kinds) {
+  const auto place = std::find(look.changed.begin(), look.changed.end(), settings) - look.changed.begin();
+  return kinds[static_cast<std::size_t>(place) % count];
+}
+
+bool has_changes(const std::string& settings) {
+  return settings.find('+') != std::string::npos;
+}
+
 }  // namespace
 
 Looks assign_looks(const std::vector<Run>& runs) {
@@ -56,6 +68,11 @@ Looks assign_looks(const std::vector<Run>& runs) {
   std::size_t next = 0;
   for (const Run& run : runs)
     if (!looks.contains(solver_name(run))) looks[solver_name(run)] = look_from(spare[next++ % spare.size()]);
+  for (const Run& run : runs) {
+    std::vector<std::string>& changed = looks[solver_name(run)].changed;
+    if (has_changes(run.settings) && std::find(changed.begin(), changed.end(), run.settings) == changed.end())
+      changed.push_back(run.settings);
+  }
   return looks;
 }
 
@@ -63,9 +80,12 @@ std::string pattern_tint(std::size_t index) {
   return std::string(tints[index % tints.size()]);
 }
 
-std::string curve_style(const Look& look, std::size_t order) {
+std::string curve_style(const Looks& looks, const Run& run, std::size_t order) {
+  const Look& look = looks.at(solver_name(run));
+  const bool changed = has_changes(run.settings);
   return fmt::format("with linespoints lw 2 lc rgb '{}' dt {} pt {} ps 1.1*mark pn {}", look.colour,
-                     look.dash, look.mark, 6 + order);
+                     changed ? dash_of(look, run.settings, look.dash) : look.dash,
+                     changed ? mark_of(look, run.settings) : look.mark, 6 + order);
 }
 
 std::string floor_line(const Fit& fit, const std::string& colour) {
@@ -78,12 +98,13 @@ std::string floor_line(const Fit& fit, const std::string& colour) {
 
 int mark_of(const Look& look, const std::string& settings) {
   if (settings == "default") return look.mark;
-  return settings.find('+') == std::string::npos ? look.mark + 1 : star;
+  return has_changes(settings) ? by_turns(look, settings, std::array{star, cross, plus}) : look.mark + 1;
 }
 
-std::string dash_of(const std::string& settings, const std::string& whole) {
+std::string dash_of(const Look& look, const std::string& settings, const std::string& whole) {
   if (settings == "default") return "(1,6)";
-  return settings.find('+') == std::string::npos ? whole : "(10,7)";
+  return has_changes(settings) ? by_turns(look, settings, std::array{"(10,7)", "(4,4)", "(12,4,1,4)"})
+                               : whole;
 }
 
 std::string mark_style(const Look& look, bool filled, double size) {

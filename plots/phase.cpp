@@ -56,7 +56,7 @@ std::string name_of(std::size_t run, std::size_t block) {
 constexpr auto exact_style = "with lines lw 5 lc rgb '#9A9A9A'";
 
 std::string style(const Run& run, const Looks& looks, std::size_t order) {
-  return run.exact() ? exact_style : curve_style(looks.at(solver_name(run)), order);
+  return run.exact() ? exact_style : curve_style(looks, run, order);
 }
 
 std::vector<std::string> panel_plots(const std::vector<Orbit>& orbits, const Looks& looks,

@@ -220,17 +220,27 @@ TEST(LogarithmicTics, ArePowersOfTenAndWithinTwoDecadesTheirMultiplesToo) {
   EXPECT_EQ(logarithmic_tics("y", 0.2, 0.9), "set ytics ('10^{-1}' 0.1, '2·10^{-1}' 0.2, '5·10^{-1}' 0.5)\n");
 }
 
-TEST(Look, DefaultsASetAndOneWithAChangedParameterAreToldApart) {
-  for (const auto& [solver, look] : assign_looks({})) {
-    std::set<int> marks;
-    std::set<std::string> dashes;
-    for (const std::string settings : {"default", "tuned", "tuned+contactApprox1=0"}) {
-      marks.insert(mark_of(look, settings));
-      dashes.insert(dash_of(settings, "solid"));
-    }
-    EXPECT_EQ(marks.size(), 3u) << solver;
-    EXPECT_EQ(dashes.size(), 3u) << solver;
+TEST(Look, DefaultsASetAndThoseWithAChangedParameterAreToldApart) {
+  const std::vector<std::string> all{"default", "tuned", "tuned+shaking=force", "tuned+shaking=ground"};
+  std::vector<plots::Run> runs;
+  for (const std::string& settings : all) {
+    runs.emplace_back();
+    runs.back().engine = "ode";
+    runs.back().solver = "step";
+    runs.back().settings = settings;
   }
+  const Looks looks = assign_looks(runs);
+  const Look& look = looks.at("ode:step");
+  std::set<int> marks;
+  std::set<std::string> dashes, curves;
+  for (const plots::Run& run : runs) {
+    marks.insert(mark_of(look, run.settings));
+    dashes.insert(dash_of(look, run.settings, "solid"));
+    curves.insert(curve_style(looks, run, 0));
+  }
+  EXPECT_EQ(marks.size(), all.size());
+  EXPECT_EQ(dashes.size(), all.size());
+  EXPECT_EQ(curves.size(), all.size() - 1) << "default and tuned runs have curves of one style";
 }
 
 }  // namespace
