@@ -119,6 +119,7 @@ TEST(Chatter, WhatIsLeftOutStaysBelowTheResolution) {
       const Scene scene =
           testing::released({testing::block(2 * std::tan(slenderness), 2)}, {0.7 * slenderness}, 60);
       const History ended = solve(scene, {.resolution = resolution});
+      ASSERT_FALSE(ended.events.empty()) << slenderness << ' ' << resolution;
       ASSERT_EQ(ended.events.back().kind, EventKind::rest);
       const double rest = ended.events.back().time;
       std::vector<double> after = regular_times(1e-3, 1);

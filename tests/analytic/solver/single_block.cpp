@@ -130,8 +130,11 @@ TEST(SingleBlock, TopplesAtTheTopplingAngleToEitherSide) {
       scene.initial.velocities = {speed};
       Scene mirrored = testing::released({testing::block(1, 2)}, {-start}, 1);
       mirrored.initial.velocities = {-speed};
-      const Event right = solve(scene).events.back();
-      const Event left = solve(mirrored).events.back();
+      const History rightward = solve(scene);
+      const History leftward = solve(mirrored);
+      ASSERT_FALSE(rightward.events.empty() || leftward.events.empty()) << start << ' ' << speed;
+      const Event& right = rightward.events.back();
+      const Event& left = leftward.events.back();
       ASSERT_EQ(right.kind, EventKind::topple);
       ASSERT_EQ(left.kind, EventKind::topple);
       EXPECT_EQ(right.time, left.time) << start << ' ' << speed;
