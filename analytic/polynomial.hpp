@@ -15,6 +15,10 @@ namespace rockstack {
 template <class Real>
 inline constexpr std::size_t max_terms = std::numeric_limits<Real>::digits * 2 / 5 + 1;
 
+/// The most terms of an acceleration's series, so that the angle's has room for two more.
+template <class Real>
+inline constexpr std::size_t max_orders = max_terms<Real> - 2;
+
 /// c₀ + c₁s + … over one step, s in [0, 1]. Coefficients from `terms` on have no value.
 template <class Real>
 struct Polynomial {

@@ -5,6 +5,66 @@
 
 namespace rockstack {
 
+// No step is longer than its series holds: what a series leaves out is below the rounding of what it tells,
+// or the step is shorter. Of a motion the last coefficients tell (TaylorSteps). Of a pulse f there is a
+// bound: by Lagrange's remainder, m terms over a length h leave out sup|f⁽ᵐ⁾| hᵐ/m! at most. With A the
+// amplitude, T the period and ω = 2π/T, sup|f⁽ᵐ⁾| ≤ A ωᵐ for a sine, and ≤ A (ω(1 + 1/γ))ᵐ for the three of
+// Mavroeidis & Papageorgiou, whose amplitudes add up to A. Ricker's pulse is −A/2 d²/dz² exp(−z²) with z' =
+// ω/2, so that its derivatives are Hermite's functions, A/2 |Hₘ₊₂(z)| exp(−z²) (ω/2)ᵐ, and by Cramér's
+// inequality |Hₙ(z)| exp(−z²/2) ≤ 1.0865 √(2ⁿ n!) (Abramowitz & Stegun 1964, 22.14.17).
+
+/// What is left out of a pulse's series, over its amplitude: at most this, and for each term that is dropped.
+template <class Real>
+Real left_out() {
+  return std::numeric_limits<Real>::epsilon() / 8;
+}
+
+/// The largest x with bound · xᵐ/m! ≤ left_out(), m = max_orders.
+template <class Real>
+Real convergent(const Real& bound) {
+  using std::pow;
+  Real power = left_out<Real>() / bound;
+  for (std::size_t i = 2; i <= max_orders<Real>; ++i) power *= Real(i);
+  return pow(power, 1 / Real(max_orders<Real>));
+}
+
+/// The same for a sine of x, and for Ricker's pulse of z.
+template <class Real>
+inline const Real convergent_sine = convergent(Real(1));
+template <class Real>
+inline const Real convergent_ricker = [] {
+  using std::sqrt;
+  Real square = 1;  // 2ⁿ n!, n = m + 2
+  for (std::size_t i = 1; i <= max_orders<Real> + 2; ++i) square *= 2 * Real(i);
+  return convergent<Real>(Real(1.0865) / 2 * sqrt(square));
+}();
+
+/// How long a step may be at most for a pulse's series to hold, s.
+template <class Real>
+Real longest_series(const Pulse& pulse) {
+  const Real turn = 2 * pi<Real> / Real(pulse.period);
+  switch (pulse.shape) {
+    case PulseShape::rectangle:
+      return std::numeric_limits<Real>::infinity();
+    case PulseShape::ricker:
+      return convergent_ricker<Real> / (turn / 2);
+    case PulseShape::mavroeidis_papageorgiou:
+      return convergent_sine<Real> / (turn * (1 + 1 / Real(pulse.cycles)));
+    default:
+      return convergent_sine<Real> / turn;
+  }
+}
+
+/// The same for a ground piece.
+template <class Real>
+Real longest_series(const GroundPiece<Real>& piece) {
+  Real longest = std::numeric_limits<Real>::infinity();
+  for (const Pulse* pulse : {piece.horizontal.pulse, piece.vertical.pulse}) {
+    if (pulse) longest = std::min(longest, longest_series<Real>(*pulse));
+  }
+  return longest;
+}
+
 /// Adds amplitude · sin(phase + turn · s) to a series, from sin' = cos and cos' = −sin.
 template <class Real>
 void add_sine(Polynomial<Real>& series, const Real& amplitude, const Real& phase, const Real& turn) {
@@ -35,14 +95,15 @@ void add_ricker(Polynomial<Real>& series, const Real& amplitude, const Real& sta
   }
 }
 
-/// A pulse from `elapsed` s after its start on, over `length` s.
+/// A pulse from `elapsed` s after its start on, over `length` s, at most longest_series(); without the last
+/// coefficients where they are negligible.
 template <class Real>
 Polynomial<Real> series_of(const Pulse& pulse, const Real& elapsed, const Real& length) {
   const Real amplitude(pulse.amplitude);
   const Real turn = 2 * pi<Real> / Real(pulse.period);
   Polynomial<Real> series;
   if (pulse.shape == PulseShape::rectangle) return {amplitude};
-  series.terms = max_terms<Real>;
+  series.terms = max_orders<Real>;
   std::fill(series.begin(), series.end(), Real(0));
   switch (pulse.shape) {
     case PulseShape::sine:
@@ -69,6 +130,9 @@ Polynomial<Real> series_of(const Pulse& pulse, const Real& elapsed, const Real& 
     case PulseShape::rectangle:
       break;
   }
+  using std::abs;
+  const Real negligible = left_out<Real>() * abs(amplitude);
+  while (series.terms > 1 && abs(series[series.terms - 1]) <= negligible) --series.terms;
   return series;
 }
 
@@ -80,7 +144,7 @@ struct Pull {
 };
 
 /// A component of it, from `offset` s into the ground's course on: of the course and of what pulls `at_rest`,
-/// without the last coefficients where they are negligible, m/s².
+/// without a change that is negligible, m/s².
 template <class Real>
 Polynomial<Real> pull_along(const GroundCourse<Real>& course, const Real& at_rest, const Real& negligible,
                             const Real& offset, const Real& length) {
@@ -94,7 +158,6 @@ Polynomial<Real> pull_along(const GroundCourse<Real>& course, const Real& at_res
   }
   Polynomial<Real> series = series_of<Real>(*course.pulse, course.elapsed + offset, length);
   series[0] += at_rest;
-  while (series.terms > 1 && abs(series[series.terms - 1]) <= negligible) --series.terms;
   for (Real& coefficient : series) coefficient *= scale;
   return series;
 }

@@ -102,7 +102,7 @@ class Solver {
     bool settled;  ///< no interface has just opened, or is held
   };
   Start next_step() {
-    const Real length = steps_.length(longest_step());
+    const Real length = steps_.length(pieces_.current(), longest_step());
     return {state_,
             towards_,
             linkage(),

@@ -7,7 +7,8 @@
 namespace rockstack {
 
 /// Makes steps from Taylor series: as long as the ground's course is smooth, or as the highest order allows.
-/// The order is the lowest whose last coefficients are below the tolerance.
+/// The order is the lowest whose last coefficients are below the tolerance, and that leaves none of the
+/// pull's out; where there is none, the step is shorter (pull.hpp).
 template <class Real, int N>
 class TaylorSteps {
  public:
@@ -26,13 +27,13 @@ class TaylorSteps {
   Flow<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& towards,
                            const Linkage<Real, N>& linkage, const GroundPiece<Real>& piece,
                            const Real& offset, const Real& remaining, const Interfaces& watched) {
-    Real step = length(remaining);
+    Real step = length(piece, remaining);
     Pull<Real> pull = make_pull(model_.gravity, piece, offset, step);
     const std::size_t pulls = std::max(pull.x.terms, pull.y.terms);
     if (is_closed(state.pattern)) {
       Flow<Real, N> flow{step, state, {}, {}};
       stand(linkage, pull, watched, flow);
-      fit(Real(0), pulls, flow);
+      lengthen(flow.length, pulls);
       return flow;
     }
     PerBlock<Real, N> angles{};
@@ -73,7 +74,7 @@ class TaylorSteps {
       rest = std::max<Real>(last, earlier / 64);
       allowed = tolerance_ * Real(orders) * scale;
       earlier = last;
-      if ((rest <= allowed && orders >= pulls) || orders + 2 == max_terms<Real>) break;
+      if ((rest <= allowed && orders >= pulls) || orders == max_orders<Real>) break;
     }
     Flow<Real, N> flow{step, state, {}, {}};
     read(linkage, series, orders, angles, advances, watched, flow);
@@ -82,15 +83,20 @@ class TaylorSteps {
     return flow;
   }
 
-  /// Of the next step, with `remaining` s to go, unless something ends it, s.
-  Real length(const Real& remaining) const { return std::min(remaining, longest_); }
+  /// Of the next step, with `remaining` s of a ground piece to go, unless something ends it, s.
+  Real length(const GroundPiece<Real>& piece, const Real& remaining) const {
+    return std::min({remaining, longest_, longest_series(piece)});
+  }
 
   /// Shortens a step whose series did not get down to the tolerance, and had `excess` times as much left;
-  /// lengthens the next where it did easily.
+  /// lengthens the next where it did easily. Of n orders, what is left goes with the length's n-th power at
+  /// least, and what is allowed with its third at most; so the second ratio is short enough. The first leaves
+  /// room, and is the lesser one but for a large excess.
   void fit(const Real& excess, std::size_t orders, Flow<Real, N>& flow) {
     using std::pow;
     if (excess > 1) {
-      const Real ratio = pow(excess, Real(-1) / Real(orders - 1)) * Real(0.9);
+      const Real ratio = std::min<Real>(pow(excess, Real(-1) / Real(orders - 1)) * Real(0.9),
+                                        pow(excess, Real(-1) / Real(orders - 3)));
       flow.length *= ratio;
       longest_ = flow.length;
       for (auto& angle : flow.angles) rescale(angle, ratio);
@@ -109,7 +115,7 @@ class TaylorSteps {
 
   /// Lengthens the next step where one of a length got down to the tolerance easily.
   void lengthen(const Real& step, std::size_t orders) {
-    if (step == longest_ && orders + 4 < max_terms<Real>) longest_ *= Real(1.25);
+    if (step == longest_ && orders + 2 < max_orders<Real>) longest_ *= Real(1.25);
   }
 
   const Real& tolerance() const { return tolerance_; }

@@ -133,7 +133,7 @@ class StepKernel {
     Real rest = 0;
     Real allowed = 0;
     own_ = 0;
-    for (orders_ = 0; xsimd::any(open) && orders_ + 2 < max_terms<Real>;) {
+    for (orders_ = 0; xsimd::any(open) && orders_ < max_orders<Real>;) {
       if (orders_ > 0) series.extend(orders_, pull_);
       Real last = 0;
       for (std::size_t k = 0; k < blocks; ++k) {
