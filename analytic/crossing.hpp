@@ -6,24 +6,28 @@
 
 namespace rockstack {
 
-/// Where a polynomial that is positive on the left of its only sign change in (low, high) crosses zero:
-/// Newton's method from s, kept inside the bracket by bisection, to rounding.
+/// Where a polynomial that is positive on the left of its only sign change in (low, high) crosses zero, to
+/// rounding: Newton's method from s, kept inside the bracket by bisection. Newton's method may creep, as near
+/// a zero of high order. After four points for each digit of a number, bisection goes on alone. It always
+/// ends: a bracket cannot be halved more often than a number has exponents and digits.
 template <class Real>
 Real bracketed_root(const Polynomial<Real>& polynomial, Real low, Real high, Real s) {
+  using std::abs;
   const Real rounding = std::numeric_limits<Real>::epsilon();
-  for (int iteration = 0; iteration < 4 * std::numeric_limits<Real>::digits; ++iteration) {
+  for (int points = 1;; ++points) {
     const auto [height, slope] = tangent(polynomial, s);
     if (height == 0) return s;
     (height > 0 ? low : high) = s;
-    using std::abs;
-    const Real newton = s - height / slope;
-    // At the root, rounding may put the next point on the bracket's end or beyond.
-    if (abs(newton - s) <= rounding * s) return std::clamp(newton, low, high);
-    const Real next = newton > low && newton < high ? newton : (low + high) / 2;
+    Real next = (low + high) / 2;
+    if (points <= 4 * std::numeric_limits<Real>::digits) {
+      const Real newton = s - height / slope;
+      // At the root, rounding may put the next point on the bracket's end or beyond.
+      if (abs(newton - s) <= rounding * s) return std::clamp(newton, low, high);
+      if (newton > low && newton < high) next = newton;
+    }
     if (abs(next - s) <= rounding * s) return next;
     s = next;
   }
-  return s;
 }
 
 /// True where its hull tells that the polynomial stays above zero over (0, 1].

@@ -48,6 +48,14 @@ struct State {
   Vector<Real, N> velocities;
 
   int size() const { return N == Eigen::Dynamic ? pattern.size : N; }
+
+  Interfaces closed() const {
+    Interfaces result;
+    for (int k = 0; k < size(); ++k) {
+      if (pattern[k] == Contact::closed) result.set(static_cast<std::size_t>(k));
+    }
+    return result;
+  }
 };
 
 /// The directions of the blocks at a state; upright for the linear equations.

@@ -8,11 +8,12 @@
 #include "analytic/chatter.hpp"
 #include "analytic/guards.hpp"
 #include "analytic/impact.hpp"
-#include "analytic/progress.hpp"
 #include "analytic/recorder.hpp"
 #include "analytic/rk4.hpp"
+#include "analytic/stall_guard.hpp"
 #include "analytic/standing.hpp"
 #include "analytic/taylor_step.hpp"
+#include "analytic/tie_breaker.hpp"
 
 namespace rockstack {
 
@@ -29,7 +30,8 @@ class Solver {
         pieces_(scene),
         steps_(model_, options),
         recorder_(model_, options),
-        progress_(model_),
+        stall_guard_(model_),
+        ties_(model_),
         standing_(model_),
         end_of_chatter_(model_, options.resolution > 0 ? Real(options.resolution)
                                                        : std::numeric_limits<Real>::epsilon()) {
@@ -43,14 +45,11 @@ class Solver {
     turn();
     for (int k = 0; k < model_.stack.size(); ++k)
       toppling_angles_[static_cast<std::size_t>(k)] = Real(toppling_angle(scene, k));
-    using std::sqrt;
-    const Real rate = model_.gravity / (2 * model_.stack.half_height.sum());
-    slack_ = 500 * std::numeric_limits<Real>::epsilon() * rate;
-    brief_ = Real(1e-4) / sqrt(rate);
   }
 
   /// @throws std::runtime_error with the time where no pattern lets the motion go on, or events do not come
-  /// to an end (progress.hpp); IllConditioned for masses or sizes too far apart for the number type.
+  /// to an end (stall_guard.hpp, tie_breaker.hpp); IllConditioned for masses or sizes too far apart for the
+  /// number type.
   BasicHistory<Real> run() {
     start();
     while (!finished()) advance();
@@ -77,8 +76,8 @@ class Solver {
   void advance() {
     if (!(remaining() > 0)) return next_piece();
     if (stand()) return;
-    Flow<Real, N> flow =
-        steps_(state_, towards_, linkage(), pieces_.current(), offset_, longest_step(), watched());
+    Flow<Real, N> flow = steps_(state_, towards_, linkage(), pieces_.current(), offset_, longest_step(),
+                                ties_.may_open(state_));
     take(flow);
   }
 
@@ -99,7 +98,7 @@ class Solver {
     Real length;  ///< s
     Pull<Real> pull;
     Interfaces watched;
-    bool settled;  ///< no interface has just opened, or is held
+    bool clear;  ///< of ties
   };
   Start next_step() {
     const Real length = steps_.length(pieces_.current(), longest_step());
@@ -108,13 +107,13 @@ class Solver {
             linkage(),
             length,
             make_pull(model_.gravity, pieces_.current(), offset_, length),
-            watched(),
-            fresh_.none() && held_.none()};
+            ties_.may_open(state_),
+            ties_.all_clear()};
   }
 
   /// Goes along a step up to its first event, and through that. @throws as run().
   void take(Flow<Real, N>& flow, const Cleared& cleared = {}) {
-    keep_fresh_open(flow);
+    ties_.keep_fresh_open(flow);
     const Next<Real> next = first_event(flow, toppling_angles_, cleared);
     recorder_.note_step(flow, pieces_.current(), offset_, next, cleared);
     state_ = flow.at(next.s);
@@ -149,15 +148,11 @@ class Solver {
 
  private:
   Real remaining() const { return pieces_.current().length - offset_; }
-  Real longest_step() const { return held_.any() ? std::min(remaining(), brief_) : remaining(); }
+  Real longest_step() const { return ties_.longest_step(remaining()); }
 
   /// To the event that ends a step of a length, or to its end.
   void go_on(const Next<Real>& next, const Real& length) {
-    progress_.note_step(next, time());
-    if (next.s > 0) {
-      fresh_.reset();
-      if (!progress_.undecided()) held_.reset();
-    }
+    ties_.note_step(next, time());
     if (length >= remaining() && next.s == 1) {
       next_piece();
     } else {
@@ -179,7 +174,7 @@ class Solver {
   /// Goes on past the ground pieces through whose rest the stack stands still, and nothing of it is to be
   /// kept. False where there is none. At the instant of an event steps tell.
   bool stand() {
-    if (!is_closed(state_.pattern) || fresh_.any() || held_.any() || progress_.at_instant()) return false;
+    if (!is_closed(state_.pattern) || !ties_.all_clear() || ties_.at_instant()) return false;
     const auto stands = [&] {
       const Bearing<Real> bears = bearing(model_.gravity, pieces_.current(), offset_);
       return bears.tilt < standing_.slenderness && !recorder_.wants(standing_, bears);
@@ -187,27 +182,6 @@ class Solver {
     bool stood = false;
     for (; !finished() && stands(); stood = true) next_piece();
     return stood;
-  }
-
-  /// Closed interfaces that may open within the next step.
-  Interfaces watched() const {
-    Interfaces result;
-    for (int k = 0; k < state_.size(); ++k) {
-      const auto bit = static_cast<std::size_t>(k);
-      result.set(bit, state_.pattern[k] == Contact::closed && !held_.test(bit));
-    }
-    return result;
-  }
-
-  /// An interface that has just opened accelerates towards its side, though its acceleration may round to the
-  /// other.
-  void keep_fresh_open(Flow<Real, N>& flow) const {
-    for (int k = 0; k < state_.size(); ++k) {
-      Polynomial<Real>& angle = flow.angles[static_cast<std::size_t>(k)];
-      if (fresh_.test(static_cast<std::size_t>(k)) && angle.terms > 2 &&
-          angle[2] * Real(sign(state_.pattern[k])) < 0)
-        angle[2] = 0;
-    }
   }
 
   void next_piece() {
@@ -227,16 +201,16 @@ class Solver {
       toppled_ = true;
       record_event(EventKind::topple, next.toppling, from, state_.velocities, Consistency::consistent);
     } else if (next.closing.any()) {
-      held_ |= next.closing & fresh_;
+      ties_.note_closing(next.closing);
       collide(next.closing);
       settle(state_.pattern);
-    } else if (progress_.undecided()) {
-      held_ |= next.opening;
+    } else if (ties_.undecided()) {
+      ties_.hold(next.opening);
     } else {
       for (int k = 0; k < state_.size(); ++k) {
         if (next.opening.test(static_cast<std::size_t>(k))) state_.pattern[k] = next.opened[k];
       }
-      fresh_ |= next.opening;
+      ties_.note_opening(next.opening);
       settle(from);
     }
   }
@@ -275,29 +249,23 @@ class Solver {
 
   /// Rule 2 at an instant: opens the closed interfaces whose centre of pressure would lie outside.
   void settle(Pattern from) {
-    Interfaces touching = fresh_;
-    for (int k = 0; k < state_.size(); ++k) {
-      // An impact may since have parted what has just opened.
-      if (state_.velocities[k] != 0) touching.reset(static_cast<std::size_t>(k));
-      if (state_.pattern[k] == Contact::closed) touching.set(static_cast<std::size_t>(k));
-    }
-    if (progress_.undecided()) touching &= ~held_;
+    const Interfaces touching = ties_.touching(state_);
     const Point<Real> ground = pieces_.current().at(offset_);
     const auto evaluate = [&](const Pattern& pattern) {
       return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, towards_, ground);
     };
-    if (touching.any() && first_violation(model_.stack, evaluate(state_.pattern), touching, slack_)) {
-      const auto found =
-          find_admissible(model_.stack, with_closed(state_.pattern, touching), touching, slack_, evaluate);
+    if (touching.any() && first_violation(model_.stack, evaluate(state_.pattern), touching, ties_.slack())) {
+      const auto found = find_admissible(model_.stack, with_closed(state_.pattern, touching), touching,
+                                         ties_.slack(), evaluate);
       if (!found) no_way_on();
       // To rounding, closed may do as well; but an opening taken back would be found again at once.
-      if (!progress_.at_instant() || !(found->pattern == from)) state_.pattern = found->pattern;
+      if (!ties_.at_instant() || !(found->pattern == from)) state_.pattern = found->pattern;
     }
     Interfaces changed;
     for (int k = 0; k < state_.size(); ++k)
       changed.set(static_cast<std::size_t>(k), from[k] != state_.pattern[k]);
     if (changed.none()) return;
-    fresh_ |= changed;
+    ties_.note_opening(changed);
     record_event(EventKind::opening, lowest(changed), from, state_.velocities, Consistency::consistent);
   }
 
@@ -309,7 +277,7 @@ class Solver {
 
   void record_event(EventKind kind, int interface, const Pattern& from, const Vector<Real, N>& before,
                     Consistency consistency) {
-    progress_.note_event(time());
+    stall_guard_.note_event(time());
     recorder_.note_event(time(), kind, interface + 1, from, before, state_, consistency);
   }
 
@@ -318,19 +286,16 @@ class Solver {
   GroundPieces<Real> pieces_;
   Steps<Real, N> steps_;
   Recorder<Real, N> recorder_;
-  Progress<Real> progress_;
+  StallGuard<Real> stall_guard_;
+  TieBreaker<Real> ties_;
   StandingStack<Real, N> standing_;
   EndOfChatter<Real, N> end_of_chatter_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;
   Directions<Real, N> towards_;  ///< at the state
   std::array<Real, max_blocks> toppling_angles_{};
-  Real offset_ = 0;   ///< into the current piece, s
-  Real slack_{};      ///< relative accelerations below this are rounding, rad/s²
-  Real brief_{};      ///< s
-  Interfaces fresh_;  ///< opened at this instant
-  Interfaces held_;   ///< opened and closed again at this instant, or undecided: stay closed for a brief step
-  Pattern linked_;    ///< the pattern of linkage_
+  Real offset_ = 0;  ///< into the current piece, s
+  Pattern linked_;   ///< the pattern of linkage_
   bool toppled_ = false;
 };
 

@@ -45,7 +45,7 @@ class ChainSeries {
   using Directions = PerBlock<PlaneVector<Real>, N>;
 
   /// From the blocks' directions and relative velocities times the step's length; `forces` tells whether
-  /// push(), force() and reaction() will be asked for. Keeps a reference to `linkage`.
+  /// push(), force(), reaction() and margin() will be asked for. Keeps a reference to `linkage`.
   ChainSeries(const Linkage<Real, N>& linkage, bool linear, bool forces, const Directions& directions,
               const PerBlock<Real, N>& advances)
       : linkage_(linkage), linear_(linear), forces_(forces) {
@@ -84,6 +84,11 @@ class ChainSeries {
   /// (φ'')ₙ of an interface.
   const Real& relative(std::size_t k, std::size_t n) const { return rows_[k].relative[n]; }
 
+  /// φₙ₊₂ of an interface.
+  Real angle(std::size_t k, std::size_t n) const {
+    return relative(k, n) * reciprocals<Number<Real>>[n + 1] * reciprocals<Number<Real>>[n + 2];
+  }
+
   /// Normal force at interface k, order n, in kg·m of s-time.
   Real push(std::size_t k, std::size_t n) const {
     if (k == 0 || linear_) return rows_[k].force[n].y;
@@ -116,6 +121,16 @@ class ChainSeries {
 
   /// Moment about the pivot of interface k, about its middle where it is closed; order n.
   const Real& reaction(std::size_t k, std::size_t n) const { return rows_[k].reaction[n]; }
+
+  /// How far the centre of pressure of a closed interface stays from either end, times the normal force;
+  /// order n, in kg·m² of s-time.
+  struct Margin {
+    Real right, left;
+  };
+  Margin margin(std::size_t k, std::size_t n) const {
+    const Real half = push(k, n) * linkage_.width[k];
+    return {half + reaction(k, n), half - reaction(k, n)};
+  }
 
  private:
   /// Short stacks in the processor's own numbers have each order compiled by itself.

@@ -2,7 +2,7 @@
 
 #include "analytic/flow.hpp"
 #include "analytic/solve_options.hpp"
-#include "analytic/taylor.hpp"
+#include "analytic/step_rule.hpp"
 
 namespace rockstack {
 
@@ -27,7 +27,7 @@ class TaylorSteps {
   Flow<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& towards,
                            const Linkage<Real, N>& linkage, const GroundPiece<Real>& piece,
                            const Real& offset, const Real& remaining, const Interfaces& watched) {
-    Real step = length(piece, remaining);
+    const Real step = length(piece, remaining);
     Pull<Real> pull = make_pull(model_.gravity, piece, offset, step);
     const std::size_t pulls = std::max(pull.x.terms, pull.y.terms);
     if (is_closed(state.pattern)) {
@@ -36,50 +36,35 @@ class TaylorSteps {
       lengthen(flow.length, pulls);
       return flow;
     }
-    PerBlock<Real, N> angles{};
-    PerBlock<Real, N> advances{};
+    StepStart<Real, N> start{{}, {}, {}, step, rate_};
     typename ChainSeries<Real, N>::Directions directions;
     for (std::size_t k = 0; k < linkage.size(); ++k) {
       const auto block = static_cast<int>(k);
-      angles[k] = state.angles[block];
-      advances[k] = state.velocities[block] * step;
+      start.sides[k] = Real(sign(state.pattern[block]));
+      start.angles[k] = state.angles[block];
+      start.advances[k] = state.velocities[block] * step;
       directions[k] = {towards.cosine[block], towards.sine[block]};
     }
     ChainSeries<Real, N> series(linkage, model_.equations == Equations::linear, forces_ || watched.any(),
-                                directions, advances);
+                                directions, start.advances);
     series.extend(0, pull);
-    const Real ratio = landing(state.pattern, series, angles, advances, step);
+    const Real ratio = start.landing(series);
     if (ratio < 1) {
-      step *= ratio;
-      for (Real& advance : advances) advance *= ratio;
+      start.shorten(ratio);
       shorten(pull, ratio);
       series.shorten(ratio);
     }
-    Real scale = 0;
-    Real earlier = std::numeric_limits<Real>::infinity();
+    Convergence<Real> convergence(tolerance_);
+    bool reached = false;
     std::size_t orders = 0;
-    Real rest = 0;  // a bound on what is left out
-    Real allowed = 0;
-    for (;;) {
+    for (; !(reached && orders >= pulls) && orders < max_orders<Real>; ++orders) {
       if (orders > 0) series.extend(orders, pull);
-      Real last = 0;
-      for (std::size_t k = 0; k < linkage.size(); ++k) {
-        using std::abs;
-        last = std::max<Real>(last, abs(series.relative(k, orders)));
-        if (orders < 2)
-          scale = std::max<Real>(
-              scale, abs(advances[k]) + abs(series.relative(k, orders)) + abs(angles[k]) * step * rate_);
-      }
-      ++orders;
-      rest = std::max<Real>(last, earlier / 64);
-      allowed = tolerance_ * Real(orders) * scale;
-      earlier = last;
-      if ((rest <= allowed && orders >= pulls) || orders == max_orders<Real>) break;
+      reached = convergence.note_order(start, series, orders);
     }
-    Flow<Real, N> flow{step, state, {}, {}};
-    read(linkage, series, orders, angles, advances, watched, flow);
+    Flow<Real, N> flow{start.length, state, {}, {}};
+    read(start, series, orders, watched, flow);
     if (forces_) read_forces(series, orders, flow);
-    fit(rest <= allowed ? Real(0) : rest / allowed, orders, flow);
+    fit(reached ? Real(0) : convergence.excess(), orders, flow);
     return flow;
   }
 
@@ -122,27 +107,6 @@ class TaylorSteps {
   const Real& rate() const { return rate_; }
 
  private:
-  /// The share of a step by whose end the first interface that is open has come back, as far as accelerations
-  /// at its start can tell; what lies behind that impact is not worth a series. Below a millionth of √(H/g)
-  /// three orders do in any case, and a landing that rounding keeps away must not be foreseen for ever.
-  Real landing(const Pattern& pattern, const ChainSeries<Real, N>& series, const PerBlock<Real, N>& angles,
-               const PerBlock<Real, N>& advances, const Real& length) const {
-    using std::sqrt;
-    Real first = 1;
-    for (std::size_t k = 0; k < series.size(); ++k) {
-      const Real side(sign(pattern[static_cast<int>(k)]));
-      const Real gap = side * angles[k];
-      const Real speed = side * advances[k];
-      const Real acceleration = side * series.relative(k, 0);
-      const Real radicand = speed * speed - 2 * acceleration * gap;
-      if (!(radicand > 0) || (speed >= 0 && acceleration >= 0)) continue;
-      const Real root = sqrt(radicand);
-      const Real s = speed < 0 ? 2 * gap / (root - speed) : (root + speed) / -acceleration;
-      if (s > 0) first = std::min<Real>(first, s * (1 + s * length * rate_) * Real(1.0625));
-    }
-    return std::max<Real>(first, Real(1e-6) / (length * rate_));
-  }
-
   /// The margins of a stack at rest: what pulls at it acts at its centres of mass.
   void stand(const Linkage<Real, N>& linkage, const Pull<Real>& pull, const Interfaces& watched,
              Flow<Real, N>& flow) const {
@@ -174,24 +138,22 @@ class TaylorSteps {
     }
   }
 
-  void read(const Linkage<Real, N>& linkage, const ChainSeries<Real, N>& series, std::size_t orders,
-            const PerBlock<Real, N>& angles, const PerBlock<Real, N>& advances, const Interfaces& watched,
-            Flow<Real, N>& flow) const {
-    for (std::size_t k = 0; k < linkage.size(); ++k) {
+  void read(const StepStart<Real, N>& start, const ChainSeries<Real, N>& series, std::size_t orders,
+            const Interfaces& watched, Flow<Real, N>& flow) const {
+    for (std::size_t k = 0; k < series.size(); ++k) {
       if (flow.start.pattern[static_cast<int>(k)] != Contact::closed) {
         Polynomial<Real>& angle = flow.angles[k];
         angle.terms = orders + 2;
-        angle[0] = angles[k];
-        angle[1] = advances[k];
-        for (std::size_t n = 0; n < orders; ++n)
-          angle[n + 2] = series.relative(k, n) * reciprocals<Real>[n + 1] * reciprocals<Real>[n + 2];
+        angle[0] = start.angles[k];
+        angle[1] = start.advances[k];
+        for (std::size_t n = 0; n < orders; ++n) angle[n + 2] = series.angle(k, n);
       } else if (watched.test(k)) {
         MarginCourses<Real>& margin = flow.margins[k];
         margin.right.terms = margin.left.terms = orders;
         for (std::size_t n = 0; n < orders; ++n) {
-          const Real push = series.push(k, n) * model_.stack.half_width[static_cast<int>(k)];
-          margin.right[n] = push + series.reaction(k, n);
-          margin.left[n] = push - series.reaction(k, n);
+          const auto coefficient = series.margin(k, n);
+          margin.right[n] = coefficient.right;
+          margin.left[n] = coefficient.left;
         }
       }
     }

@@ -4,6 +4,7 @@
 
 #include "analytic/batch/bounds.hpp"
 #include "analytic/batch/step_rows.hpp"
+#include "analytic/step_rule.hpp"
 
 namespace rockstack {
 
@@ -35,26 +36,28 @@ class StepKernel {
 
   void make_step() {
     const Real busy = load(rows_.busy);
-    if (!xsimd::any(busy > Real(0))) return;
+    if (!any(busy > Real(0))) return;
     const Linkage<Real, N> linkage = load_linkage();
     typename Chain::Directions directions;
     bool watched = false;
-    length_ = load(rows_.length);
+    start_.length = load(rows_.length);
+    start_.rate = load(rows_.rate);
     for (std::size_t k = 0; k < blocks; ++k) {
-      angles_[k] = load(rows_.angle[k]);
-      advances_[k] = load(rows_.velocity[k]) * length_;
+      start_.sides[k] = load(rows_.side[k]);
+      start_.angles[k] = load(rows_.angle[k]);
+      start_.advances[k] = load(rows_.velocity[k]) * start_.length;
       directions[k] = {load(rows_.cosine[k]), load(rows_.sine[k])};
-      watched = watched || xsimd::any(load(rows_.watched[k]) > Real(0));
+      watched = watched || any(load(rows_.watched[k]) > Real(0));
     }
     load_pull();
-    Chain series(linkage, rows_.linear, rows_.forces || watched, directions, advances_);
+    Chain series(linkage, rows_.linear, rows_.forces || watched, directions, start_.advances);
     series.extend(0, pull_);
     land(series);
     converge(series, busy);
     follow_angles(series);
-    if (watched) follow_margins(series, linkage);
+    if (watched) follow_margins(series);
     if (rows_.forces) follow_forces(series);
-    store(length_, rows_.length);
+    store(start_.length, rows_.length);
     store_truth(plain_, rows_.plain);
   }
 
@@ -77,7 +80,7 @@ class StepKernel {
   void load_pull() {
     const Real pulls = load(rows_.pulls);
     std::size_t terms = 0;
-    while (terms < max_terms<Real> && xsimd::any(pulls > Real(static_cast<double>(terms)))) {
+    while (terms < max_terms<Real> && any(pulls > Real(static_cast<double>(terms)))) {
       pull_.x[terms] = load(rows_.pull_x[terms]);
       pull_.y[terms] = load(rows_.pull_y[terms]);
       ++terms;
@@ -87,71 +90,33 @@ class StepKernel {
 
   /// Shortens the steps that an impact will end.
   void land(Chain& series) {
-    const Real ratio = landing(series);
+    const Real ratio = start_.landing(series);
     const Mask shorter = ratio < Real(1);
-    if (!xsimd::any(shorter)) return;
+    if (!any(shorter)) return;
     const Real share = select(shorter, ratio, Real(1));
-    length_ *= share;
-    for (Real& advance : advances_) advance *= share;
-    Real power = 1;
-    for (std::size_t n = 0; n < pull_.x.terms; ++n, power *= share) {
-      pull_.x[n] = pull_.x[n] * power * (share * share);
-      pull_.y[n] = pull_.y[n] * power * (share * share);
-    }
+    start_.shorten(share);
+    shorten(pull_, share);
     series.shorten(share);
-  }
-
-  Real landing(const Chain& series) const {
-    const Real rate = load(rows_.rate);
-    const Real zero = 0;
-    Real first = 1;
-    for (std::size_t k = 0; k < blocks; ++k) {
-      const Real side = load(rows_.side[k]);
-      const Real gap = side * angles_[k];
-      const Real speed = side * advances_[k];
-      const Real acceleration = side * series.relative(k, 0);
-      const Real radicand = speed * speed - 2 * acceleration * gap;
-      const Real root = sqrt(radicand);
-      const Real s = select(speed < zero, 2 * gap / (root - speed), (root + speed) / -acceleration);
-      const Real end = s * (1 + s * length_ * rate) * Real(1.0625);
-      const Mask comes = (radicand > zero) & ((speed < zero) | (acceleration < zero)) & (s > zero);
-      first = select(comes, min(first, end), first);
-    }
-    return max(first, Real(1e-6) / (length_ * rate));
   }
 
   /// Computes orders until the last coefficients of all lanes are below the tolerance; each lane has its own
   /// number.
   void converge(Chain& series, const Real& busy) {
-    const Real tolerance = load(rows_.tolerance);
     const Real pulls = load(rows_.pulls);
-    const Real rate = load(rows_.rate);
     Mask open = busy > Real(0);
-    Mask enough = open;
-    Real scale = 0;
-    Real earlier = std::numeric_limits<double>::infinity();
-    Real rest = 0;
-    Real allowed = 0;
+    Mask reached = open;
+    Convergence<Real> convergence(load(rows_.tolerance));
     own_ = 0;
-    for (orders_ = 0; xsimd::any(open) && orders_ < max_orders<Real>;) {
+    for (orders_ = 0; any(open) && orders_ < max_orders<Real>;) {
       if (orders_ > 0) series.extend(orders_, pull_);
-      Real last = 0;
-      for (std::size_t k = 0; k < blocks; ++k) {
-        const Real size = abs(series.relative(k, orders_));
-        last = max(last, size);
-        if (orders_ < 2) scale = max(scale, abs(advances_[k]) + size + abs(angles_[k]) * length_ * rate);
-      }
+      reached = convergence.note_order(start_, series, orders_);
       const Real count = static_cast<double>(++orders_);
-      rest = max(last, earlier / 64);
-      allowed = tolerance * count * scale;
-      earlier = last;
       own_ = select(open, count, own_);
-      enough = rest <= allowed;
-      open = open & ~(enough & (count >= pulls));
+      open = open & ~(reached & (count >= pulls));
     }
-    const Mask exceeds = open & ~enough;
+    const Mask exceeds = open & ~reached;
     store(own_, rows_.orders);
-    store(select(exceeds, rest / allowed, Real(0)), rows_.excess);
+    store(select(exceeds, convergence.excess(), Real(0)), rows_.excess);
     plain_ = ~exceeds;
   }
 
@@ -167,16 +132,15 @@ class StepKernel {
         store(coefficient, rows_.angles[k][i]);
         absolute[i] = k > 0 ? absolute[i] + coefficient : coefficient;
       };
-      const Real side = load(rows_.side[k]);
-      keep(0, angles_[k]);
-      keep(1, advances_[k]);
-      Clearance<Real> gap(angles_[k] * side);
+      const Real& side = start_.sides[k];
+      keep(0, start_.angles[k]);
+      keep(1, start_.advances[k]);
+      Clearance<Real> gap(start_.angles[k] * side);
       Leaning<Real> swing(absolute[0]);
-      gap.add(advances_[k] * side);
+      gap.add(start_.advances[k] * side);
       swing.add(1, absolute[1]);
       for (std::size_t n = 0; n < orders_; ++n) {
-        const Real coefficient =
-            own(n, series.relative(k, n) * reciprocals<double>[n + 1] * reciprocals<double>[n + 2]);
+        const Real coefficient = own(n, series.angle(k, n));
         keep(n + 2, coefficient);
         gap.add(coefficient * side);
         swing.add(static_cast<double>(n + 2), absolute[n + 2]);
@@ -200,7 +164,7 @@ class StepKernel {
       if (i > 0) steepness += static_cast<double>(i) * coefficient;
     }
     store(angle, rows_.end_angle[k]);
-    store(steepness / length_, rows_.end_velocity[k]);
+    store(steepness / start_.length, rows_.end_velocity[k]);
     const Real peak = load(rows_.peak[k]);
     const Mask known = swing.size() <= peak;
     const Mask stands = swing.size() < load(rows_.toppling[k]);
@@ -209,14 +173,14 @@ class StepKernel {
     store(select(known, peak, max(max(peak, abs(absolute[0])), abs(height))), rows_.peak[k]);
   }
 
-  void follow_margins(const Chain& series, const Linkage<Real, N>& linkage) {
+  void follow_margins(const Chain& series) {
     for (std::size_t k = 0; k < blocks; ++k) {
       const Mask watched = load(rows_.watched[k]) > Real(0);
-      if (!xsimd::any(watched)) continue;
+      if (!any(watched)) continue;
       for (std::size_t n = 0; n < orders_; ++n) {
-        const Real push = series.push(k, n) * linkage.width[k];
-        store(own(n, push + series.reaction(k, n)), rows_.right[k][n]);
-        store(own(n, push - series.reaction(k, n)), rows_.left[k][n]);
+        const auto margin = series.margin(k, n);
+        store(own(n, margin.right), rows_.right[k][n]);
+        store(own(n, margin.left), rows_.left[k][n]);
       }
       const Mask stays = stays_clear(rows_.right[k]) & stays_clear(rows_.left[k]);
       plain_ = plain_ & (stays | ~watched);
@@ -231,7 +195,7 @@ class StepKernel {
   }
 
   void follow_forces(const Chain& series) {
-    const Real scale = 1 / (length_ * length_);
+    const Real scale = 1 / (start_.length * start_.length);
     for (std::size_t k = 0; k < blocks; ++k) {
       typename Chain::PlaneSeries direction;
       const bool upright = k == 0 || rows_.linear;
@@ -259,9 +223,8 @@ class StepKernel {
   }
 
   Pull<Real> pull_;
-  Real length_;
+  StepStart<Real, N> start_;
   Real own_;  ///< orders of each lane
-  PerBlock<Real, N> angles_, advances_;
   Mask plain_;
   StepRows<blocks>& rows_;
   std::size_t lane_;

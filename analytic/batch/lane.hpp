@@ -80,7 +80,7 @@ class Lane {
   /// the part that fit() leaves of it.
   Cleared tell(const StepRows<N>& rows, std::size_t lane) const {
     Cleared cleared;
-    if (!settled_) return cleared;
+    if (!clear_) return cleared;
     for (std::size_t k = 0; k < N; ++k) {
       cleared.gaps.set(k, rows.stays[k][lane] > 0);
       cleared.angles.set(k, rows.upright[k][lane] > 0);
@@ -93,7 +93,7 @@ class Lane {
   bool ask(StepRows<N>& rows, std::size_t lane, bool changed) {
     if (!solver_.seek_motion()) return false;
     const auto step = solver_.next_step();
-    settled_ = step.settled;
+    clear_ = step.clear;
     if (changed) describe_pattern(step.linkage, step.state.pattern, step.watched, rows, lane);
     describe_state(step.state, step.towards, rows, lane);
     rows.length[lane] = step.length;
@@ -156,7 +156,7 @@ class Lane {
   }
 
   Solver<double, blocks> solver_;
-  bool settled_ = false;                   ///< in the step that was asked for
+  bool clear_ = false;                     ///< of ties, in the step that was asked for
   std::size_t pulls_ = max_terms<double>;  ///< coefficients in the rows
 };
 

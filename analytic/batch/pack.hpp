@@ -56,6 +56,12 @@ Pack<Set> select(const typename Pack<Set>::Mask& mask, const Pack<Set>& one, con
   return xsimd::select(mask, one.lanes, other.lanes);
 }
 
+/// Whether a truth of any number is so.
+template <class Set>
+bool any(const xsimd::batch_bool<double, Set>& truths) {
+  return xsimd::any(truths);
+}
+
 template <class Set>
 inline constexpr std::size_t max_terms<Pack<Set>> = max_terms<double>;
 

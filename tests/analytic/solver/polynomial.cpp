@@ -67,6 +67,23 @@ TEST(Polynomial, FirstCrossingAgreesWithAScan) {
   EXPECT_GT(crossings, 1000);
 }
 
+// Beyond its zero near a = 1e-9 the polynomial is as flat as s²¹: Newton's method comes nearer by a
+// twenty-first of the way at each point. At the zero the slope is that of both terms, and the value is
+// rounded by ε a²¹.
+TEST(Polynomial, AZeroThatNewtonsMethodCreepsToIsFound) {
+  const double a = 1e-9;
+  Polynomial<double> polynomial;
+  polynomial.terms = 22;
+  std::fill(polynomial.begin(), polynomial.end(), 0.0);
+  polynomial[0] = std::pow(a, 21);
+  polynomial[1] = -1e-3 * std::pow(a, 20);
+  polynomial[21] = -1;
+  const auto crossing = first_crossing(polynomial);
+  ASSERT_TRUE(crossing);
+  EXPECT_GT(value(polynomial, *crossing * (1 - 1e-15)), 0);
+  EXPECT_LT(value(polynomial, *crossing * (1 + 1e-15)), 0);
+}
+
 // Coefficients below 32 in size, a dozen roundings each: 1e-13 is above what rounding can carry below zero.
 TEST(Polynomial, TouchingZeroFromAboveIsNoCrossing) {
   for (int i = 1; i < 100; ++i) {
