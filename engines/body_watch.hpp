@@ -6,8 +6,8 @@
 
 #include "analytic/scene/scene.hpp"
 #include "engines/body_record.hpp"
-#include "engines/engine.hpp"
 #include "engines/ground_path.hpp"
+#include "engines/simulation.hpp"
 
 namespace rockstack {
 

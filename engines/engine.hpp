@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -11,35 +10,9 @@
 #include "analytic/scene/scene.hpp"
 #include "engines/body_record.hpp"
 #include "engines/parameters.hpp"
+#include "engines/simulation.hpp"
 
 namespace rockstack {
-
-/// Where a block's centre is and how it moves, in the frame in which the engine works: the ground's, or
-/// where the ground really moves, that of its start. SI units; z is out of the plane.
-struct BodyState {
-  double x = 0, y = 0, z = 0;                             ///< m
-  double velocity_x = 0, velocity_y = 0, velocity_z = 0;  ///< m/s
-  double tilt = 0;                                        ///< sine of the angle out of the plane
-  double tilt_rate = 0;                                   ///< angular velocity out of the plane, rad/s
-};
-
-/// A scene inside an engine, ready to step. Blocks count from 0, bottom to top.
-class Simulation {
- public:
-  virtual ~Simulation() = default;
-
-  /// Advances by one time step; ground motion enters as its mean over the step.
-  virtual void step() = 0;
-
-  /// Writes the angles (rad, clockwise positive, from the rotation, unwrapped from the block's start) and
-  /// angular velocities (rad/s) of all blocks.
-  virtual void read(std::span<double> angles, std::span<double> velocities) const = 0;
-
-  virtual BodyState body(std::size_t block) const = 0;
-
-  /// How often the engine has said that its solver failed in a step that it then went on from.
-  virtual std::size_t warnings() const { return 0; }
-};
 
 /// A physics engine with one of its constraint solvers, inside this process: what worker programs run
 /// (engines/worker) and tests look into.

@@ -2,7 +2,7 @@
 
 #include "analytic/scene/number_text.hpp"
 #include "analytic/scene/overrides.hpp"
-#include "comparisons/build.hpp"
+#include "comparisons/results/build.hpp"
 
 namespace rockstack {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analytic/scene/scene_file.hpp"
-#include "comparisons/ensemble/draws.hpp"
+#include "comparisons/statistics/draws.hpp"
 
 namespace rockstack {
 

@@ -7,7 +7,7 @@
 #include "analytic/scene/overrides.hpp"
 #include "analytic/scene/toml_reader.hpp"
 #include "comparisons/ensemble/ensemble.hpp"
-#include "comparisons/ensemble/variation_reader.hpp"
+#include "comparisons/ensemble/variation.hpp"
 
 namespace rockstack {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "analytic/scene/number_text.hpp"
-#include "comparisons/ensemble/fragility.hpp"
-#include "comparisons/files.hpp"
-#include "comparisons/table.hpp"
+#include "comparisons/results/csv.hpp"
+#include "comparisons/results/files.hpp"
+#include "comparisons/statistics/fragility.hpp"
 
 namespace rockstack {
 namespace {

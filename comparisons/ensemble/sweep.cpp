@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "comparisons/ensemble/journal.hpp"
-#include "comparisons/ensemble/rows.hpp"
+#include "comparisons/ensemble/run_table.hpp"
 #include "comparisons/ensemble/summaries.hpp"
-#include "comparisons/environment.hpp"
-#include "comparisons/files.hpp"
+#include "comparisons/results/environment.hpp"
+#include "comparisons/results/files.hpp"
+#include "comparisons/results/journal.hpp"
 
 namespace rockstack {
 namespace {

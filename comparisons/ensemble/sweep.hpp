@@ -6,7 +6,7 @@
 #include <string>
 
 #include "comparisons/ensemble/ensemble.hpp"
-#include "comparisons/ensemble/workers.hpp"
+#include "comparisons/runs/workers.hpp"
 
 namespace rockstack {
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "analytic/solve.hpp"
-#include "comparisons/engine_series.hpp"
-#include "engines/registry.hpp"
+#include "comparisons/suites/engine_series.hpp"
+#include "engines/worker/registry.hpp"
 
 namespace rockstack {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analytic/scene/history.hpp"
-#include "comparisons/measure.hpp"
+#include "comparisons/runs/measure.hpp"
 
 namespace rockstack {
 

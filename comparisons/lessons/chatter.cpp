@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/impacts.hpp"
 #include "comparisons/lessons/answers.hpp"
 #include "comparisons/lessons/values.hpp"
 #include "comparisons/lessons/wording.hpp"
+#include "comparisons/metrics/impacts.hpp"
 
 namespace rockstack {
 namespace {

@@ -8,9 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/input_error.hpp"
-#include "comparisons/build.hpp"
-#include "comparisons/files.hpp"
-#include "comparisons/lessons/values.hpp"
+#include "comparisons/results/build.hpp"
+#include "comparisons/results/files.hpp"
 
 namespace rockstack {
 namespace {

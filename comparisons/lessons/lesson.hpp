@@ -1,20 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "comparisons/compare.hpp"
-#include "comparisons/table.hpp"
+#include "comparisons/lessons/values.hpp"
+#include "comparisons/runs/compare.hpp"
 
 namespace rockstack {
-
-/// What a lesson's text leaves open: numbers in words ready to be read, and tables, each by its name.
-struct LessonValues {
-  std::map<std::string, std::string> numbers;
-  std::map<std::string, Table> tables;
-};
 
 /// A lesson: a suite, NAME.toml, a text with places for values, NAME.html, and what computes the values once
 /// the suite has been run. Both files are in this folder.

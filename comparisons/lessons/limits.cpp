@@ -1,11 +1,11 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/difference.hpp"
 #include "comparisons/lessons/answers.hpp"
 #include "comparisons/lessons/values.hpp"
 #include "comparisons/lessons/wording.hpp"
-#include "comparisons/validity.hpp"
+#include "comparisons/metrics/difference.hpp"
+#include "comparisons/metrics/validity.hpp"
 
 namespace rockstack {
 namespace {

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/impacts.hpp"
 #include "comparisons/lessons/answers.hpp"
 #include "comparisons/lessons/energies.hpp"
 #include "comparisons/lessons/values.hpp"
 #include "comparisons/lessons/wording.hpp"
+#include "comparisons/metrics/impacts.hpp"
 
 namespace rockstack {
 namespace {

@@ -5,11 +5,11 @@
 
 #include "analytic/scene/scene_file.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/build.hpp"
-#include "comparisons/kolmogorov_smirnov.hpp"
 #include "comparisons/lessons/answers.hpp"
 #include "comparisons/lessons/values.hpp"
 #include "comparisons/lessons/wording.hpp"
+#include "comparisons/results/build.hpp"
+#include "comparisons/statistics/kolmogorov_smirnov.hpp"
 
 namespace rockstack {
 namespace {

@@ -5,7 +5,7 @@
 #include "comparisons/lessons/landing.hpp"
 #include "comparisons/lessons/values.hpp"
 #include "comparisons/lessons/wording.hpp"
-#include "comparisons/swings.hpp"
+#include "comparisons/metrics/swings.hpp"
 
 namespace rockstack {
 namespace {

@@ -1,10 +1,10 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/difference.hpp"
 #include "comparisons/lessons/answers.hpp"
 #include "comparisons/lessons/values.hpp"
 #include "comparisons/lessons/wording.hpp"
+#include "comparisons/metrics/difference.hpp"
 
 namespace rockstack {
 namespace {

@@ -1,13 +1,13 @@
-#include "comparisons/advise.hpp"
+#include "comparisons/runs/advise.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "comparisons/build.hpp"
-#include "comparisons/files.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
+#include "comparisons/results/build.hpp"
+#include "comparisons/results/files.hpp"
 
 namespace rockstack {
 namespace {

@@ -8,24 +8,25 @@
 
 #include "analytic/scene/input_error.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/build.hpp"
-#include "comparisons/compare.hpp"
-#include "comparisons/files.hpp"
-#include "comparisons/impact_law_results.hpp"
-#include "comparisons/measure.hpp"
+#include "comparisons/impact_laws/study.hpp"
+#include "comparisons/metrics/validity.hpp"
 #include "comparisons/program/output.hpp"
+#include "comparisons/results/build.hpp"
+#include "comparisons/results/files.hpp"
+#include "comparisons/runs/compare.hpp"
+#include "comparisons/runs/measure.hpp"
 #include "comparisons/stability/study.hpp"
-#include "comparisons/validity.hpp"
 #include "engines/parameters.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/animation.hpp"
-#include "plots/figures.hpp"
-#include "plots/impact_laws.hpp"
-#include "plots/lesson.hpp"
-#include "plots/record.hpp"
-#include "plots/report.hpp"
-#include "plots/stability.hpp"
-#include "plots/sweep.hpp"
+#include "plots/figures/animation.hpp"
+#include "plots/figures/comparison/figures.hpp"
+#include "plots/figures/impact_laws/maps.hpp"
+#include "plots/figures/record.hpp"
+#include "plots/figures/stability.hpp"
+#include "plots/figures/sweep/sweep.hpp"
+#include "plots/pages/impact_laws.hpp"
+#include "plots/pages/lesson.hpp"
+#include "plots/pages/report.hpp"
 #endif
 
 namespace rockstack {
@@ -45,12 +46,12 @@ Suite read_input(const std::string& input, const Common& common) {
 
 #ifdef ROCKSTACK_WITH_PLOTS
 void draw(const std::filesystem::path& results) {
-  if (has_impact_laws(results)) {
-    draw_impact_laws(results);
-    return write_impact_law_report(results);
+  if (plots::has_impact_laws(results)) {
+    plots::draw_impact_laws(results);
+    return plots::write_impact_law_report(results);
   }
-  draw_figures(results);
-  write_report(results);
+  plots::draw_figures(results);
+  plots::write_report(results);
 }
 #endif
 
@@ -167,26 +168,27 @@ int plot_command(const PlotArguments& arguments, const Common& common) {
   const std::filesystem::path& results = arguments.results;
 #ifdef ROCKSTACK_WITH_PLOTS
   const bool record = std::filesystem::exists(results / "record.json");
-  const bool of_runs = !record && !has_sweep(results) && !has_impact_laws(results) && !has_stability(results);
+  const bool of_runs = !record && !plots::has_sweep(results) && !plots::has_impact_laws(results) &&
+                       !plots::has_stability(results);
   if (arguments.animate && !of_runs)
     throw InputError(fmt::format("plot {} --animate: must be a folder of `rockstack compare` or `teach`",
                                  results.string()));
   if (record) {
-    draw_record(results);
+    plots::draw_record(results);
     return 0;
   }
-  if (has_stability(results)) {
-    draw_stability(results);
+  if (plots::has_stability(results)) {
+    plots::draw_stability(results);
     return 0;
   }
-  if (has_sweep(results)) {
-    draw_sweep(results);
+  if (plots::has_sweep(results)) {
+    plots::draw_sweep(results);
     return 0;
   }
   draw(results);
-  if (has_lesson(results)) write_lesson(results);
+  if (plots::has_lesson(results)) plots::write_lesson(results);
   print_report(results, common);
-  if (arguments.animate) print_animations(draw_animations(results), common);
+  if (arguments.animate) print_animations(plots::draw_animations(results), common);
   return 0;
 #else
   static_cast<void>(common);

@@ -2,69 +2,10 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
+
+#include "comparisons/program/arguments.hpp"
 
 namespace rockstack {
-
-/// What every command takes.
-struct Common {
-  std::vector<std::string> overrides;  ///< key=value, of scenes
-  bool quiet = false;                  ///< print nothing but errors
-  bool json = false;                   ///< print the result as JSON
-  std::string command;                 ///< the whole command line, for the results
-};
-
-struct SolveArguments {
-  std::string scene;
-  std::filesystem::path out;
-  std::string integrator = "taylor";  ///< or "rk4"
-  double step = 2e-4;                 ///< of rk4, s
-  double interval = 1e-3;             ///< of samples, s
-};
-
-struct SimulateArguments {
-  std::string scene;
-  std::filesystem::path out;
-  std::string engine;
-  std::string settings = "tuned";
-  double dt = 0;  ///< s
-};
-
-struct CompareArguments {
-  std::vector<std::string> inputs;  ///< scenes or suites
-  std::filesystem::path record;     ///< in the place of made-up motions; empty: none
-  std::filesystem::path out;
-  std::size_t jobs = 1;  ///< runs at a time
-};
-
-struct PlotArguments {
-  std::filesystem::path results;
-  bool animate = false;  ///< films of the motions too
-};
-
-struct AdviseArguments {
-  std::string scene;
-  std::filesystem::path out;
-  double error = 1e-3;     ///< rad
-  double time_limit = 60;  ///< of each run, s
-};
-
-struct RecordArguments {
-  std::string file;  ///< may name a channel, see read_record()
-  std::filesystem::path out;
-  std::string base_line = "none";  ///< or "fitted", taken off before anything is measured
-};
-
-struct TeachArguments {
-  std::string lesson;  ///< empty: list all
-  std::filesystem::path out;
-};
-
-struct SweepArguments {
-  std::string ensemble;
-  std::filesystem::path out;
-  std::size_t threads = 0;  ///< 0: as many as the machine runs at once; without effect under mpirun
-};
 
 // Each returns the program's exit code: 0, or 1 where a run failed. Bad input is thrown as InputError.
 // Scenes, suites and ensembles are files, or names that `list` shows.

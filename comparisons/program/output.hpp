@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "analytic/scene/history.hpp"
-#include "comparisons/compare.hpp"
 #include "comparisons/ensemble/sweep.hpp"
-#include "comparisons/impact_law_results.hpp"
-#include "comparisons/program/commands.hpp"
+#include "comparisons/impact_laws/study.hpp"
+#include "comparisons/program/arguments.hpp"
+#include "comparisons/runs/compare.hpp"
 
 namespace rockstack {
 

@@ -5,13 +5,13 @@
 #include "analytic/scene/input_error.hpp"
 #include "analytic/scene/number_text.hpp"
 #include "analytic/scene/record.hpp"
-#include "comparisons/environment.hpp"
-#include "comparisons/files.hpp"
-#include "comparisons/ground_measures.hpp"
+#include "comparisons/metrics/ground_measures.hpp"
+#include "comparisons/metrics/response_spectrum.hpp"
 #include "comparisons/program/commands.hpp"
-#include "comparisons/response_spectrum.hpp"
+#include "comparisons/results/environment.hpp"
+#include "comparisons/results/files.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/record.hpp"
+#include "plots/figures/record.hpp"
 #endif
 
 namespace rockstack {
@@ -130,7 +130,7 @@ void write_results(const MeasuredRecord& record, Json json, const RecordArgument
   write_file(arguments.out / "spectrum.csv", spectrum_csv(record.motion));
   write_file(arguments.out / "record.json", json.dump(2) + "\n");
 #ifdef ROCKSTACK_WITH_PLOTS
-  draw_record(arguments.out);
+  plots::draw_record(arguments.out);
 #endif
 }
 

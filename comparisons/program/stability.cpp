@@ -6,11 +6,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "comparisons/files.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
+#include "comparisons/results/files.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/stability.hpp"
+#include "plots/figures/stability.hpp"
 #endif
 
 namespace rockstack {
@@ -22,7 +22,7 @@ int stability_command(const std::filesystem::path& file, const std::filesystem::
   const FolderLock lock(out);
   const std::vector<StabilityRow> rows = run_stability(study, out, {common.command, jobs, progress(common)});
 #ifdef ROCKSTACK_WITH_PLOTS
-  draw_stability(out);
+  plots::draw_stability(out);
 #endif
   const bool failed =
       std::any_of(rows.begin(), rows.end(), [](const StabilityRow& row) { return row.row.status != "done"; });

@@ -4,16 +4,16 @@
 #include <optional>
 #include <thread>
 
-#include "comparisons/build.hpp"
 #include "comparisons/ensemble/sweep.hpp"
-#include "comparisons/files.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
+#include "comparisons/results/build.hpp"
+#include "comparisons/results/files.hpp"
 #ifdef ROCKSTACK_WITH_MPI
-#include "comparisons/ranks/ranks.hpp"
+#include "comparisons/runs/ranks.hpp"
 #endif
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/sweep.hpp"
+#include "plots/figures/sweep/sweep.hpp"
 #endif
 
 namespace rockstack {
@@ -69,7 +69,7 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
     return 1;
   }
 #ifdef ROCKSTACK_WITH_PLOTS
-  draw_sweep(arguments.out);
+  plots::draw_sweep(arguments.out);
 #endif
   print_sweep(result, arguments.out, common);
   return result.failed > 0 ? 1 : 0;

@@ -4,14 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/input_error.hpp"
-#include "comparisons/files.hpp"
 #include "comparisons/lessons/lesson.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
+#include "comparisons/results/files.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/figures.hpp"
-#include "plots/lesson.hpp"
-#include "plots/report.hpp"
+#include "plots/figures/comparison/figures.hpp"
+#include "plots/pages/lesson.hpp"
+#include "plots/pages/report.hpp"
 #endif
 
 namespace rockstack {
@@ -52,9 +52,9 @@ int teach_command(const TeachArguments& arguments, const Common& common) {
   const std::vector<Row> rows =
       run_lesson(lesson, arguments.out, {.command = common.command, .progress = progress(common)});
 #ifdef ROCKSTACK_WITH_PLOTS
-  draw_figures(arguments.out);
-  write_report(arguments.out);
-  write_lesson(arguments.out);
+  plots::draw_figures(arguments.out);
+  plots::write_report(arguments.out);
+  plots::write_lesson(arguments.out);
   print_lesson(arguments.out, common);
 #else
   print_report(arguments.out, common);

@@ -11,8 +11,8 @@
 
 #include "analytic/scene/fields.hpp"
 #include "analytic/scene/toml_reader.hpp"
-#include "comparisons/files.hpp"
-#include "comparisons/table.hpp"
+#include "comparisons/results/csv.hpp"
+#include "comparisons/results/files.hpp"
 
 namespace rockstack {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/compare.hpp"
+#include "comparisons/runs/compare.hpp"
 #include "comparisons/stability/verdict.hpp"
 
 namespace rockstack {

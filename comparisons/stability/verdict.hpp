@@ -3,7 +3,7 @@
 #include <string>
 
 #include "analytic/scene/scene.hpp"
-#include "comparisons/row.hpp"
+#include "comparisons/results/row.hpp"
 
 namespace rockstack {
 

@@ -3,13 +3,15 @@
 #include <cstddef>
 #include <memory>
 
-#include "engines/bullet/simulation.hpp"
+#include "engines/parameters.hpp"
 
 class btMLCPSolver;
 class btMLCPSolverInterface;
 class btSequentialImpulseConstraintSolver;
 
 namespace rockstack {
+
+enum class BulletSolver { sequential_impulse, nncg, mlcp_dantzig, mlcp_lemke, mlcp_pgs };
 
 /// A constraint solver and, where it is one for complementarity problems, the algorithm inside it.
 class ChosenSolver {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "plots/gnuplot.hpp"
+#include "plots/drawing/gnuplot.hpp"
 #include "tests/benchmarks/measurement.hpp"
 
 namespace rockstack::benchmarks {

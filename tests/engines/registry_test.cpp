@@ -1,6 +1,6 @@
 // What holds for the list of engines.
 
-#include "engines/registry.hpp"
+#include "engines/worker/registry.hpp"
 
 #include <gtest/gtest.h>
 

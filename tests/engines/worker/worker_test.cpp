@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engines/registry.hpp"
+#include "engines/worker/registry.hpp"
 #include "tests/engines/linked_engines.hpp"
 
 namespace rockstack {

@@ -1,0 +1,167 @@
+#include "comparisons/ensemble/run_table.hpp"
+
+#include <cmath>
+#include <exception>
+#include <optional>
+
+#include "analytic/scene/number_text.hpp"
+#include "analytic/solve_batch.hpp"
+#include "comparisons/ensemble/run_outcome.hpp"
+#include "comparisons/results/csv.hpp"
+
+namespace rockstack {
+namespace {
+
+const std::vector<ColumnMeaning>& outcome_columns() {
+  static const std::vector<ColumnMeaning> list{
+      {"peak_ratio", "largest angle over slenderness, of the block where that is largest"},
+      {"toppled", "number of the block that toppled, 0: none"},
+      {"topple_time", "when it passed its toppling angle, s; the run ends there"},
+      {"impacts", "number of impacts, with those that end chatter"},
+      {"events", "number of openings, impacts and closures"},
+      {"last_event_time", "time of the last event, s"},
+      {"least_normal_force", "least normal force at any interface, N; negative: the stack would lift off"},
+      {"force_friction", "largest friction coefficient needed between impacts"},
+      {"least_normal_impulse", "least normal impulse of any impact, N s; negative: likewise"},
+      {"impulse_friction", "largest friction coefficient needed by impacts"},
+      {"status", "done or failed"},
+      {"reason", "why a run failed"}};
+  return list;
+}
+
+std::size_t block_count(const Ensemble& ensemble) {
+  return find(ensemble.base.root, "blocks")->children.size();
+}
+
+/// A line that grows cell by cell.
+class Line {
+ public:
+  void add(const std::string& cell) { text_ += (text_.empty() ? "" : ",") + cell; }
+  void add(double value) { add(number_text(value)); }
+  void add(std::size_t value) { add(std::to_string(value)); }
+  void add_if(bool there, double value) { add(there ? number_text(value) : ""); }
+  std::string finish() { return text_ + "\n"; }
+
+ private:
+  std::string text_;
+};
+
+void add_outcome(Line& line, const RunOutcome& outcome) {
+  for (const double peak : outcome.peaks) line.add(peak);
+  line.add(outcome.peak_ratio);
+  line.add(static_cast<std::size_t>(outcome.toppled));
+  line.add_if(outcome.toppled > 0, outcome.topple_time);
+  line.add(outcome.impacts);
+  line.add(outcome.events);
+  line.add_if(outcome.events > 0, outcome.last_event_time);
+  for (const Demand& demand : {outcome.force, outcome.impulse}) {
+    line.add_if(std::isfinite(demand.least_normal), demand.least_normal);
+    line.add_if(std::isfinite(demand.least_normal), demand.friction);
+  }
+  line.add(std::string("done"));
+  line.add(std::string());
+}
+
+void add_failure(Line& line, std::size_t blocks, const std::string& reason) {
+  const std::size_t status_and_reason = 2;
+  for (std::size_t i = 0; i < blocks + outcome_columns().size() - status_and_reason; ++i) {
+    line.add(std::string());
+  }
+  line.add(std::string("failed"));
+  line.add(text_cell(reason));
+}
+
+/// The lines of consecutive runs, whose scenes it makes one after the other.
+class Lines {
+ public:
+  Lines(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library)
+      : ensemble_(ensemble), first_(first), library_(library), document_(ensemble.base) {
+    lines_.resize(last - first);
+  }
+
+  /// The scene of the next run that has one; a run that has none says why in its line.
+  std::optional<Scene> next_scene() {
+    for (; begun_ < lines_.size(); ++begun_) {
+      const std::vector<Value> values = values_of(ensemble_, first_ + begun_);
+      Line& line = lines_[begun_];
+      line.add(first_ + begun_);
+      for (const Value& value : values) line.add(text_cell(value.text));
+      std::optional<Scene> scene;
+      or_failure(line, [&] {
+        for (std::size_t v = 0; v < values.size(); ++v)
+          set_values(document_, ensemble_.variations[v], values[v]);
+        scene = make_scene(document_, library_);
+      });
+      if (!scene) continue;
+      of_scene_.push_back(begun_++);
+      return scene;
+    }
+    return std::nullopt;
+  }
+
+  void take(const Solved& solved) {
+    Line& line = lines_[of_scene_[solved.number]];
+    or_failure(line, [&] {
+      if (solved.failure) std::rethrow_exception(solved.failure);
+      add_outcome(line, run_outcome(solved.scene, solved.history));
+    });
+  }
+
+  std::string text() {
+    std::string text;
+    for (Line& line : lines_) text += line.finish();
+    return text;
+  }
+
+ private:
+  template <class Part>
+  void or_failure(Line& line, const Part& part) const {
+    try {
+      part();
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& error) {
+      add_failure(line, block_count(ensemble_), error.what());
+    }
+  }
+
+  const Ensemble& ensemble_;
+  std::size_t first_;
+  MotionLibrary& library_;
+  SceneDocument document_;
+  std::vector<Line> lines_;
+  std::size_t begun_ = 0;
+  std::vector<std::size_t> of_scene_;  ///< the line of each scene
+};
+
+}  // namespace
+
+std::vector<ColumnMeaning> run_columns(const Ensemble& ensemble) {
+  std::vector<ColumnMeaning> columns{{"run", "number of the run, from 0"}};
+  for (const Variation& variation : ensemble.variations) {
+    std::string meaning = "scene key";
+    for (std::size_t k = 1; k < variation.keys.size(); ++k) meaning += ", also of " + variation.keys[k];
+    columns.emplace_back(variation.name(), meaning);
+  }
+  for (std::size_t k = 1; k <= block_count(ensemble); ++k) {
+    const std::string number = std::to_string(k);
+    columns.emplace_back("peak_" + number, "largest absolute angle of block " + number + ", rad");
+  }
+  columns.insert(columns.end(), outcome_columns().begin(), outcome_columns().end());
+  return columns;
+}
+
+std::string header_line(const Ensemble& ensemble) {
+  Line line;
+  for (const auto& [name, meaning] : run_columns(ensemble)) line.add(text_cell(name));
+  return line.finish();
+}
+
+std::string run_lines(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library) {
+  Lines lines(ensemble, first, last, library);
+  solve_batch([&] { return lines.next_scene(); }, run_options(ensemble.tolerance),
+              [&](const Solved& solved) { lines.take(solved); });
+  return lines.text();
+}
+
+}  // namespace rockstack

@@ -1,0 +1,280 @@
+#include "comparisons/impact_laws/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/fields.hpp"
+#include "analytic/scene/number_text.hpp"
+#include "analytic/scene/toml_reader.hpp"
+#include "comparisons/results/environment.hpp"
+#include "comparisons/results/files.hpp"
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+int read_count(const Node& root, const char* key, int otherwise, int most) {
+  const Node* node = find(root, key);
+  if (node == nullptr) return otherwise;
+  const double value = number(*node);
+  if (!(value >= 1 && value <= most) || value != static_cast<int>(value)) {
+    throw wrong_value(*node, fmt::format("a whole number from 1 to {}", most));
+  }
+  return static_cast<int>(value);
+}
+
+Range read_range(const Node& root, const char* key, const Range& otherwise) {
+  const Node* node = find(root, key);
+  if (node == nullptr) return otherwise;
+  const std::vector<double> values = numbers(*node);
+  if (values.size() != 2 || !(values[0] > 0) || !(values[0] < values[1])) {
+    throw wrong_value(*node, "two numbers > 0, the smaller one first");
+  }
+  return {values[0], values[1]};
+}
+
+std::vector<int> read_blocks(const Node& root, const std::vector<int>& otherwise) {
+  const Node* node = find(root, "blocks");
+  if (node == nullptr) return otherwise;
+  std::vector<int> blocks;
+  entries(*node, "an array of 2 and 3");
+  for (const double value : numbers(*node)) {
+    if (value != 2 && value != 3) throw wrong_value(*node, "an array of 2 and 3");
+    blocks.push_back(static_cast<int>(value));
+  }
+  return blocks;
+}
+
+double read_positive(const Node& root, const char* key, double otherwise) {
+  const Node* node = find(root, key);
+  return node == nullptr ? otherwise : number_above_zero(*node);
+}
+
+ImpactDraws read_draws(const Node& root) {
+  ImpactDraws draws;
+  draws.seed = static_cast<std::uint64_t>(read_count(root, "seed", 1, 1'000'000'000));
+  draws.samples = read_count(root, "samples", draws.samples, 1'000'000);
+  draws.cells = read_count(root, "cells", draws.cells, 100);
+  draws.blocks = read_blocks(root, draws.blocks);
+  draws.slenderness = read_range(root, "slenderness", draws.slenderness);
+  draws.mass_ratio = read_range(root, "mass_ratio", draws.mass_ratio);
+  draws.base_slenderness = read_range(root, "base_slenderness", draws.base_slenderness);
+  draws.width_ratio = read_range(root, "width_ratio", draws.width_ratio);
+  draws.largest_angle = read_positive(root, "largest_angle", draws.largest_angle);
+  draws.speed = read_range(root, "speed", draws.speed);
+  return draws;
+}
+
+template <class Range>
+std::string spaced(const Range& values) {
+  return fmt::format("{}", fmt::join(values, " "));
+}
+
+struct Definition {
+  const char* name;
+  const char* text;
+};
+
+constexpr Definition share_columns[]{
+    {"blocks", "number of blocks"},
+    {"kind", "pattern before the impact, and where it takes place; one of each pair of mirror images"},
+    {"slenderness_from", "height over width of the top block: the cell's edges"},
+    {"slenderness_to", "likewise"},
+    {"mass_ratio_from", "mass of the top block over that of the block below: the cell's edges"},
+    {"mass_ratio_to", "likewise"},
+    {"drawn", "states drawn, among them those whose pattern before cannot carry itself"},
+    {"impacts", "states that were judged: every pivot pushes, every centre of pressure lies inside"},
+    {"differ", "impacts after which the laws have different patterns"},
+    {"none", "impacts after which no pattern is consistent"},
+    {"several", "impacts after which more than one pattern is consistent"},
+    {"missed", "impacts with a consistent pattern that the solver's search does not find"},
+};
+
+constexpr Definition verdict_columns[]{
+    {"case", "kind of impact, pattern after it under law paper, and under law consistent"},
+    {"kind", "pattern before the impact, and where it takes place"},
+    {"engine", "name of the engine"},
+    {"solver", "its constraint solver"},
+    {"settings", "its parameter set"},
+    {"dt", "time step, s"},
+    {"status", "done, or failed"},
+    {"reason", "why a run failed"},
+    {"paper", "pattern after the impact under law paper"},
+    {"consistent", "pattern after the impact under law consistent"},
+    {"pattern", "the engine's pattern, from the signs of the relative angles 5 ms after the impact"},
+    {"follows", "the law whose pattern that is, or neither"},
+    {"from_paper",
+     "largest difference of the engine's angular velocities from law paper's, means from 2.5 to 5 ms after "
+     "the impact, over the largest relative angular velocity before"},
+    {"from_consistent", "likewise from law consistent's"},
+    {"before", "angular velocities just before the impact, bottom to top, rad/s"},
+    {"rates_paper", "mean angular velocities after it under law paper, rad/s"},
+    {"rates_consistent", "likewise under law consistent"},
+    {"rates", "likewise in the engine"},
+};
+
+template <std::size_t count>
+std::string header(const Definition (&columns)[count]) {
+  std::string text;
+  for (const Definition& column : columns) text += (text.empty() ? "" : ",") + std::string(column.name);
+  return text + "\n";
+}
+
+template <std::size_t count>
+Json definitions(const Definition (&columns)[count]) {
+  Json json;
+  for (const Definition& column : columns) json[column.name] = column.text;
+  return json;
+}
+
+Json case_json(const AskedCase& asked) {
+  const Scene& scene = asked.question.scene;
+  Json blocks = Json::array();
+  for (const Block& block : scene.blocks) {
+    blocks.push_back({{"width", 2 * block.half_width},
+                      {"height", 2 * block.half_height},
+                      {"mass", block.mass},
+                      {"inertia", block.inertia}});
+  }
+  return {{"name", asked.question.name},
+          {"clearness", asked.question.disagreement.clearness},
+          {"impact_time", asked.question.time},
+          {"duration", scene.duration},
+          {"blocks", blocks},
+          {"angles", scene.initial.angles},
+          {"velocities", scene.initial.velocities}};
+}
+
+Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, const std::string& command) {
+  Json json{{"title", study.title}, {"study", "impact-laws"}, {"suite_file", study.text}};
+  json["definitions"] = {{"impact-laws.csv", definitions(share_columns)},
+                         {"impact-laws-engines.csv", definitions(verdict_columns)}};
+  json["disagreements"] = Json::array();
+  for (const Disagreement& found : results.laws.disagreements) {
+    json["disagreements"].push_back({{"kind", name(found.kind)},
+                                     {"paper", name(found.paper)},
+                                     {"consistent", name(found.consistent)},
+                                     {"count", found.count},
+                                     {"clearness", found.clearness}});
+  }
+  json["cases"] = Json::array();
+  for (const AskedCase& asked : results.cases) json["cases"].push_back(case_json(asked));
+  json["engines"] = Json::array();
+  for (const EngineSeries& series : study.series) {
+    json["engines"].push_back({{"engine", series.engine->name()},
+                               {"solver", series.engine->solver()},
+                               {"settings", series.settings},
+                               {"parameters", series.parameters}});
+  }
+  json["left_out"] = engines_left_out();
+  std::vector<const WorkerEngine*> asked;
+  for (const EngineSeries& series : study.series) asked.push_back(series.engine);
+  json["environment"] = environment(asked);
+  json["command"] = command;
+  return json;
+}
+
+}  // namespace
+
+ImpactLawStudy read_impact_law_study(const std::filesystem::path& file) {
+  const Node root = read_toml(file);
+  require_table(root,
+                {"study", "title", "seed", "samples", "cells", "blocks", "slenderness", "mass_ratio",
+                 "base_slenderness", "width_ratio", "largest_angle", "speed", "least_clearness", "engines"});
+  choice<int>(required(root, "study", "\"impact-laws\""), {{"impact-laws", 0}});
+  std::ifstream stream(file, std::ios::binary);
+  ImpactLawStudy study{text(required(root, "title", "text")),
+                       {std::istreambuf_iterator<char>(stream), {}},
+                       read_draws(root),
+                       0,
+                       read_engines(root)};
+  study.least_clearness = read_positive(root, "least_clearness", 0.1);
+  return study;
+}
+
+ImpactLawResults run_study(const ImpactLawStudy& study) {
+  ImpactLawResults results{study_impact_laws(study.draws), {}};
+  for (ImpactCase& question : clear_cases(results.laws.disagreements, study.least_clearness)) {
+    results.cases.push_back({std::move(question), {}});
+    AskedCase& asked = results.cases.back();
+    for (const EngineSeries& series : study.series) {
+      for (const double dt : series.steps) asked.verdicts.push_back(ask_engine(asked.question, series, dt));
+    }
+  }
+  return results;
+}
+
+std::vector<KindShare> shares_by_kind(const std::vector<ImpactShare>& shares) {
+  std::vector<KindShare> kinds;
+  for (const ImpactShare& share : shares) {
+    if (kinds.empty() || kinds.back().kind != name(share.kind)) kinds.push_back({name(share.kind)});
+    kinds.back().impacts += share.impacts;
+    kinds.back().differ += share.differ;
+    kinds.back().none += share.none;
+  }
+  return kinds;
+}
+
+std::vector<EngineTally> tallies(const std::vector<AskedCase>& cases) {
+  std::vector<EngineTally> list;
+  for (const AskedCase& asked : cases) {
+    for (const EngineVerdict& verdict : asked.verdicts) {
+      const std::string engine = fmt::format("{}:{} {}", verdict.engine, verdict.solver, verdict.settings);
+      auto tally = std::find_if(list.begin(), list.end(), [&](const EngineTally& known) {
+        return known.engine == engine && known.dt == verdict.dt;
+      });
+      if (tally == list.end()) tally = list.insert(list.end(), {engine, verdict.dt});
+      tally->consistent += static_cast<int>(verdict.follows == "consistent");
+      tally->paper += static_cast<int>(verdict.follows == "paper");
+      tally->neither += static_cast<int>(verdict.follows == "neither");
+      tally->failed += static_cast<int>(verdict.follows == "failed");
+    }
+  }
+  return list;
+}
+
+std::string shares_csv(const std::vector<ImpactShare>& shares) {
+  std::string text = header(share_columns);
+  for (const ImpactShare& share : shares) {
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", share.blocks, name(share.kind),
+                    share.slenderness.from, share.slenderness.to, share.mass_ratio.from, share.mass_ratio.to,
+                    share.drawn, share.impacts, share.differ, share.none, share.several, share.missed);
+  }
+  return text;
+}
+
+std::string verdicts_csv(const std::vector<AskedCase>& cases) {
+  std::string text = header(verdict_columns);
+  for (const auto& [question, verdicts] : cases) {
+    const Disagreement& found = question.disagreement;
+    for (const EngineVerdict& verdict : verdicts) {
+      const bool failed = !verdict.failure.empty();
+      const auto cell = [&](double value) { return failed ? "" : number_text(value); };
+      std::string reason = verdict.failure;
+      std::replace(reason.begin(), reason.end(), ',', ';');
+      std::replace(reason.begin(), reason.end(), '\n', ' ');
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", question.name,
+                          name(found.kind), verdict.engine, verdict.solver, verdict.settings, verdict.dt,
+                          failed ? "failed" : "done", reason, name(found.paper), name(found.consistent),
+                          failed ? "" : name(verdict.pattern), failed ? "" : verdict.follows,
+                          cell(verdict.from_paper), cell(verdict.from_consistent), spaced(question.before),
+                          spaced(question.paper), spaced(question.consistent), spaced(verdict.rates));
+    }
+  }
+  return text;
+}
+
+void write_results(const ImpactLawStudy& study, const ImpactLawResults& results,
+                   const std::filesystem::path& folder, const std::string& command) {
+  write_file(folder / "impact-laws.csv", shares_csv(results.laws.shares));
+  write_file(folder / "impact-laws-engines.csv", verdicts_csv(results.cases));
+  write_file(folder / "impact-laws.json", results_json(study, results, command).dump(2) + "\n");
+}
+
+}  // namespace rockstack

@@ -1,0 +1,44 @@
+#include "comparisons/metrics/difference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace rockstack {
+
+Difference difference(const History& first, const History& second) {
+  const std::size_t count = std::min(first.size(), second.size());
+  if (first.blocks != second.blocks ||
+      !std::equal(first.times.begin(), first.times.begin() + static_cast<std::ptrdiff_t>(count),
+                  second.times.begin())) {
+    throw std::invalid_argument("histories can be compared only for the same blocks at the same times");
+  }
+  const auto blocks = static_cast<std::size_t>(first.blocks);
+  Difference result{blocks,
+                    {first.times.begin(), first.times.begin() + static_cast<std::ptrdiff_t>(count)},
+                    std::vector<double>(count * blocks)};
+  for (std::size_t i = 0; i < result.angles.size(); ++i)
+    result.angles[i] = second.angles[i] - first.angles[i];
+  return result;
+}
+
+double largest(const Difference& difference) {
+  double result = 0;
+  for (const double angle : difference.angles) result = std::max(result, std::abs(angle));
+  return result;
+}
+
+double root_mean_square(const Difference& difference) {
+  double sum = 0;
+  for (const double angle : difference.angles) sum += angle * angle;
+  return std::sqrt(sum / static_cast<double>(difference.angles.size()));
+}
+
+double agreement_time(const Difference& difference, double tolerance) {
+  for (std::size_t i = 0; i < difference.angles.size(); ++i) {
+    if (std::abs(difference.angles[i]) > tolerance) return difference.times[i / difference.blocks];
+  }
+  return difference.times.back();
+}
+
+}  // namespace rockstack

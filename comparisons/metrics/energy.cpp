@@ -1,0 +1,50 @@
+#include "comparisons/metrics/energy.hpp"
+
+#include <algorithm>
+
+#include "analytic/scene/kinematics.hpp"
+
+namespace rockstack {
+
+std::vector<double> energies(const Scene& scene, const History& history) {
+  const Stack<double> stack = make_stack<double>(scene);
+  const double at_rest = energy_scale(scene);
+  std::vector<double> list;
+  list.reserve(history.size());
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const Vector<double> angles = Vector<double>::Map(history.angles_at(i).data(), stack.size());
+    const Vector<double> velocities = Vector<double>::Map(history.velocities_at(i).data(), stack.size());
+    const Chain<double> chain = make_chain(stack, history.patterns[i], angles);
+    const Points<double> places = centres(chain);
+    const Points<double> speeds = centre_velocities(chain, velocities);
+    double energy = -at_rest;
+    for (int k = 0; k < stack.size(); ++k) {
+      energy += 0.5 * stack.mass[k] * speeds.col(k).squaredNorm() +
+                0.5 * stack.inertia[k] * velocities[k] * velocities[k] +
+                stack.mass[k] * scene.gravity * places(1, k);
+    }
+    list.push_back(energy);
+  }
+  return list;
+}
+
+double energy_scale(const Scene& scene) {
+  double sum = 0, height = 0;
+  for (const Block& block : scene.blocks) {
+    sum += block.mass * scene.gravity * (height + block.half_height);
+    height += 2 * block.half_height;
+  }
+  return sum;
+}
+
+double largest_gain(const std::vector<double>& energy, const std::vector<double>& input) {
+  double gain = 0, least = energy.front() - input.front();
+  for (std::size_t i = 0; i < energy.size(); ++i) {
+    const double own = energy[i] - input[i];
+    least = std::min(least, own);
+    gain = std::max(gain, own - least);
+  }
+  return gain;
+}
+
+}  // namespace rockstack

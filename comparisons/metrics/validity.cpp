@@ -1,0 +1,65 @@
+#include "comparisons/metrics/validity.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json demand_json(const Demand& demand) {
+  return {{"least_normal", finite(demand.least_normal)},
+          {"least_normal_time", demand.least_normal_time},
+          {"friction", finite(demand.friction)},
+          {"friction_time", demand.friction_time}};
+}
+
+void add_warnings(const Scene& scene, const std::vector<Demand>& demands, const char* what, const char* unit,
+                  std::vector<std::string>& lines) {
+  for (std::size_t k = 0; k < demands.size(); ++k) {
+    const Demand& demand = demands[k];
+    if (demand.least_normal < 0) {
+      lines.push_back(fmt::format(
+          "interface {} would have to pull, normal {} {:.4g} {} at t = {:.6g} s: blocks would lift off",
+          k + 1, what, demand.least_normal, unit, demand.least_normal_time));
+    } else if (demand.friction > scene.engine.friction) {
+      lines.push_back(
+          fmt::format("interface {} needs friction {:.4g} for the {} at t = {:.6g} s, the scene has {}: "
+                      "blocks would slip",
+                      k + 1, demand.friction, what, demand.friction_time, scene.engine.friction));
+    }
+  }
+}
+
+}  // namespace
+
+Json validity_json(const History& history) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < history.forces.size(); ++k) {
+    list.push_back({{"interface", k + 1},
+                    {"forces", demand_json(history.forces[k])},
+                    {"impulses", demand_json(history.impulses[k])}});
+  }
+  return list;
+}
+
+std::vector<std::string> validity_warnings(const Scene& scene, const History& history) {
+  std::vector<std::string> lines;
+  add_warnings(scene, history.forces, "force", "N", lines);
+  add_warnings(scene, history.impulses, "impulse", "N s", lines);
+  for (const auto& graze : history.grazes) {
+    lines.push_back(
+        fmt::format("interface {} grazes at t = {:.6g} s: rounding decides whether there is an {}",
+                    graze.interface, graze.time, name(graze.kind)));
+  }
+  return lines;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/results/row.hpp"
+#include "comparisons/suites/suite.hpp"
+
+namespace rockstack {
+
+/// How far a comparison has come.
+struct Standing {
+  std::size_t done = 0, total = 0;  ///< runs
+  std::string last;                 ///< the run that was finished last; empty at the beginning
+  /// Time to go by the expected work that is left, s; unknown before a run is finished.
+  std::optional<double> remaining;
+};
+
+/// How runs are made, which changes no result but times.
+struct CompareOptions {
+  std::string command = {};  ///< written into the results
+  std::size_t jobs =
+      1;  ///< runs at a time, ≥ 1; with more than one, times are those of runs that share the machine
+  std::function<void(const Standing&)> progress = [](const Standing&) {};  ///< from one thread at a time
+};
+
+struct CompareResult {
+  std::vector<Row> rows;
+  std::size_t reused = 0;  ///< rows of runs that were there already
+};
+
+/// Runs suites and writes DIR/runs/, DIR/ground/ (where it moves), DIR/comparison.csv, DIR/comparison.json;
+/// where time steps were swept, DIR/fits.csv, and where perturbed scenes are asked for,
+/// DIR/distributions.csv. A run that fails costs its own row. A run that is in the folder, done and of the
+/// same identity, is not made again. The folder must be there (files.hpp).
+/// @throws InputError where two scenes share a name or suites differ in their tolerance; std::runtime_error
+/// where a file cannot be written.
+CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
+                      const CompareOptions& options);
+
+}  // namespace rockstack

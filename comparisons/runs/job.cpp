@@ -1,0 +1,34 @@
+#include "comparisons/runs/job.hpp"
+
+#include <fmt/format.h>
+
+namespace rockstack {
+
+bool is_baseline(const Job& job) {
+  return job.variant != nullptr && job.variant->name == "rk4";
+}
+
+Row describe(const Job& job) {
+  Row row;
+  row.scene = job.scene.name;
+  if (job.series != nullptr) {
+    row.dt = job.dt;
+    row.engine = job.series->engine->name();
+    row.solver = job.series->engine->solver();
+    row.settings = job.series->settings;
+    row.run = fmt::format("{}.{}-{}-{}-{}", row.scene, row.engine, row.solver, row.settings, job.dt);
+  } else if (is_baseline(job)) {
+    row.dt = job.dt;
+    row.engine = job.variant->name;
+    row.solver = "runge-kutta";
+    row.settings = "baseline";
+    row.run = fmt::format("{}.{}-{}", row.scene, row.engine, job.dt);
+  } else {
+    row.engine = job.variant != nullptr ? job.variant->name : "exact";
+    row.solver = "taylor";
+    row.run = row.scene + "." + row.engine;
+  }
+  return row;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,224 @@
+#include "comparisons/runs/measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "analytic/solve.hpp"
+#include "comparisons/metrics/contact_patterns.hpp"
+#include "comparisons/metrics/impacts.hpp"
+#include "comparisons/metrics/toppling.hpp"
+#include "comparisons/metrics/validity.hpp"
+#include "comparisons/results/environment.hpp"
+#include "comparisons/results/files.hpp"
+#include "comparisons/results/reactions.hpp"
+#include "comparisons/results/tables.hpp"
+#include "comparisons/runs/against_exact.hpp"
+#include "comparisons/runs/identity.hpp"
+#include "comparisons/runs/stepping_time.hpp"
+#include "comparisons/statistics/tally.hpp"
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double sample_interval = 1e-3;  // of histories that have no step of their own, s
+
+Json summary(const Row& row, const NamedScene& scene, const Parameters& parameters,
+             const std::vector<const WorkerEngine*>& engines, const std::string& command) {
+  Json json = row_json(row);
+  json["title"] = scene.scene.title;
+  json["parameters"] = parameters;
+  json["scene_file"] = scene.text;
+  json["environment"] = environment(engines);
+  json["command"] = command;
+  return json;
+}
+
+/// Every number that shapes an engine run, with the friction that really acts.
+Parameters all_parameters(const EngineSeries& series, const Scene& scene) {
+  Parameters parameters = series.parameters;
+  parameters["friction"] = series.engine->friction(scene.engine.friction);
+  return parameters;
+}
+
+void add_validity(const Scene& scene, const History& history, Json& json) {
+  json["validity"] = validity_json(history);
+  json["validity_warnings"] = validity_warnings(scene, history);
+}
+
+/// Wall times of solving without samples, after a warm-up.
+SteppingTime time_solving(const Scene& scene, int repeats, const SolveOptions& options = {}) {
+  solve(scene, options);
+  std::vector<double> seconds;
+  for (int i = 0; i < repeats; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    solve(scene, options);
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return stepping_time(std::move(seconds));
+}
+
+/// How long a solved motion lasts, s.
+double motion_time(const Scene& scene, const History& history) {
+  return reported_toppling(history).empty() ? scene.duration : history.events.back().time;
+}
+
+/// `motion`: the time that was simulated, s.
+void set_time(const SteppingTime& time, double motion, Row& row) {
+  row.stepping_time_minimum = time.minimum;
+  row.stepping_time_median = time.median;
+  row.stepping_time_spread = time.spread;
+  row.repeats = time.repeats;
+  row.real_time_factor = motion / time.minimum;
+}
+
+void write_history(const std::filesystem::path& folder, const History& history) {
+  write_file(folder / "history.csv", history_csv(history));
+  write_file(folder / "events.csv", events_csv(history));
+}
+
+SolveOptions options_for(const Job& job) {
+  if (!is_baseline(job)) return {};
+  return {.integrator = Integrator::rk4, .step = job.dt};
+}
+
+SolveOptions sampled(const Scene& scene) {
+  return {.sample_times = regular_times(sample_interval, scene.duration), .validity = true};
+}
+
+/// Makes the runs of perturbed scenes, where they are asked for; one that fails leaves an empty tally.
+void run_perturbed(const Job& job, const std::filesystem::path& folder,
+                   const std::function<MotionTally(const Scene&)>& run) {
+  const Perturbations& around = job.suite.perturbations;
+  std::vector<MotionTally> tallies;
+  for (int i = 0; i < around.runs; ++i) {
+    try {
+      tallies.push_back(run(perturbed(job.scene.scene, around, i)));
+    } catch (const std::exception&) {
+      tallies.emplace_back();
+    }
+  }
+  if (tallies.empty()) return;
+  const auto blocks = static_cast<int>(job.scene.scene.blocks.size());
+  write_file(folder / "perturbed.csv", tallies_csv(tallies, blocks));
+}
+
+Json run_exact(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
+  const Scene& scene = job.scene.scene;
+  const History history = solve(scene, sampled(scene));
+  row.toppled = reported_toppling(history);
+  set_time(time_solving(scene, job.suite.repeats), motion_time(scene, history), row);
+  write_history(folder, history);
+  write_file(folder / "reactions.csv", reactions_csv(scene, history));
+  run_perturbed(job, folder, exact_tally);
+  Json json = summary(row, job.scene, {}, {}, command);
+  add_validity(scene, history, json);
+  return json;
+}
+
+Json run_variant(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
+  const Scene scene = job.variant->apply(job.scene.scene);
+  SolveOptions options = options_for(job);
+  options.sample_times = sampled(scene).sample_times;
+  options.validity = true;
+  const History history = solve(scene, options);
+  row.toppled = reported_toppling(history);
+  compare_with_exact(job.scene.scene, job.suite,
+                     {history, reported_impacts(history, chatter_speed(scene)), !row.toppled.empty(), {}},
+                     folder, row);
+  write_file(folder / "events.csv", events_csv(history));
+  run_perturbed(job, folder, [&](const Scene& other) { return exact_tally(job.variant->apply(other)); });
+  set_time(time_solving(scene, job.suite.repeats, options_for(job)), motion_time(scene, history), row);
+  Json json = summary(row, job.scene, {}, {}, command);
+  add_validity(scene, history, json);
+  return json;
+}
+
+Json run_engine(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
+  const Scene& scene = job.scene.scene;
+  const EngineSeries& series = *job.series;
+  const WorkerRun made = run_in_worker(*series.engine, scene, job.dt, series.parameters, job.suite.repeats,
+                                       job.suite.limits, job.suite.wanted.bodies);
+  row.processor_time = made.processor_time;
+  if (made.peak_memory > 0) row.peak_memory = made.peak_memory;
+  row.status = made.status;
+  row.reason = made.reason;
+  if (made.status == "done") {
+    const auto& [history, warnings, bodies] = made.run;
+    row.steps = static_cast<int>(history.size() - 1);
+    row.warnings = static_cast<int>(warnings);
+    row.toppled = observed_toppling(scene, history);
+    compare_with_exact(
+        scene, job.suite,
+        {history, observed_impacts(history, chatter_speed(scene)), !row.toppled.empty(), bodies}, folder,
+        row);
+    set_time(stepping_time(made.seconds), history.times.back(), row);
+    run_perturbed(job, folder, [&](const Scene& other) {
+      return observed_tally(
+          other, simulate(*series.engine, other, job.dt, series.parameters, job.suite.limits).history);
+    });
+  }
+  return summary(row, job.scene, all_parameters(series, scene), {series.engine}, command);
+}
+
+}  // namespace
+
+Row measure(const Job& job, const std::filesystem::path& folder, const std::string& command,
+            std::size_t runs_at_a_time) {
+  Row row = describe(job);
+  row.runs_at_a_time = static_cast<int>(runs_at_a_time);
+  const auto own = folder / "runs" / row.run;
+  std::filesystem::remove_all(own);
+  std::filesystem::create_directories(own);
+  const auto make = job.series != nullptr ? run_engine : job.variant != nullptr ? run_variant : run_exact;
+  Json json;
+  try {
+    json = make(job, own, row, command);
+  } catch (const std::exception& failure) {
+    row = describe(job);
+    row.status = "failed";
+    row.reason = failure.what();
+    json = summary(row, job.scene, {}, {}, command);
+  }
+  json["identity"] = identity(job);
+  write_file(own / "summary.json", json.dump(2) + "\n");
+  return row;
+}
+
+History solve_into(const NamedScene& scene, const SolveOptions& options, const std::filesystem::path& folder,
+                   const std::string& command) {
+  History history = solve(scene.scene, options);
+  const bool baseline = options.integrator == Integrator::rk4;
+  Row row = describe({{}, scene, {}});
+  row.solver = baseline ? "rk4" : "taylor";
+  row.toppled = reported_toppling(history);
+  write_history(folder, history);
+  Json json = summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, {}, command);
+  add_validity(scene.scene, history, json);
+  write_file(folder / "summary.json", json.dump(2) + "\n");
+  return history;
+}
+
+History simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
+                      const std::filesystem::path& folder, const std::string& command) {
+  auto [history, warnings, bodies] = simulate(*series.engine, scene.scene, dt, series.parameters);
+  Row row = describe({{}, scene, dt, &series});
+  row.steps = static_cast<int>(history.size() - 1);
+  row.warnings = static_cast<int>(warnings);
+  row.toppled = observed_toppling(scene.scene, history);
+  history.patterns = sampled_patterns(scene.scene, history);
+  write_history(folder, history);
+  const Parameters parameters = all_parameters(series, scene.scene);
+  write_file(folder / "summary.json",
+             summary(row, scene, parameters, {series.engine}, command).dump(2) + "\n");
+  return std::move(history);
+}
+
+}  // namespace rockstack

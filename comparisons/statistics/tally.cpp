@@ -1,0 +1,68 @@
+#include "comparisons/statistics/tally.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analytic/solve.hpp"
+#include "comparisons/metrics/impacts.hpp"
+#include "comparisons/metrics/toppling.hpp"
+#include "comparisons/results/csv.hpp"
+
+namespace rockstack {
+
+MotionTally exact_tally(const Scene& scene) {
+  const History history = solve(scene, {.peaks = true});
+  return {history.peaks, static_cast<int>(reported_impacts(history, chatter_speed(scene)).size()),
+          !reported_toppling(history).empty()};
+}
+
+MotionTally observed_tally(const Scene& scene, const History& history) {
+  MotionTally tally{std::vector<double>(scene.blocks.size()),
+                    static_cast<int>(observed_impacts(history, chatter_speed(scene)).size()),
+                    !observed_toppling(scene, history).empty()};
+  for (std::size_t i = 0; i < history.angles.size(); ++i) {
+    double& peak = tally.peaks[i % tally.peaks.size()];
+    peak = std::max(peak, std::abs(history.angles[i]));
+  }
+  return tally;
+}
+
+std::string tallies_csv(const std::vector<MotionTally>& tallies, int blocks) {
+  std::string text = "run";
+  for (int k = 1; k <= blocks; ++k) text += fmt::format(",peak_{}", k);
+  text += ",impacts,toppled\n";
+  for (std::size_t run = 0; run < tallies.size(); ++run) {
+    const MotionTally& tally = tallies[run];
+    text += std::to_string(run);
+    if (tally.peaks.empty()) {
+      text += std::string(static_cast<std::size_t>(blocks) + 2, ',') + "\n";
+      continue;
+    }
+    text += fmt::format(",{},{},{}\n", fmt::join(tally.peaks, ","), tally.impacts, tally.topples ? 1 : 0);
+  }
+  return text;
+}
+
+std::vector<MotionTally> read_tallies(const std::filesystem::path& file) {
+  const Table table = read_table(file);
+  const auto blocks =
+      static_cast<int>(std::count_if(table.columns.begin(), table.columns.end(),
+                                     [](const std::string& name) { return name.starts_with("peak_"); }));
+  std::vector<MotionTally> tallies;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto value = [&](const std::string& name) {
+      const std::string place = fmt::format("{}:{}", file.string(), i + 2);
+      return number(table.rows[i][column(table, name, file)], place, name);
+    };
+    const double impacts = value("impacts");
+    if (std::isnan(impacts)) continue;
+    MotionTally tally{{}, static_cast<int>(impacts), value("toppled") != 0};
+    for (const std::string& name : numbered("peak_", blocks)) tally.peaks.push_back(value(name));
+    tallies.push_back(std::move(tally));
+  }
+  return tallies;
+}
+
+}  // namespace rockstack

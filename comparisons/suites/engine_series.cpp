@@ -1,0 +1,150 @@
+#include "comparisons/suites/engine_series.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "analytic/scene/fields.hpp"
+
+namespace rockstack {
+namespace {
+
+bool left_out(const std::string& name) {
+  const auto missing = engines_left_out();
+  return std::any_of(missing.begin(), missing.end(), [&](const std::string& engine) {
+    return name == engine || name.starts_with(engine + ":");
+  });
+}
+
+std::vector<double> read_steps(const Node& table) {
+  const Node* node = find(table, "dt");
+  if (node == nullptr) return default_steps();
+  for (const Node& child : entries(*node, "an array of at least one step > 0, s")) {
+    if (!(number(child) > 0)) throw wrong_value(child, "a number > 0");
+  }
+  return numbers(*node);
+}
+
+std::vector<std::string> read_settings(const Node& table) {
+  const Node* node = find(table, "settings");
+  if (node == nullptr) return {"default", "tuned"};
+  std::vector<std::string> settings;
+  for (const Node& child : entries(*node, "an array of \"default\" and \"tuned\"")) {
+    settings.push_back(choice<std::string>(child, {{"default", "default"}, {"tuned", "tuned"}}));
+  }
+  return settings;
+}
+
+const WorkerEngine& read_engine(const Node& name) {
+  try {
+    return find_engine(text(name));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", name.place, error.what()));
+  }
+}
+
+/// A parameter's value, which may be given by its name.
+double read_value(const Node& node, const std::string& name, const WorkerEngine& engine) {
+  try {
+    const auto& settings = engine.settings();
+    const auto setting =
+        std::find_if(settings.begin(), settings.end(), [&](const Setting& one) { return one.name == name; });
+    const bool named = node.kind == Node::Kind::text && setting != settings.end();
+    const double value = named ? choice_value(engine.name(), *setting, node.text) : number(node);
+    check_value(engine.name(), settings, name, value);
+    return value;
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", node.place, error.what()));
+  }
+}
+
+/// Every combination of the values of [engines.parameters], each one value or an array.
+std::vector<Parameters> read_changes(const Node& table, const WorkerEngine& engine) {
+  std::vector<Parameters> list{{}};
+  const Node* node = find(table, "parameters");
+  if (node == nullptr) return list;
+  if (node->kind != Node::Kind::table) throw wrong_value(*node, "a table of the engine's parameters");
+  for (const Node& child : node->children) {
+    const bool several = child.kind == Node::Kind::array;
+    std::vector<Parameters> extended;
+    for (const Node& given :
+         several ? entries(child, "a value, or an array of some") : std::vector<Node>{child}) {
+      const double value = read_value(given, child.name, engine);
+      for (Parameters changes : list) {
+        changes[child.name] = value;
+        extended.push_back(std::move(changes));
+      }
+    }
+    list = std::move(extended);
+  }
+  return list;
+}
+
+std::vector<EngineSeries> read_series(const Node& table) {
+  require_table(table, {"name", "settings", "dt", "parameters"});
+  const Node& name = required(table, "name", "an engine, e.g. \"bullet\"");
+  if (left_out(text(name))) return {};
+  const WorkerEngine& engine = read_engine(name);
+  std::vector<EngineSeries> list;
+  for (const std::string& settings : read_settings(table)) {
+    for (const Parameters& changes : read_changes(table, engine)) {
+      list.push_back(make_series(engine, settings, read_steps(table), changes));
+    }
+  }
+  return list;
+}
+
+/// A value as a suite may give it.
+std::string value_text(const WorkerEngine& engine, const std::string& name, double value) {
+  for (const Setting& setting : engine.settings()) {
+    if (setting.name == name && !setting.choices.empty())
+      return setting.choices[static_cast<std::size_t>(value)];
+  }
+  return fmt::format("{}", value);
+}
+
+}  // namespace
+
+std::vector<double> default_steps() {
+  return {1e-2, 1e-3, 1e-4};
+}
+
+EngineSeries make_series(const WorkerEngine& engine, const std::string& settings, std::vector<double> steps,
+                         const Parameters& changes) {
+  EngineSeries series{&engine, settings,
+                      settings == "tuned" ? engine.tuned_parameters() : engine.default_parameters(),
+                      std::move(steps)};
+  for (const auto& [name, value] : changes) {
+    check_value(engine.name(), engine.settings(), name, value);
+    series.parameters[name] = value;
+    series.settings += fmt::format("+{}={}", name, value_text(engine, name, value));
+  }
+  return series;
+}
+
+std::vector<EngineSeries> read_engines(const Node& root) {
+  std::vector<EngineSeries> list;
+  const Node* engines = find(root, "engines");
+  if (engines == nullptr) return list;
+  std::set<std::tuple<const WorkerEngine*, std::string, double>> runs;
+  for (const Node& table : entries(*engines, "an array of tables")) {
+    for (EngineSeries& series : read_series(table)) {
+      for (const double dt : series.steps) {
+        if (!runs.emplace(series.engine, series.settings, dt).second)
+          throw InputError(fmt::format("{}: {}: must not name a run twice: {}:{}, {}, dt = {} s", table.place,
+                                       table.key, series.engine->name(), series.engine->solver(),
+                                       series.settings, dt));
+      }
+      list.push_back(std::move(series));
+    }
+  }
+  return list;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,38 @@
+#include "comparisons/suites/perturbations.hpp"
+
+#include "comparisons/statistics/draws.hpp"
+
+namespace rockstack {
+namespace {
+
+void scale(GroundMotion& motion, double factor) {
+  for (double& sample : motion.samples) sample *= factor;
+  if (motion.pulse) motion.pulse->amplitude *= factor;
+}
+
+void scale(std::vector<double>& values, double factor) {
+  for (double& value : values) value *= factor;
+}
+
+}  // namespace
+
+Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run) {
+  std::uint32_t key = 0;
+  const auto next_factor = [&] {
+    const DrawIndex index{perturbations.seed, static_cast<std::uint64_t>(run), key++};
+    return 1 + draw({Distribution::Kind::uniform, -perturbations.size, perturbations.size}, index);
+  };
+  Scene result = scene;
+  for (Block& block : result.blocks) {
+    block.half_width *= next_factor();
+    block.half_height *= next_factor();
+  }
+  const double start = next_factor();
+  scale(result.initial.angles, start);
+  scale(result.initial.velocities, start);
+  scale(result.horizontal, next_factor());
+  scale(result.vertical, next_factor());
+  return result;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,180 @@
+#include "comparisons/suites/suite.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <utility>
+
+#include "analytic/scene/fields.hpp"
+#include "analytic/scene/record.hpp"
+#include "analytic/scene/scene_file.hpp"
+#include "analytic/scene/toml_reader.hpp"
+
+namespace rockstack {
+namespace {
+
+std::uint64_t mebibytes(const Node& node) {
+  if (!(number(node) >= 64 && node.number <= 1e9)) throw wrong_value(node, "a number of MiB from 64 to 1e9");
+  return static_cast<std::uint64_t>(node.number * 1048576);
+}
+
+Perturbations read_perturbations(const Node& table) {
+  require_table(table, {"runs", "size", "seed"});
+  Perturbations perturbations;
+  perturbations.runs = whole_number(required(table, "runs", "a whole number ≥ 2"), 2);
+  if (const Node* node = find(table, "size")) perturbations.size = number_above_zero(*node);
+  if (perturbations.size > 0.1) throw wrong_value(*find(table, "size"), "a number > 0 and ≤ 0.1");
+  if (const Node* node = find(table, "seed"))
+    perturbations.seed = static_cast<std::uint64_t>(whole_number(*node, 0));
+  return perturbations;
+}
+
+std::vector<Variant> read_variants(const Node& array) {
+  if (array.kind != Node::Kind::array) throw wrong_value(array, "an array of names, e.g. [\"linear\"]");
+  std::vector<Variant> variants;
+  for (const Node& child : array.children) {
+    variants.push_back({choice<std::string>(child, {{"linear", "linear"},
+                                                    {"nonlinear", "nonlinear"},
+                                                    {"paper", "paper"},
+                                                    {"consistent", "consistent"}})});
+  }
+  return variants;
+}
+
+constexpr std::initializer_list<std::pair<const char*, bool Wanted::*>> result_names{
+    {"angles", &Wanted::angles},
+    {"impacts", &Wanted::impacts},
+    {"patterns", &Wanted::patterns},
+    {"bodies", &Wanted::bodies},
+    {"histories", &Wanted::histories}};
+
+Wanted read_wanted(const Node& array) {
+  if (array.kind != Node::Kind::array) throw wrong_value(array, "an array of names, e.g. [\"angles\"]");
+  Wanted wanted{false, false, false, false, false};
+  for (const Node& child : array.children) {
+    wanted.*choice<bool Wanted::*>(child, result_names) = true;
+  }
+  return wanted;
+}
+
+PaperScenes read_statements(const Node& table, const Suite& suite) {
+  require_table(table, {"free", "shaken"});
+  const auto scene = [&](const char* key) {
+    const Node& node = required(table, key, "the name of a scene of the suite");
+    for (const NamedScene& named : suite.scenes) {
+      if (named.name == text(node) && named.scene.blocks.size() == 2) return node.text;
+    }
+    throw wrong_value(node, "the name of a scene of the suite with two blocks");
+  };
+  return {scene("free"), scene("shaken")};
+}
+
+}  // namespace
+
+Scene Variant::apply(Scene scene) const {
+  if (name == "linear") scene.equations = Equations::linear;
+  if (name == "nonlinear") scene.equations = Equations::nonlinear;
+  if (name == "paper") scene.law = Law::paper;
+  if (name == "consistent") scene.law = Law::consistent;
+  return scene;
+}
+
+const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name) {
+  return *std::find_if(scenes.begin(), scenes.end(),
+                       [&](const NamedScene& scene) { return scene.name == name; });
+}
+
+std::vector<std::string> names_of(const Wanted& wanted) {
+  std::vector<std::string> names;
+  for (const auto& [name, field] : result_names) {
+    if (wanted.*field) names.emplace_back(name);
+  }
+  return names;
+}
+
+NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  Scene scene = read_scene(file, overrides);
+  std::ifstream stream(file, std::ios::binary);
+  return {file.stem().string(), {std::istreambuf_iterator<char>(stream), {}}, std::move(scene)};
+}
+
+bool is_suite(const std::filesystem::path& file) {
+  return find(read_toml(file), "scenes") != nullptr;
+}
+
+bool is_study(const std::filesystem::path& file) {
+  return find(read_toml(file), "study") != nullptr;
+}
+
+Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  const Node root = read_toml(file);
+  require_table(root, {"title", "scenes", "variants", "engines", "tolerance", "repeats", "results", "set",
+                       "perturbations", "statements", "time_limit", "memory_limit"});
+  Suite suite;
+  suite.title = text(required(root, "title", "a text"));
+  std::vector<std::string> changes;
+  if (const Node* node = find(root, "set")) {
+    for (const Node& child : entries(*node, "an array of key=value texts")) changes.push_back(text(child));
+  }
+  changes.insert(changes.end(), overrides.begin(), overrides.end());
+  const char* scenes = "an array of at least one scene file";
+  for (const Node& scene : entries(required(root, "scenes", scenes), scenes)) {
+    suite.scenes.push_back(read_named_scene(file.parent_path() / text(scene), changes));
+  }
+  if (const Node* node = find(root, "tolerance")) suite.tolerance = number_above_zero(*node);
+  if (const Node* node = find(root, "repeats")) {
+    suite.repeats = whole_number(*node, 1);
+  }
+  if (const Node* node = find(root, "results")) suite.wanted = read_wanted(*node);
+  if (const Node* table = find(root, "perturbations")) suite.perturbations = read_perturbations(*table);
+  if (const Node* node = find(root, "time_limit")) suite.limits.time = number_above_zero(*node);
+  if (const Node* node = find(root, "memory_limit")) suite.limits.memory = mebibytes(*node);
+  if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);
+  suite.series = read_engines(root);
+  if (const Node* table = find(root, "statements")) suite.statements = read_statements(*table, suite);
+  return suite;
+}
+
+void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::path& record) {
+  const Record replacement = read_record(record);
+  const double largest = peak({replacement.interval, replacement.samples, ""});
+  if (largest == 0)
+    throw InputError(fmt::format("--record {}: must not be zero throughout", record.string()));
+  bool replaced = false;
+  for (Suite& suite : suites) {
+    for (NamedScene& scene : suite.scenes) {
+      GroundMotion& motion = scene.scene.horizontal;
+      if (!motion.made_up) continue;
+      GroundMotion real{replacement.interval, replacement.samples, ""};
+      const double factor = peak(motion) / largest;
+      for (double& sample : real.samples) sample *= factor;
+      real.source =
+          fmt::format("{} ({}), scaled by {:.4g}", record.filename().string(), replacement.format, factor);
+      motion = std::move(real);
+      replaced = true;
+    }
+  }
+  if (!replaced)
+    throw InputError(
+        fmt::format("--record {}: no scene has a synthetic horizontal motion to replace", record.string()));
+}
+
+Suite suite_for(NamedScene scene) {
+  Suite suite;
+  suite.title = scene.scene.title;
+  suite.scenes.push_back(std::move(scene));
+  const WorkerEngine* last = nullptr;
+  for (const WorkerEngine& engine : engines()) {
+    if (last != nullptr && last->name() == engine.name()) continue;
+    last = &engine;
+    for (const char* settings : {"default", "tuned"}) {
+      suite.series.push_back(make_series(engine, settings, default_steps()));
+    }
+  }
+  return suite;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/document.hpp"
+#include "analytic/scene/scene.hpp"
+#include "comparisons/suites/engine_series.hpp"
+#include "comparisons/suites/perturbations.hpp"
+
+namespace rockstack {
+
+/// A scene with the name and text that its results go by.
+struct NamedScene {
+  std::string name;  ///< of the file, without folder and ending
+  std::string text;  ///< the file as it was read
+  Scene scene;
+};
+
+/// The exact solver with one choice changed, to be compared as if it were another engine: linear against
+/// nonlinear equations, one impact law against the other, or Runge–Kutta steps in place of series.
+struct Variant {
+  std::string name;  ///< "linear", "nonlinear", "paper", "consistent" or "rk4"
+  double step = 0;   ///< of rk4, s
+
+  /// The scene with that choice made.
+  Scene apply(Scene scene) const;
+};
+
+/// The names of the scenes that stand for the paper's two numerical examples.
+struct PaperScenes {
+  std::string free;    ///< Figs. 18 to 20
+  std::string shaken;  ///< Figs. 21 and 22
+};
+
+/// Which results a suite asks for of each run; what is not asked for is not computed.
+struct Wanted {
+  bool angles = true;     ///< differences of angles, and how still a stack at rest is
+  bool impacts = true;    ///< impacts and settlings side by side; impacts.csv
+  bool patterns = true;   ///< shares of time; patterns.csv
+  bool bodies = true;     ///< what the engine's bodies do: energy, penetration, slip, …; energy.csv
+  bool histories = true;  ///< history.csv and difference.csv: every sample of every run
+};
+
+/// The names of those that are wanted, as suite files have them.
+std::vector<std::string> names_of(const Wanted& wanted);
+
+/// What `compare` runs: every scene on the exact solver, on its variants and on every series.
+struct Suite {
+  std::string title;
+  std::vector<NamedScene> scenes;
+  std::vector<Variant> variants;
+  std::vector<EngineSeries> series;
+  std::optional<PaperScenes> statements;  ///< where the suite is held against what the paper says
+  double tolerance = 0.01;                ///< up to which histories agree, rad
+  Wanted wanted;
+  Perturbations perturbations;  ///< none unless asked for
+  int repeats = 5;              ///< timed runs after the warm-up
+  Limits limits;                ///< of each engine run
+};
+
+/// The scene of that name. Precondition: it is there.
+const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name);
+
+/// Reads a scene and keeps its text. @throws InputError as read_scene().
+NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// True where a file is a suite: it has the key `scenes`. @throws InputError for a file that is not TOML.
+bool is_suite(const std::filesystem::path& file);
+
+/// True where a file asks for a study in place of scenes: it has the key `study`. @throws InputError
+/// likewise.
+bool is_study(const std::filesystem::path& file);
+
+/// Reads a suite file; paths in it are relative to it, `overrides` go to each of its scenes. Engines that
+/// this build leaves out are passed over (engines_left_out() names them).
+/// @throws InputError with file:line, key, value and what is allowed.
+Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// Puts a record, scaled to the same peak, in the place of the made-up horizontal motion of every scene of a
+/// suite that has one. @throws InputError as read_record(), or where no scene has one.
+void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::path& record);
+
+/// The suite for a single scene: the first solver of every engine of this
+/// build, default and tuned, at 1e-2, 1e-3 and 1e-4 s.
+Suite suite_for(NamedScene scene);
+
+}  // namespace rockstack

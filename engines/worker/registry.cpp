@@ -1,0 +1,82 @@
+#include "engines/worker/registry.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "analytic/scene/input_error.hpp"
+
+namespace rockstack {
+namespace {
+
+std::vector<std::string> worker_programs() {
+  std::vector<std::string> names;
+#ifdef ROCKSTACK_WITH_BULLET
+  names.emplace_back("rockstack-bullet");
+#endif
+#ifdef ROCKSTACK_WITH_ODE
+  names.emplace_back("rockstack-ode");
+#endif
+#ifdef ROCKSTACK_WITH_BULLET
+  names.emplace_back("rockstack-bullet-single");
+#endif
+  return names;
+}
+
+/// Beside this program, or where the build puts it.
+std::filesystem::path find_worker(const std::string& name) {
+  std::error_code error;
+  const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
+  for (const auto& folder : {own.parent_path(), std::filesystem::path(ROCKSTACK_WORKERS)}) {
+    if (std::filesystem::exists(folder / name, error)) return folder / name;
+  }
+  throw std::runtime_error(fmt::format("{}: must be in {} or {}", name, own.parent_path().string(),
+                                       std::string(ROCKSTACK_WORKERS)));
+}
+
+std::vector<WorkerEngine> ask_workers() {
+  std::vector<WorkerEngine> list;
+  for (const std::string& name : worker_programs()) {
+    for (WorkerEngine& engine : engines_of(find_worker(name))) list.push_back(std::move(engine));
+  }
+  return list;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+const std::vector<WorkerEngine>& engines() {
+  static const std::vector<WorkerEngine> list = ask_workers();
+  return list;
+}
+
+std::vector<std::string> engines_left_out() {
+  std::vector<std::string> names;
+#ifndef ROCKSTACK_WITH_BULLET
+  names.emplace_back("bullet");
+  names.emplace_back("bullet-single");
+#endif
+#ifndef ROCKSTACK_WITH_ODE
+  names.emplace_back("ode");
+#endif
+  return names;
+}
+
+const WorkerEngine& find_engine(const std::string& name) {
+  std::vector<std::string> there;
+  there.reserve(engines().size());
+  for (const WorkerEngine& engine : engines()) {
+    const std::string full = engine.name() + ":" + engine.solver();
+    if (name == engine.name() || name == full) return engine;
+    there.push_back(full);
+  }
+  throw InputError(fmt::format("engine = {}: must be one of: {}; left out of this build: {}", name,
+                               joined(there), joined(engines_left_out())));
+}
+
+}  // namespace rockstack

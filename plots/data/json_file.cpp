@@ -1,0 +1,44 @@
+#include "plots/data/json_file.hpp"
+
+#include <fmt/core.h>
+
+#include <fstream>
+
+#include "analytic/scene/input_error.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+std::string text_of(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+void flatten(const Json& object, const std::string& prefix, Facts& facts) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) {
+      flatten(value, prefix + key + ".", facts);
+    } else {
+      facts.emplace_back(prefix + key, text_of(value));
+    }
+  }
+}
+
+}  // namespace
+
+Json read_json(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw InputError(file.string() + ": cannot be read");
+  try {
+    return Json::parse(in);
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+Facts facts_of(const Json& object) {
+  Facts facts;
+  flatten(object, "", facts);
+  return facts;
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,106 @@
+#include "plots/data/law_results.hpp"
+
+#include <fmt/core.h>
+
+#include "analytic/scene/input_error.hpp"
+#include "comparisons/results/csv.hpp"
+#include "plots/data/json_file.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The cells of one row by the names of their columns.
+class Row {
+ public:
+  Row(const Table& table, std::size_t index, const fs::path& file)
+      : table_(table), index_(index), file_(file) {}
+
+  std::string text(const char* name) const { return table_.rows[index_][column(table_, name, file_)]; }
+  double value(const char* name) const {
+    return number(text(name), fmt::format("{}:{}", file_.string(), index_ + 2), name);
+  }
+
+ private:
+  const Table& table_;
+  std::size_t index_;
+  const fs::path& file_;
+};
+
+void read_cells(const fs::path& file, LawResults& results) {
+  const Table table = read_table(file);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const Row row(table, i, file);
+    results.cells.push_back({static_cast<int>(row.value("blocks")), row.text("kind"),
+                             row.value("slenderness_from"), row.value("slenderness_to"),
+                             row.value("mass_ratio_from"), row.value("mass_ratio_to"), row.value("impacts"),
+                             row.value("differ"), row.value("none")});
+  }
+}
+
+void read_runs(const fs::path& file, LawResults& results) {
+  const Table table = read_table(file);
+  results.columns = table.columns;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const Row row(table, i, file);
+    LawRun one;
+    one.run.scene = row.text("case");
+    one.run.engine = row.text("engine");
+    one.run.solver = row.text("solver");
+    one.run.settings = row.text("settings");
+    one.run.status = row.text("status");
+    one.run.reason = row.text("reason");
+    one.run.dt = row.value("dt");
+    one.run.cells = table.rows[i];
+    one.follows = row.text("follows");
+    one.from_paper = row.value("from_paper");
+    one.from_consistent = row.value("from_consistent");
+    results.runs.push_back(std::move(one));
+  }
+}
+
+LawState state_of(const Json& json) {
+  const Json& blocks = json.at("blocks");
+  const Json& top = blocks.at(blocks.size() - 1);
+  const Json& below = blocks.at(blocks.size() - 2);
+  return {json.at("name").get<std::string>(), top.at("height").get<double>() / top.at("width").get<double>(),
+          top.at("mass").get<double>() / below.at("mass").get<double>()};
+}
+
+void read_description(const Json& json, LawResults& results) {
+  results.title = json.at("title").get<std::string>();
+  results.command = json.at("command").get<std::string>();
+  results.suite_file = json.at("suite_file").get<std::string>();
+  for (const auto& [file, columns] : json.at("definitions").items())
+    results.definitions.emplace_back(file, facts_of(columns));
+  results.environment = facts_of(json.at("environment"));
+  results.left_out = json.at("left_out").get<std::vector<std::string>>();
+  for (const Json& engine : json.at("engines"))
+    results.engines.emplace_back(
+        fmt::format("{}:{}, {}", engine.at("engine").get<std::string>(),
+                    engine.at("solver").get<std::string>(), engine.at("settings").get<std::string>()),
+        facts_of(engine.at("parameters")));
+  for (const Json& pair : json.at("disagreements"))
+    results.pairs.push_back({pair.at("kind").get<std::string>(), pair.at("paper").get<std::string>(),
+                             pair.at("consistent").get<std::string>(), pair.at("count").get<double>(),
+                             pair.at("clearness").get<double>()});
+  for (const Json& state : json.at("cases")) results.states.push_back(state_of(state));
+}
+
+}  // namespace
+
+LawResults read_law_results(const fs::path& results) {
+  LawResults read;
+  const fs::path description = results / "impact-laws.json";
+  try {
+    read_description(read_json(description), read);
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{}: {}", description.string(), error.what()));
+  }
+  read_cells(results / "impact-laws.csv", read);
+  read_runs(results / "impact-laws-engines.csv", read);
+  return read;
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,197 @@
+#include "plots/data/results.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analytic/scene/input_error.hpp"
+#include "comparisons/results/csv.hpp"
+#include "plots/data/json_file.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// Of files that do not say.
+const std::vector<std::string> all_results{"angles", "impacts", "patterns", "bodies", "histories"};
+
+double number_of(const Json& value) {
+  return value.is_null() ? std::nan("") : value.get<double>();
+}
+
+void read_fits(const Json& json, Comparison& comparison) {
+  for (const Json& fit : json.value("fits", Json::array())) {
+    comparison.fits.push_back({fit.at("scene").get<std::string>(), fit.at("engine").get<std::string>(),
+                               fit.at("solver").get<std::string>(), fit.at("settings").get<std::string>(),
+                               fit.at("quantity").get<std::string>(), number_of(fit.at("gap")),
+                               number_of(fit.at("gap_low")), number_of(fit.at("gap_high")),
+                               number_of(fit.at("order")), number_of(fit.at("order_low")),
+                               number_of(fit.at("order_high")), number_of(fit.at("coefficient")),
+                               fit.at("holds").get<bool>(), fit.at("reason").get<std::string>()});
+    for (ComparedScene& scene : comparison.scenes)
+      if (scene.name == comparison.fits.back().scene) scene.fitted = true;
+  }
+}
+
+std::vector<StackBlock> stack_of(const Json& scene) {
+  std::vector<StackBlock> stack;
+  for (const Json& block : scene.value("stack", Json::array()))
+    stack.push_back({block.at("width").get<double>(), block.at("height").get<double>(),
+                     block.at("mass").get<double>(), block.at("inertia").get<double>()});
+  return stack;
+}
+
+void read_distances(const Json& json, Comparison& comparison) {
+  for (const Json& one : json.value("distributions", Json::array())) {
+    comparison.distances.push_back({one.at("scene").get<std::string>(), one.at("run").get<std::string>(),
+                                    one.at("quantity").get<std::string>(), one.at("distance").get<double>(),
+                                    one.at("critical").get<double>()});
+    for (ComparedScene& scene : comparison.scenes)
+      if (scene.name == comparison.distances.back().scene) scene.perturbed = true;
+  }
+}
+
+void read_description(const Json& json, Comparison& comparison) {
+  comparison.title = json.at("title").get<std::string>();
+  comparison.command = json.at("command").get<std::string>();
+  for (const Json& scene : json.at("scenes"))
+    comparison.scenes.push_back({scene.at("name").get<std::string>(),
+                                 scene.at("title").get<std::string>(),
+                                 scene.at("blocks").get<int>(),
+                                 scene.at("toml").get<std::string>(),
+                                 scene.value("ground", ""),
+                                 stack_of(scene),
+                                 scene.value("gravity", 0.0),
+                                 scene.value("chatter_speed", 0.0),
+                                 {},
+                                 scene.value("results", all_results),
+                                 false,
+                                 false});
+  comparison.definitions = facts_of(json.at("definitions"));
+  comparison.environment = facts_of(json.at("environment"));
+  comparison.tolerance = json.at("tolerance_rad").get<double>();
+  comparison.left_out = json.at("left_out").get<std::vector<std::string>>();
+  for (const Json& statement : json.value("statements", Json::array()))
+    comparison.statements.push_back(
+        {statement.at("source").get<std::string>(), statement.at("claim").get<std::string>(),
+         statement.at("verdict").get<std::string>(), statement.at("criterion").get<std::string>(),
+         statement.at("computed").get<std::string>()});
+  read_fits(json, comparison);
+  read_distances(json, comparison);
+}
+
+void check_description(const Comparison& comparison, const std::filesystem::path& file) {
+  if (!(comparison.tolerance > 0))
+    throw InputError(fmt::format("{}: tolerance_rad = {}: must be > 0", file.string(), comparison.tolerance));
+  for (const ComparedScene& scene : comparison.scenes)
+    if (scene.blocks < 1)
+      throw InputError(fmt::format("{}: scene {}: blocks = {}: must be at least 1", file.string(), scene.name,
+                                   scene.blocks));
+  for (const ComparedScene& scene : comparison.scenes)
+    if (!scene.stack.empty() && scene.stack.size() != static_cast<std::size_t>(scene.blocks))
+      throw InputError(fmt::format("{}: scene {}: stack has {} blocks: must have {}", file.string(),
+                                   scene.name, scene.stack.size(), scene.blocks));
+}
+
+/// Fills the fields of a run from its cells.
+class RowReader {
+ public:
+  RowReader(const Table& table, std::size_t row, const std::filesystem::path& file)
+      : table_(table), row_(row), file_(file) {}
+
+  void read(const std::string& name, std::string& field) const { field = cell(name); }
+  void read(const std::string& name, double& field) const {
+    field = number(cell(name), fmt::format("{}:{}", file_.string(), row_ + 2), name);
+  }
+
+ private:
+  const std::string& cell(const std::string& name) const {
+    return table_.rows[row_][column(table_, name, file_)];
+  }
+
+  const Table& table_;
+  std::size_t row_;
+  const std::filesystem::path& file_;
+};
+
+Run read_run(const RowReader& row) {
+  Run run;
+  row.read("run", run.name);
+  row.read("scene", run.scene);
+  row.read("engine", run.engine);
+  row.read("solver", run.solver);
+  row.read("settings", run.settings);
+  row.read("status", run.status);
+  row.read("reason", run.reason);
+  row.read("dt", run.dt);
+  row.read("steps", run.steps);
+  row.read("stepping_time_minimum", run.stepping_time);
+  row.read("largest_angle_difference", run.largest_angle_difference);
+  row.read("rms_angle_difference", run.rms_angle_difference);
+  row.read("first_impact_time_difference", run.first_impact_time_difference);
+  row.read("impacts_matched", run.impacts_matched);
+  row.read("impacts_missed", run.impacts_missed);
+  row.read("impacts_extra", run.impacts_extra);
+  row.read("agreement_time", run.agreement_time);
+  row.read("toppled", run.toppled);
+  return run;
+}
+
+}  // namespace
+
+bool ComparedScene::has(const std::string& result) const {
+  return std::find(results.begin(), results.end(), result) != results.end();
+}
+
+Comparison read_comparison(const std::filesystem::path& results) {
+  Comparison comparison;
+  const std::filesystem::path description = results / "comparison.json";
+  try {
+    read_description(read_json(description), comparison);
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{}: {}", description.string(), error.what()));
+  }
+  check_description(comparison, description);
+  const std::filesystem::path file = results / "comparison.csv";
+  const Table table = read_table(file);
+  comparison.columns = table.columns;
+  for (ComparedScene& scene : comparison.scenes) {
+    const std::filesystem::path ground = results / "ground" / (scene.name + ".csv");
+    if (std::filesystem::exists(ground)) scene.ground_motion = ground;
+  }
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    Run run = read_run(RowReader(table, i, file));
+    run.cells = table.rows[i];
+    run.folder = results / "runs" / run.name;
+    for (ComparedScene& scene : comparison.scenes)
+      if (scene.name == run.scene && run.done() && has_other_equations(run)) scene.both_equations = true;
+    comparison.runs.push_back(std::move(run));
+  }
+  return comparison;
+}
+
+Facts read_summary(const Run& run) {
+  return facts_of(read_json(run.folder / "summary.json"));
+}
+
+std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene) {
+  std::vector<Run> runs;
+  for (const Run& run : comparison.runs)
+    if (run.done() && run.scene == scene) runs.push_back(run);
+  std::stable_partition(runs.begin(), runs.end(), [](const Run& run) { return run.exact(); });
+  return runs;
+}
+
+bool has_motion(const Comparison& comparison, const ComparedScene& scene) {
+  return !scene.stack.empty() && scene.has("histories") && !done_runs(comparison, scene.name).empty();
+}
+
+bool has_other_equations(const Run& run) {
+  return run.engine == "linear" || run.engine == "nonlinear";
+}
+
+std::string solver_name(const Run& run) {
+  return run.exact() || run.solver.empty() ? run.engine : run.engine + ":" + run.solver;
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "plots/data/facts.hpp"
+
+namespace rockstack::plots {
+
+/// One row of a comparison. SI units; NaN where the file has no value.
+struct Run {
+  std::string name, scene, engine, solver, settings, status, reason;
+  double dt = 0;                            ///< s
+  double steps = 0;                         ///< number of steps made
+  double stepping_time = 0;                 ///< smallest wall time of all steps together, s
+  double largest_angle_difference = 0;      ///< rad
+  double rms_angle_difference = 0;          ///< rad
+  double first_impact_time_difference = 0;  ///< s
+  double impacts_matched = 0, impacts_missed = 0, impacts_extra = 0;
+  double agreement_time = 0;  ///< s
+  std::string toppled;
+  std::vector<std::string> cells;  ///< the whole row as text, for Comparison::columns
+  std::filesystem::path folder;    ///< where its files are
+
+  bool done() const { return status == "done"; }
+  bool exact() const { return engine == "exact"; }
+};
+
+/// One block as it was run. SI units.
+struct StackBlock {
+  double width = 0, height = 0, mass = 0, inertia = 0;
+};
+
+struct ComparedScene {
+  std::string name, title;
+  int blocks = 0;
+  std::string toml;                          ///< the scene as text
+  std::string ground;                        ///< what moves the ground, empty where nothing does
+  std::vector<StackBlock> stack = {};        ///< bottom to top; empty where the results do not say
+  double gravity = 0;                        ///< m/s²
+  double chatter_speed = 0;                  ///< relative speed under which impacts are not compared, rad/s
+  std::filesystem::path ground_motion = {};  ///< its file, empty where nothing moves it
+  std::vector<std::string> results = {};     ///< what was computed, by the suite's names
+  bool both_equations = false;               ///< linear and full equations, side by side
+  bool fitted = false;                       ///< whether errors were fitted over the time steps
+
+  bool perturbed = false;  ///< whether there are distributions over perturbed scenes
+
+  bool has(const std::string& result) const;
+};
+
+/// The errors of one series over its time steps, fitted by gap + coefficient · dt^order. NaN where no number
+/// was found.
+struct Fit {
+  std::string scene, engine, solver, settings;
+  std::string quantity;                       ///< the column of the errors
+  double gap = 0, gap_low = 0, gap_high = 0;  ///< in the unit of the errors
+  double order = 0, order_low = 0, order_high = 0;
+  double coefficient = 0;  ///< likewise, at a step of 1 s
+  bool holds = false;
+  std::string reason;  ///< why it does not
+};
+
+/// How far apart a run's distribution of a quantity over perturbed scenes is from the exact one.
+struct Distance {
+  std::string scene, run, quantity;
+  double distance = 0, critical = 0;  ///< of Kolmogorov and Smirnov; the one with a chance of 5 %
+};
+
+/// A statement of the paper beside what was computed.
+struct PaperStatement {
+  std::string source, claim, verdict, criterion, computed;
+};
+
+/// What `rockstack compare` has written.
+struct Comparison {
+  std::string title, command;
+  std::vector<ComparedScene> scenes;
+  Facts definitions;     ///< what each column means
+  Facts environment;     ///< versions, compiler, processor
+  double tolerance = 0;  ///< rad, the difference up to which angles count as agreeing; > 0
+  std::vector<std::string> left_out;
+  std::vector<PaperStatement> statements;  ///< none where the suite does not ask for them
+  std::vector<Fit> fits;
+  std::vector<Distance> distances;
+  std::vector<std::string> columns;
+  std::vector<Run> runs;
+};
+
+/// Reads comparison.json and comparison.csv.
+/// @throws InputError naming the file (and line) that is missing or malformed.
+Comparison read_comparison(const std::filesystem::path& results);
+
+/// Everything that a run's summary.json says, nested names joined by dots.
+/// @throws InputError naming the file that is missing or malformed.
+Facts read_summary(const Run& run);
+
+/// The runs of one scene that are done: the exact one first, engines in the order of the file.
+std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene);
+
+/// True where a scene's motion can be shown: the results say how large its blocks are, and a run is done.
+bool has_motion(const Comparison& comparison, const ComparedScene& scene);
+
+/// True for a run of the exact solver with the other kind of equations than the scene's.
+bool has_other_equations(const Run& run);
+
+/// The engine with its solver, "bullet:sequential-impulse"; "exact" for the exact solver.
+std::string solver_name(const Run& run);
+
+}  // namespace rockstack::plots

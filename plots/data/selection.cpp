@@ -1,0 +1,124 @@
+#include "plots/data/selection.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+namespace rockstack::plots {
+namespace {
+
+bool same_solver(const Run& a, const Run& b) {
+  return solver_name(a) == solver_name(b);
+}
+
+/// Where "+numIterations=…" or the like stands in a run's settings, and its length; npos where it does not.
+std::pair<std::size_t, std::size_t> iterations_in(const std::string& settings) {
+  constexpr std::string_view stem = "umIterations=";
+  const std::size_t at = settings.find(stem);
+  if (at == std::string::npos) return {at, 0};
+  const std::size_t begin = settings.rfind('+', at);
+  return {begin, std::min(settings.find('+', at), settings.size()) - begin};
+}
+
+/// Settings but for the iterations.
+std::string settings_of_line(const Run& run) {
+  std::string settings = run.settings;
+  if (const auto [begin, length] = iterations_in(settings); begin != std::string::npos)
+    settings.erase(begin, length);
+  return settings;
+}
+
+bool comes_before(const Run& a, const Run& b) {
+  return a.dt != b.dt ? a.dt < b.dt : iterations_of(a) > iterations_of(b);
+}
+
+bool has_tuned(const std::vector<StepLine>& lines, const Run& run) {
+  return std::any_of(lines.begin(), lines.end(), [&](const StepLine& line) {
+    return same_solver(line.front(), run) && line.front().settings == "tuned";
+  });
+}
+
+}  // namespace
+
+std::vector<StepLine> step_lines(const Comparison& comparison, const std::string& scene) {
+  std::vector<StepLine> lines;
+  for (const Run& run : done_runs(comparison, scene)) {
+    if (run.exact()) continue;
+    const auto found = std::find_if(lines.begin(), lines.end(), [&](const StepLine& line) {
+      return same_solver(line.front(), run) && settings_of_line(line.front()) == settings_of_line(run);
+    });
+    if (found == lines.end()) {
+      lines.push_back({run});
+    } else {
+      found->push_back(run);
+    }
+  }
+  for (StepLine& line : lines) std::stable_sort(line.begin(), line.end(), comes_before);
+  return lines;
+}
+
+Shown shown_runs(const Comparison& comparison, const std::string& scene) {
+  Shown shown;
+  for (const Run& run : done_runs(comparison, scene))
+    if (run.exact() && shown.exact.empty()) shown.exact.push_back(run);
+  const std::vector<StepLine> lines = step_lines(comparison, scene);
+  for (const StepLine& line : lines)
+    if (line.front().settings != "default" || !has_tuned(lines, line.front()))
+      shown.engines.push_back(line.front());
+  return shown;
+}
+
+int iterations_of(const Run& run) {
+  const auto [begin, length] = iterations_in(run.settings);
+  if (begin == std::string::npos) return 0;
+  return std::stoi(run.settings.substr(run.settings.find('=', begin) + 1));
+}
+
+std::string line_label(const Run& run) {
+  if (run.exact()) return "exact";
+  if (has_other_equations(run)) return "exact, " + run.engine + " equations";
+  if (run.engine == "paper" || run.engine == "consistent") return "exact, law " + run.engine;
+  std::string label = run.engine;
+  if (!run.solver.empty()) label += " " + run.solver;
+  if (!run.settings.empty()) label += ", " + run.settings;
+  return label;
+}
+
+std::string line_label(const StepLine& line) {
+  Run run = line.front();
+  if (run.settings != line.back().settings) run.settings = settings_of_line(run);
+  return line_label(run);
+}
+
+const Fit* fit_of(const Comparison& comparison, const StepLine& line, const std::string& quantity) {
+  const Run& run = line.front();
+  const auto found = std::find_if(comparison.fits.begin(), comparison.fits.end(), [&](const Fit& fit) {
+    return fit.scene == run.scene && fit.engine == run.engine && fit.solver == run.solver &&
+           fit.settings == run.settings && fit.quantity == quantity;
+  });
+  return found == comparison.fits.end() ? nullptr : &*found;
+}
+
+std::string run_label(const Run& run) {
+  return run.exact() || std::isnan(run.dt) ? line_label(run) : line_label(run) + ", " + duration_text(run.dt);
+}
+
+std::string run_phrase(const Run& run) {
+  std::string label = run_label(run);
+  const std::size_t comma = label.find(", ");
+  return comma == std::string::npos ? label : label.replace(comma, 2, " (") + ")";
+}
+
+std::string duration_text(double seconds) {
+  const double size = std::abs(seconds);
+  if (size >= 1 || size == 0) return fmt::format("{:.4g} s", seconds);
+  if (size >= 1e-3) return fmt::format("{:.4g} ms", seconds * 1e3);
+  constexpr double smallest_in_ms = 0.99e-4;
+  if (size >= smallest_in_ms) return fmt::format("{:.3g} ms", seconds * 1e3);
+  return size >= 1e-6 ? fmt::format("{:.4g} µs", seconds * 1e6) : fmt::format("{:.4g} ns", seconds * 1e9);
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plots/data/results.hpp"
+
+namespace rockstack::plots {
+
+/// What a figure over time shows of a scene: the exact run and one run of each engine, solver and settings,
+/// that with the smallest time step; default settings only where there are no tuned ones.
+struct Shown {
+  std::vector<Run> exact;  ///< one run, or none where it failed
+  std::vector<Run> engines;
+};
+
+Shown shown_runs(const Comparison& comparison, const std::string& scene);
+
+/// Runs of one engine, solver and settings, by ascending time step; those that differ in their iterations
+/// too, by falling iterations.
+using StepLine = std::vector<Run>;
+
+/// All engine runs of a scene that are done, line by line in the order of the file.
+std::vector<StepLine> step_lines(const Comparison& comparison, const std::string& scene);
+
+/// The iterations that a suite gave the solver of a run, 0 where it gave none.
+int iterations_of(const Run& run);
+
+/// "bullet sequential-impulse, tuned"; "exact, linear equations" or "exact, law consistent" of a variant.
+std::string line_label(const Run& run);
+
+/// The same for a line of runs, without the iterations where they vary.
+std::string line_label(const StepLine& line);
+
+/// The fit of a line's errors in a column, null where there is none.
+const Fit* fit_of(const Comparison& comparison, const StepLine& line, const std::string& quantity);
+
+/// The same with its time step, "bullet sequential-impulse, tuned, 0.1 ms".
+std::string run_label(const Run& run);
+
+/// The same inside a sentence, "bullet sequential-impulse (tuned, 0.1 ms)".
+std::string run_phrase(const Run& run);
+
+/// A duration with a unit that suits it: "0.1 ms", "12 µs", "3.5 s".
+std::string duration_text(double seconds);
+
+}  // namespace rockstack::plots

@@ -1,0 +1,134 @@
+#include "plots/drawing/thinning.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace rockstack::plots {
+namespace {
+
+Curve finite_points(const Curve& curve) {
+  Curve result;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (!std::isfinite(curve.values[i])) continue;
+    result.times.push_back(curve.times[i]);
+    result.values.push_back(curve.values[i]);
+  }
+  return result;
+}
+
+/// Index of the first point of each bin that holds any, and the number of points at the end.
+std::vector<std::size_t> bin_starts(const std::vector<double>& times, std::size_t bins) {
+  std::vector<std::size_t> starts;
+  if (times.empty()) return starts;
+  const double span = times.back() - times.front();
+  std::size_t current = bins;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double place = span > 0 ? (times[i] - times.front()) / span * static_cast<double>(bins) : 0;
+    const std::size_t bin = std::min(static_cast<std::size_t>(place), bins - 1);
+    if (bin != current) starts.push_back(i);
+    current = bin;
+  }
+  starts.push_back(times.size());
+  return starts;
+}
+
+Curve pick(const Curve& curve, const std::vector<std::size_t>& indices) {
+  Curve result;
+  for (const std::size_t i : indices) {
+    result.times.push_back(curve.times[i]);
+    result.values.push_back(curve.values[i]);
+  }
+  return result;
+}
+
+struct Place {
+  double x, y;
+};
+
+/// Points in shares of the curve's extent.
+std::vector<Place> scaled(const Curve& curve) {
+  const auto share = [](const std::vector<double>& values) {
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const double extent = *high - *low;
+    return extent > 0 ? 1 / extent : 0;
+  };
+  const double across = share(curve.times), up = share(curve.values);
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    places.push_back({curve.times[i] * across, curve.values[i] * up});
+  return places;
+}
+
+double distance(const Place& point, const Place& from, const Place& to) {
+  const double dx = to.x - from.x, dy = to.y - from.y, square = dx * dx + dy * dy;
+  const double along =
+      square > 0 ? std::clamp(((point.x - from.x) * dx + (point.y - from.y) * dy) / square, 0.0, 1.0) : 0;
+  return std::hypot(point.x - from.x - along * dx, point.y - from.y - along * dy);
+}
+
+std::size_t index_in(const std::vector<double>& values, std::vector<double>::const_iterator found) {
+  return static_cast<std::size_t>(found - values.begin());
+}
+
+}  // namespace
+
+Curve thin(const Curve& curve, std::size_t bins) {
+  assert(bins >= 1 && curve.times.size() == curve.values.size());
+  Curve points = finite_points(curve);
+  if (points.size() <= 2 * bins) return points;
+  const std::vector<std::size_t> starts = bin_starts(points.times, bins);
+  std::vector<std::size_t> kept{0};
+  for (std::size_t bin = 0; bin + 1 < starts.size(); ++bin) {
+    const auto begin = points.values.begin();
+    const auto [low, high] = std::minmax_element(begin + static_cast<std::ptrdiff_t>(starts[bin]),
+                                                 begin + static_cast<std::ptrdiff_t>(starts[bin + 1]));
+    kept.push_back(index_in(points.values, std::min(low, high)));
+    kept.push_back(index_in(points.values, std::max(low, high)));
+  }
+  kept.push_back(points.size() - 1);
+  kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+  return pick(points, kept);
+}
+
+Curve simplified(const Curve& curve, double tolerance) {
+  assert(tolerance > 0 && curve.times.size() == curve.values.size());
+  Curve points = finite_points(curve);
+  if (points.size() < 3) return points;
+  const std::vector<Place> places = scaled(points);
+  std::vector<std::size_t> kept{0, points.size() - 1};
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    double furthest = tolerance;
+    std::size_t at = first;
+    for (std::size_t i = first + 1; i < last; ++i)
+      if (const double away = distance(places[i], places[first], places[last]); away > furthest)
+        furthest = away, at = i;
+    if (at == first) continue;
+    kept.push_back(at);
+    open.emplace_back(first, at);
+    open.emplace_back(at, last);
+  }
+  std::sort(kept.begin(), kept.end());
+  return pick(points, kept);
+}
+
+Curve envelope(const Curve& curve, std::size_t bins, double floor) {
+  assert(bins >= 1 && floor > 0 && curve.times.size() == curve.values.size());
+  Curve points = finite_points(curve);
+  for (double& value : points.values) value = std::max(std::abs(value), floor);
+  const std::vector<std::size_t> starts = bin_starts(points.times, bins);
+  std::vector<std::size_t> kept;
+  for (std::size_t bin = 0; bin + 1 < starts.size(); ++bin) {
+    const auto begin = points.values.begin();
+    kept.push_back(
+        index_in(points.values, std::max_element(begin + static_cast<std::ptrdiff_t>(starts[bin]),
+                                                 begin + static_cast<std::ptrdiff_t>(starts[bin + 1]))));
+  }
+  return pick(points, kept);
+}
+
+}  // namespace rockstack::plots

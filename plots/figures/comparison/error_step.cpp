@@ -1,0 +1,140 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plots/data/selection.hpp"
+#include "plots/drawing/layout.hpp"
+#include "plots/figures/comparison/drawings.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// What a figure shows on its vertical axis.
+struct Errors {
+  std::string column, axis;
+  double (*of)(const Run&);
+};
+
+/// The errors of one series, and their fit.
+struct ErrorLine {
+  Run run;  ///< any of the line
+  std::string label;
+  Curve errors;              ///< by ascending time step
+  const Fit* fit = nullptr;  ///< null where there is none
+
+  bool fits() const { return fit != nullptr && fit->holds; }
+};
+
+std::string fit_words(const Fit& fit) {
+  if (!fit.holds) return "no fit, " + fit.reason;
+  const std::string gap = fit.gap_low > 0
+                              ? fmt::format("{:.2g} ({:.2g}–{:.2g})", fit.gap, fit.gap_low, fit.gap_high)
+                              : fmt::format("≤ {:.2g}", fit.gap_high);
+  return fmt::format("p {:.2f} ({:.2f}–{:.2f}), gap {}", fit.order, fit.order_low, fit.order_high, gap);
+}
+
+std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::string& scene,
+                                   const Errors& errors) {
+  std::vector<ErrorLine> lines;
+  for (const StepLine& runs : step_lines(comparison, scene)) {
+    ErrorLine line{runs.front(), line_label(runs), {}, fit_of(comparison, runs, errors.column)};
+    for (const Run& run : runs) {
+      const double error = errors.of(run);
+      if (!(error > 0) || !std::isfinite(error)) continue;
+      line.errors.times.push_back(run.dt);
+      line.errors.values.push_back(error);
+    }
+    if (line.errors.size() > 0) lines.push_back(line);
+  }
+  return lines;
+}
+
+/// The fitted curve between the smallest and the largest step.
+Curve fitted(const ErrorLine& line) {
+  constexpr int points = 60;
+  const double first = line.errors.times.front(), last = line.errors.times.back();
+  Curve curve;
+  for (int i = 0; i <= points; ++i) {
+    const double dt = first * std::pow(last / first, static_cast<double>(i) / points);
+    curve.times.push_back(dt);
+    curve.values.push_back(line.fit->gap + line.fit->coefficient * std::pow(dt, line.fit->order));
+  }
+  return curve;
+}
+
+std::string mark(const ErrorLine& line, const Looks& looks) {
+  const Look& look = looks.at(solver_name(line.run));
+  return fmt::format("with points lw 2 lc rgb '{}' pt {} ps 1.5*mark", look.colour,
+                     mark_of(look, line.run.settings));
+}
+
+/// Half a decade of room around all marks.
+std::string ranges(const std::vector<ErrorLine>& lines) {
+  double shortest = 1e300, longest = 0, small = 1e300, large = 0;
+  for (const ErrorLine& line : lines) {
+    const auto [low, high] = std::minmax_element(line.errors.values.begin(), line.errors.values.end());
+    shortest = std::min(shortest, line.errors.times.front());
+    longest = std::max(longest, line.errors.times.back());
+    small = std::min(small, *low);
+    large = std::max(large, *high);
+  }
+  constexpr double room = 1.6;
+  return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", plain(shortest / room),
+                     plain(longest * room), plain(small / room), plain(large * room)) +
+         logarithmic_tics("x", shortest / room, longest * room) +
+         logarithmic_tics("y", small / room, large * room);
+}
+
+std::string floors(const std::vector<ErrorLine>& lines, const Looks& looks) {
+  std::string text;
+  for (const ErrorLine& line : lines)
+    if (line.fits()) text += floor_line(*line.fit, looks.at(solver_name(line.run)).colour);
+  return text;
+}
+
+Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, const Looks& looks,
+                    const Errors& errors) {
+  const std::vector<ErrorLine> lines = error_lines(comparison, scene.name, errors);
+  if (lines.empty()) return empty_sheet(scene.title, "No engine run of this scene with an error.");
+  Legend legend;
+  std::vector<std::string> plots;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Look& look = looks.at(solver_name(lines[i].run));
+    legend.emplace_back(mark(lines[i], looks), lines[i].label);
+    if (lines[i].fits())
+      plots.push_back(fmt::format("$fitted_{} using 1:2 with lines lw 2 lc rgb '{}' dt {} notitle", i,
+                                  look.colour, dash_of(look, lines[i].run.settings, "solid")));
+    plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark(lines[i], looks)));
+  }
+  Sheet sheet(scene.title, legend);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    sheet.data(data_block(fmt::format("errors_{}", i), lines[i].errors));
+    if (lines[i].fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted(lines[i])));
+  }
+  sheet.panel(560, 0,
+              "set logscale xy\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
+              "set xlabel 'time step (s)'\nset ylabel " +
+                  in_quotes(errors.axis) + " offset 0\n" + ranges(lines) + floors(lines, looks),
+              plots);
+  for (const ErrorLine& line : lines)
+    if (line.fit != nullptr)
+      sheet.words(line.label + ": " + fit_words(*line.fit), looks.at(solver_name(line.run)).colour);
+  return sheet.finish();
+}
+
+}  // namespace
+
+Drawing error_step(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+  return draw_errors(comparison, scene, looks,
+                     {"rms_angle_difference", "RMS angle difference (rad)",
+                      [](const Run& run) { return run.rms_angle_difference; }});
+}
+
+Drawing first_impact_step(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+  return draw_errors(comparison, scene, looks,
+                     {"first_impact_time_difference", "|engine − exact| of the first impact (s)",
+                      [](const Run& run) { return std::abs(run.first_impact_time_difference); }});
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,231 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "comparisons/results/csv.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/drawing/layout.hpp"
+#include "plots/figures/comparison/drawings.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// One run as a point: wall time a second of motion, its error in rad, and what it is labelled with.
+struct Cost {
+  double time, error;
+  std::string words;
+};
+
+constexpr double panel_across = 1056, panel_up = 520;  ///< pixels
+
+struct CostLine {
+  Run run;  ///< any of the line
+  std::string label;
+  const Fit* fit;  ///< of the errors over time steps; null where there is none
+  std::vector<Cost> costs;
+};
+
+std::string words_of(const Run& run, const StepLine& line) {
+  const bool iterations = line.front().dt == line.back().dt && iterations_of(run) > 0;
+  return iterations ? std::to_string(iterations_of(run)) : duration_text(run.dt);
+}
+
+std::vector<CostLine> cost_lines(const Comparison& comparison, const std::string& scene) {
+  std::vector<CostLine> lines;
+  for (const StepLine& runs : step_lines(comparison, scene)) {
+    CostLine line{runs.front(), line_label(runs), fit_of(comparison, runs, "rms_angle_difference"), {}};
+    for (const Run& run : runs) {
+      const Cost cost{run.stepping_time / (run.steps * run.dt), run.rms_angle_difference,
+                      words_of(run, runs)};
+      if (std::isfinite(cost.time) && cost.time > 0 && cost.error > 0 && std::isfinite(cost.error))
+        line.costs.push_back(cost);
+    }
+    if (!line.costs.empty()) lines.push_back(line);
+  }
+  return lines;
+}
+
+/// Wall time a second of motion of the exact solver, 0 where it is not known.
+double exact_cost(const std::vector<Run>& exact) {
+  if (exact.empty() || !(exact.front().stepping_time > 0)) return 0;
+  const auto times = read_columns(exact.front().folder / "history.csv", {"time"});
+  const double end = times[0].empty() ? 0 : times[0].back();
+  return end > 0 ? exact.front().stepping_time / end : 0;
+}
+
+std::string line_data(std::size_t index, const CostLine& line) {
+  Curve curve;
+  for (const Cost& cost : line.costs) {
+    curve.times.push_back(cost.time);
+    curve.values.push_back(cost.error);
+  }
+  return data_block(fmt::format("line_{}", index), curve);
+}
+
+std::string line_style(const CostLine& line, const Looks& looks) {
+  const Look& look = looks.at(solver_name(line.run));
+  return fmt::format("with linespoints lw 2 lc rgb '{}' dt {} pt {} ps 1.7*mark", look.colour,
+                     dash_of(look, line.run.settings, "solid"), mark_of(look, line.run.settings));
+}
+
+/// The panel's edges, and where its points lie in pixels from its lower left corner.
+struct Frame {
+  double fast = 1e300, slow = 0, small = 1e300, large = 0;
+
+  void add(double time) { fast = std::min(fast, time), slow = std::max(slow, time); }
+  std::string ranges() const {
+    return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", plain(fast), plain(slow), plain(small),
+                       plain(large)) +
+           logarithmic_tics("x", fast, slow) + logarithmic_tics("y", small, large);
+  }
+  double across(double time) const { return panel_across * std::log(time / fast) / std::log(slow / fast); }
+  double up(double error) const { return panel_up * std::log(error / small) / std::log(large / small); }
+};
+
+Frame frame_of(const std::vector<CostLine>& lines, double exact) {
+  Frame frame;
+  if (exact > 0) frame.add(exact);
+  for (const CostLine& line : lines)
+    for (const Cost& cost : line.costs) {
+      frame.add(cost.time);
+      frame.small = std::min(frame.small, cost.error);
+      frame.large = std::max(frame.large, cost.error);
+    }
+  constexpr double room = 2;
+  return {frame.fast / room, frame.slow * room, frame.small / room, frame.large * room};
+}
+
+/// A rectangle in pixels that is taken by a mark or a word.
+struct Box {
+  double left, right, low, high;
+
+  bool meets(const Box& other) const {
+    return left < other.right && other.left < right && low < other.high && other.low < high;
+  }
+};
+
+bool is_free(const std::vector<Box>& taken, const Box& box) {
+  return box.left > 0 && box.right < panel_across && box.low > 0 && box.high < panel_up &&
+         std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); });
+}
+
+/// What lines pass through, as boxes beside each other.
+std::vector<Box> line_boxes(const std::vector<CostLine>& lines, const Frame& frame) {
+  constexpr double step = 4, half = 2;
+  std::vector<Box> boxes;
+  for (const CostLine& line : lines)
+    for (std::size_t i = 1; i < line.costs.size(); ++i) {
+      const double x = frame.across(line.costs[i - 1].time), y = frame.up(line.costs[i - 1].error);
+      const double across = frame.across(line.costs[i].time) - x, up = frame.up(line.costs[i].error) - y;
+      const int parts = 1 + static_cast<int>(std::hypot(across, up) / step);
+      for (int part = 0; part <= parts; ++part) {
+        const double at_x = x + across * part / parts, at_y = y + up * part / parts;
+        boxes.push_back({at_x - half, at_x + half, at_y - half, at_y + half});
+      }
+    }
+  return boxes;
+}
+
+/// Where words stand: their box, and on which side of the mark.
+struct Place {
+  Box box;
+  double side;
+};
+
+/// The first of four corners of a mark that is free of all boxes.
+std::optional<Place> free_corner(const Frame& frame, const Cost& cost, const std::vector<Box>& taken,
+                                 const std::vector<Box>& lines) {
+  const double width = 9.5 * static_cast<double>(cost.words.size()) + 4;
+  const double x = frame.across(cost.time), y = frame.up(cost.error);
+  constexpr double gap = 11, half_height = 8, rise = 12;
+  for (const double side : {1.0, -1.0})
+    for (const double lift : {rise, -rise}) {
+      const double near = x + side * gap, far = near + side * width;
+      const Box box{std::min(near, far), std::max(near, far), y + lift - half_height, y + lift + half_height};
+      if (is_free(taken, box) &&
+          std::none_of(lines.begin(), lines.end(), [&](const Box& other) { return box.meets(other); }))
+        return Place{box, side};
+    }
+  return std::nullopt;
+}
+
+std::string label(const Cost& cost, const Place& place, const std::string& colour) {
+  const bool right = place.side > 0;
+  return fmt::format("set label '{}' at graph {}, graph {} {} font ',11' textcolor rgb '{}' front\n",
+                     cost.words, plain((right ? place.box.left : place.box.right) / panel_across),
+                     plain((place.box.low + place.box.high) / 2 / panel_up), right ? "left" : "right",
+                     colour);
+}
+
+/// The time steps beside their marks, clear of lines where there is room, and left out where words or marks
+/// are in the way: the other runs with that step lie beside it.
+std::string labels(const std::vector<CostLine>& lines, const Frame& frame, const Looks& looks) {
+  std::vector<Box> taken;
+  constexpr double half_mark = 7;
+  for (const CostLine& line : lines)
+    for (const Cost& cost : line.costs) {
+      const double x = frame.across(cost.time), y = frame.up(cost.error);
+      taken.push_back({x - half_mark, x + half_mark, y - half_mark, y + half_mark});
+    }
+  const std::vector<Box> crossed = line_boxes(lines, frame);
+  std::string text;
+  for (const CostLine& line : lines)
+    for (const Cost& cost : line.costs) {
+      std::optional<Place> place = free_corner(frame, cost, taken, crossed);
+      if (!place) place = free_corner(frame, cost, taken, {});
+      if (!place) continue;
+      taken.push_back(place->box);
+      text += label(cost, *place, looks.at(solver_name(line.run)).colour);
+    }
+  return text;
+}
+
+std::vector<std::string> plots_of(const std::vector<CostLine>& lines, const Looks& looks) {
+  std::vector<std::string> plots;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    plots.push_back(fmt::format("$line_{} using 1:2 {} notitle", i, line_style(lines[i], looks)));
+  return plots;
+}
+
+/// The gaps that no step closes, where they lie within the panel.
+std::string floors(const std::vector<CostLine>& lines, const Frame& frame, const Looks& looks) {
+  std::string text;
+  for (const CostLine& line : lines)
+    if (line.fit != nullptr && line.fit->holds && line.fit->gap > frame.small)
+      text += floor_line(*line.fit, looks.at(solver_name(line.run)).colour);
+  return text;
+}
+
+std::string exact_line(double cost) {
+  if (cost <= 0) return "";
+  return fmt::format(
+      "set arrow from {0}, graph 0 to {0}, graph 1 nohead lw 3 lc rgb '#000000' back\n"
+      "set label ' exact solver' at {0}, graph 0.04 left font ',12'\n",
+      plain(cost));
+}
+
+}  // namespace
+
+Drawing error_time(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+  const std::vector<CostLine> lines = cost_lines(comparison, scene.name);
+  if (lines.empty())
+    return empty_sheet(scene.title, "No engine run of this scene with both an error and a time.");
+  const double exact = exact_cost(shown_runs(comparison, scene.name).exact);
+  const Frame frame = frame_of(lines, exact);
+  Legend legend;
+  for (const CostLine& line : lines) legend.emplace_back(line_style(line, looks), line.label);
+  Sheet sheet(scene.title, legend);
+  for (std::size_t i = 0; i < lines.size(); ++i) sheet.data(line_data(i, lines[i]));
+  sheet.panel(panel_up, 0,
+              "set logscale xy\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
+              "set xlabel 'stepping time for one second of motion (s)'\n"
+              "set ylabel 'RMS angle difference (rad)' offset 0\n" +
+                  frame.ranges() + labels(lines, frame, looks) + floors(lines, frame, looks) +
+                  exact_line(exact),
+              plots_of(lines, looks));
+  return sheet.finish();
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "plots/drawing/gnuplot.hpp"
+
+namespace rockstack::plots {
+
+/// What figures of a sweep say beside their data.
+struct SweepFacts {
+  std::string title;
+  std::string intensity;  ///< title of its axis
+};
+
+/// The title of an axis along which a scene's key varies, with its unit where the key has one.
+std::string axis_title(const std::string& key);
+
+/// The share of runs that topple against intensity, with confidence bounds and the fitted curve.
+Drawing fragility(const std::filesystem::path& results, const SweepFacts& facts);
+
+/// Intensity against peak angle over slenderness, a line a motion, with fractiles.
+Drawing incremental(const std::filesystem::path& results, const SweepFacts& facts);
+
+/// A map over frequency and intensity of what becomes of the stack.
+Drawing overturning(const std::filesystem::path& results, const SweepFacts& facts);
+
+}  // namespace rockstack::plots

@@ -1,0 +1,160 @@
+#include "plots/pages/impact_law_summary.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+#include "plots/data/law_counts.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/pages/sentences.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// Entries in falling order of a value.
+template <class Entry, class Value>
+std::vector<Entry> ranked(std::vector<Entry> entries, const Value& value) {
+  std::stable_sort(entries.begin(), entries.end(),
+                   [&](const Entry& a, const Entry& b) { return value(a) > value(b); });
+  return entries;
+}
+
+double differ_percent(const LawShare& share) {
+  return share.differ_percent();
+}
+
+/// The kinds after which the laws differ most.
+std::string worst_kinds(const std::vector<LawShare>& kinds) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> words;
+  for (const LawShare& kind : ranked(kinds, differ_percent))
+    if (kind.differ > 0 && words.size() < most)
+      words.push_back(fmt::format("{} ({:.1f} %)", kind.of, kind.differ_percent()));
+  return joined(words);
+}
+
+/// The cells of kinds after which the laws differ at all.
+std::vector<LawCell> of_differing_kinds(const std::vector<LawCell>& cells,
+                                        const std::vector<LawShare>& kinds) {
+  std::vector<LawCell> found;
+  for (const LawCell& cell : cells) {
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const LawShare& one) { return one.of == cell.kind; });
+    if (kind->differ > 0) found.push_back(cell);
+  }
+  return found;
+}
+
+std::string extremes(const std::vector<LawShare>& shares) {
+  const std::vector<LawShare> order = ranked(shares, differ_percent);
+  return fmt::format("most from {} ({:.1f} %), least from {} ({:.1f} %)", order.front().of,
+                     order.front().differ_percent(), order.back().of, order.back().differ_percent());
+}
+
+void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::string>& sentences) {
+  const LawShare all = shares_by(cells, [](const LawCell&) { return std::string(); }).front();
+  const auto kinds = shares_by(cells, [](const LawCell& cell) { return cell.kind; });
+  const auto differing =
+      std::count_if(kinds.begin(), kinds.end(), [](const LawShare& kind) { return kind.differ > 0; });
+  const std::string judged = fmt::format("Stacks of {} blocks: {:.0f} impacts of {} were judged. ", blocks,
+                                         all.impacts, counted(kinds.size(), "kind"));
+  if (differing == 0) {
+    sentences.push_back(judged + "The laws have the same pattern after every one.");
+  } else {
+    sentences.push_back(judged + fmt::format("The laws have different patterns after {:.1f} % of them, in {} "
+                                             "of these kinds: {}{}.",
+                                             all.differ_percent(), differing,
+                                             differing > 3 ? "most often after " : "", worst_kinds(kinds)));
+    const std::vector<LawCell> where = of_differing_kinds(cells, kinds);
+    sentences.push_back(fmt::format(
+        "The share within {} by height over width of the top block: {}; by its mass over that of the block "
+        "below: {}.",
+        differing == 1 ? "this kind" : "these kinds", extremes(shares_by(where, slenderness_range)),
+        extremes(shares_by(where, mass_ratio_range))));
+  }
+  if (all.none > 0)
+    sentences.push_back(
+        fmt::format("After {:.1f} % no pattern is consistent; law consistent then takes that of law paper.",
+                    all.none_percent()));
+}
+
+std::string name_of_solver(const LawRun& one) {
+  return line_label(one.run);
+}
+
+/// "a (22 of 24 runs), b (1 of 24 runs)" for the states where `count` is largest.
+std::string states_by(const LawResults& results, int LawTally::*count) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> words;
+  const auto states = tallies_by(results.runs, [](const LawRun& one) { return one.run.scene; });
+  for (const LawTally& state : ranked(states, [&](const LawTally& tally) { return tally.*count; }))
+    if (state.*count > 0 && words.size() < most)
+      words.push_back(fmt::format("{} ({} of {} runs)", state.of, state.*count, state.runs()));
+  return joined(words);
+}
+
+void add_patterns(const LawResults& results, const LawTally& all, std::vector<std::string>& sentences) {
+  sentences.push_back(fmt::format(
+      "Engines ran into {} where the laws clearly differ, in {}: {} end in the pattern of law consistent, {} "
+      "in that of law paper, {} in neither, and {} failed.",
+      counted(results.states.size(), "state"), counted(results.runs.size(), "run"), all.consistent, all.paper,
+      all.neither, all.failed));
+  std::vector<std::string> steps;
+  for (const LawTally& step :
+       tallies_by(results.runs, [](const LawRun& one) { return duration_text(one.run.dt); }))
+    steps.push_back(fmt::format("{} of {} with steps of {}", step.consistent, step.runs(), step.of));
+  sentences.push_back(fmt::format("Law consistent's pattern by time step: {}.", joined(steps)));
+  const auto solvers = ranked(tallies_by(results.runs, name_of_solver), [](const LawTally& tally) {
+    return static_cast<double>(tally.consistent) / tally.runs();
+  });
+  sentences.push_back(fmt::format("By solver: most often {} ({} of {}), least often {} ({} of {}).",
+                                  solvers.front().of, solvers.front().consistent, solvers.front().runs(),
+                                  solvers.back().of, solvers.back().consistent, solvers.back().runs()));
+  if (all.paper > 0)
+    sentences.push_back(
+        fmt::format("Law paper's pattern is taken in {}.", states_by(results, &LawTally::paper)));
+  if (all.neither > 0)
+    sentences.push_back(
+        fmt::format("Neither law's pattern is taken most in {}.", states_by(results, &LawTally::neither)));
+}
+
+void add_velocities(const LawResults& results, const LawTally& all, std::vector<std::string>& sentences) {
+  const auto nearer = std::count_if(results.runs.begin(), results.runs.end(),
+                                    [](const LawRun& one) { return one.from_consistent < one.from_paper; });
+  sentences.push_back(fmt::format(
+      "The angular velocities after the impact are nearer to law consistent's in {} of {} that came to their "
+      "end. Half of them are within {:.2g} of the largest relative one before the impact from law "
+      "consistent's, and within {:.2g} from law paper's.",
+      nearer, counted(all.from_consistent.size(), "run"), median_of(all.from_consistent),
+      median_of(all.from_paper)));
+  sentences.push_back(fmt::format("Farthest from law consistent is {}, by {:.3g} times that velocity, in {}.",
+                                  run_phrase(all.farthest->run), all.farthest->from_consistent,
+                                  all.farthest->run.scene));
+}
+
+}  // namespace
+
+std::vector<std::string> law_summary(const LawResults& results) {
+  std::map<int, std::vector<LawCell>> by_blocks;
+  for (const LawCell& cell : results.cells) by_blocks[cell.blocks].push_back(cell);
+  std::vector<std::string> sentences;
+  for (const auto& [blocks, cells] : by_blocks) add_stacks(blocks, cells, sentences);
+  return sentences;
+}
+
+std::vector<std::string> engine_summary(const LawResults& results) {
+  std::vector<std::string> sentences;
+  if (results.runs.empty()) {
+    sentences.emplace_back("No engine was asked.");
+  } else {
+    const LawTally all = tallies_by(results.runs, [](const LawRun&) { return std::string(); }).front();
+    add_patterns(results, all, sentences);
+    if (all.farthest != nullptr) add_velocities(results, all, sentences);
+  }
+  if (!results.left_out.empty())
+    sentences.push_back(fmt::format("This build leaves out {}.", joined(results.left_out)));
+  return sentences;
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "plots/data/results.hpp"
+#include "plots/figures/comparison/figures.hpp"
+
+namespace rockstack::plots {
+
+// What pages are made of.
+
+/// What pages differ in.
+struct PageParts {
+  std::string title;    ///< as plain text
+  std::string kind;     ///< for the style sheet: "report" or "lesson"
+  std::string content;  ///< header and main part
+};
+
+/// A page that needs nothing beside itself: its content in the frame, style and script of all pages.
+std::string page(const PageParts& parts);
+
+/// Plain sentences as a list.
+std::string sentence_list(const std::vector<std::string>& sentences);
+
+/// A table of rows whose headings sort it.
+std::string table(const std::vector<std::string>& columns, const std::string& rows);
+
+/// A row of cells as table_cell() makes them. `attributes` starts with a space where there are any.
+/// Precondition: as many cells as columns.
+std::string table_row(const std::vector<std::string>& columns, const std::vector<std::string>& cells,
+                      const std::string& attributes = "");
+
+/// Names and texts, one under the other.
+std::string definition_list(const Facts& facts);
+
+/// A cell of a table. Counts stand as they are, other numbers with four digits; the whole number is kept for
+/// sorting and as a tooltip.
+std::string table_cell(const std::string& column, const std::string& cell);
+
+/// A column's heading, which sorts when chosen: "rms_angle_difference" as words that may break into lines.
+std::string heading(std::string column);
+
+/// A figure that has been drawn as an SVG file, with how to read it; every id in it begins with `prefix`.
+/// @throws InputError naming the file that is missing.
+std::string drawn_figure(const std::filesystem::path& file, const std::string& prefix,
+                         const std::string& label, const std::string& explanation);
+
+/// The figure of a scene, likewise.
+/// @throws InputError naming the file that is missing.
+std::string figure_part(const std::filesystem::path& results, const Comparison& comparison, std::size_t scene,
+                        const FigureKind& kind);
+
+/// The player of a scene. Precondition: has_motion().
+std::string player_part(const Comparison& comparison, std::size_t scene);
+
+/// Writes a page whole or not at all. @throws std::runtime_error naming the file.
+void write_page(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace rockstack::plots

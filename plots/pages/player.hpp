@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "plots/data/results.hpp"
+#include "plots/drawing/style.hpp"
+
+namespace rockstack::plots {
+
+/// The player of a scene as a part of a page, with the motions of the runs that figures over time show,
+/// thinned so that a page of `players` of them stays small. `id` names its element. Precondition:
+/// has_motion().
+/// @throws InputError naming the file that is missing or malformed.
+std::string player(const Comparison& comparison, const ComparedScene& scene, const Looks& looks,
+                   std::size_t players, const std::string& id);
+
+}  // namespace rockstack::plots

@@ -1,0 +1,119 @@
+#include "plots/pages/report.hpp"
+
+#include <fmt/core.h>
+
+#include "plots/data/results.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/figures/comparison/figures.hpp"
+#include "plots/pages/html.hpp"
+#include "plots/pages/page_parts.hpp"
+#include "plots/pages/player.hpp"
+#include "plots/pages/summary.hpp"
+#include "plots/pages/template.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string run_row(const Comparison& comparison, const Run& run) {
+  std::string cells = element("th", escaped(run.cells.front()), " scope=\"row\"");
+  for (std::size_t i = 1; i < run.cells.size(); ++i) cells += table_cell(comparison.columns[i], run.cells[i]);
+  const std::string kind = run.exact() ? " class=\"exact\"" : run.done() ? "" : " class=\"failed\"";
+  return element("tr", cells, kind) + "\n";
+}
+
+std::string runs_table(const Comparison& comparison) {
+  std::string rows;
+  for (const Run& run : comparison.runs) rows += run_row(comparison, run);
+  return table(comparison.columns, rows);
+}
+
+/// What the paper says beside what was computed; nothing where no statements were asked for.
+std::string statements_section(const Comparison& comparison) {
+  if (comparison.statements.empty()) return "";
+  const std::vector<std::string> columns{"Figure", "The paper says", "Verdict", "It holds if", "Computed"};
+  std::string rows;
+  for (const PaperStatement& statement : comparison.statements)
+    rows += table_row(columns, {statement.source, statement.claim, statement.verdict, statement.criterion,
+                                statement.computed});
+  return element("section",
+                 element("h2", "What the paper says, and what was computed") + "\n" +
+                     element("div", table(columns, rows), " class=\"statements\""),
+                 " id=\"statements\"");
+}
+
+std::string scene_anchor(std::size_t scene) {
+  return fmt::format("scene-{}", scene + 1);
+}
+
+std::string scene_section(const fs::path& results, const Comparison& comparison, std::size_t scene) {
+  const ComparedScene& compared = comparison.scenes[scene];
+  std::string body = element("h2", escaped(compared.title)) + "\n";
+  if (!compared.ground.empty())
+    body += element("p", escaped("The ground moves by: " + compared.ground)) + "\n";
+  if (has_motion(comparison, compared))
+    body += element("h3", "The motion to look at") + player_part(comparison, scene) + "\n";
+  for (const FigureKind& kind : figure_kinds())
+    if (has_figure(compared, kind))
+      body += element("h3", escaped(kind.title)) + figure_part(results, comparison, scene, kind) + "\n";
+  body += element("details", element("summary", fmt::format("The scene file of {}", escaped(compared.name))) +
+                                 element("pre", element("code", escaped(compared.toml))));
+  return element("section", "\n" + body, fmt::format(" id=\"{}\"", scene_anchor(scene))) + "\n";
+}
+
+/// A failed run may have stopped before it wrote anything.
+std::string parameters_of(const Run& run) {
+  const std::string name = element("summary", escaped(run.name));
+  if (!run.done() && !fs::exists(run.folder / "summary.json"))
+    return element("details", name + element("p", fmt::format("Failed: {}", escaped(run.reason)))) + "\n";
+  return element("details", name + definition_list(read_summary(run))) + "\n";
+}
+
+std::string contents_list(const Comparison& comparison) {
+  const auto item = [](const std::string& anchor, const std::string& words) {
+    return element("li", fmt::format("<a href=\"#{}\">{}</a>", anchor, escaped(words)));
+  };
+  std::string items = item("summary", "Summary");
+  if (!comparison.statements.empty()) items += item("statements", "What the paper says");
+  items += item("runs", "All runs");
+  for (std::size_t i = 0; i < comparison.scenes.size(); ++i)
+    items += item(scene_anchor(i), comparison.scenes[i].title);
+  items += item("parameters", "Parameters") + item("columns", "Columns") + item("again", "To run it again");
+  return element("ul", items);
+}
+
+std::string whole_summary(const Comparison& comparison) {
+  std::string text = sentence_list(summary(comparison));
+  for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
+    const ComparedScene& scene = comparison.scenes[i];
+    text += element("h3", fmt::format("<a href=\"#{}\">{}</a>", scene_anchor(i), escaped(scene.title))) +
+            sentence_list(summary(comparison, scene));
+  }
+  return text;
+}
+
+std::string content(const fs::path& results, const Comparison& comparison) {
+  std::string scenes, parameters;
+  for (std::size_t i = 0; i < comparison.scenes.size(); ++i) scenes += scene_section(results, comparison, i);
+  for (const Run& run : comparison.runs) parameters += parameters_of(run);
+  return filled_in(report_html, {{"title", escaped(comparison.title)},
+                                 {"contents", contents_list(comparison)},
+                                 {"summary", whole_summary(comparison)},
+                                 {"statements", statements_section(comparison)},
+                                 {"table", runs_table(comparison)},
+                                 {"scenes", scenes},
+                                 {"parameters", parameters},
+                                 {"definitions", definition_list(comparison.definitions)},
+                                 {"command", escaped(comparison.command)},
+                                 {"environment", definition_list(comparison.environment)}});
+}
+
+}  // namespace
+
+void write_report(const std::filesystem::path& results) {
+  const Comparison comparison = read_comparison(results);
+  write_page(results / "report.html", page({comparison.title, "report", content(results, comparison)}));
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,81 @@
+#include "comparisons/results/csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analytic/scene/input_error.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rockstack {
+namespace {
+
+std::filesystem::path file_with(const std::string& text) {
+  static const TemporaryFolder folder;
+  return folder.write("table.csv", text);
+}
+
+/// The error that `read` raises; the test fails where there is none.
+template <class Read>
+std::string error_of(const Read& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "no InputError";
+  return "";
+}
+
+void expect_part(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+TEST(Table, ReadsQuotedCellsAndEmptyOnes) {
+  const Table table = read_table(file_with("a,b,c\n1,\"x, \"\"y\"\"\",\n,,3\r\n"));
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"a", "b", "c"}));
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"1", "x, \"y\"", ""}));
+  EXPECT_EQ(table.rows[1], (std::vector<std::string>{"", "", "3"}));
+}
+
+TEST(Table, TextCellsReadBackAsTheyWere) {
+  for (const std::string text : {"plain", "with, comma", "with \"quotes\"", ""}) {
+    EXPECT_EQ(read_table(file_with("a,b\n" + text_cell(text) + ",\n")).rows[0][0], text);
+  }
+  EXPECT_EQ(text_cell("two\nlines"), "\"two lines\"");
+}
+
+TEST(Table, NumbersReadBackToTheSameDoubleAndEmptyIsNotANumber) {
+  const auto columns =
+      read_columns(file_with("time,x,y\n0.1,1e-300,5\n0.30000000000000004,,6\n"), {"x", "time"});
+  EXPECT_EQ(columns[0][0], 1e-300);
+  EXPECT_TRUE(std::isnan(columns[0][1]));
+  EXPECT_EQ(columns[1][1], 0.1 + 0.2);
+}
+
+TEST(Table, ARowOfAnotherWidthIsNamedByFileAndLine) {
+  const auto file = file_with("a,b\n1,2\n3\n");
+  expect_part(error_of([&] { read_table(file); }), file.string() + ":3: 1 cells; must be 2");
+}
+
+TEST(Table, AWordInPlaceOfANumberIsNamedByFileLineAndColumn) {
+  const auto file = file_with("time,x\n0,1\n1,two\n");
+  expect_part(error_of([&] { read_columns(file, {"x"}); }),
+              file.string() + ":3: x = \"two\": must be a number");
+}
+
+TEST(Table, AMissingColumnIsNamed) {
+  const auto file = file_with("time\n0\n");
+  expect_part(error_of([&] { read_columns(file, {"theta_1"}); }), file.string() + ":1: no column theta_1");
+}
+
+TEST(Table, OpenQuotesEmptyFilesAndMissingFilesAreErrors) {
+  expect_part(error_of([] { read_table(file_with("a\n\"b\n")); }), ":2: a quote is not closed");
+  expect_part(error_of([] { read_table(file_with("a\n\"b\"c\n")); }), ":2: text after a closing quote");
+  expect_part(error_of([] { read_table(file_with("")); }), ":1: empty");
+  expect_part(error_of([] { read_table("no/such.csv"); }), "no/such.csv: cannot be read");
+}
+
+}  // namespace
+}  // namespace rockstack

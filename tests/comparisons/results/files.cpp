@@ -1,0 +1,63 @@
+#include "comparisons/results/files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "analytic/scene/input_error.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rockstack {
+namespace {
+
+std::string content(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Files, AreReplacedWhole) {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "a", "first, and longer");
+  write_file(folder.path() / "a", "second");
+  EXPECT_EQ(content(folder.path() / "a"), "second");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.partial"));
+}
+
+TEST(Files, ThatCannotBeWrittenAreNamedAndLeaveNothing) {
+  const TemporaryFolder folder;
+  try {
+    write_file(folder.path() / "missing" / "a", "text");
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("missing/a: cannot be written: No such file"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Files, FoldersAreMadeOrTakenAndLeftEmpty) {
+  const TemporaryFolder folder;
+  prepare_folder(folder.path() / "a" / "b");
+  prepare_folder(folder.path() / "a" / "b");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "a" / "b"));
+}
+
+TEST(Files, AFolderIsKeptForOneRunAtATime) {
+  const TemporaryFolder folder;
+  {
+    const FolderLock lock(folder.path());
+    EXPECT_THROW(FolderLock{folder.path()}, InputError);
+  }
+  EXPECT_NO_THROW(FolderLock{folder.path()});
+}
+
+TEST(Files, AFolderThatIsAFileIsBadInput) {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "a", "");
+  EXPECT_THROW(prepare_folder(folder.path() / "a"), InputError);
+  EXPECT_THROW(prepare_folder(folder.path() / "a" / "b"), InputError);
+}
+
+}  // namespace
+}  // namespace rockstack

@@ -1,0 +1,83 @@
+#include "comparisons/runs/against_exact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analytic/solve.hpp"
+#include "tests/free_rocking.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rockstack {
+namespace {
+
+// Angles a tenth too large, impacts 2 ms late, the last one missed and one made up.
+TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
+  const Scene scene = free_rocking(2);
+  const History exact = solve(scene, {.sample_times = regular_times(1e-3, scene.duration)});
+  History other = exact;
+  for (double& angle : other.angles) angle *= 1.1;
+  for (double& velocity : other.velocities) velocity *= 1.1;
+  auto impacts = reported_impacts(exact, chatter_speed(scene));
+  const auto count = static_cast<int>(impacts.size());
+  ASSERT_GT(count, 3);
+  for (ImpactTime& impact : impacts) impact.time += 2e-3;
+  impacts.back().time += 2 * matching_window(scene);
+  const BodyRecord bodies{.energy = {0, 300, 100},
+                          .input = {0, 50, 50},
+                          .penetration = 1,
+                          .gap = 2,
+                          .slip = 3,
+                          .out_of_plane = 4,
+                          .out_of_plane_tilt = 5};
+  Suite suite;
+  suite.wanted.histories = false;
+  suite.tolerance = 1e-3;
+  const TemporaryFolder folder;
+  Row row;
+  compare_with_exact(scene, suite, {other, impacts, false, bodies}, folder.path(), row);
+
+  double largest = 0;
+  double squares = 0;
+  double agrees = 0;
+  bool agreed = true;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    double worst = 0;
+    for (const double angle : exact.angles_at(i)) {
+      worst = std::max(worst, 0.1 * std::abs(angle));
+      squares += 0.01 * angle * angle;
+    }
+    largest = std::max(largest, worst);
+    agreed = agreed && worst <= suite.tolerance;
+    if (agreed) agrees = exact.times[i];
+  }
+  const double rounding = 1e-13;
+  EXPECT_NEAR(*row.largest_angle_difference, largest, rounding);
+  EXPECT_NEAR(*row.rms_angle_difference, std::sqrt(squares / static_cast<double>(exact.angles.size())),
+              rounding);
+  EXPECT_NEAR(*row.relative_angle_difference, 0.1, rounding);
+  EXPECT_NEAR(*row.magnitude_error, 0.1, rounding);
+  EXPECT_NEAR(*row.phase_error, 0, 1e-7) << "an arc cosine near one has half the digits";
+  EXPECT_NEAR(*row.second_peak_difference, 0.1, rounding);
+  EXPECT_NEAR(*row.agreement_time, agrees, 1.001e-3);
+  EXPECT_NEAR(*row.first_impact_time_difference, 2e-3, rounding);
+  EXPECT_EQ(row.impacts_matched, count - 1);
+  EXPECT_EQ(row.impacts_missed, 1);
+  EXPECT_EQ(row.impacts_extra, 1);
+  EXPECT_NEAR(*row.rms_impact_time_difference, 2e-3, rounding);
+  EXPECT_NEAR(*row.largest_impact_time_difference, 2e-3, rounding);
+  const Block& base = scene.blocks[0];
+  const Block& top = scene.blocks[1];
+  const double weight_height =
+      scene.gravity * (base.mass * base.half_height + top.mass * (2 * base.half_height + top.half_height));
+  EXPECT_NEAR(*row.energy_gain, 250 / weight_height, rounding);
+  EXPECT_EQ(row.penetration, 1);
+  EXPECT_EQ(row.gap, 2);
+  EXPECT_EQ(row.slip, 3);
+  EXPECT_EQ(row.out_of_plane, 4);
+  EXPECT_EQ(row.out_of_plane_tilt, 5);
+}
+
+}  // namespace
+}  // namespace rockstack

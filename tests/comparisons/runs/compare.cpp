@@ -1,0 +1,148 @@
+#include "comparisons/runs/compare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/input_error.hpp"
+#include "comparisons/results/csv.hpp"
+#include "comparisons/statistics/tally.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr const char* block = R"(duration = 0.2
+[[blocks]]
+width = 0.5
+height = 2
+density = 2500
+[initial]
+angles = [0.05]
+)";
+
+TEST(Compare, AFailingRunCostsItsOwnRow) {
+  const TemporaryFolder folder;
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  suite.repeats = 1;
+  suite.limits.time = 5;
+  for (EngineSeries& series : suite.series) series.steps = {1e-2};
+  const std::vector<WorkerEngine> faulty = engines_of(FAULTY_WORKER);
+  const std::map<std::string, std::string> expected{
+      {"fine", "done"},     {"throw", "failed"},          {"abort", "signal"},
+      {"killed", "signal"}, {"not-finite", "not finite"}, {"loop", "time limit"}};
+  for (const WorkerEngine& engine : faulty) {
+    if (expected.count(engine.solver()) == 0) continue;
+    suite.series.insert(suite.series.begin(), make_series(engine, "default", {1e-2}));
+  }
+  const auto rows = compare({suite}, folder.path(), {}).rows;
+  ASSERT_EQ(rows.size(), suite.series.size() + 1);
+  for (const Row& row : rows) {
+    EXPECT_EQ(row.status, row.engine == "faulty" ? expected.at(row.solver) : "done") << row.run << row.reason;
+    EXPECT_EQ(row.reason.empty(), row.status == "done") << row.run;
+    EXPECT_EQ(row.rms_angle_difference.has_value(), row.status == "done" && row.engine != "exact") << row.run;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs" / row.run / "summary.json"));
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "comparison.csv"));
+}
+
+TEST(Compare, ResultsNotAskedForAreNotComputed) {
+  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  const TemporaryFolder folder;
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  suite.repeats = 1;
+  suite.series.resize(1);
+  suite.series[0].steps = {1e-2};
+  suite.wanted = {false, false, false, false, false};
+  const Row row = compare({suite}, folder.path(), {}).rows.at(1);
+  EXPECT_EQ(row.status, "done");
+  for (const char* name : {"rms_angle_difference", "impacts_matched", "pattern_agreement", "slip"}) {
+    EXPECT_TRUE(row_json(row).at(name).is_null()) << name;
+  }
+  for (const char* name : {"history.csv", "difference.csv", "impacts.csv", "patterns.csv", "energy.csv"}) {
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "runs" / row.run / name)) << name;
+  }
+}
+
+TEST(Compare, ScenesThatWouldShareAFolderAreRefused) {
+  const TemporaryFolder folder;
+  const Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  EXPECT_THROW(compare({suite, suite}, folder.path(), {}), InputError);
+}
+
+/// A suite of one block, and of the first engine where there is one.
+Suite small_suite(const TemporaryFolder& folder) {
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  suite.repeats = 1;
+  if (suite.series.size() > 2) suite.series.resize(2);
+  for (EngineSeries& series : suite.series) series.steps = {1e-2, 1e-3};
+  suite.variants = {{"linear"}};
+  return suite;
+}
+
+/// The cells of a row that the machine's speed has no part in.
+nlohmann::ordered_json lasting(const Row& row) {
+  auto cells = row_json(row);
+  for (const Column& column : columns()) {
+    if (column.measured) cells.erase(column.name);
+  }
+  return cells;
+}
+
+TEST(Compare, TheSameSuiteTwiceGivesTheSameNumbersButForTimesHoweverManyRunsAreMadeAtATime) {
+  const TemporaryFolder first, second;
+  const auto one = compare({small_suite(first)}, first.path(), {});
+  const auto other = compare({small_suite(second)}, second.path(), {.jobs = 3});
+  EXPECT_EQ(one.reused + other.reused, 0U);
+  ASSERT_EQ(one.rows.size(), other.rows.size());
+  for (std::size_t i = 0; i < one.rows.size(); ++i) {
+    EXPECT_EQ(lasting(one.rows[i]), lasting(other.rows[i])) << one.rows[i].run;
+    EXPECT_EQ(one.rows[i].runs_at_a_time, 1);
+    EXPECT_EQ(other.rows[i].runs_at_a_time, 3);
+  }
+}
+
+TEST(Compare, PerturbedScenesAreMadeOnEveryAnswerAndCompared) {
+  const TemporaryFolder folder;
+  Suite suite = small_suite(folder);
+  suite.perturbations = {.runs = 4, .size = 1e-3, .seed = 1};
+  const auto rows = compare({suite}, folder.path(), {}).rows;
+  for (const Row& row : rows)
+    EXPECT_EQ(read_tallies(folder.path() / "runs" / row.run / "perturbed.csv").size(), 4U) << row.run;
+  const Table table = read_table(folder.path() / "distributions.csv");
+  EXPECT_EQ(table.rows.size(), 3 * (rows.size() - 1));  // peak_1, impacts and toppled
+}
+
+TEST(Compare, RunsThatAreDoneAreNotMadeAgain) {
+  const TemporaryFolder folder;
+  const Suite suite = small_suite(folder);
+  const auto first = compare({suite}, folder.path(), {});
+  std::size_t reports = 0;
+  const auto again = compare({suite}, folder.path(), {.progress = [&](const Standing& now) {
+                               EXPECT_EQ(now.done, reports++);
+                               EXPECT_EQ(now.total, first.rows.size());
+                             }});
+  EXPECT_EQ(again.reused, first.rows.size());
+  EXPECT_EQ(reports, first.rows.size() + 1);
+  for (std::size_t i = 0; i < first.rows.size(); ++i)
+    EXPECT_EQ(row_json(first.rows[i]), row_json(again.rows[i])) << first.rows[i].run;
+}
+
+TEST(Compare, RunsOfOtherInputsOrThatAreTornAreMadeAgain) {
+  const TemporaryFolder folder;
+  Suite suite = small_suite(folder);
+  const auto rows = compare({suite}, folder.path(), {}).rows;
+  std::filesystem::remove(folder.path() / "runs" / rows[0].run / "summary.json");
+  EXPECT_EQ(compare({suite}, folder.path(), {}).reused, rows.size() - 1);
+  if (!suite.series.empty()) {
+    suite.series[0].parameters.begin()->second += 1;
+    const std::size_t changed = suite.series[0].steps.size();
+    EXPECT_EQ(compare({suite}, folder.path(), {}).reused, rows.size() - changed);
+  }
+  suite.scenes[0].scene.gravity *= 1.0 + 1e-15;
+  EXPECT_EQ(compare({suite}, folder.path(), {}).reused, 0U);
+}
+
+}  // namespace
+}  // namespace rockstack

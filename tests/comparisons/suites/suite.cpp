@@ -1,0 +1,147 @@
+#include "comparisons/suites/suite.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "analytic/scene/input_error.hpp"
+#include "comparisons/impact_laws/study.hpp"
+#include "comparisons/stability/study.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr const char* block = R"(duration = 0.2
+[[blocks]]
+width = 0.5
+height = 2
+density = 2500
+[initial]
+angles = [0.05]
+)";
+
+/// The error of a suite of that text beside "block.toml", without the folder; empty where there is none.
+std::string error_of(const std::string& text) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  try {
+    read_suite(folder.write("suite.toml", text), {});
+  } catch (const InputError& error) {
+    std::string line = error.what();
+    const std::string before = folder.path().string() + "/";
+    if (line.starts_with(before)) line.erase(0, before.size());
+    return line;
+  }
+  return {};
+}
+
+TEST(Suites, ShippedOnesAreReadable) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(ROCKSTACK_SUITES)) {
+    if (is_stability_study(entry.path())) {
+      EXPECT_NO_THROW(read_stability_study(entry.path(), {})) << entry.path();
+      continue;
+    }
+    if (is_study(entry.path())) {
+      EXPECT_NO_THROW(read_impact_law_study(entry.path())) << entry.path();
+      continue;
+    }
+    EXPECT_TRUE(is_suite(entry.path()));
+    const Suite suite = read_suite(entry.path(), {});
+    EXPECT_FALSE(suite.scenes.empty()) << entry.path();
+    ++count;
+  }
+  EXPECT_GT(count, 0);
+}
+
+TEST(Suites, ErrorsNameLineKeyAndWhatIsAllowed) {
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
+  EXPECT_EQ(error_of(head), "");
+  EXPECT_TRUE(
+      error_of(head + "tolerance = 0\n").starts_with("suite.toml:3: tolerance = 0: must be a number > 0"));
+  EXPECT_TRUE(
+      error_of(head + "repeats = 1.5\n").starts_with("suite.toml:3: repeats = 1.5: must be a whole number"));
+  EXPECT_TRUE(error_of(head + "colour = 1\n").starts_with("suite.toml:3: colour"));
+  EXPECT_TRUE(error_of(head + "[[engines]]\nname = \"havok\"\n")
+                  .starts_with("suite.toml:4: engine = havok: must be one of"));
+  EXPECT_TRUE(error_of("title = \"a\"\nscenes = []\n").starts_with("suite.toml:2: scenes"));
+}
+
+TEST(Suites, OverridesReachEveryScene) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const auto file = folder.write("suite.toml", "title = \"a\"\nscenes = [\"block.toml\"]\n");
+  EXPECT_EQ(read_suite(file, {"gravity=1.62"}).scenes.at(0).scene.gravity, 1.62);
+}
+
+TEST(Suites, ParametersAreChangedOneSeriesEachCombination) {
+  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  const WorkerEngine& engine = engines().front();
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n[[engines]]\nname = \"" +
+                           engine.name() + "\"\nsettings = [\"tuned\"]\n[engines.parameters]\n";
+  const std::string name = engine.settings().front().name;
+  const Suite suite = read_suite(folder.write("suite.toml", head + name + " = [2, 3]\n"), {});
+  ASSERT_EQ(suite.series.size(), 2U);
+  Parameters expected = engine.tuned_parameters();
+  expected[name] = 3;
+  EXPECT_EQ(suite.series[1].parameters, expected);
+  EXPECT_EQ(suite.series[1].settings, "tuned+" + name + "=3");
+  EXPECT_TRUE(
+      error_of(head + "wishes = 1\n").starts_with("suite.toml:7: " + engine.name() + ": wishes = 1: no"));
+  EXPECT_TRUE(error_of(head + name + " = -1\n")
+                  .starts_with("suite.toml:7: " + engine.name() + ": " + name + " = -1: must be"));
+}
+
+TEST(Suites, PerturbationsAreRead) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
+  EXPECT_EQ(read_suite(folder.write("suite.toml", head), {}).perturbations.runs, 0);
+  const auto file = folder.write("suite.toml", head + "[perturbations]\nruns = 50\nsize = 1e-4\nseed = 7\n");
+  const Perturbations around = read_suite(file, {}).perturbations;
+  EXPECT_EQ(around.runs, 50);
+  EXPECT_EQ(around.size, 1e-4);
+  EXPECT_EQ(around.seed, 7U);
+  EXPECT_TRUE(error_of(head + "[perturbations]\nruns = 1\n")
+                  .starts_with("suite.toml:4: perturbations.runs = 1: must be a whole number ≥ 2"));
+  EXPECT_TRUE(error_of(head + "[perturbations]\nruns = 3\nsize = 0.5\n")
+                  .starts_with("suite.toml:5: perturbations.size = 0.5: must be"));
+}
+
+TEST(Suites, ResultsThatAreAskedForAreRead) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
+  const Wanted all = read_suite(folder.write("suite.toml", head), {}).wanted;
+  EXPECT_TRUE(all.angles && all.impacts && all.patterns && all.bodies && all.histories);
+  const Wanted some = read_suite(folder.write("suite.toml", head + "results = [\"impacts\"]\n"), {}).wanted;
+  EXPECT_TRUE(some.impacts && !some.angles && !some.patterns && !some.bodies && !some.histories);
+  EXPECT_TRUE(error_of(head + "results = [\"looks\"]\n").starts_with("suite.toml:3: results"));
+}
+
+TEST(Suites, ChangesToScenesYieldToThoseOfTheCommandLine) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const auto file = folder.write(
+      "suite.toml", "title = \"a\"\nscenes = [\"block.toml\"]\nset = [\"gravity=3\", \"duration=7\"]\n");
+  const Scene scene = read_suite(file, {"gravity=1.62"}).scenes.at(0).scene;
+  EXPECT_EQ(scene.gravity, 1.62);
+  EXPECT_EQ(scene.duration, 7);
+}
+
+TEST(Suites, LimitsAreRead) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
+  const Suite suite =
+      read_suite(folder.write("suite.toml", head + "time_limit = 7.5\nmemory_limit = 512\n"), {});
+  EXPECT_EQ(suite.limits.time, 7.5);
+  EXPECT_EQ(suite.limits.memory, std::uint64_t{512} << 20);
+  EXPECT_TRUE(error_of(head + "memory_limit = 1\n").starts_with("suite.toml:3: memory_limit = 1: must be"));
+}
+
+}  // namespace
+}  // namespace rockstack

@@ -1,0 +1,126 @@
+#include "plots/data/results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <tuple>
+
+#include "analytic/scene/input_error.hpp"
+#include "plots/data/events.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/drawing/style.hpp"
+#include "tests/plots/sample.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+
+testing::Sample tuned_and_default() {
+  testing::Sample sample;
+  sample.engines = {{"bullet", "nncg", "default", 2e-3},
+                    {"bullet", "nncg", "tuned", 1e-3},
+                    {"ode", "step", "default", 2e-3}};
+  sample.failed_row = true;
+  return sample;
+}
+
+TEST(Results, ReadsRowsAndLeavesEmptyCellsWithoutValue) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, tuned_and_default());
+  const Comparison comparison = read_comparison(folder);
+  ASSERT_EQ(comparison.runs.size(), 8u);
+  EXPECT_TRUE(comparison.runs[0].exact());
+  EXPECT_TRUE(std::isnan(comparison.runs[0].rms_angle_difference));
+  EXPECT_EQ(comparison.runs[1].dt, 0.01);
+  EXPECT_EQ(comparison.tolerance, 0.01);
+  EXPECT_FALSE(comparison.runs.back().done());
+  EXPECT_EQ(comparison.runs.back().reason, "angle not finite, at t = 0.3 s <nan>");
+}
+
+TEST(Results, RunsThatDifferInTheirIterationsAloneAreOneLine) {
+  const fs::path folder = testing::fresh_folder();
+  testing::Sample sample;
+  sample.engines = {{"ode", "quickstep", "tuned+quickStepNumIterations=20+quickStepW=1", 2e-3},
+                    {"ode", "quickstep", "tuned+quickStepNumIterations=100+quickStepW=1", 2e-3},
+                    {"ode", "quickstep", "tuned", 2e-3}};
+  sample.steps = {1e-3};
+  testing::write_sample(folder, sample);
+  const auto lines = step_lines(read_comparison(folder), "sample");
+  ASSERT_EQ(lines.size(), 2u);
+  ASSERT_EQ(lines[0].size(), 2u);
+  EXPECT_EQ(iterations_of(lines[0][0]), 100);
+  EXPECT_EQ(iterations_of(lines[0][1]), 20);
+  EXPECT_EQ(line_label(lines[0]), "ode quickstep, tuned+quickStepW=1");
+  EXPECT_EQ(iterations_of(lines[1][0]), 0);
+}
+
+TEST(Results, ShowsTheSmallestStepOfEachSolverAndTunedBeforeDefault) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, tuned_and_default());
+  const Shown shown = shown_runs(read_comparison(folder), "sample");
+  ASSERT_EQ(shown.exact.size(), 1u);
+  ASSERT_EQ(shown.engines.size(), 2u);
+  EXPECT_EQ(run_label(shown.engines[0]), "bullet nncg, tuned, 1 ms");
+  EXPECT_EQ(run_label(shown.engines[1]), "ode step, default, 1 ms");
+}
+
+TEST(Results, PatternSpansCoverTheWholeMotionWithoutGaps) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, testing::Sample{});
+  const auto exact = done_runs(read_comparison(folder), "sample").front();
+  const ExactEvents events = read_events(exact, 2, 5.0, "");
+  EXPECT_EQ(events.impacts, 9u);
+  ASSERT_EQ(events.spans.size(), 10u);
+  EXPECT_EQ(events.spans.front().from, 0);
+  for (std::size_t i = 1; i < events.spans.size(); ++i)
+    EXPECT_EQ(events.spans[i].from, events.spans[i - 1].to);
+  EXPECT_EQ(events.spans.back().to, 5);
+}
+
+TEST(Results, AnExtraImpactStandsBetweenTheExactOnesAroundIt) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, testing::Sample{});
+  const Impacts impacts = read_impacts(shown_runs(read_comparison(folder), "sample").engines.front());
+  EXPECT_EQ(impacts.missed, std::vector<double>{7});
+  EXPECT_EQ(impacts.extra, std::vector<double>{7.5});
+  EXPECT_EQ(impacts.matched.size(), 8u);
+}
+
+TEST(Results, EverySolverHasALookOfItsOwn) {
+  const fs::path folder = testing::fresh_folder();
+  testing::Sample sample = tuned_and_default();
+  sample.engines.push_back({"newton", "dynamics", "tuned", 1e-3});
+  testing::write_sample(folder, sample);
+  const Looks looks = assign_looks(read_comparison(folder).runs);
+  std::set<std::tuple<std::string, int, std::string>> seen;
+  for (const auto& [solver, look] : looks)
+    EXPECT_TRUE(seen.emplace(look.colour, look.mark, look.dash).second) << solver;
+  EXPECT_TRUE(looks.contains("newton:dynamics"));
+}
+
+TEST(Results, AMalformedDescriptionIsNamedByItsFile) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, testing::Sample{});
+  for (const char* text : {"{", "[]", "{\"title\": 3}"}) {
+    std::ofstream(folder / "comparison.json") << text;
+    try {
+      read_comparison(folder);
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("comparison.json"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Results, DurationsCarryAUnitThatSuitsThem) {
+  EXPECT_EQ(duration_text(1.5), "1.5 s");
+  EXPECT_EQ(duration_text(1e-3), "1 ms");
+  EXPECT_EQ(duration_text(1e-4), "0.1 ms");
+  EXPECT_EQ(duration_text(1e-5), "10 µs");
+}
+
+}  // namespace
+}  // namespace rockstack::plots

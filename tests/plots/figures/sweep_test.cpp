@@ -1,0 +1,75 @@
+#include "plots/figures/sweep/sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "analytic/scene/input_error.hpp"
+#include "tests/plots/sample.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+using testing::bytes_of;
+
+/// A folder with sweep.json and one more file.
+std::filesystem::path folder_with(const std::string& name, const std::string& text) {
+  auto folder = testing::fresh_folder();
+  std::ofstream(folder / "sweep.json")
+      << R"({"title": "A made-up sweep", "summary": {"intensity": "ground.horizontal.peak", "period": ""}})";
+  std::ofstream(folder / name) << text;
+  return folder;
+}
+
+bool drawn(const std::filesystem::path& folder, const std::string& name) {
+  return bytes_of(folder / "figures" / (name + ".png")).starts_with("\x89PNG") &&
+         bytes_of(folder / "figures" / (name + ".svg")).find("peak ground acceleration") != std::string::npos;
+}
+
+TEST(SweepFigures, AFragilityCurveIsDrawnWithAndWithoutAFit) {
+  const auto folder = folder_with("fragility.csv",
+                                  "intensity,runs,toppled,failed,fraction,lower,upper,fitted\n"
+                                  "2,20,0,0,0,0,0.16,0.02\n3,20,9,0,0.45,0.25,0.65,0.4\n4,0,0,2,,0,1,0.9\n");
+  std::ofstream(folder / "fragility-fit.csv") << "median,beta,log_likelihood\n3.1,0.3,-20\n";
+  draw_sweep(folder);
+  EXPECT_TRUE(drawn(folder, "fragility"));
+  EXPECT_NE(bytes_of(folder / "figures/fragility.svg").find("median 3.1"), std::string::npos);
+  std::ofstream(folder / "fragility-fit.csv") << "median,beta,log_likelihood\n";
+  draw_sweep(folder);
+  EXPECT_EQ(bytes_of(folder / "figures/fragility.svg").find("median"), std::string::npos);
+}
+
+TEST(SweepFigures, IncrementalCurvesMayToppleAndRockAgain) {
+  const auto folder = folder_with(
+      "incremental.csv",
+      "curve,values,intensity,peak_ratio,toppled\n1,seed=1,2,0.1,0\n1,seed=1,3,5,1\n1,seed=1,4,0.7,0\n"
+      "2,seed=2,2,0.2,0\n2,seed=2,3,0.3,0\n2,seed=2,4,6,1\n");
+  std::ofstream(folder / "incremental-fractiles.csv")
+      << "intensity,runs,fractile_16,fractile_50,fractile_84\n2,2,0.1,0.1,0.2\n3,2,0.3,0.3,inf\n4,2,0.7,0.7,"
+         "inf\n";
+  draw_sweep(folder);
+  EXPECT_TRUE(drawn(folder, "incremental"));
+}
+
+TEST(SweepFigures, AnOverturningSpectrumNamesOnlyWhatHappens) {
+  const auto folder = folder_with(
+      "overturning.csv",
+      "period,frequency,intensity,runs,rest,rocking,toppled_after_impact,toppled_without_impact,failed\n"
+      "0.5,2,1,1,1,0,0,0,0\n0.5,2,2,1,0,1,0,0,0\n0.25,4,1,1,1,0,0,0,0\n0.25,4,2,1,0,0,0,1,0\n");
+  draw_sweep(folder);
+  EXPECT_TRUE(drawn(folder, "overturning"));
+  const std::string svg = bytes_of(folder / "figures/overturning.svg");
+  EXPECT_NE(svg.find("topples without an impact"), std::string::npos);
+  EXPECT_EQ(svg.find("topples after an impact"), std::string::npos);
+  EXPECT_EQ(svg.find("could not be solved"), std::string::npos);
+}
+
+TEST(SweepFigures, AMalformedFileIsNamed) {
+  const auto folder = folder_with("fragility.csv", "intensity\n1\n");
+  EXPECT_THROW(draw_sweep(folder), InputError);
+  std::ofstream(folder / "sweep.json") << "{";
+  EXPECT_THROW(draw_sweep(folder), InputError);
+}
+
+}  // namespace
+}  // namespace rockstack::plots

@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include "plots/figures/comparison/figures.hpp"
+#include "plots/pages/report.hpp"
+#include "tests/plots/browser.hpp"
+#include "tests/plots/sample.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+using testing::Answer;
+using testing::ask_browser;
+
+/// The report of a made-up comparison, in a real browser. Its exact motion swings through zero every 0.5 s,
+/// where pattern 1a becomes 2b and back.
+class Page : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+    const std::filesystem::path folder = testing::fresh_folder();
+    testing::write_sample(folder, {.engines = {{"bullet", "sequential-impulse", "tuned", 2e-3},
+                                               {"ode", "step", "default", 3e-3}},
+                                   .failed_row = true,
+                                   .shaken = true,
+                                   .results = R"(["angles", "histories"])"});
+    draw_figures(folder);
+    write_report(folder);
+    page_ = testing::bytes_of(folder / "report.html");
+  }
+
+  std::string page_;
+};
+
+TEST_F(Page, LoadsWithoutComplaint) {
+  const Answer answer = ask_browser(page_, "return document.querySelectorAll('.player').length;");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result, 1);
+}
+
+TEST_F(Page, ThePlayerMovesUntilItIsPaused) {
+  const Answer answer = ask_browser(page_, R"(
+    const stage = player.find("stage"), before = stage.toDataURL();
+    const drawn = player.frames;
+    player.find("play").click();
+    for (let i = 0; i < 500 && player.frames < drawn + 3; ++i) await wait(20);
+    player.find("play").click();
+    const paused = player.time, moved = stage.toDataURL() !== before;
+    await wait(300);
+    return { paused, later: player.time, moved };)");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_GT(answer.result["paused"].get<double>(), 0.0);
+  EXPECT_EQ(answer.result["later"], answer.result["paused"]);
+  EXPECT_TRUE(answer.result["moved"].get<bool>());
+}
+
+TEST_F(Page, ScrubbingAcrossAnImpactShowsThePatternChange) {
+  const Answer answer = ask_browser(page_, R"(
+    const scrub = player.find("scrub");
+    const at = (ms) => {
+      scrub.value = ms;
+      scrub.dispatchEvent(new Event("input"));
+      return { words: player.find("now").textContent, contacts: player.find("values").tBodies[0].rows[0].cells[3].textContent };
+    };
+    return [at(499), at(501), at(1001)];)");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result[0]["words"], "0.4990 s of 5.00 s, exact pattern 1a.");
+  EXPECT_EQ(answer.result[1]["words"], "0.5010 s of 5.00 s, exact pattern 2b.");
+  EXPECT_EQ(answer.result[2]["words"], "1.0010 s of 5.00 s, exact pattern 1a.");
+  EXPECT_EQ(answer.result[0]["contacts"], "right, right");
+  EXPECT_EQ(answer.result[1]["contacts"], "left, right");
+}
+
+TEST_F(Page, KeysStepFromImpactToImpactAndBack) {
+  const Answer answer = ask_browser(page_, R"(
+    const press = (key) => {
+      player.find("stage").dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+      return [player.time, player.find("now").textContent];
+    };
+    return [press("n"), press("n"), press("p"), press("p")];)");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result[0][0], 0.5);
+  EXPECT_EQ(answer.result[1][0], 1.0);
+  EXPECT_EQ(answer.result[2][0], 0.5);
+  EXPECT_EQ(answer.result[3][0], 0.5);  // none is before the first
+  EXPECT_EQ(answer.result[1][1],
+            "1.0000 s of 5.00 s, exact pattern 1a. Impact at interface 1: pattern 2b becomes 1a.");
+}
+
+TEST_F(Page, AHeadingSortsItsColumnThenTurnsItRound) {
+  const Answer answer = ask_browser(page_, R"(
+    const heading = Array.from(document.querySelectorAll("#runs thead th"))
+      .find((th) => th.textContent === "rms angle difference");
+    const column = () => Array.from(document.querySelectorAll("#runs tbody tr"),
+      (row) => row.cells[heading.cellIndex].dataset.value ?? "");
+    heading.querySelector("button").click();
+    const up = column(), stated = heading.getAttribute("aria-sort");
+    heading.querySelector("button").click();
+    return { up, stated, down: column() };)");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  // Four engine runs with values, the exact one and the failed one without.
+  const std::vector<std::string> up = answer.result["up"], down = answer.result["down"];
+  ASSERT_EQ(up.size(), 6u);
+  EXPECT_EQ(answer.result["stated"], "ascending");
+  for (int i = 0; i < 3; ++i) EXPECT_LE(std::stod(up[i]), std::stod(up[i + 1]));
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(down[i], up[3 - i]);
+  for (int i = 4; i < 6; ++i) EXPECT_TRUE(up[i].empty() && down[i].empty());
+}
+
+TEST_F(Page, EveryControlHasAName) {
+  const Answer answer = ask_browser(page_, R"(
+    const nameless = Array.from(document.querySelectorAll("button, input, select"), (one) =>
+      one.textContent.trim() || one.labels?.[0]?.textContent.trim() || one.getAttribute("aria-label") ? "" : one.outerHTML);
+    const canvas = player.find("stage");
+    return { nameless: nameless.join(""), role: canvas.getAttribute("role"), words: canvas.getAttribute("aria-label"),
+      focus: canvas.tabIndex };)");
+  EXPECT_EQ(answer.result["nameless"], "");
+  EXPECT_EQ(answer.result["role"], "img");
+  EXPECT_EQ(answer.result["words"], "A made-up scene: 0.0000 s of 5.00 s, exact pattern 1a.");
+  EXPECT_EQ(answer.result["focus"], 0);
+}
+
+TEST_F(Page, AnglesAreExaggeratedInThePictureAlone) {
+  const Answer answer = ask_browser(page_, R"(
+    player.goTo(0.25);
+    const words = () => player.find("values").textContent, before = [words(), player.find("stage").toDataURL()];
+    player.find("gain").value = 50;
+    player.find("gain").dispatchEvent(new Event("input"));
+    return { same: words() === before[0], redrawn: player.find("stage").toDataURL() !== before[1],
+      gain: player.find("gain-text").textContent };)");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_TRUE(answer.result["same"].get<bool>());
+  EXPECT_TRUE(answer.result["redrawn"].get<bool>());
+  EXPECT_EQ(answer.result["gain"], "10");
+}
+
+}  // namespace
+}  // namespace rockstack::plots
