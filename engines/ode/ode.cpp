@@ -12,42 +12,7 @@
 // of 1 m × 1 m, from two on, never to at every step. In rocking columns of eight: in 9 steps of 30000 at
 // most.
 //
-// Measured: Spanos et al. 2001's free rocking (both blocks released at 0.15 rad). "impact" is the first
-// ground impact's error against the event-driven 0.60565 s in steps, "peak" the error of the second peak of
-// the top block against 0.2008 rad, "cost" in µs a step. A free fall under semi-implicit Euler runs dt/2
-// ahead, so −0.50 is the scheme's own impact. Where a cell is empty nothing was measured.
-//
-// clang-format off
-//                            dt = 1e-2 s      1e-3 s           1e-4 s           1e-5 s
-//                           impact  peak    impact  peak     impact  peak     impact  peak    cost
-//   defaults (erp = 0.2)    -2.15 -0.0335   -0.58 +0.0043    -0.57 -0.0017    -0.72 -0.0006   4.8
-//   erp = 0                                 -0.51 -0.0043    -0.52 +0.0012                    5.1
-//   erp = 0.5                               -1.58 -0.0015    -1.85 -0.0063                    4.6
-//   erp = 1                                -14.21 -0.0281   -15.82 -0.0331                    3.4
-//   max correcting 0.01 m/s                 -0.58 +0.0015    -0.57 -0.0008                    4.8
-//   maxContacts = 2                         -1.38 -0.0057    -1.39 -0.0189                    3.7
-//   cfm = 0                 the solver fails in the second step
-//   contactMu2 = 1                          -0.58 +0.0043    -0.57 -0.0017                    3.5
-//     and erp = 0.1         -1.44 -0.0130   -0.79 -0.0058    -1.37 -0.0020                    3.5
-//     and erp = 0.05        +0.19 -0.0342   -0.52 +0.0032    -0.55 +0.0008    -0.71 -0.0000   3.6
-//     and erp = 0.03        -0.52 +0.0117   -0.35 +0.0026    -0.54 +0.0001                    3.6
-//     and erp = 0.02        -0.49 -0.0082   -0.53 +0.0003    -0.54 -0.0001    -0.71 +0.0001   3.6
-//     and erp = 0.01        -0.25 -0.0083   -0.53 +0.0000    -0.54 +0.0001    -0.70 +0.0001   3.6   tuned
-//     and erp = 0.003       -0.35 -0.0081   -0.73 -0.0025    -0.55 +0.0002                    3.7
-//   tuned, contactApprox1=0 -0.23 -0.1988    -0.52 +0.0083    -0.50 -0.0004    -0.54 +0.0000
-//   tuned, cfm = 1e-8                       -0.59 +0.0002    -1.18 -0.0015    -6.96 -0.0002   3.6
-//   tuned, cfm = 1e-9                       -1.08 -0.0028    -0.57 +0.0007    -1.28 +0.0011   3.6
-//   tuned, cfm = 1e-12                      -1.08 -0.0002    -0.54 +0.0002    -0.88 +0.0000   3.5
-//   quickstep, defaults     -2.17 -0.0258    -0.22 +0.0012    -0.96 +0.0022    -0.50 -0.0025   5.5
-//     erp = 0.01, contactMu2 = 1 and
-//       20 iterations         -0.25 -0.0057    -0.52 +0.0017    -0.40 +0.0002                    5.5
-//       50 iterations         -0.25 -0.0058    -0.52 +0.0017    -0.49 -0.0001                    11
-//       100 iterations        -0.25 -0.0058    -0.52 +0.0017    -0.50 -0.0001    -0.52 +0.0000   20  tuned
-//       200 iterations        -0.25 -0.0058    -0.50 +0.0017    -0.52 -0.0001                    45
-//     tuned, erp = 0.05       +0.18 -0.0342    -0.88 -0.0006    -1.08 -0.0001                    20
-//     tuned, erp = 0.005      -0.32 -0.0056    -0.52 +0.0011    -0.51 -0.0001                    20
-//     tuned, cfm = 1e-8       -0.57 -0.0044    -0.58 +0.0017    -1.10 +0.0001                    20
-// clang-format on
+// What was measured of every setting: engines/README.md.
 //
 // Tuned: erp = 0.01, because ODE corrects overlap through the velocities, which feeds energy in as erp grows,
 // and with none an overlap stays; 0.01 to 0.02 serve alike. A single block hardly feels it: from erp = 0.001
@@ -62,18 +27,8 @@
 // of the test ode_friction_test.cpp slip by 0.53 mm within 12 ms at any step, and under an earthquake
 // histories part there (spanos-synthetic: after 2.3 s, RMS 1.3e-3 rad over 3 s at 1e-4 s). With
 // contactApprox1 = 0 the limits are constant forces: no slip, 1.5e-5 rad. Free rocking at 1e-5 s: 2.5e-4 rad
-// with, 8.6e-6 without. QuickStep takes limits from the sweep under way and does not slip. RMS angle
-// difference over 3 s of comparisons/scenes, tuned, in 1e-4 rad:
-//
-//                              with a coefficient              with a force
-//              dt =       1e-2   1e-3   5e-4   1e-4       1e-2   1e-3   5e-4   1e-4 s
-//   spanos-free-rocking    130    5.8    7.7    2.0        470     21    1.4   0.76
-//   spanos-synthetic       8.3     12     15     13         11    3.5    3.1   0.15
-//   drum-column            600    4.7    3.3   0.41        180    3.8    4.2    2.8
-//   drum-column-pulse       98     15    6.2    4.5        140    4.5    3.9   0.33
-//   three-drums            130    3.1    5.5   0.39        130    3.2    8.6   0.41
-//   housner-block          160    5.7    4.7   0.62        170    5.7    4.7   0.61
-//   shaken-block            53    5.4    4.8   0.60        220    5.4    4.7   0.59
+// with, 8.6e-6 without. QuickStep takes limits from the sweep under way and does not slip. Other scenes stand
+// in engines/README.md.
 //
 // Both sets keep contactApprox1 = 1: a scene's friction is a coefficient, and limits that are forces hold at
 // every contact point whatever presses there. Free rocking is nearer with it at large steps. Stacks
