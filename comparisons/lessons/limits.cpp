@@ -10,7 +10,7 @@
 namespace rockstack {
 namespace {
 
-constexpr double step = 1e-3;  // s
+constexpr double sample_step = 1e-3;  // s
 
 History with_demands(const Scene& scene) {
   return solve(scene, {.sample_times = regular_times(1e-3, scene.duration), .validity = true});
@@ -22,7 +22,7 @@ Table slipping(Scene scene) {
   for (const double friction : {0.05, 0.1, 0.13, 0.16, 0.2, 0.5}) {
     scene.engine.friction = friction;
     const auto error = [&](const char* engine) {
-      const History history = answer(engine, "tuned", scene, step);
+      const History history = answer(engine, "tuned", scene, sample_step);
       return cell(root_mean_square(difference(solve(scene, {.sample_times = history.times}), history)));
     };
     table.rows.push_back({cell(friction), error("bullet"), error("ode")});
@@ -69,17 +69,18 @@ LessonValues limits_values(const Suite& suite, const std::vector<Row>& rows) {
   double weight = 0;
   for (const Block& block : scene.blocks) weight += block.mass * scene.gravity;
   LessonValues values;
-  values.numbers = {{"force_friction", fixed(force.friction, 4)},
-                    {"force_friction_time", fixed(force.friction_time, 2)},
-                    {"impulse_friction", fixed(impulse.friction, 4)},
-                    {"impulse_friction_time", fixed(impulse.friction_time, 2)},
-                    {"least_normal", fixed(force.least_normal, 0)},
-                    {"least_share", percent(force.least_normal / weight, 1)},
-                    {"weight", fixed(weight, 0)},
-                    {"slippery", fixed(scene.engine.friction, 2)},
-                    {"bullet_until", fixed(*find_row(rows, "bullet", "tuned", step).agreement_time, 2)},
-                    {"ode_until", fixed(*find_row(rows, "ode", "tuned", step).agreement_time, 2)},
-                    {"tolerance", fixed(suite.tolerance, 2)}};
+  values.numbers = {
+      {"force_friction", fixed(force.friction, 4)},
+      {"force_friction_time", fixed(force.friction_time, 2)},
+      {"impulse_friction", fixed(impulse.friction, 4)},
+      {"impulse_friction_time", fixed(impulse.friction_time, 2)},
+      {"least_normal", fixed(force.least_normal, 0)},
+      {"least_share", percent(force.least_normal / weight, 1)},
+      {"weight", fixed(weight, 0)},
+      {"slippery", fixed(scene.engine.friction, 2)},
+      {"bullet_until", fixed(*find_row(rows, "bullet", "tuned", sample_step).agreement_time, 2)},
+      {"ode_until", fixed(*find_row(rows, "ode", "tuned", sample_step).agreement_time, 2)},
+      {"tolerance", fixed(suite.tolerance, 2)}};
   values.tables = {{"slipping", slipping(scene)}, {"lifting", lifting(scene)}};
   return values;
 }

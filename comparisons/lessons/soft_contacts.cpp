@@ -8,13 +8,13 @@
 namespace rockstack {
 namespace {
 
-constexpr double step = 1e-3;  // s
+constexpr double contact_step = 1e-3;  // s
 
 /// How much of its angular speed a block has again after it has landed flat.
 double rebound(const History& history, const Event& landing) {
   double most = 0;
   for (std::size_t i = 0; i < history.size(); ++i)
-    if (history.times[i] > landing.time + 3 * step)
+    if (history.times[i] > landing.time + 3 * contact_step)
       most = std::max(most, std::abs(history.velocities_at(i)[0]));
   return most / std::abs(landing.before[0]);
 }
@@ -42,9 +42,9 @@ std::vector<Choice> choices() {
 Table rebounds(const Scene& scene, const Event& landing) {
   Table table{{"engine and parameters", "speed after landing / before"}, {}};
   for (const Choice& choice : choices())
-    table.rows.push_back(
-        {choice.words,
-         cell(rebound(answer(choice.engine, choice.settings, scene, step, choice.changes), landing))});
+    table.rows.push_back({choice.words, cell(rebound(answer(choice.engine, choice.settings, scene,
+                                                            contact_step, choice.changes),
+                                                     landing))});
   return table;
 }
 
@@ -55,9 +55,9 @@ Table springs(double weight) {
       {}};
   for (const double erp : {0.01, 0.2, 0.8})
     for (const double cfm : {1e-10, 1e-5}) {
-      const double stiffness = erp / (step * cfm);
-      table.rows.push_back({cell(erp), cell(cfm), cell(step), power(stiffness, 1), power((1 - erp) / cfm, 1),
-                            power(weight / 2 / stiffness, 1)});
+      const double stiffness = erp / (contact_step * cfm);
+      table.rows.push_back({cell(erp), cell(cfm), cell(contact_step), power(stiffness, 1),
+                            power((1 - erp) / cfm, 1), power(weight / 2 / stiffness, 1)});
     }
   return table;
 }
@@ -70,7 +70,8 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<Row>& /*
   const Block& block = scene.blocks.front();
   const double alpha = std::atan2(block.half_width, block.half_height);
   const auto rebound_of = [&](const Choice& choice) {
-    return fixed(rebound(answer(choice.engine, choice.settings, scene, step, choice.changes), landing), 3);
+    return fixed(
+        rebound(answer(choice.engine, choice.settings, scene, contact_step, choice.changes), landing), 3);
   };
   const std::vector<Choice> all = choices();
   LessonValues values;
@@ -79,8 +80,8 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<Row>& /*
                     {"time", fixed(landing.time, 4)},
                     {"speed", fixed(std::abs(landing.before[0]), 3)},
                     {"corner_speed", fixed(std::abs(landing.before[0]) * 2 * block.half_width, 3)},
-                    {"depth", power(std::abs(landing.before[0]) * 2 * block.half_width * step, 1)},
-                    {"step", fixed(step, 3)},
+                    {"depth", power(std::abs(landing.before[0]) * 2 * block.half_width * contact_step, 1)},
+                    {"step", fixed(contact_step, 3)},
                     {"after", name(landing.to)},
                     {"ode_default", rebound_of(all[0])},
                     {"ode_high", rebound_of(all[1])},

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double watched = 0.1;  // s after the impact in which a base that lifts has lifted
 
-Table candidates(const Scene& scene, const Event& event) {
+Table patterns_after(const Scene& scene, const Event& event) {
   const Model<double> model = make_model<double>(scene);
   const Impact<double> impact = impact_of(event);
   const std::array<Contact, 3> contacts{Contact::left, Contact::closed, Contact::right};
@@ -79,7 +79,7 @@ LessonValues still_base_values(const Suite& suite, const std::vector<Row>& /*row
                     {"lift_consistent", fixed(lift(consistent, first.time), 4)},
                     {"lift_bullet", fixed(lift(answer("bullet", "tuned", scene, 1e-4), first.time), 4)},
                     {"lift_ode", fixed(lift(answer("ode", "tuned", scene, 1e-4), first.time), 4)}};
-  values.tables = {{"candidates", candidates(scene, first)}};
+  values.tables = {{"candidates", patterns_after(scene, first)}};
   return values;
 }
 

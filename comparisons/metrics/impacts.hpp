@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
@@ -22,6 +24,10 @@ double chatter_speed(const Scene& scene);
 
 /// How far apart in time two impacts may be and still be the same one: 0.1 √(H/g), in s.
 double matching_window(const Scene& scene);
+
+/// Of an interface from 0, what its block has less what the block below has: of angles or of angular
+/// velocities.
+double relative_at(std::span<const double> values, std::size_t interface);
 
 /// The impacts that a solver reported, at `slowest` rad/s of relative speed or more.
 std::vector<ImpactTime> reported_impacts(const History& history, double slowest);

@@ -4,16 +4,9 @@
 #include <cmath>
 
 #include "comparisons/metrics/contact_patterns.hpp"
+#include "comparisons/metrics/impacts.hpp"
 
 namespace rockstack {
-namespace {
-
-double relative_at(std::span<const double> values, std::size_t interface) {
-  return interface == 0 ? values[0] : values[interface] - values[interface - 1];
-}
-
-}  // namespace
-
 std::vector<ImpactTime> settlings(const Scene& scene, const History& history) {
   const double slowest = chatter_speed(scene), least_time = matching_window(scene);
   std::vector<ImpactTime> list;

@@ -81,6 +81,7 @@ std::string pattern_tint(std::size_t index) {
 }
 
 std::string curve_style(const Looks& looks, const Run& run, std::size_t order) {
+  if (run.exact()) return exact_style;
   const Look& look = looks.at(solver_name(run));
   const bool changed = has_changes(run.settings);
   return fmt::format("with linespoints lw 2 lc rgb '{}' dt {} pt {} ps 1.1*mark pn {}", look.colour,

@@ -27,8 +27,11 @@ Looks assign_looks(const std::vector<Run>& runs);
 /// A tint for the band of patterns, pale enough for black letters; repeats after a while.
 std::string pattern_tint(std::size_t index);
 
-/// "with linespoints …" for a run's curve with a few marks on it; `order` sets marks of neighbouring curves
-/// apart.
+/// Of the exact motion, which lies under all others.
+inline constexpr auto exact_style = "with lines lw 5 lc rgb '#9A9A9A'";
+
+/// "with …" for a run's curve: that of the exact motion, or linespoints with a few marks; `order` sets marks
+/// of neighbouring curves apart.
 std::string curve_style(const Looks& looks, const Run& run, std::size_t order);
 
 /// A line across the panel at the gap of a fit: dashed where the bounds tell it from none, dotted where they

@@ -62,9 +62,11 @@ std::vector<Place> scaled(const Curve& curve) {
 }
 
 double distance(const Place& point, const Place& from, const Place& to) {
-  const double dx = to.x - from.x, dy = to.y - from.y, square = dx * dx + dy * dy;
+  const double dx = to.x - from.x, dy = to.y - from.y, length_squared = dx * dx + dy * dy;
   const double along =
-      square > 0 ? std::clamp(((point.x - from.x) * dx + (point.y - from.y) * dy) / square, 0.0, 1.0) : 0;
+      length_squared > 0
+          ? std::clamp(((point.x - from.x) * dx + (point.y - from.y) * dy) / length_squared, 0.0, 1.0)
+          : 0;
   return std::hypot(point.x - from.x - along * dx, point.y - from.y - along * dy);
 }
 

@@ -142,7 +142,7 @@ Drawing drawing(const std::string& solver, const Map& map, const nlohmann::json&
   return sheet.finish();
 }
 
-nlohmann::json read_facts(const std::filesystem::path& file) {
+nlohmann::json study_facts(const std::filesystem::path& file) {
   std::ifstream stream(file);
   nlohmann::json facts = nlohmann::json::parse(stream, nullptr, false);
   if (!facts.contains("title") || !facts.contains("axis"))
@@ -157,7 +157,7 @@ bool has_stability(const std::filesystem::path& results) {
 }
 
 void draw_stability(const std::filesystem::path& results) {
-  const nlohmann::json facts = read_facts(results / "stability.json");
+  const nlohmann::json facts = study_facts(results / "stability.json");
   std::filesystem::create_directories(results / "figures");
   for (const auto& [solver, map] : read_maps(results)) {
     if (!map.cells.empty()) draw(drawing(solver, map, facts), results / "figures" / ("stability." + solver));

@@ -12,8 +12,8 @@
 namespace rockstack {
 namespace {
 
-constexpr double dt = 1e-3;  ///< s
-constexpr int steps = 2000;
+constexpr double step_size = 1e-3;  ///< s
+constexpr int step_count = 2000;
 
 /// Both by turns, so that a busy machine slows both; the least time of each counts.
 void over_bare_loop(benchmark::State& state, const Engine& engine, double (*bare)(double, int)) {
@@ -23,14 +23,15 @@ void over_bare_loop(benchmark::State& state, const Engine& engine, double (*bare
   double harness = 1e9;
   double alone = 1e9;
   for ([[maybe_unused]] auto round : state) {
-    alone = std::min(alone, bare(dt, steps));
-    harness =
-        std::min(harness, time_stepping(engine, free_rocking(steps * dt), dt, parameters, steps, 1).front());
+    alone = std::min(alone, bare(step_size, step_count));
+    harness = std::min(harness, time_stepping(engine, free_rocking(step_count * step_size), step_size,
+                                              parameters, step_count, 1)
+                                    .front());
   }
   state.counters["ratio"] = harness / alone;
 }
 
-const bool registered = [] {
+const bool harness_registered = [] {
   for (const auto& engine : linked_engines()) {
     double (*bare)(double, int) = nullptr;
 #ifdef ROCKSTACK_WITH_BULLET

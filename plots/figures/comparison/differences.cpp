@@ -45,7 +45,7 @@ LogRange range_of(const std::vector<Departure>& departures, double tolerance, do
   return {std::pow(10, std::floor(std::log10(low))), std::pow(10, std::ceil(std::log10(high) - 1e-9))};
 }
 
-std::string curve_name(std::size_t run, std::size_t block) {
+std::string difference_name(std::size_t run, std::size_t block) {
   return fmt::format("difference_{}_{}", run, block + 1);
 }
 
@@ -61,7 +61,7 @@ std::vector<std::string> panel_plots(const std::vector<Departure>& departures, c
       fmt::format("{} with lines lw 2 dt (5,8) lc rgb '#666666' notitle", plain(tolerance))};
   for (std::size_t i = 0; i < departures.size(); ++i)
     if (!departures[i].sizes[block].times.empty())
-      plots.push_back(fmt::format("${} using 1:2 {} notitle", curve_name(i, block),
+      plots.push_back(fmt::format("${} using 1:2 {} notitle", difference_name(i, block),
                                   curve_style(looks, departures[i].run, i)));
   for (const Departure& departure : departures)
     if (departure.run.agreement_time < departure.end)
@@ -99,7 +99,8 @@ Drawing differences(const Comparison& comparison, const ComparedScene& scene, co
 
   Sheet sheet(scene.title, legend_of(departures, looks));
   for (std::size_t i = 0; i < departures.size(); ++i)
-    for (std::size_t k = 0; k < blocks; ++k) sheet.data(data_block(curve_name(i, k), departures[i].sizes[k]));
+    for (std::size_t k = 0; k < blocks; ++k)
+      sheet.data(data_block(difference_name(i, k), departures[i].sizes[k]));
   for (std::size_t k = 0; k < blocks; ++k)
     sheet.panel(
         panel_height(scene.blocks), 28,

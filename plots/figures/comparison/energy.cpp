@@ -34,7 +34,6 @@ std::string range_of(const std::vector<const Curve*>& curves) {
 }
 
 constexpr auto grid = "set grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n";
-constexpr auto exact_style = "with lines lw 5 lc rgb '#9A9A9A'";
 constexpr auto core_style = "with lines lw 1 lc rgb '#000000'";
 
 std::vector<std::string> level_plots(const std::vector<Energies>& all, const Looks& looks) {

@@ -71,8 +71,7 @@ std::vector<std::string> angle_plots(const std::vector<Motion>& motions, const L
   for (std::size_t i = 0; i < motions.size(); ++i) {
     if (motions[i].angles[block].times.empty()) continue;
     const Look& look = looks.at(solver_name(motions[i].run));
-    const std::string style =
-        motions[i].run.exact() ? "with lines lw 5 lc rgb '#9A9A9A'" : curve_style(looks, motions[i].run, i);
+    const std::string style = curve_style(looks, motions[i].run, i);
     plots.push_back(fmt::format("${} using 1:2 {} notitle", curve_name(i, block), style));
     if (motions[i].run.exact())
       plots.push_back(fmt::format("${} using 1:2 with lines lw 1 lc rgb '{}' notitle", curve_name(i, block),
@@ -146,8 +145,7 @@ Legend legend_of(const std::vector<Motion>& motions, const Looks& looks) {
   Legend legend;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const Run& run = motions[i].run;
-    legend.emplace_back(run.exact() ? "with lines lw 5 lc rgb '#9A9A9A'" : curve_style(looks, run, i),
-                        run_label(run));
+    legend.emplace_back(curve_style(looks, run, i), run_label(run));
   }
   return legend;
 }

@@ -53,19 +53,13 @@ std::string name_of(std::size_t run, std::size_t block) {
   return fmt::format("orbit_{}_{}", run, block + 1);
 }
 
-constexpr auto exact_style = "with lines lw 5 lc rgb '#9A9A9A'";
-
-std::string style(const Run& run, const Looks& looks, std::size_t order) {
-  return run.exact() ? exact_style : curve_style(looks, run, order);
-}
-
 std::vector<std::string> panel_plots(const std::vector<Orbit>& orbits, const Looks& looks,
                                      std::size_t block) {
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < orbits.size(); ++i)
     if (!orbits[i].blocks[block].times.empty())
       plots.push_back(
-          fmt::format("${} using 1:2 {} notitle", name_of(i, block), style(orbits[i].run, looks, i)));
+          fmt::format("${} using 1:2 {} notitle", name_of(i, block), curve_style(looks, orbits[i].run, i)));
   if (orbits.front().run.exact() && !orbits.front().blocks[block].times.empty())
     plots.push_back(fmt::format("${} using 1:2 with lines lw 1 lc rgb '#000000' notitle", name_of(0, block)));
   return plots;
@@ -82,7 +76,7 @@ Drawing phase(const Comparison& comparison, const ComparedScene& scene, const Lo
   std::vector<Orbit> orbits;
   Legend legend;
   for (const Run& run : runs) {
-    legend.emplace_back(style(run, looks, orbits.size()), run_label(run));
+    legend.emplace_back(curve_style(looks, run, orbits.size()), run_label(run));
     orbits.push_back(read_orbit(run, scene.blocks));
   }
   Sheet sheet(scene.title, legend);

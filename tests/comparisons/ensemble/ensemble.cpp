@@ -10,7 +10,7 @@ namespace rockstack {
 namespace {
 
 const std::string periods = "[[vary]]\nkey = \"ground.horizontal.period\"\nvalues = [0.3, 0.4, 0.5]\n";
-const std::string amplitudes =
+const std::string three_amplitudes =
     "[[vary]]\nkey = \"ground.horizontal.amplitude\"\nrange = {from = 1, to = 16, count = 5}\n";
 
 std::string texts(const Ensemble& ensemble, std::size_t run) {
@@ -20,7 +20,7 @@ std::string texts(const Ensemble& ensemble, std::size_t run) {
 }
 
 TEST(Ensemble, AGridHasEveryCombinationTheLastTableFastest) {
-  const Ensemble ensemble = ensemble_from(ensemble_of_one_block(periods + amplitudes));
+  const Ensemble ensemble = ensemble_from(ensemble_of_one_block(periods + three_amplitudes));
   ASSERT_EQ(run_count(ensemble), 15u);
   EXPECT_EQ(texts(ensemble, 0), "0.3 1");
   EXPECT_EQ(texts(ensemble, 1), "0.3 4.75");

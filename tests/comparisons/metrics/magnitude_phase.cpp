@@ -20,7 +20,7 @@ History sine(double amplitude, double lag) {
 }
 
 // Sums of a few thousand squares: 1e-12 is far above their rounding.
-constexpr double rounding = 1e-12;
+constexpr double sum_rounding = 1e-12;
 
 TEST(MagnitudePhase, IsZeroOfAHistoryWithItself) {
   const MagnitudePhase parts = magnitude_phase(sine(0.1, 0), sine(0.1, 0));
@@ -30,24 +30,24 @@ TEST(MagnitudePhase, IsZeroOfAHistoryWithItself) {
 
 TEST(MagnitudePhase, AmplitudeIsMagnitudeAlone) {
   const MagnitudePhase parts = magnitude_phase(sine(0.1, 0), sine(0.12, 0));
-  EXPECT_NEAR(parts.magnitude, 0.2, rounding);
-  EXPECT_NEAR(parts.phase, 0, rounding);
+  EXPECT_NEAR(parts.magnitude, 0.2, sum_rounding);
+  EXPECT_NEAR(parts.phase, 0, sum_rounding);
 }
 
 TEST(MagnitudePhase, DelayIsPhaseAloneAndOppositionIsOne) {
   for (const double lag : {1e-6, 0.01, 0.25}) {
     const MagnitudePhase parts = magnitude_phase(sine(0.1, 0), sine(0.1, lag));
-    EXPECT_NEAR(parts.magnitude, 0, rounding) << lag;
-    EXPECT_NEAR(parts.phase, 2 * lag, rounding) << lag;
+    EXPECT_NEAR(parts.magnitude, 0, sum_rounding) << lag;
+    EXPECT_NEAR(parts.phase, 2 * lag, sum_rounding) << lag;
   }
-  EXPECT_NEAR(magnitude_phase(sine(0.1, 0), sine(0.1, 0.5)).phase, 1, rounding);
+  EXPECT_NEAR(magnitude_phase(sine(0.1, 0), sine(0.1, 0.5)).phase, 1, sum_rounding);
 }
 
 TEST(MagnitudePhase, EndsWithTheShorterHistory) {
   History shorter = sine(0.1, 0.1);
   shorter.times.resize(2000);
   shorter.angles.resize(2000);
-  EXPECT_NEAR(magnitude_phase(sine(0.1, 0), shorter).phase, 0.2, rounding);
+  EXPECT_NEAR(magnitude_phase(sine(0.1, 0), shorter).phase, 0.2, sum_rounding);
 }
 
 }  // namespace

@@ -12,16 +12,15 @@
 namespace rockstack {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 // Steps of a fiftieth of the period miss a peak by at most half a step: 1 − cos(π/50).
-const double missed = 1 - std::cos(pi / 50);
+const double missed = 1 - std::cos(std::numbers::pi / 50);
 
 TEST(Response, ToASuddenConstantAccelerationOvershootsByTheDamping) {
   // u = a/ω² (1 − exp(−ζωt) …) peaks after half a damped period at a/ω² (1 + exp(−πζ/√(1 − ζ²))).
   const GroundMotion step{0.01, std::vector<double>(301, 2.0), ""};
   for (const double damping : {0.0, 0.05, 0.3}) {
     for (const double period : {0.015, 0.2, 1.7}) {
-      const double exact = 2 * (1 + std::exp(-pi * damping / std::sqrt(1 - damping * damping)));
+      const double exact = 2 * (1 + std::exp(-std::numbers::pi * damping / std::sqrt(1 - damping * damping)));
       const double found = response(step, period, damping).pseudo_acceleration;
       EXPECT_LE(found, exact * (1 + 1e-11));
       EXPECT_GE(found, exact * (1 - missed));
@@ -41,9 +40,11 @@ TEST(Response, InResonanceGrowsByTheKnownStep) {
   // sine take off at most (2π/N)²/8 of the load.
   constexpr int samples = 400, periods = 5;
   GroundMotion sine{1.0 / samples, {}, ""};
-  for (int k = 0; k <= periods * samples; ++k) sine.samples.push_back(std::sin(2 * pi * k / samples));
-  const double exact = pi * periods;
-  EXPECT_NEAR(response(sine, 1, 0).pseudo_acceleration, exact, exact * std::pow(2 * pi / samples, 2) / 8);
+  for (int k = 0; k <= periods * samples; ++k)
+    sine.samples.push_back(std::sin(2 * std::numbers::pi * k / samples));
+  const double exact = std::numbers::pi * periods;
+  EXPECT_NEAR(response(sine, 1, 0).pseudo_acceleration, exact,
+              exact * std::pow(2 * std::numbers::pi / samples, 2) / 8);
 }
 
 TEST(Response, OfAStiffOscillatorIsTheGroundsAcceleration) {
@@ -55,7 +56,8 @@ TEST(Response, OfAStiffOscillatorIsTheGroundsAcceleration) {
     steepest = std::max(steepest, std::abs(motion.samples[k] - motion.samples[k - 1]) / motion.interval);
   }
   const double period = 1e-4;
-  EXPECT_NEAR(response(motion, period, 0.05).pseudo_acceleration, 3, 4 * period / (2 * pi) * steepest);
+  EXPECT_NEAR(response(motion, period, 0.05).pseudo_acceleration, 3,
+              4 * period / (2 * std::numbers::pi) * steepest);
 }
 
 TEST(Response, OfASoftOscillatorIsTheGroundsDisplacement) {
@@ -64,7 +66,7 @@ TEST(Response, OfASoftOscillatorIsTheGroundsDisplacement) {
   const GroundMotion motion = make_synthetic({.seed = 2, .peak = 3});
   const double ground = std::abs(measure_ground(motion).displacement.value);
   const double period = 3000;
-  const double omega = 2 * pi / period;
+  const double omega = 2 * std::numbers::pi / period;
   const double found = response(motion, period, 0).pseudo_acceleration / (omega * omega);
   const double turn = omega * motion.end();
   // The displacement is taken at samples: between them it passes its peak by at most A h²/8.

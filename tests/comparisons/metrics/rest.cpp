@@ -10,7 +10,7 @@
 namespace rockstack {
 namespace {
 
-Scene one_block() {
+Scene released_block() {
   Scene scene;
   scene.duration = 8;
   scene.blocks = {make_block(1, 3, 2500)};
@@ -20,7 +20,7 @@ Scene one_block() {
 
 // A block that comes to rest has one settling, and its last chatter lies in it.
 TEST(Settlings, AllChatterOfABlockIsOne) {
-  const Scene scene = one_block();
+  const Scene scene = released_block();
   const History history = solve(scene, {.sample_times = regular_times(1e-3, scene.duration)});
   ASSERT_EQ(history.events.back().kind, EventKind::rest);
   const auto list = settlings(scene, history);
@@ -34,7 +34,7 @@ TEST(Settlings, AllChatterOfABlockIsOne) {
 }
 
 TEST(Settlings, NoneOfAStackThatNeverMoves) {
-  Scene scene = one_block();
+  Scene scene = released_block();
   scene.initial.angles = {0};
   EXPECT_TRUE(settlings(scene, solve(scene, {.sample_times = regular_times(1e-2, scene.duration)})).empty());
 }

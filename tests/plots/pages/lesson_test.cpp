@@ -29,7 +29,7 @@ fs::path lesson_folder(const std::string& text) {
   return folder;
 }
 
-bool has(const std::string& text, const std::string& part) {
+bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -41,8 +41,8 @@ TEST(Lesson, NumbersTablesFiguresAndPlayersTakeTheirPlaces) {
   const std::string page = testing::bytes_of(folder / "lesson.html");
   for (const char* part : {"<h1>A lesson on &lt;signs&gt;</h1>", "Lesson 2 of 9", "<p>3 &lt; 4</p>", "<svg ",
                            "class=\"player\"", "data-value=\"0.001\""})
-    EXPECT_TRUE(has(page, part)) << part;
-  EXPECT_FALSE(has(page, "{{"));
+    EXPECT_TRUE(holds(page, part)) << part;
+  EXPECT_FALSE(holds(page, "{{"));
 }
 
 TEST(Lesson, APlaceWithoutAValueIsAnErrorThatNamesItAndLeavesNoPage) {
@@ -51,7 +51,7 @@ TEST(Lesson, APlaceWithoutAValueIsAnErrorThatNamesItAndLeavesNoPage) {
     write_lesson(folder);
     FAIL() << "no error";
   } catch (const std::logic_error& error) {
-    EXPECT_TRUE(has(error.what(), "{{lest}}")) << error.what();
+    EXPECT_TRUE(holds(error.what(), "{{lest}}")) << error.what();
   }
   EXPECT_FALSE(fs::exists(folder / "lesson.html"));
 }

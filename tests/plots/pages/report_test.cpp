@@ -22,17 +22,17 @@ std::string sample_page(const fs::path& folder) {
   return testing::bytes_of(folder / "report.html");
 }
 
-bool has(const std::string& text, const std::string& part) {
+bool shows(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
 TEST(Report, NamesEveryRunAndExplainsWhyOneFailed) {
   const fs::path folder = testing::fresh_folder();
   const std::string page = sample_page(folder);
-  for (const auto& run : read_comparison(folder).runs) EXPECT_TRUE(has(page, run.name)) << run.name;
-  EXPECT_TRUE(has(page, "angle not finite, at t = 0.3 s &lt;nan&gt;"));
-  EXPECT_TRUE(has(page, "This build leaves out ode."));
-  EXPECT_TRUE(has(page, "erp&lt;1&gt;"));
+  for (const auto& run : read_comparison(folder).runs) EXPECT_TRUE(shows(page, run.name)) << run.name;
+  EXPECT_TRUE(shows(page, "angle not finite, at t = 0.3 s &lt;nan&gt;"));
+  EXPECT_TRUE(shows(page, "This build leaves out ode."));
+  EXPECT_TRUE(shows(page, "erp&lt;1&gt;"));
 }
 
 TEST(Report, NeedsNothingBesideItself) {
@@ -43,14 +43,14 @@ TEST(Report, NeedsNothingBesideItself) {
     EXPECT_LT(at - attribute, std::string("xmlns:xlink=\"h").size()) << page.substr(at, 40);
   }
   for (const char* part : {"<link", "<img", " src=", "@import", "url(http"})
-    EXPECT_FALSE(has(page, part)) << part;
+    EXPECT_FALSE(shows(page, part)) << part;
 }
 
 TEST(Report, TextFromTheSceneAndTheRowsIsNeverMarkup) {
   const std::string page = sample_page(testing::fresh_folder());
-  EXPECT_FALSE(has(page, "<b>not bold</b>"));
-  EXPECT_TRUE(has(page, "&amp; &lt;b&gt;not bold&lt;/b&gt;"));
-  EXPECT_TRUE(has(page, "<h1>A sample &lt;comparison&gt;</h1>"));
+  EXPECT_FALSE(shows(page, "<b>not bold</b>"));
+  EXPECT_TRUE(shows(page, "&amp; &lt;b&gt;not bold&lt;/b&gt;"));
+  EXPECT_TRUE(shows(page, "<h1>A sample &lt;comparison&gt;</h1>"));
 }
 
 TEST(Report, EveryIdIsThereOnce) {
@@ -74,7 +74,7 @@ TEST(Report, AMissingFigureIsNamedAndNoPageIsLeftBehind) {
     write_report(folder);
     FAIL() << "no InputError";
   } catch (const InputError& error) {
-    EXPECT_TRUE(has(error.what(), "sample.histories.svg")) << error.what();
+    EXPECT_TRUE(shows(error.what(), "sample.histories.svg")) << error.what();
   }
   EXPECT_FALSE(fs::exists(folder / "report.html"));
   EXPECT_FALSE(fs::exists(folder / ".report.html.part"));
