@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "engines/bullet/solvers.hpp"
-#include "engines/ground_path.hpp"
 #include "engines/placement.hpp"
+#include "engines/shaking.hpp"
 
 namespace rockstack {
 namespace {
@@ -61,11 +60,11 @@ class BulletSimulation : public Simulation {
   BulletSimulation(BulletSolver solver, Scene scene, double dt, const Parameters& parameters)
       : scene_(std::move(scene)),
         dt_(dt),
+        shaking_(scene_, dt, parameters),
         mass_factor_(parameters.at("unitMass") != 0 ? 1 / scene_.blocks.front().mass : 1),
         restitution_(scalar(std::sqrt(parameters.at("restitution")))),
         dispatcher_(&configuration_),
         solver_(solver, parameters) {
-    if (is_shaken(scene_) && parameters.at("shaking") != 0) path_.emplace(scene_, dt);
     apply(parameters, world_.getSolverInfo());
     set_gravity({0, -scene_.gravity});
     const double breaking_factor = scalar(parameters.at("contactBreakingThreshold"));
@@ -74,14 +73,10 @@ class BulletSimulation : public Simulation {
   }
 
   void step() override {
-    if (path_) {
-      place_ground(path_->next());
-    } else if (is_shaken(scene_)) {
-      const double start = static_cast<double>(steps_) * dt_;
-      set_gravity(body_acceleration(scene_, start, static_cast<double>(steps_ + 1) * dt_));
-    }
+    const auto [ground, acceleration] = shaking_.next();
+    if (ground) place_ground(*ground);
+    if (acceleration) set_gravity(*acceleration);
     world_.stepSimulation(scalar(dt_), 0);
-    ++steps_;
     for (std::size_t k = 0; k < angles_.size(); ++k) angles_[k] = unwrap(angle_of(block(k)), angles_[k]);
   }
 
@@ -123,7 +118,7 @@ class BulletSimulation : public Simulation {
     btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shapes_.back().get());
     ground_start_ = vector(0, -reach, 0);
     info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), ground_start_);
-    const bool moves = path_.has_value();
+    const bool moves = shaking_.moves_ground();
     btRigidBody& ground = add(info, moves ? btCollisionObject::CF_KINEMATIC_OBJECT : 0);
     if (!moves) return;
     ground.setActivationState(DISABLE_DEACTIVATION);
@@ -170,10 +165,9 @@ class BulletSimulation : public Simulation {
 
   Scene scene_;
   double dt_;
+  Shaking shaking_;
   double mass_factor_;  ///< of every mass; no angle depends on it
-  std::size_t steps_ = 0;
   std::vector<double> angles_;
-  std::optional<GroundPath> path_;  ///< where the ground really moves
   btVector3 ground_start_{0, 0, 0};
   btVector3 ground_velocity_{0, 0, 0};
   btScalar restitution_;  ///< of each body: Bullet multiplies those too

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "engines/ground_path.hpp"
 #include "engines/ode/library.hpp"
 #include "engines/placement.hpp"
+#include "engines/shaking.hpp"
 
 namespace rockstack {
 namespace {
@@ -33,6 +32,7 @@ class OdeSimulation : public Simulation {
       : solver_(solver),
         scene_(std::move(scene)),
         dt_(dt),
+        shaking_(scene_, dt, parameters),
         contacts_(static_cast<std::size_t>(parameters.at("maxContacts"))),
         realign_(parameters.at("realign") != 0),
         world_(dWorldCreate()),
@@ -46,24 +46,20 @@ class OdeSimulation : public Simulation {
     set_gravity({0, -scene_.gravity});
     set_surface(parameters);
     plane_ = dCreatePlane(space_.get(), 0, 1, 0, 0);
-    if (is_shaken(scene_) && parameters.at("shaking") != 0) add_moving_ground(dt);
+    if (shaking_.moves_ground()) add_moving_ground();
     for (const Placement& placement : place(scene_))
       add_block(placement, parameters.at("finiteRotationMode") != 0);
   }
 
   void step() override {
-    if (path_) {
-      place_ground(path_->next());
-    } else if (is_shaken(scene_)) {
-      const double start = static_cast<double>(steps_) * dt_;
-      set_gravity(body_acceleration(scene_, start, static_cast<double>(steps_ + 1) * dt_));
-    }
+    const auto [ground, acceleration] = shaking_.next();
+    if (ground) place_ground(*ground);
+    if (acceleration) set_gravity(*acceleration);
     const auto advance = solver_ == OdeSolver::step ? dWorldStep : dWorldQuickStep;
     const std::size_t before = ode_messages();
     dJointGroupEmpty(group_.get());
     dSpaceCollide(space_.get(), this, &OdeSimulation::touch);
     if (advance(world_.get(), dt_) == 0) throw std::runtime_error("ode: a step ran out of memory");
-    ++steps_;
     warnings_ += ode_messages() - before;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
       if (realign_) realign(bodies_[k]);
@@ -133,8 +129,7 @@ class OdeSimulation : public Simulation {
   }
 
   /// A plane has no body of its own in ODE: contacts with it are those of a kinematic body that moves along.
-  void add_moving_ground(double dt) {
-    path_.emplace(scene_, dt);
+  void add_moving_ground() {
     ground_ = dBodyCreate(world_.get());
     dBodySetKinematic(ground_);
   }
@@ -185,14 +180,13 @@ class OdeSimulation : public Simulation {
   OdeSolver solver_;
   Scene scene_;
   double dt_;
-  std::size_t steps_ = 0;
+  Shaking shaking_;
   std::size_t warnings_ = 0;
   std::vector<double> angles_;
   std::vector<dContact> contacts_;
   bool realign_;
-  std::optional<GroundPath> path_;  ///< where the ground really moves
   dGeomID plane_ = nullptr;
-  dBodyID ground_ = nullptr;  ///< likewise
+  dBodyID ground_ = nullptr;  ///< where it really moves
   std::vector<dBodyID> bodies_;
   std::unique_ptr<dxWorld, Destroy> world_;
   std::unique_ptr<dxSpace, Destroy> space_;
