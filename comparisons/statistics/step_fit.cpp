@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <boost/math/distributions/students_t.hpp>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace rockstack {
 namespace {
@@ -101,14 +103,20 @@ class Data {
 
 constexpr double no_turn = -HUGE_VAL;  ///< of a curve without gap
 
+/// The best curve without gap.
+Found best_power(const Data& data) {
+  constexpr int bits = std::numeric_limits<double>::digits / 2;  // a minimum is no sharper
+  const auto sum = [&](double order) { return data.rest(order, no_turn).sum; };
+  const auto [order, least_sum] = boost::math::tools::brent_find_minima(sum, least_order, most_order, bits);
+  return {order, no_turn, least_sum};
+}
+
 /// The best curve: order, turn and the sum of squares.
 Found best_curve(const Data& data) {
   const auto sum = [&](double order, double turn) { return data.rest(order, turn).sum; };
   const Found curve = least(sum, {least_order, most_order}, data.turns());
-  const Found power = least([&](double order, double) { return data.rest(order, no_turn).sum; },
-                            {least_order, most_order}, {0, 0});
-  if (curve.sum < power.sum) return curve;
-  return {power.x, no_turn, power.sum};
+  const Found power = best_power(data);
+  return curve.sum < power.sum ? curve : power;
 }
 
 /// The sum of squares with the order given.
@@ -158,17 +166,6 @@ std::string failure(const StepFit& fit, double constant_sum, double limit) {
 
 }  // namespace
 
-double student_975(std::size_t freedom) {
-  constexpr std::array<double, 10> table{12.7062, 4.3027, 3.1824, 2.7764, 2.5706,
-                                         2.4469,  2.3646, 2.3060, 2.2622, 2.2281};
-  if (freedom <= table.size()) return table[freedom - 1];
-  // Fisher's expansion about the normal distribution; off by less than 1e-4 from here on.
-  const double z = 1.959964, n = static_cast<double>(freedom);
-  return z + (std::pow(z, 3) + z) / (4 * n) +
-         (5 * std::pow(z, 5) + 16 * std::pow(z, 3) + 3 * z) / (96 * n * n) +
-         (3 * std::pow(z, 7) + 19 * std::pow(z, 5) + 17 * std::pow(z, 3) - 15 * z) / (384 * n * n * n);
-}
-
 StepFit fit_steps(const std::vector<StepError>& errors) {
   std::vector<StepError> used;
   for (const StepError& one : errors) {
@@ -185,7 +182,8 @@ StepFit fit_steps(const std::vector<StepError>& errors) {
       used.begin(), used.end(), [](const StepError& a, const StepError& b) { return a.error < b.error; });
   const Found best = best_curve(data);
   const std::size_t freedom = fit.points - parameters;
-  const double ratio = student_975(freedom);
+  const boost::math::students_t student(static_cast<double>(freedom));
+  const double ratio = boost::math::quantile(boost::math::complement(student, 0.025));
   // Rounding alone must not leave a best place out of its own bounds.
   const double limit = best.sum * (1 + ratio * ratio / static_cast<double>(freedom)) + 1e-20;
   const double coefficient = data.rest(best.x, best.y).mean;
@@ -193,10 +191,7 @@ StepFit fit_steps(const std::vector<StepError>& errors) {
   fit.scatter = std::sqrt(best.sum / static_cast<double>(freedom));
   fit.coefficient = std::exp(coefficient - best.x * data.mean_step());
   fit.order = order_bounds(data, best, limit);
-  const double power_sum = least([&](double order, double) { return data.rest(order, no_turn).sum; },
-                                 {least_order, most_order}, {0, 0})
-                               .sum;
-  fit.gap = gap_bounds(data, gap, power_sum, limit, {low->error, high->error});
+  fit.gap = gap_bounds(data, gap, best_power(data).sum, limit, {low->error, high->error});
   fit.reason = failure(fit, data.rest(0, no_turn).sum, limit);
   return fit;
 }

@@ -41,7 +41,4 @@ struct StepFit {
 /// Fits errors at different steps. Errors that are not finite or not above zero are left out.
 StepFit fit_steps(const std::vector<StepError>& errors);
 
-/// The 97.5 % point of Student's distribution. Precondition: freedom ≥ 1.
-double student_975(std::size_t freedom);
-
 }  // namespace rockstack

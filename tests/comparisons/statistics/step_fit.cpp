@@ -87,13 +87,5 @@ TEST(StepFit, SaysThatErrorsDoNotFall) {
   EXPECT_EQ(fit_steps(on_curve(1e-3, 1e-9, 1, 0.1, 4)).reason, "the errors do not fall with the step");
 }
 
-// Fisher & Yates, "Statistical tables", to four digits.
-TEST(StudentsDistribution, IsThePublishedOne) {
-  EXPECT_NEAR(student_975(1), 12.7062, 5e-5);
-  EXPECT_NEAR(student_975(10), 2.2281, 5e-5);
-  EXPECT_NEAR(student_975(12), 2.1788, 1.5e-4);
-  EXPECT_NEAR(student_975(30), 2.0423, 1e-4);
-}
-
 }  // namespace
 }  // namespace rockstack
