@@ -7,7 +7,7 @@
 #include "analytic/scene/number_text.hpp"
 #include "analytic/solve_batch.hpp"
 #include "comparisons/ensemble/run_outcome.hpp"
-#include "comparisons/results/csv.hpp"
+#include "comparisons/results/csv_writer.hpp"
 
 namespace rockstack {
 namespace {
@@ -33,42 +33,22 @@ std::size_t block_count(const Ensemble& ensemble) {
   return find(ensemble.base.root, "blocks")->children.size();
 }
 
-/// A line that grows cell by cell.
-class Line {
- public:
-  void add(const std::string& cell) { text_ += (text_.empty() ? "" : ",") + cell; }
-  void add(double value) { add(number_text(value)); }
-  void add(std::size_t value) { add(std::to_string(value)); }
-  void add_if(bool there, double value) { add(there ? number_text(value) : ""); }
-  std::string finish() { return text_ + "\n"; }
-
- private:
-  std::string text_;
-};
-
-void add_outcome(Line& line, const RunOutcome& outcome) {
-  for (const double peak : outcome.peaks) line.add(peak);
-  line.add(outcome.peak_ratio);
-  line.add(static_cast<std::size_t>(outcome.toppled));
-  line.add_if(outcome.toppled > 0, outcome.topple_time);
-  line.add(outcome.impacts);
-  line.add(outcome.events);
-  line.add_if(outcome.events > 0, outcome.last_event_time);
+void add_outcome(CsvWriter& line, const RunOutcome& outcome) {
+  const auto cell = [](bool there, double value) { return there ? number_text(value) : ""; };
+  for (const double peak : outcome.peaks) line.add(number_text(peak));
+  line.add(number_text(outcome.peak_ratio), outcome.toppled, cell(outcome.toppled > 0, outcome.topple_time),
+           outcome.impacts, outcome.events, cell(outcome.events > 0, outcome.last_event_time));
   for (const Demand& demand : {outcome.force, outcome.impulse}) {
-    line.add_if(std::isfinite(demand.least_normal), demand.least_normal);
-    line.add_if(std::isfinite(demand.least_normal), demand.friction);
+    const bool there = std::isfinite(demand.least_normal);
+    line.add(cell(there, demand.least_normal), cell(there, demand.friction));
   }
-  line.add(std::string("done"));
-  line.add(std::string());
+  line.add("done", "");
 }
 
-void add_failure(Line& line, std::size_t blocks, const std::string& reason) {
+void add_failure(CsvWriter& line, std::size_t blocks, const std::string& reason) {
   const std::size_t status_and_reason = 2;
-  for (std::size_t i = 0; i < blocks + outcome_columns().size() - status_and_reason; ++i) {
-    line.add(std::string());
-  }
-  line.add(std::string("failed"));
-  line.add(text_cell(reason));
+  const std::vector<std::string> no_cells(blocks + outcome_columns().size() - status_and_reason);
+  line.add(no_cells, "failed", reason);
 }
 
 /// The lines of consecutive runs, whose scenes it makes one after the other.
@@ -83,9 +63,9 @@ class Lines {
   std::optional<Scene> next_scene() {
     for (; begun_ < lines_.size(); ++begun_) {
       const std::vector<Value> values = values_of(ensemble_, first_ + begun_);
-      Line& line = lines_[begun_];
+      CsvWriter& line = lines_[begun_];
       line.add(first_ + begun_);
-      for (const Value& value : values) line.add(text_cell(value.text));
+      for (const Value& value : values) line.add(value.text);
       std::optional<Scene> scene;
       or_failure(line, [&] {
         for (std::size_t v = 0; v < values.size(); ++v)
@@ -100,7 +80,7 @@ class Lines {
   }
 
   void take(const Solved& solved) {
-    Line& line = lines_[of_scene_[solved.number]];
+    CsvWriter& line = lines_[of_scene_[solved.number]];
     or_failure(line, [&] {
       if (solved.failure) std::rethrow_exception(solved.failure);
       add_outcome(line, run_outcome(solved.scene, solved.history));
@@ -109,13 +89,16 @@ class Lines {
 
   std::string text() {
     std::string text;
-    for (Line& line : lines_) text += line.finish();
+    for (CsvWriter& line : lines_) {
+      line.end_line();
+      text += line.text();
+    }
     return text;
   }
 
  private:
   template <class Part>
-  void or_failure(Line& line, const Part& part) const {
+  void or_failure(CsvWriter& line, const Part& part) const {
     try {
       part();
     } catch (const std::bad_alloc&) {
@@ -129,7 +112,7 @@ class Lines {
   std::size_t first_;
   MotionLibrary& library_;
   SceneDocument document_;
-  std::vector<Line> lines_;
+  std::vector<CsvWriter> lines_;
   std::size_t begun_ = 0;
   std::vector<std::size_t> of_scene_;  ///< the line of each scene
 };
@@ -152,9 +135,10 @@ std::vector<ColumnMeaning> run_columns(const Ensemble& ensemble) {
 }
 
 std::string header_line(const Ensemble& ensemble) {
-  Line line;
-  for (const auto& [name, meaning] : run_columns(ensemble)) line.add(text_cell(name));
-  return line.finish();
+  CsvWriter csv;
+  for (const auto& [name, meaning] : run_columns(ensemble)) csv.add(name);
+  csv.end_line();
+  return csv.text();
 }
 
 std::string run_lines(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library) {

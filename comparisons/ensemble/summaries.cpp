@@ -9,6 +9,7 @@
 
 #include "analytic/scene/number_text.hpp"
 #include "comparisons/results/csv.hpp"
+#include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/files.hpp"
 #include "comparisons/statistics/fragility.hpp"
 
@@ -70,22 +71,6 @@ std::vector<Run> read_runs(const std::filesystem::path& file, const SummaryKeys&
   return runs;
 }
 
-template <class... Cells>
-std::string line(const Cells&... cells) {
-  const auto shown = [](const auto& cell) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(cell)>, double>) {
-      return number_text(cell);
-    } else if constexpr (std::is_convertible_v<decltype(cell), std::string>) {
-      return text_cell(cell);
-    } else {
-      return std::to_string(cell);
-    }
-  };
-  std::string text;
-  ((text += (text.empty() ? "" : ",") + shown(cells)), ...);
-  return text + "\n";
-}
-
 void write_fragility(const std::vector<Run>& runs, const std::filesystem::path& folder) {
   std::map<double, Level> by_intensity;
   for (const Run& run : runs) {
@@ -98,18 +83,22 @@ void write_fragility(const std::vector<Run>& runs, const std::filesystem::path& 
   levels.reserve(by_intensity.size());
   for (const auto& [intensity, level] : by_intensity) levels.push_back(level);
   const auto fit = fit_fragility(levels);
-  std::string text = "intensity,runs,toppled,failed,fraction,lower,upper,fitted\n";
+  CsvWriter csv;
+  csv.line("intensity", "runs", "toppled", "failed", "fraction", "lower", "upper", "fitted");
   for (const Level& level : levels) {
     const Bounds bounds = wilson_bounds(level.toppled, level.runs);
     const auto runs_there = static_cast<double>(level.runs);
     const std::string fraction =
         level.runs == 0 ? "" : number_text(static_cast<double>(level.toppled) / runs_there);
-    text += line(level.intensity, level.runs, level.toppled, level.failed, fraction, bounds.lower,
-                 bounds.upper, fit ? number_text(probability(*fit, level.intensity)) : std::string());
+    csv.line(number_text(level.intensity), level.runs, level.toppled, level.failed, fraction,
+             number_text(bounds.lower), number_text(bounds.upper),
+             fit ? number_text(probability(*fit, level.intensity)) : "");
   }
-  write_file(folder / "fragility.csv", text);
-  write_file(folder / "fragility-fit.csv",
-             "median,beta,log_likelihood\n" + (fit ? line(fit->median, fit->beta, fit->log_likelihood) : ""));
+  write_file(folder / "fragility.csv", csv.text());
+  CsvWriter fitted;
+  fitted.line("median", "beta", "log_likelihood");
+  if (fit) fitted.line(number_text(fit->median), number_text(fit->beta), number_text(fit->log_likelihood));
+  write_file(folder / "fragility-fit.csv", fitted.text());
 }
 
 /// The smallest value that at least that share of all do not pass.
@@ -134,18 +123,22 @@ void write_incremental(std::vector<Run> runs, const std::filesystem::path& folde
   std::stable_sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) {
     return std::pair(a.first, a.second->intensity) < std::pair(b.first, b.second->intensity);
   });
-  std::string text = "curve,values,intensity,peak_ratio,toppled\n";
+  CsvWriter curves;
+  curves.line("curve", "values", "intensity", "peak_ratio", "toppled");
   for (const auto& [number, run] : ordered) {
-    text += line(number + 1, run->others, run->intensity, run->peak_ratio, static_cast<int>(run->toppled));
+    curves.line(number + 1, run->others, number_text(run->intensity), number_text(run->peak_ratio),
+                run->toppled ? 1 : 0);
   }
-  write_file(folder / "incremental.csv", text);
-  text = "intensity,runs,fractile_16,fractile_50,fractile_84\n";
+  write_file(folder / "incremental.csv", curves.text());
+  CsvWriter fractiles;
+  fractiles.line("intensity", "runs", "fractile_16", "fractile_50", "fractile_84");
   for (auto& [intensity, ratios] : levels) {
     std::sort(ratios.begin(), ratios.end());
-    text +=
-        line(intensity, ratios.size(), fractile(ratios, 0.16), fractile(ratios, 0.5), fractile(ratios, 0.84));
+    fractiles.add(number_text(intensity), ratios.size());
+    for (const double share : {0.16, 0.5, 0.84}) fractiles.add(number_text(fractile(ratios, share)));
+    fractiles.end_line();
   }
-  write_file(folder / "incremental-fractiles.csv", text);
+  write_file(folder / "incremental-fractiles.csv", fractiles.text());
 }
 
 void write_overturning(const std::vector<Run>& runs, const std::filesystem::path& folder) {
@@ -161,13 +154,14 @@ void write_overturning(const std::vector<Run>& runs, const std::filesystem::path
        : run.with_impact ? cell.after_impact
                          : cell.without_impact);
   }
-  std::string text =
-      "period,frequency,intensity,runs,rest,rocking,toppled_after_impact,toppled_without_impact,failed\n";
+  CsvWriter csv;
+  csv.line("period", "frequency", "intensity", "runs", "rest", "rocking", "toppled_after_impact",
+           "toppled_without_impact", "failed");
   for (const auto& [place, cell] : cells) {
-    text += line(place.first, 1 / place.first, place.second, cell.runs, cell.rest, cell.rocking,
-                 cell.after_impact, cell.without_impact, cell.failed);
+    for (const double value : {place.first, 1 / place.first, place.second}) csv.add(number_text(value));
+    csv.line(cell.runs, cell.rest, cell.rocking, cell.after_impact, cell.without_impact, cell.failed);
   }
-  write_file(folder / "overturning.csv", text);
+  write_file(folder / "overturning.csv", csv.text());
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "comparisons/ensemble/run_table.hpp"
 #include "comparisons/ensemble/summaries.hpp"
+#include "comparisons/results/csv.hpp"
 #include "comparisons/results/environment.hpp"
 #include "comparisons/results/files.hpp"
 #include "comparisons/results/journal.hpp"
@@ -87,10 +87,13 @@ void write_results(const Ensemble& ensemble, const Journal& journal, const std::
 }
 
 std::size_t count_failed(const std::filesystem::path& runs) {
-  std::ifstream lines(runs);
-  std::size_t count = 0;
-  for (std::string line; std::getline(lines, line);)
-    count += line.find(",failed,") != std::string::npos ? 1 : 0;
+  std::size_t status = 0, count = 0;
+  read_rows(
+      runs,
+      [&](const auto& names) {
+        status = column({names, {}}, "status", runs);
+      },
+      [&](const auto& cells, std::size_t) { count += cells[status] == "failed" ? 1 : 0; });
   return count;
 }
 

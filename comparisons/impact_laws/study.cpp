@@ -10,6 +10,7 @@
 #include "analytic/scene/fields.hpp"
 #include "analytic/scene/number_text.hpp"
 #include "analytic/scene/toml_reader.hpp"
+#include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/environment.hpp"
 #include "comparisons/results/files.hpp"
 
@@ -119,10 +120,9 @@ constexpr Definition verdict_columns[]{
 };
 
 template <std::size_t count>
-std::string header(const Definition (&columns)[count]) {
-  std::string text;
-  for (const Definition& column : columns) text += (text.empty() ? "" : ",") + std::string(column.name);
-  return text + "\n";
+void add_header(CsvWriter& csv, const Definition (&columns)[count]) {
+  for (const Definition& column : columns) csv.add(column.name);
+  csv.end_line();
 }
 
 template <std::size_t count>
@@ -239,35 +239,32 @@ std::vector<EngineTally> tallies(const std::vector<AskedCase>& cases) {
 }
 
 std::string shares_csv(const std::vector<ImpactShare>& shares) {
-  std::string text = header(share_columns);
+  CsvWriter csv;
+  add_header(csv, share_columns);
   for (const ImpactShare& share : shares) {
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", share.blocks, name(share.kind),
-                    share.slenderness.from, share.slenderness.to, share.mass_ratio.from, share.mass_ratio.to,
-                    share.drawn, share.impacts, share.differ, share.none, share.several, share.missed);
+    csv.line(share.blocks, name(share.kind), share.slenderness.from, share.slenderness.to,
+             share.mass_ratio.from, share.mass_ratio.to, share.drawn, share.impacts, share.differ, share.none,
+             share.several, share.missed);
   }
-  return text;
+  return csv.text();
 }
 
 std::string verdicts_csv(const std::vector<AskedCase>& cases) {
-  std::string text = header(verdict_columns);
+  CsvWriter csv;
+  add_header(csv, verdict_columns);
   for (const auto& [question, verdicts] : cases) {
     const Disagreement& found = question.disagreement;
     for (const EngineVerdict& verdict : verdicts) {
       const bool failed = !verdict.failure.empty();
       const auto cell = [&](double value) { return failed ? "" : number_text(value); };
-      std::string reason = verdict.failure;
-      std::replace(reason.begin(), reason.end(), ',', ';');
-      std::replace(reason.begin(), reason.end(), '\n', ' ');
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", question.name,
-                          name(found.kind), verdict.engine, verdict.solver, verdict.settings, verdict.dt,
-                          failed ? "failed" : "done", reason, name(found.paper), name(found.consistent),
-                          failed ? "" : name(verdict.pattern), failed ? "" : verdict.follows,
-                          cell(verdict.from_paper), cell(verdict.from_consistent), spaced(question.before),
-                          spaced(question.paper), spaced(question.consistent), spaced(verdict.rates));
+      csv.line(question.name, name(found.kind), verdict.engine, verdict.solver, verdict.settings, verdict.dt,
+               failed ? "failed" : "done", verdict.failure, name(found.paper), name(found.consistent),
+               failed ? "" : name(verdict.pattern), failed ? "" : verdict.follows, cell(verdict.from_paper),
+               cell(verdict.from_consistent), spaced(question.before), spaced(question.paper),
+               spaced(question.consistent), spaced(verdict.rates));
     }
   }
-  return text;
+  return csv.text();
 }
 
 void write_results(const ImpactLawStudy& study, const ImpactLawResults& results,

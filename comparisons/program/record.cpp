@@ -8,6 +8,7 @@
 #include "comparisons/metrics/ground_measures.hpp"
 #include "comparisons/metrics/response_spectrum.hpp"
 #include "comparisons/program/commands.hpp"
+#include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/environment.hpp"
 #include "comparisons/results/files.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
@@ -101,24 +102,23 @@ void print_text(const MeasuredRecord& record, const std::string& base_line) {
 std::string record_csv(const GroundMotion& motion) {
   const GroundIntegrals path = ground_integrals(motion);
   const std::vector<double> shares = husid(motion);
-  std::string text = "time,acceleration,velocity,displacement,husid\n";
+  CsvWriter csv;
+  csv.line("time", "acceleration", "velocity", "displacement", "husid");
   for (std::size_t i = 0; i < motion.samples.size(); ++i) {
     const double time = motion.interval * static_cast<double>(i);
-    text += number_text(time);
-    for (const double value : {motion.samples[i], path.velocities[i], path.displacements[i], shares[i]}) {
-      text += "," + number_text(value);
-    }
-    text += "\n";
+    for (const double value : {time, motion.samples[i], path.velocities[i], path.displacements[i], shares[i]})
+      csv.add(number_text(value));
+    csv.end_line();
   }
-  return text;
+  return csv.text();
 }
 
 std::string spectrum_csv(const GroundMotion& motion) {
-  std::string text = "period,pseudo_acceleration\n";
-  for (const Response& response : response_spectrum(motion, spectrum_damping)) {
-    text += number_text(response.period) + "," + number_text(response.pseudo_acceleration) + "\n";
-  }
-  return text;
+  CsvWriter csv;
+  csv.line("period", "pseudo_acceleration");
+  for (const Response& response : response_spectrum(motion, spectrum_damping))
+    csv.line(number_text(response.period), number_text(response.pseudo_acceleration));
+  return csv.text();
 }
 
 void write_results(const MeasuredRecord& record, Json json, const RecordArguments& arguments,

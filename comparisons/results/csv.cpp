@@ -114,14 +114,6 @@ std::vector<std::string> numbered(const std::string& stem, int count) {
   return names;
 }
 
-std::string text_cell(std::string_view text) {
-  if (text.find_first_of(",\"\n") == std::string_view::npos) return std::string(text);
-  std::string cell = "\"";
-  for (const char letter : text)
-    cell += letter == '"' ? "\"\"" : std::string(1, letter == '\n' ? ' ' : letter);
-  return cell + '"';
-}
-
 double number(std::string_view cell, const std::string& where, const std::string& column_name) {
   if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
   double value = 0;

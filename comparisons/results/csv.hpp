@@ -36,9 +36,6 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 /// The names `stem`1 … `stem`count, e.g. theta_1, theta_2.
 std::vector<std::string> numbered(const std::string& stem, int count);
 
-/// A text as a cell: in quotes where it has to be, line breaks as blanks.
-std::string text_cell(std::string_view text);
-
 /// A cell as a number, NaN where it is empty. `place` is file:line for the error.
 /// @throws InputError naming place, column and text.
 double number(std::string_view cell, const std::string& place, const std::string& column_name);

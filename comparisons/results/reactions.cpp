@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
 #include "analytic/outcome.hpp"
 #include "analytic/scene/ground_motion.hpp"
+#include "comparisons/results/csv.hpp"
+#include "comparisons/results/csv_writer.hpp"
 
 namespace rockstack {
 namespace {
@@ -25,36 +25,33 @@ State<double> state_at(const History& history, std::size_t sample) {
   return state;
 }
 
-std::string header(int blocks) {
-  std::string text = "time";
-  for (const char* stem : {"normal", "tangential", "centre"})
-    for (int k = 1; k <= blocks; ++k) text += fmt::format(",{}_{}", stem, k);
-  return text + "\n";
+/// To the digits that the accelerations behind it are good for.
+std::string shortened(double value) {
+  return fmt::format("{:.7g}", value);
 }
 
 }  // namespace
 
 std::string reactions_csv(const Scene& scene, const History& history) {
   const Model<double> model = make_model<double>(scene);
-  fmt::memory_buffer lines;
-  const auto out = std::back_inserter(lines);
+  const int blocks = history.blocks;
+  CsvWriter csv;
+  csv.line("time", numbered("normal_", blocks), numbered("tangential_", blocks), numbered("centre_", blocks));
   for (std::size_t i = 0; i < history.size(); ++i) {
     const double time = history.times[i];
     const Point<double> ground{acceleration(scene.horizontal, time), acceleration(scene.vertical, time)};
     const Outcome<double> outcome = accelerate(model, state_at(history, i), ground);
-    fmt::format_to(out, "{}", time);
-    for (const double normal : outcome.reactions.normal) fmt::format_to(out, ",{:.7g}", normal);
-    for (const double tangential : outcome.reactions.tangential) fmt::format_to(out, ",{:.7g}", tangential);
-    for (int k = 0; k < history.blocks; ++k) {
-      if (outcome.pattern[k] == Contact::closed && outcome.reactions.normal[k] > outcome.rounding[k]) {
-        fmt::format_to(out, ",{:.7g}", -outcome.reactions.moment[k] / outcome.reactions.normal[k]);
-      } else {
-        fmt::format_to(out, ",");
-      }
+    const auto& reactions = outcome.reactions;
+    csv.add(time);
+    for (const double normal : reactions.normal) csv.add(shortened(normal));
+    for (const double tangential : reactions.tangential) csv.add(shortened(tangential));
+    for (int k = 0; k < blocks; ++k) {
+      const bool carried = outcome.pattern[k] == Contact::closed && reactions.normal[k] > outcome.rounding[k];
+      csv.add(carried ? shortened(-reactions.moment[k] / reactions.normal[k]) : "");
     }
-    fmt::format_to(out, "\n");
+    csv.end_line();
   }
-  return header(history.blocks) + fmt::to_string(lines);
+  return csv.text();
 }
 
 }  // namespace rockstack

@@ -11,7 +11,7 @@
 
 #include "analytic/scene/fields.hpp"
 #include "analytic/scene/toml_reader.hpp"
-#include "comparisons/results/csv.hpp"
+#include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/files.hpp"
 
 namespace rockstack {
@@ -122,29 +122,25 @@ std::string settings_of(const StabilityStudy& study, const std::string& settings
 }
 
 std::string stability_csv(const std::vector<StabilityRow>& rows) {
-  std::string text =
-      "run,engine,solver,settings,dt,value,verdict,reason,energy_gain,penetration,gap,slip,out_of_plane,"
-      "residual_motion,largest_angle_difference,stepping_time_minimum,toppling_verdict\n";
-  const auto cell = [](const std::optional<double>& value) {
-    return value ? fmt::format("{}", *value) : std::string();
-  };
+  CsvWriter csv;
+  csv.line("run", "engine", "solver", "settings", "dt", "value", "verdict", "reason", "energy_gain",
+           "penetration", "gap", "slip", "out_of_plane", "residual_motion", "largest_angle_difference",
+           "stepping_time_minimum", "toppling_verdict");
   for (const auto& [row, value, verdict] : rows) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", text_cell(row.run),
-                        row.engine, row.solver, text_cell(row.settings), cell(row.dt), value,
-                        name(verdict.soundness), text_cell(verdict.reason), cell(row.energy_gain),
-                        cell(row.penetration), cell(row.gap), cell(row.slip), cell(row.out_of_plane),
-                        cell(row.residual_motion), cell(row.largest_angle_difference),
-                        cell(row.stepping_time_minimum), row.toppling_verdict);
+    csv.line(row.run, row.engine, row.solver, row.settings, row.dt, value, name(verdict.soundness),
+             verdict.reason, row.energy_gain, row.penetration, row.gap, row.slip, row.out_of_plane,
+             row.residual_motion, row.largest_angle_difference, row.stepping_time_minimum,
+             row.toppling_verdict);
   }
-  return text;
+  return csv.text();
 }
 
 std::string steps_csv(const std::vector<LargestSteps>& list) {
-  std::string text = "engine,solver,settings,value,largest_sound_step,largest_stable_step\n";
+  CsvWriter csv;
+  csv.line("engine", "solver", "settings", "value", "largest_sound_step", "largest_stable_step");
   for (const LargestSteps& one : list)
-    text += fmt::format("{},{},{},{},{},{}\n", one.engine, one.solver, text_cell(one.settings), one.value,
-                        one.sound, one.stable);
-  return text;
+    csv.line(one.engine, one.solver, one.settings, one.value, one.sound, one.stable);
+  return csv.text();
 }
 
 Json limits_json(const StabilityLimits& limits) {

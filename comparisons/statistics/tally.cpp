@@ -9,6 +9,7 @@
 #include "comparisons/metrics/impacts.hpp"
 #include "comparisons/metrics/toppling.hpp"
 #include "comparisons/results/csv.hpp"
+#include "comparisons/results/csv_writer.hpp"
 
 namespace rockstack {
 
@@ -30,19 +31,19 @@ MotionTally observed_tally(const Scene& scene, const History& history) {
 }
 
 std::string tallies_csv(const std::vector<MotionTally>& tallies, int blocks) {
-  std::string text = "run";
-  for (int k = 1; k <= blocks; ++k) text += fmt::format(",peak_{}", k);
-  text += ",impacts,toppled\n";
+  const std::vector<std::string> no_cells(static_cast<std::size_t>(blocks) + 2);
+  CsvWriter csv;
+  csv.line("run", numbered("peak_", blocks), "impacts", "toppled");
   for (std::size_t run = 0; run < tallies.size(); ++run) {
     const MotionTally& tally = tallies[run];
-    text += std::to_string(run);
+    csv.add(run);
     if (tally.peaks.empty()) {
-      text += std::string(static_cast<std::size_t>(blocks) + 2, ',') + "\n";
-      continue;
+      csv.line(no_cells);
+    } else {
+      csv.line(tally.peaks, tally.impacts, tally.topples ? 1 : 0);
     }
-    text += fmt::format(",{},{},{}\n", fmt::join(tally.peaks, ","), tally.impacts, tally.topples ? 1 : 0);
   }
-  return text;
+  return csv.text();
 }
 
 std::vector<MotionTally> read_tallies(const std::filesystem::path& file) {

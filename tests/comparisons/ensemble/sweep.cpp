@@ -106,6 +106,17 @@ TEST(Sweep, AFolderOfAnotherEnsembleIsRefusedAndLeftAsItWas) {
   EXPECT_EQ(bytes_of(folder.path() / "runs.journal"), journal);
 }
 
+TEST(Sweep, AValueThatReadsLikeAFailureIsNone) {
+  const Ensemble ensemble = ensemble_from(ensemble_of_one_block(R"([[vary]]
+key = "title"
+values = ["one,failed,two", "failed"]
+)"));
+  const TemporaryFolder folder;
+  const SweepResult result = sweep_into(folder.path(), ensemble);
+  EXPECT_EQ(result.done, 2U);
+  EXPECT_EQ(result.failed, 0U);
+}
+
 TEST(Sweep, ARunThatFailsCostsItsOwnRowAlone) {
   const Ensemble ensemble = ensemble_from("samples = 20\nseed = 1\n" + ensemble_of_one_block(R"([[vary]]
 key = "blocks.1.height"
@@ -115,7 +126,8 @@ key = "duration"
 values = [0.01]
 )"));
   const TemporaryFolder folder;
-  EXPECT_TRUE(sweep_into(folder.path(), ensemble).finished());
+  const SweepResult result = sweep_into(folder.path(), ensemble);
+  EXPECT_TRUE(result.finished());
   const Table table = read_table(folder.path() / "runs.csv");
   const auto cell = [&](const std::vector<std::string>& row, const char* name) {
     return row[column(table, name, folder.path())];
@@ -129,6 +141,7 @@ values = [0.01]
   }
   EXPECT_GT(count["done"], 0);
   EXPECT_GT(count["failed"], 0);
+  EXPECT_EQ(result.failed, static_cast<std::size_t>(count["failed"]));
 }
 
 TEST(Sweep, ARowSaysWhatTheSolverSaysOfItsScene) {

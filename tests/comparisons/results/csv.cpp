@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 #include "analytic/scene/input_error.hpp"
+#include "comparisons/results/csv_writer.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -39,11 +43,34 @@ TEST(Table, ReadsQuotedCellsAndEmptyOnes) {
   EXPECT_EQ(table.rows[1], (std::vector<std::string>{"", "", "3"}));
 }
 
-TEST(Table, TextCellsReadBackAsTheyWere) {
+TEST(CsvWriter, TextsReadBackAsTheyWere) {
   for (const std::string text : {"plain", "with, comma", "with \"quotes\"", ""}) {
-    EXPECT_EQ(read_table(file_with("a,b\n" + text_cell(text) + ",\n")).rows[0][0], text);
+    CsvWriter csv;
+    csv.line("a", "b");
+    csv.line(text, "");
+    EXPECT_EQ(read_table(file_with(csv.text())).rows[0][0], text);
   }
-  EXPECT_EQ(text_cell("two\nlines"), "\"two lines\"");
+  CsvWriter csv;
+  csv.line("two\nlines");
+  EXPECT_EQ(csv.text(), "\"two lines\"\n");
+}
+
+TEST(CsvWriter, ACellANumberATruthAnElementAndAnOptional) {
+  CsvWriter csv;
+  csv.add(0.1 + 0.2, -3, std::size_t{7}, true);
+  csv.line(std::vector<double>{1, 0.5}, std::optional<int>(), std::optional(2.5));
+  csv.line("next", std::vector<std::string>{"a", "b"});
+  EXPECT_EQ(csv.text(), "0.30000000000000004,-3,7,true,1,0.5,,2.5\nnext,a,b\n");
+}
+
+TEST(CsvWriter, NumbersReadBackToTheSameDouble) {
+  for (const double number : {1.0 / 3, 1e-300, -0.0, 4.9406564584124654e-324, 1.7976931348623157e308, 1e16}) {
+    CsvWriter csv;
+    csv.line("x");
+    csv.line(number);
+    const double read = read_columns(file_with(csv.text()), {"x"})[0][0];
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(read), std::bit_cast<std::uint64_t>(number)) << number;
+  }
 }
 
 TEST(Table, NumbersReadBackToTheSameDoubleAndEmptyIsNotANumber) {
