@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analytic/rounded.hpp"
-#include "analytic/scene/number_text.hpp"
-#include "analytic/solver.hpp"
+#include "analytic/scene/messages/number_text.hpp"
+#include "analytic/solver/solver.hpp"
+#include "analytic/solver/to_double.hpp"
 
 namespace rockstack {
 

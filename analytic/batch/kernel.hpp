@@ -4,7 +4,7 @@
 
 #include "analytic/batch/bounds.hpp"
 #include "analytic/batch/step_rows.hpp"
-#include "analytic/step_rule.hpp"
+#include "analytic/steps/step_rule.hpp"
 
 namespace rockstack {
 

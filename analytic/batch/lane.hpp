@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analytic/batch/step_rows.hpp"
-#include "analytic/solver.hpp"
+#include "analytic/solver/solver.hpp"
 
 namespace rockstack {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <xsimd/xsimd.hpp>
 
-#include "analytic/taylor.hpp"
+#include "analytic/steps/chain_series.hpp"
 
 namespace rockstack {
 

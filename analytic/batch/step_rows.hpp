@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "analytic/polynomial.hpp"
+#include "analytic/polynomials/polynomial.hpp"
 
 namespace rockstack {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "analytic/scene/number_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "analytic/scene/pattern.hpp"
 
 namespace rockstack {
@@ -64,17 +64,6 @@ void validate_motion(const GroundMotion& motion, const std::string& key) {
 }
 
 }  // namespace
-
-FieldError::FieldError(std::string field, const std::string& value, const std::string& allowed)
-    : std::invalid_argument(field + " = " + value + ": must be " + allowed), key(std::move(field)) {}
-
-void require_positive(const std::string& key, double value) {
-  if (!(value > 0) || !std::isfinite(value)) throw FieldError(key, number_text(value), "a finite number > 0");
-}
-
-void require_finite(const std::string& key, double value) {
-  if (!std::isfinite(value)) throw FieldError(key, number_text(value), "a finite number");
-}
 
 double rectangle_inertia(double mass, double half_width, double half_height) {
   return mass * (half_width * half_width + half_height * half_height) / 3;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "analytic/scene/ground_motion.hpp"
+#include "analytic/scene/ground/ground_motion.hpp"
+#include "analytic/scene/messages/field_error.hpp"
 
 namespace rockstack {
 
@@ -38,7 +38,7 @@ double rectangle_inertia(double mass, double half_width, double half_height);
 /// A uniform block of the given width and height in m and density in kg/m³ per metre of depth.
 Block make_block(double width, double height, double density);
 
-/// Which pattern follows an impact; see analytic/impact.hpp.
+/// Which pattern follows an impact; see analytic/mechanics/impact.hpp.
 enum class Law { paper, consistent };
 
 /// The full equations of motion, or those with geometry frozen upright: Spanos et al. 2001, Eqs. (19)–(28).
@@ -81,17 +81,6 @@ double slenderness(const Scene& scene, int block);
 /// π/2. Past it free motion does not come back, and an engine's block that lies on the floor has passed it.
 /// rad.
 double toppling_angle(const Scene& scene, int block);
-
-/// A field of a scene is out of range. `key` is the scene file's name for it, e.g. "blocks.1.height".
-class FieldError : public std::invalid_argument {
- public:
-  FieldError(std::string field, const std::string& value, const std::string& allowed);
-  std::string key;
-};
-
-/// The two ranges that a scene's numbers have. @throws FieldError.
-void require_positive(const std::string& key, double value);
-void require_finite(const std::string& key, double value);
 
 /// Checks every number of a scene against its range; scene files go through the same check.
 /// @throws FieldError whose text is "key = value: must be …".

@@ -1,7 +1,7 @@
 #include "comparisons/ensemble/ensemble.hpp"
 
-#include "analytic/scene/number_text.hpp"
-#include "analytic/scene/overrides.hpp"
+#include "analytic/scene/input/overrides.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/results/build.hpp"
 
 namespace rockstack {

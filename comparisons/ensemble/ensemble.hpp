@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analytic/scene/scene_file.hpp"
+#include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/statistics/draws.hpp"
 
 namespace rockstack {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "analytic/scene/fields.hpp"
-#include "analytic/scene/number_text.hpp"
-#include "analytic/scene/overrides.hpp"
-#include "analytic/scene/toml_reader.hpp"
+#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/overrides.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/ensemble/ensemble.hpp"
 #include "comparisons/ensemble/variation.hpp"
 

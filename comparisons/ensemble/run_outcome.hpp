@@ -5,7 +5,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
-#include "analytic/solve_options.hpp"
+#include "analytic/scene/solve_options.hpp"
 
 namespace rockstack {
 

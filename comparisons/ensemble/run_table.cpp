@@ -4,7 +4,7 @@
 #include <exception>
 #include <optional>
 
-#include "analytic/scene/number_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve_batch.hpp"
 #include "comparisons/ensemble/run_outcome.hpp"
 #include "comparisons/results/csv_writer.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analytic/scene/number_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/results/csv.hpp"
 #include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/files.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analytic/scene/fields.hpp"
-#include "analytic/scene/number_text.hpp"
+#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack {
 namespace {

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "analytic/impact.hpp"
+#include "analytic/mechanics/impact.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
 
-// How often the two laws of analytic/impact.hpp differ, and where. With the velocities before drawn at random
-// the answer is a share; a law's choice does not depend on their size, on gravity or on the scale of the
-// blocks, but whether the pattern before can carry itself does.
+// How often the two laws of analytic/mechanics/impact.hpp differ, and where. With the velocities before drawn
+// at random the answer is a share; a law's choice does not depend on their size, on gravity or on the scale
+// of the blocks, but whether the pattern before can carry itself does.
 
 struct Range {
   double from = 0, to = 0;

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "analytic/scene/fields.hpp"
-#include "analytic/scene/number_text.hpp"
-#include "analytic/scene/toml_reader.hpp"
+#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/environment.hpp"
 #include "comparisons/results/files.hpp"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "analytic/impact.hpp"
+#include "analytic/mechanics/impact.hpp"
 
 namespace rockstack {
 

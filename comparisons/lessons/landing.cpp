@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analytic/dynamics.hpp"
+#include "analytic/mechanics/dynamics.hpp"
 
 namespace rockstack {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analytic/scene/scene_file.hpp"
+#include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/lessons/answers.hpp"
 #include "comparisons/lessons/values.hpp"

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "analytic/scene/ground_motion.hpp"
+#include "analytic/scene/ground/ground_motion.hpp"
 
 namespace rockstack {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "analytic/scene/ground_motion.hpp"
+#include "analytic/scene/ground/ground_motion.hpp"
 
 namespace rockstack {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/impact_laws/study.hpp"
 #include "comparisons/metrics/validity.hpp"

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "analytic/scene/document.hpp"
+#include "analytic/scene/input/document.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analytic/scene/input_error.hpp"
-#include "analytic/scene/number_text.hpp"
-#include "analytic/scene/record.hpp"
+#include "analytic/scene/ground/records/record_file.hpp"
+#include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/metrics/ground_measures.hpp"
 #include "comparisons/metrics/response_spectrum.hpp"
 #include "comparisons/program/commands.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/lessons/lesson.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"

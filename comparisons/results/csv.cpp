@@ -8,7 +8,7 @@
 #include <limits>
 #include <sstream>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 namespace {

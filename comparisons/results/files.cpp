@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "analytic/outcome.hpp"
-#include "analytic/scene/ground_motion.hpp"
+#include "analytic/mechanics/pattern_solution.hpp"
+#include "analytic/scene/ground/ground_motion.hpp"
 #include "comparisons/results/csv.hpp"
 #include "comparisons/results/csv_writer.hpp"
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/metrics/impacts.hpp"
 #include "comparisons/paper/statements.hpp"
 #include "comparisons/results/environment.hpp"

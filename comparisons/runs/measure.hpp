@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "analytic/solve_options.hpp"
+#include "analytic/scene/solve_options.hpp"
 #include "comparisons/runs/job.hpp"
 
 namespace rockstack {

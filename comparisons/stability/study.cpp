@@ -9,8 +9,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "analytic/scene/fields.hpp"
-#include "analytic/scene/toml_reader.hpp"
+#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/files.hpp"
 

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "analytic/scene/fields.hpp"
+#include "analytic/scene/input/fields.hpp"
 
 namespace rockstack {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analytic/scene/document.hpp"
+#include "analytic/scene/input/document.hpp"
 #include "engines/worker/registry.hpp"
 
 namespace rockstack {

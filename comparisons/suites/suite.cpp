@@ -8,10 +8,10 @@
 #include <iterator>
 #include <utility>
 
-#include "analytic/scene/fields.hpp"
-#include "analytic/scene/record.hpp"
-#include "analytic/scene/scene_file.hpp"
-#include "analytic/scene/toml_reader.hpp"
+#include "analytic/scene/ground/records/record_file.hpp"
+#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/scene_file.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
 
 namespace rockstack {
 namespace {

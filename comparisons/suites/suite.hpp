@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analytic/scene/document.hpp"
+#include "analytic/scene/input/document.hpp"
 #include "analytic/scene/scene.hpp"
 #include "comparisons/suites/engine_series.hpp"
 #include "comparisons/suites/perturbations.hpp"

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 namespace {

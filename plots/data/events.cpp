@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/results/csv.hpp"
 
 namespace rockstack::plots {

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/results/csv.hpp"
 #include "plots/data/json_file.hpp"
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/results/csv.hpp"
 #include "plots/drawing/layout.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"

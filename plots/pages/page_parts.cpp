@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/player.hpp"

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "analytic/scene/synthetic.hpp"
+#include "analytic/scene/ground/synthetic.hpp"
 #include "analytic/solve.hpp"
 
 namespace rockstack::benchmarks {

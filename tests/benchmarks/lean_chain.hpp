@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "analytic/dynamics.hpp"
-#include "analytic/ground_pieces.hpp"
-#include "analytic/linkage.hpp"
+#include "analytic/mechanics/dynamics.hpp"
+#include "analytic/mechanics/linkage.hpp"
+#include "analytic/steps/ground_pieces.hpp"
 
 namespace rockstack::benchmarks {
 

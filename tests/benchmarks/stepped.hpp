@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analytic/impact.hpp"
+#include "analytic/mechanics/impact.hpp"
 #include "tests/benchmarks/lean_chain.hpp"
 
 namespace rockstack::benchmarks {

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 namespace {

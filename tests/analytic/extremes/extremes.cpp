@@ -14,7 +14,7 @@
 #include <ctime>
 
 #include "analytic/solve.hpp"
-#include "analytic/solver.hpp"
+#include "analytic/solver/solver.hpp"
 #include "tests/analytic/extremes/laws.hpp"
 #include "tests/analytic/extremes/scenes.hpp"
 #include "tests/analytic/reference/random_scenes.hpp"

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "analytic/rounded.hpp"
 #include "analytic/solve.hpp"
-#include "analytic/solver.hpp"
+#include "analytic/solver/solver.hpp"
+#include "analytic/solver/to_double.hpp"
 #include "tests/analytic/extremes/laws.hpp"
 #include "tests/analytic/extremes/scenes.hpp"
 #include "tests/analytic/reference/agreement.hpp"

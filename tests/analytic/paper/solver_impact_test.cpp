@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analytic/impact.hpp"
+#include "analytic/mechanics/impact.hpp"
 #include "tests/analytic/paper/draw.hpp"
 #include "tests/analytic/paper/first_principles.hpp"
 #include "tests/analytic/paper/impact_pattern_1.hpp"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analytic/outcome.hpp"
+#include "analytic/mechanics/pattern_solution.hpp"
 #include "tests/analytic/paper/draw.hpp"
 #include "tests/analytic/paper/initiation.hpp"
 #include "tests/analytic/paper/linear.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analytic/dynamics.hpp"
+#include "analytic/mechanics/dynamics.hpp"
 #include "tests/analytic/paper/geometry.hpp"
 
 namespace rockstack::paper {

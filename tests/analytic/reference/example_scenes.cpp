@@ -1,6 +1,6 @@
 #include "tests/analytic/reference/example_scenes.hpp"
 
-#include "analytic/scene/synthetic.hpp"
+#include "analytic/scene/ground/synthetic.hpp"
 
 namespace rockstack::testing {
 

@@ -3,7 +3,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 
-#include "analytic/impact.hpp"
+#include "analytic/mechanics/impact.hpp"
 
 namespace rockstack::testing {
 namespace {

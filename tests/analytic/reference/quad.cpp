@@ -1,6 +1,6 @@
 #include "tests/analytic/reference/quad.hpp"
 
-#include "analytic/solver.hpp"
+#include "analytic/solver/solver.hpp"
 
 namespace rockstack::testing {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "tests/analytic/solver/maximal.hpp"
+#include "tests/analytic/mechanics/maximal.hpp"
 #include "tests/analytic/solver/stacks.hpp"
 
 namespace rockstack {

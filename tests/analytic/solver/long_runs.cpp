@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analytic/scene/synthetic.hpp"
+#include "analytic/scene/ground/synthetic.hpp"
 #include "analytic/solve.hpp"
 
 namespace rockstack {

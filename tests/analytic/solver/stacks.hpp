@@ -3,7 +3,7 @@
 #include <random>
 #include <string>
 
-#include "analytic/dynamics.hpp"
+#include "analytic/mechanics/dynamics.hpp"
 #include "analytic/solve.hpp"
 
 namespace rockstack::testing {

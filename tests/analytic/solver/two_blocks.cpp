@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "analytic/solver.hpp"
+#include "analytic/solver/solver.hpp"
 #include "tests/analytic/solver/stacks.hpp"
 
 namespace rockstack {

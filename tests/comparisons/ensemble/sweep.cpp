@@ -6,7 +6,7 @@
 #include <fstream>
 #include <map>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/ensemble/run_outcome.hpp"
 #include "comparisons/results/csv.hpp"

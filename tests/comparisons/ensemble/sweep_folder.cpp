@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/impact_laws/engines.hpp"
 #include "comparisons/impact_laws/study.hpp"
 #include "tests/temporary_folder.hpp"
@@ -54,7 +54,8 @@ TEST(ImpactLaws, CountsAddUp) {
   EXPECT_EQ(differ, 0);
 }
 
-// The velocities after are the nearest point of a convex cone to those before; see analytic/impact.hpp.
+// The velocities after are the nearest point of a convex cone to those before; see
+// analytic/mechanics/impact.hpp.
 TEST(ImpactLaws, AtMostOnePatternIsConsistentAndTheSolverFindsIt) {
   ImpactDraws draws = small_draws();
   draws.seed = 2;

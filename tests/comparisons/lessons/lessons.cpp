@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "analytic/impact.hpp"
+#include "analytic/mechanics/impact.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/lessons/energies.hpp"
 #include "comparisons/lessons/landing.hpp"

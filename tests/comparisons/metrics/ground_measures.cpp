@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "analytic/scene/synthetic.hpp"
+#include "analytic/scene/ground/synthetic.hpp"
 
 namespace rockstack {
 namespace {

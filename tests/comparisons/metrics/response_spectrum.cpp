@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "analytic/scene/synthetic.hpp"
+#include "analytic/scene/ground/synthetic.hpp"
 #include "comparisons/metrics/ground_measures.hpp"
 
 namespace rockstack {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/results/csv_writer.hpp"
 #include "tests/temporary_folder.hpp"
 

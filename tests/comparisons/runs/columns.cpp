@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "analytic/dynamics.hpp"
+#include "analytic/mechanics/dynamics.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/metrics/difference.hpp"
 #include "engines/worker/registry.hpp"

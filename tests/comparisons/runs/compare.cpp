@@ -5,7 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/results/csv.hpp"
 #include "comparisons/statistics/tally.hpp"
 #include "tests/temporary_folder.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/impact_laws/study.hpp"
 #include "comparisons/stability/study.hpp"
 #include "tests/temporary_folder.hpp"

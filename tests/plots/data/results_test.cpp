@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/style.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "plots/drawing/gnuplot.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "plots/pages/impact_law_summary.hpp"
 #include "tests/plots/browser.hpp"
 #include "tests/plots/sample.hpp"

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "plots/figures/comparison/figures.hpp"
 #include "tests/plots/browser.hpp"
 #include "tests/plots/sample.hpp"

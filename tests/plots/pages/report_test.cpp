@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "plots/data/results.hpp"
 #include "plots/figures/comparison/figures.hpp"
 #include "plots/pages/html.hpp"

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "analytic/mechanics/pattern_solution.hpp"
+
+namespace rockstack {
+
+/// Chatter, ever smaller impacts whose number is infinite, ends where an interface would part at a speed u
+/// that takes it no further than the resolution ρ = u²/(2a), a the relative acceleration that brings it back:
+/// it closes instead, and in any case at u = 500 ε √(g/H), with ε the rounding of 1 in double precision or ρ,
+/// whichever is less, and H the stack's height. What is left out are excursions of at most ρ rad, or what
+/// rounding makes of speeds. As the angular momentum above the other pivots is kept, by one impact as by the
+/// many it stands for, the motion after it is off by some ρ at most; the closure comes 2u/(a(1 − η)) s early.
+/// As each impact takes its share of the speed, the number of impacts is at most ln(u₀/u)/ln(1/η), for a
+/// speed u₀ at first and a velocity ratio η.
+///
+/// Where several interfaces chatter together, each may do so to its end between two impacts of another. No
+/// burst of events has been seen to exceed 2 ∏ (1 + nₖ), nₖ the bound of each alone with η the largest 1 −
+/// 2mw²/I of what stands above it; this is not proved, as an impact may speed up another interface.
+template <class Real, int N>
+class EndOfChatter {
+ public:
+  /// Keeps a reference to `model`. `resolution` in rad, > 0.
+  EndOfChatter(const Model<Real, N>& model, const Real& resolution) : model_(model), resolution_(resolution) {
+    using std::sqrt;
+    rate_ = model.gravity / (2 * model.stack.half_height.sum());
+    settling_speed_ = 500 * std::min(resolution, Real(std::numeric_limits<double>::epsilon())) * sqrt(rate_);
+    yield_ = 2 * sqrt(model.stack.mass.sum() / model.stack.inertia.minCoeff());
+    reach_ = 2 * (model.stack.half_width + model.stack.half_height).sum();
+  }
+
+  /// No relative angle accelerates more, rad/s². By Gauss's principle a motion has no more energy than that
+  /// of free blocks: Σ Iω̇² ≤ Σ m|a|², with a their pull less what is centripetal, ω² times all links at most.
+  Real fastest_return(const State<Real, N>& state, const Point<Real>& ground) const {
+    const Real pull = ground.template lpNorm<1>() + model_.gravity;
+    const Real spin = state.velocities.template lpNorm<1>();
+    return yield_ * (pull + spin * spin * reach_);
+  }
+
+  /// Open by what rounding makes of angles and speeds: such interfaces close with the next that does, or two
+  /// of them would push each other open for ever.
+  bool negligibly_open(const State<Real, N>& state, int k) const {
+    using std::abs;
+    return state.pattern[k] != Contact::closed && abs(state.velocities[k]) <= settling_speed_ &&
+           abs(state.angles[k]) * rate_ <= settling_speed_ * settling_speed_;
+  }
+
+  /// The pattern after an impact with the interfaces closed that part too slowly to be followed. `towards`
+  /// are directions_at() the state, `ground` is (ẍg, ÿg) in m/s².
+  Pattern without_slow(const State<Real, N>& after, const Interfaces& touching,
+                       const Directions<Real, N>& towards, const Point<Real>& ground) const {
+    using std::abs;
+    Pattern pattern = after.pattern;
+    const Real fastest = fastest_return(after, ground);
+    for (int k = 0; k < after.size(); ++k) {
+      if (!touching.test(static_cast<std::size_t>(k)) || pattern[k] == Contact::closed) continue;
+      const Real speed = abs(after.velocities[k]);
+      bool slow = speed <= settling_speed_;
+      if (!slow && speed * speed <= 2 * resolution_ * fastest) {
+        const Vector<Real, N> back = accelerations(model_, after, towards, ground);
+        slow = speed * speed <= -2 * resolution_ * back[k] * Real(sign(pattern[k]));
+      }
+      if (slow) pattern[k] = Contact::closed;
+    }
+    return pattern;
+  }
+
+ private:
+  const Model<Real, N>& model_;
+  Real resolution_;        ///< rad
+  Real rate_{};            ///< g/H, 1/s²
+  Real settling_speed_{};  ///< rad/s
+  Real yield_{};           ///< relative angular acceleration to that of free blocks, at most, 1/m
+  Real reach_{};           ///< of all links together, at most, m
+};
+
+}  // namespace rockstack

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "analytic/mechanics/dynamics.hpp"
+
+namespace rockstack {
+
+/// Ends a motion whose events do not come to an end: of √(H/g), H the stack's height, no thousandth takes
+/// more than `most_in_burst`. So a motion over a time T has at most 10⁷ T √(g/H) events, or ends with a
+/// diagnosis. Events at one instant are counted by the tie breaker.
+template <class Real>
+class StallGuard {
+ public:
+  static constexpr int most_in_burst = 10000;
+
+  template <int N>
+  explicit StallGuard(const Model<Real, N>& model) {
+    using std::sqrt;
+    window_ = sqrt(2 * model.stack.half_height.sum() / model.gravity) / 1000;
+  }
+
+  /// @throws std::runtime_error where the events are too many to wait for.
+  void note_event(const Real& time) {
+    if (time - burst_start_ > window_) {
+      burst_start_ = time;
+      burst_events_ = 0;
+    }
+    if (++burst_events_ <= most_in_burst) return;
+    throw std::runtime_error(std::to_string(most_in_burst) + " events within " + text(window_) +
+                             " s after t = " + text(burst_start_) +
+                             " s: interfaces chatter inside each other's chatter, and no end is in sight");
+  }
+
+ private:
+  static std::string text(const Real& seconds) { return std::to_string(static_cast<double>(seconds)); }
+
+  int burst_events_ = 0;
+  Real window_{};         ///< s
+  Real burst_start_ = 0;  ///< s
+};
+
+}  // namespace rockstack

@@ -1,0 +1,224 @@
+#pragma once
+
+#include <limits>
+#include <stdexcept>
+
+#include "analytic/mechanics/constrained_mass.hpp"
+
+namespace rockstack {
+
+// One rule gives the accelerations between events and the velocities after an impact (Gauss's principle of
+// least constraint, and its counterpart for impulses). The blocks would move freely; the pattern allows them
+// only motions x = bias + J q, with q the relative motions of the open interfaces. The motion that takes
+// place is the allowed one nearest to the free one, measured by kinetic energy:
+//
+//     q = (Jᵀ M J)⁻¹ Jᵀ M (free − bias)
+//
+// For accelerations, free is the pull of gravity and moving ground, and the bias is centripetal: Lagrange's
+// equations of the chain, of which Spanos et al. 2001, Eqs. (8)–(28), are the four patterns of two blocks.
+// For velocities, free is the motion before the impact and there is no bias: angular momentum of all that is
+// above a pivot is kept about it, Spanos et al. 2001, Sections 3 and 4.
+
+/// Motion of every block: its centre (m/s² or m/s) and its rotation (rad/s² or rad/s, clockwise positive).
+template <class Real, int N = Eigen::Dynamic>
+struct Motion {
+  Points<Real, N> centre;
+  Vector<Real, N> rotation;
+};
+
+/// A stack under gravity, in the number type of a calculation.
+template <class Real, int N = Eigen::Dynamic>
+struct Model {
+  Stack<Real, N> stack;
+  Real gravity;                                ///< m/s²
+  Equations equations = Equations::nonlinear;  ///< linear: geometry upright, no velocity terms
+};
+
+template <class Real, int N = Eigen::Dynamic>
+Model<Real, N> make_model(const Scene& scene) {
+  return {make_stack<Real, N>(scene), Real(scene.gravity), scene.equations};
+}
+
+/// Where the stack is and how it moves: relative angles φₖ in rad and their rates in rad/s, exactly zero at
+/// closed interfaces. Relative, because an impact happens where φₖ = 0 and must be resolved there.
+template <class Real, int N = Eigen::Dynamic>
+struct State {
+  Pattern pattern;
+  Vector<Real, N> angles;
+  Vector<Real, N> velocities;
+
+  int size() const { return N == Eigen::Dynamic ? pattern.size : N; }
+
+  Interfaces closed() const {
+    Interfaces result;
+    for (int k = 0; k < size(); ++k) {
+      if (pattern[k] == Contact::closed) result.set(static_cast<std::size_t>(k));
+    }
+    return result;
+  }
+};
+
+/// The directions of the blocks at a state; upright for the linear equations.
+template <class Real, int N>
+Directions<Real, N> directions_at(const Model<Real, N>& model, const Vector<Real, N>& relative_angles) {
+  const auto size = relative_angles.size();
+  if (model.equations == Equations::linear) return {Vector<Real, N>::Ones(size), Vector<Real, N>::Zero(size)};
+  return directions<Real, N>(absolute(relative_angles));
+}
+
+/// The chain at a state.
+template <class Real, int N>
+Chain<Real, N> chain_at(const Model<Real, N>& model, const Pattern& pattern,
+                        const Vector<Real, N>& relative_angles) {
+  return make_chain(model.stack, pattern, directions_at(model, relative_angles));
+}
+
+/// Sums from the top down: turns what belongs to the absolute angles of blocks into what belongs to relative
+/// angles.
+template <class Derived>
+void sum_from_top(Eigen::MatrixBase<Derived>& rows) {
+  for (Eigen::Index k = rows.rows() - 2; k >= 0; --k) rows.row(k) += rows.row(k + 1);
+}
+
+/// Jᵀ M J for the relative angles of all interfaces, kg·m².
+template <class Real, int N>
+Matrix<Real, N> mass_matrix(const Stack<Real, N>& stack, const Chain<Real, N>& chain) {
+  const int size = stack.size();
+  Matrix<Real, N> mass = Matrix<Real, N>::Zero(size, size);
+  Real above = 0;  // mass of the blocks above block j
+  for (int j = size - 1; j >= 0; --j) {
+    const auto arm = chain.arms.col(j);
+    const auto link = chain.links.col(j);
+    mass(j, j) = stack.inertia[j] + stack.mass[j] * arm.squaredNorm() + above * link.squaredNorm();
+    const Point<Real> moment = stack.mass[j] * arm + above * link;
+    for (int i = 0; i < j; ++i) mass(i, j) = mass(j, i) = chain.links.col(i).dot(moment);
+    above += stack.mass[j];
+  }
+  sum_from_top(mass);
+  Matrix<Real, N> transposed = mass.transpose();
+  sum_from_top(transposed);
+  return transposed;
+}
+
+/// Jᵀ M x for the relative angles of all interfaces.
+template <class Real, int N>
+Vector<Real, N> generalised_momentum(const Stack<Real, N>& stack, const Chain<Real, N>& chain,
+                                     const Motion<Real, N>& motion) {
+  Vector<Real, N> result = Vector<Real, N>::Zero(stack.size());
+  Point<Real> above = Point<Real>::Zero();  // momentum of the blocks above block k
+  for (int k = stack.size() - 1; k >= 0; --k) {
+    const Point<Real> own = stack.mass[k] * motion.centre.col(k);
+    result[k] = stack.inertia[k] * motion.rotation[k] + quarter_turned<Real>(chain.arms.col(k)).dot(own) +
+                quarter_turned<Real>(chain.links.col(k)).dot(above);
+    above += own;
+  }
+  sum_from_top(result);
+  return result;
+}
+
+/// Block masses or sizes lie too far apart for the number type: in some motion that the pattern allows, what
+/// is light or small is lost beside what is heavy or large.
+class IllConditioned : public std::domain_error {
+ public:
+  using std::domain_error::domain_error;
+};
+
+/// The least share that may remain of a diagonal entry of the mass matrix when the motions of the interfaces
+/// below are taken out of it. Energies keep nine digits then.
+template <class Real>
+inline const Real least_diagonal_share = (1 << 30) * std::numeric_limits<Real>::epsilon();
+
+/// The allowed motion nearest to `free` (with any bias already taken off), as relative motions of the
+/// interfaces; zero where they are closed.
+/// @throws IllConditioned where rounding takes too much of the mass matrix.
+template <class Real, int N>
+Vector<Real, N> nearest_allowed(const Stack<Real, N>& stack, const Pattern& pattern,
+                                const Chain<Real, N>& chain, const Motion<Real, N>& free) {
+  if (is_closed(pattern)) return Vector<Real, N>::Zero(pattern.size);
+  const Matrix<Real, N> mass = mass_matrix(stack, chain);
+  const Vector<Real, N> momentum = generalised_momentum(stack, chain, free);
+  const int size = stack.size();
+  PerBlock<Real, N> open;
+  PerBlock<Real, N> momenta;
+  for (int k = 0; k < size; ++k) {
+    open[static_cast<std::size_t>(k)] = pattern[k] == Contact::closed ? Real(0) : Real(1);
+    momenta[static_cast<std::size_t>(k)] = momentum[k];
+  }
+  HeldMass<Real, N> held;
+  held.factorise(static_cast<std::size_t>(size), open, [&](std::size_t i, std::size_t j) {
+    return mass(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  });
+  for (int k = 0; k < size; ++k) {
+    if (pattern[k] != Contact::closed &&
+        !(held.diagonal(static_cast<std::size_t>(k)) > mass(k, k) * least_diagonal_share<Real>)) {
+      throw IllConditioned(
+          "block masses or sizes are too far apart: rounding would leave energies fewer than nine digits");
+    }
+  }
+  const PerBlock<Real, N> motions = held.solve(momenta);
+  return Eigen::Map<const Vector<Real, N>>(motions.data(), size);
+}
+
+/// Accelerations of the centres that would remain if no relative angle accelerated, m/s².
+template <class Real, int N>
+Points<Real, N> centripetal(const Chain<Real, N>& chain, const Vector<Real, N>& angular_velocities) {
+  Points<Real, N> result = Points<Real, N>::Zero(2, chain.arms.cols());
+  Point<Real> pivot = Point<Real>::Zero();
+  for (Eigen::Index k = 0; k < chain.arms.cols(); ++k) {
+    const Real square = angular_velocities[k] * angular_velocities[k];
+    result.col(k) = pivot - square * chain.arms.col(k);
+    pivot -= square * chain.links.col(k);
+  }
+  return result;
+}
+
+/// What the blocks would do if nothing held them, less the centripetal bias, in the frame of the ground.
+/// `ground` is (ẍg, ÿg) in m/s².
+template <class Real, int N>
+Motion<Real, N> free_acceleration(const Model<Real, N>& model, const Chain<Real, N>& chain,
+                                  const Vector<Real, N>& velocities, const Point<Real>& ground) {
+  const int size = model.stack.size();
+  Motion<Real, N> free{Points<Real, N>::Zero(2, size), Vector<Real, N>::Zero(size)};
+  const Point<Real> pull{-ground.x(), -(model.gravity + ground.y())};
+  if (model.equations == Equations::linear) {
+    free.centre.colwise() = pull;
+  } else {
+    free.centre = -centripetal(chain, absolute(velocities));
+    free.centre.colwise() += pull;
+  }
+  return free;
+}
+
+/// Relative angular accelerations φ̈ₖ, rad/s²; zero where closed. Spanos et al. 2001, Eqs. (8)–(18), and
+/// (19)–(28) for the linear equations, are the values for two blocks. `towards` are directions_at() the
+/// state.
+template <class Real, int N>
+Vector<Real, N> accelerations(const Model<Real, N>& model, const State<Real, N>& state,
+                              const Directions<Real, N>& towards, const Point<Real>& ground) {
+  const Chain<Real, N> chain = make_chain(model.stack, state.pattern, towards);
+  return nearest_allowed(model.stack, state.pattern, chain,
+                         free_acceleration(model, chain, state.velocities, ground));
+}
+
+template <class Real, int N>
+Vector<Real, N> accelerations(const Model<Real, N>& model, const State<Real, N>& state,
+                              const Point<Real>& ground) {
+  return accelerations(model, state, directions_at(model, state.angles), ground);
+}
+
+/// Kinetic energy and height of the centres times weight, J, from the ground.
+template <class Real, int N>
+Real energy(const Model<Real, N>& model, const State<Real, N>& state) {
+  const Chain<Real, N> chain = chain_at(model, state.pattern, state.angles);
+  const Vector<Real, N> rates = absolute(state.velocities);
+  const Points<Real, N> speeds = centre_velocities(chain, rates);
+  const Points<Real, N> places = centres(chain);
+  Real sum = 0;
+  for (int k = 0; k < model.stack.size(); ++k) {
+    sum += model.stack.mass[k] * (speeds.col(k).squaredNorm() / 2 + model.gravity * places(1, k));
+    sum += model.stack.inertia[k] * rates[k] * rates[k] / 2;
+  }
+  return sum;
+}
+
+}  // namespace rockstack

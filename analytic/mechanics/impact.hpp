@@ -1,0 +1,163 @@
+#pragma once
+
+#include <optional>
+
+#include "analytic/mechanics/pattern_solution.hpp"
+#include "analytic/scene/history.hpp"
+
+namespace rockstack {
+
+// An impact takes no time, does not bounce and does not slip. Once the pattern that follows is known, so are
+// the velocities: they are the allowed ones nearest to those before (dynamics.hpp). The pattern is chosen
+// among those in which every *touching* interface (the one that impacts, and every closed one) pivots left,
+// right, or stays closed. A pattern is kinematically admissible if each touching interface opens towards the
+// side of its pivot; it is impulse admissible if each pivot pushes, and the impulse of each closed interface
+// acts inside its width.
+//
+// Law `paper` (Spanos et al. 2001, Sections 3 and 4) takes the first of these that is kinematically
+// admissible:
+//
+// 1. open: every touching interface pivots about the side that the impact comes from; patterns 1 and 2.
+// 2. joined: only the interface that impacts does so, the others stay closed; 3a → 3b and 4a → 4b.
+// 3. closed: every touching interface closes; pattern 3 after an impact between the blocks, Eqs. (84) and
+//    (125). The paper is silent where the base would have to leave the ground on the wrong side; this is
+//    where it lands.
+//
+// Law `consistent` takes the pattern that is admissible both ways. There is at most one: no slip is linear
+// and the corners' gaps are one-sided, so the velocities after are the nearest point of a convex cone to
+// those before, and the conditions are those of that nearest point. Where the nearest point lifts a block off
+// no pattern is consistent; the law then falls back on the paper's order and the event says so.
+
+/// An impact about to happen: the state just before, with the relative angles of `impacting` interfaces zero.
+template <class Real, int N = Eigen::Dynamic>
+struct Impact {
+  State<Real, N> before;
+  Interfaces impacting;
+
+  /// Interfaces that touch along their whole width.
+  Interfaces touching() const { return impacting | before.closed(); }
+};
+
+/// What an impact finds, whatever pattern follows.
+template <class Real, int N = Eigen::Dynamic>
+struct Approach {
+  Directions<Real, N> towards;
+  Motion<Real, N> motion;
+};
+
+template <class Real, int N>
+Approach<Real, N> approach(const Model<Real, N>& model, const State<Real, N>& before,
+                           const Directions<Real, N>& towards) {
+  const Vector<Real, N> rates = absolute(before.velocities);
+  return {towards, {centre_velocities(make_chain(model.stack, before.pattern, towards), rates), rates}};
+}
+
+template <class Real, int N>
+Approach<Real, N> approach(const Model<Real, N>& model, const State<Real, N>& before) {
+  return approach(model, before, directions_at(model, before.angles));
+}
+
+/// The velocities that follow if `pattern` does, in rad/s, and the impulses that bring them about, in N·s.
+template <class Real, int N>
+Outcome<Real, N> velocities_after(const Model<Real, N>& model, const Approach<Real, N>& before,
+                                  const Pattern& pattern) {
+  return respond(model, pattern, before.towards, make_chain(model.stack, pattern, before.towards),
+                 before.motion);
+}
+
+template <class Real, int N>
+Outcome<Real, N> velocities_after(const Model<Real, N>& model, const Impact<Real, N>& impact,
+                                  const Pattern& pattern) {
+  return velocities_after(model, approach(model, impact.before), pattern);
+}
+
+/// True where every touching interface that is open opens towards its side.
+template <class Real, int N>
+bool kinematically_admissible(const Outcome<Real, N>& outcome, const Interfaces& touching) {
+  for (int k = 0; k < outcome.size(); ++k) {
+    if (!touching.test(static_cast<std::size_t>(k)) || outcome.pattern[k] == Contact::closed) continue;
+    if (!(Real(sign(outcome.pattern[k])) * outcome.relative[k] > 0)) return false;
+  }
+  return true;
+}
+
+/// The pattern that is admissible both ways, if there is one. In most impacts the interfaces that impact go
+/// on to their other side, and the others stay as they are.
+template <class Real, int N>
+std::optional<Outcome<Real, N>> consistent_outcome(const Model<Real, N>& model, const Impact<Real, N>& impact,
+                                                   const Approach<Real, N>& before) {
+  Pattern guess = impact.before.pattern;
+  for (int k = 0; k < impact.before.size(); ++k) {
+    if (impact.impacting.test(static_cast<std::size_t>(k))) guess[k] = opposite(guess[k]);
+  }
+  auto outcome = find_admissible(model.stack, guess, impact.touching(), Real(0), [&](const Pattern& pattern) {
+    return velocities_after(model, before, pattern);
+  });
+  if (outcome && !pushes(*outcome)) outcome.reset();
+  return outcome;
+}
+
+template <class Real, int N>
+std::optional<Outcome<Real, N>> consistent_outcome(const Model<Real, N>& model,
+                                                   const Impact<Real, N>& impact) {
+  return consistent_outcome(model, impact, approach(model, impact.before));
+}
+
+/// The paper's order: open, joined, closed. `evaluate` maps a pattern to its outcome.
+template <class Real, int N, class Evaluate>
+Outcome<Real, N> paper_outcome(const Impact<Real, N>& impact, const Evaluate& evaluate) {
+  const Interfaces touching = impact.touching();
+  int lowest = 0;
+  while (!impact.impacting.test(static_cast<std::size_t>(lowest))) ++lowest;
+  const Contact side = opposite(impact.before.pattern[lowest]);
+  Pattern open = impact.before.pattern;
+  Pattern joined = impact.before.pattern;
+  Pattern closed = impact.before.pattern;
+  for (int k = 0; k < impact.before.size(); ++k) {
+    const auto bit = static_cast<std::size_t>(k);
+    if (!touching.test(bit)) continue;
+    const bool impacts = impact.impacting.test(bit);
+    open[k] = impacts ? opposite(impact.before.pattern[k]) : side;
+    joined[k] = impacts ? open[k] : Contact::closed;
+    closed[k] = Contact::closed;
+  }
+  for (const Pattern& pattern : {open, joined}) {
+    Outcome<Real, N> outcome = evaluate(pattern);
+    if (kinematically_admissible(outcome, touching)) return outcome;
+  }
+  return evaluate(closed);
+}
+
+template <class Real, int N>
+Outcome<Real, N> paper_outcome(const Model<Real, N>& model, const Impact<Real, N>& impact) {
+  const Approach<Real, N> before = approach(model, impact.before);
+  return paper_outcome<Real, N>(
+      impact, [&](const Pattern& pattern) { return velocities_after(model, before, pattern); });
+}
+
+/// What follows an impact under a law, and whether it is the consistent pattern.
+template <class Real, int N = Eigen::Dynamic>
+struct Resolution {
+  Outcome<Real, N> outcome;
+  Consistency consistency;
+};
+
+template <class Real, int N>
+Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& impact,
+                            const Approach<Real, N>& before, Law law) {
+  const auto consistent = consistent_outcome(model, impact, before);
+  if (law == Law::consistent && consistent) return {*consistent, Consistency::consistent};
+  const Outcome<Real, N> chosen = paper_outcome<Real, N>(impact, [&](const Pattern& pattern) {
+    return consistent && consistent->pattern == pattern ? *consistent
+                                                        : velocities_after(model, before, pattern);
+  });
+  if (!consistent) return {chosen, Consistency::none};
+  return {chosen, chosen.pattern == consistent->pattern ? Consistency::consistent : Consistency::other};
+}
+
+template <class Real, int N>
+Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& impact, Law law) {
+  return resolve(model, impact, approach(model, impact.before), law);
+}
+
+}  // namespace rockstack

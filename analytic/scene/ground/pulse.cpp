@@ -1,0 +1,45 @@
+#include "analytic/scene/ground/pulse.hpp"
+
+namespace rockstack {
+
+double length(const Pulse& pulse) {
+  switch (pulse.shape) {
+    case PulseShape::half_sine:
+      return pulse.period / 2;
+    case PulseShape::ricker:
+      return 4 * pulse.period;
+    case PulseShape::mavroeidis_papageorgiou:
+      return pulse.cycles * pulse.period;
+    default:
+      return pulse.period;
+  }
+}
+
+double velocity(const Pulse& pulse, double t) {
+  const double turn = 2 * pi<double> / pulse.period;
+  switch (pulse.shape) {
+    case PulseShape::sine:
+    case PulseShape::half_sine: {
+      // 1 − cos without cancellation
+      const double half = std::sin(turn * t / 2);
+      return 2 * pulse.amplitude / turn * half * half;
+    }
+    case PulseShape::cosine:
+      return pulse.amplitude / turn * std::sin(turn * t);
+    case PulseShape::rectangle:
+      return pulse.amplitude * t;
+    case PulseShape::ricker: {
+      const double s = t - 2 * pulse.period;
+      const double z = turn / 2 * s;
+      return pulse.amplitude * s * std::exp(-z * z);
+    }
+    case PulseShape::mavroeidis_papageorgiou: {
+      const double s = t - pulse.cycles * pulse.period / 2;
+      const double envelope = 1 + std::cos(turn * s / pulse.cycles);
+      return pulse.amplitude / (2 * turn) * envelope * std::cos(turn * s + pulse.phase);
+    }
+  }
+  return 0;
+}
+
+}  // namespace rockstack

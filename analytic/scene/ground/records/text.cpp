@@ -1,0 +1,228 @@
+#include "analytic/scene/ground/records/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "analytic/scene/messages/input_error.hpp"
+
+namespace rockstack::records {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\f\v";
+constexpr double largest = 1e100;
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool same(char a, char lower_case) {
+  return lower(a) == lower_case;
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool is_word_character(char c) {
+  return is_digit(c) || (lower(c) >= 'a' && lower(c) <= 'z') || c == '_';
+}
+
+std::string_view without_first(std::string_view text, std::size_t length) {
+  return text.substr(std::min(length, text.size()));
+}
+
+/// The digits at the front of a text, taken off it; 0 without any or with too many.
+std::size_t take_digits(std::string_view& text) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return error == std::errc() ? value : 0;
+}
+
+}  // namespace
+
+std::string_view Cursor::peek() const {
+  std::string_view line = rest_.substr(0, rest_.find('\n'));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+std::string_view Cursor::next(std::string_view expected) {
+  if (at_end()) fail("the file ends here, before " + std::string(expected));
+  const std::string_view line = peek();
+  const std::size_t end = rest_.find('\n');
+  rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+  ++line_;
+  return line;
+}
+
+void Cursor::skip(std::size_t lines, std::string_view expected) {
+  for (; lines > 0; --lines) next(expected);
+}
+
+void Cursor::skip_blank() {
+  while (!at_end() && trimmed(peek()).empty()) next({});
+}
+
+void Cursor::fail_at(std::size_t line, const std::string& message) const {
+  throw InputError(std::string(file_) + ":" + std::to_string(line) + ": " + message);
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  std::string shown(text.substr(0, longest));
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return "'" + shown + (text.size() > longest ? "…'" : "'");
+}
+
+std::string shown(double value) {
+  std::array<char, 32> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = lower(c);
+  return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+bool contains(std::string_view text, std::string_view lower_case_part) {
+  return std::search(text.begin(), text.end(), lower_case_part.begin(), lower_case_part.end(), same) !=
+         text.end();
+}
+
+bool starts_with(std::string_view text, std::string_view lower_case_part) {
+  return text.size() >= lower_case_part.size() &&
+         std::equal(lower_case_part.begin(), lower_case_part.end(), text.begin(),
+                    [](char part, char c) { return same(c, part); });
+}
+
+std::vector<std::string_view> words(std::string_view text, std::string_view separators) {
+  const std::string cuts = std::string(blanks) + std::string(separators);
+  std::vector<std::string_view> result;
+  while (true) {
+    const std::size_t first = text.find_first_not_of(cuts);
+    if (first == std::string_view::npos) return result;
+    text.remove_prefix(first);
+    const std::size_t length = std::min(text.find_first_of(cuts), text.size());
+    result.push_back(text.substr(0, length));
+    text.remove_prefix(length);
+  }
+}
+
+std::string_view field_after(std::string_view text, std::string_view key) {
+  for (auto from = text.begin();; ++from) {
+    from = std::search(from, text.end(), key.begin(), key.end(), same);
+    if (from == text.end()) return {};
+    const auto end = from + static_cast<std::ptrdiff_t>(key.size());
+    const bool starts = from == text.begin() || !is_word_character(*(from - 1));
+    const bool ends = end == text.end() || !is_word_character(*end);
+    if (!starts || !ends) continue;
+    std::string_view field = without_first(text, static_cast<std::size_t>(end - text.begin()));
+    field = without_first(field, field.find_first_not_of(" \t=:"));
+    return field.substr(0, field.find_first_of(" \t\r,;)"));
+  }
+}
+
+double number(const Cursor& cursor, std::string_view field) {
+  std::string text(trimmed(field));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == 'D' || c == 'd'; }, 'E');
+  const std::size_t plus = text.starts_with('+') && !text.starts_with("+-") ? 1 : 0;
+  const char* const end = text.data() + text.size();
+  double value = 0;
+  const auto [rest, error] = std::from_chars(text.data() + plus, end, value);
+  if (error == std::errc::invalid_argument || rest != end)
+    cursor.fail(quoted(trimmed(field)) + " is not a number");
+  if (error != std::errc() || !(std::abs(value) < largest)) {
+    cursor.fail(quoted(trimmed(field)) + " is not a finite number below 1e100");
+  }
+  return value;
+}
+
+std::size_t count(const Cursor& cursor, std::string_view field) {
+  constexpr std::size_t most = 1'000'000'000;
+  std::string_view digits = trimmed(field);
+  const std::size_t value = take_digits(digits);
+  if (value == 0 || value > most || !digits.empty()) {
+    cursor.fail(quoted(trimmed(field)) + " is not a count: must be an integer from 1 to 1000000000");
+  }
+  return value;
+}
+
+double checked_interval(const Cursor& cursor, double interval) {
+  if (!(interval > 0) || !(interval < largest)) {
+    cursor.fail("time step is " + shown(interval) + " s: must be > 0");
+  }
+  return interval;
+}
+
+Columns fortran_columns(const Cursor& cursor, std::string_view line) {
+  const std::size_t open = line.rfind('(');
+  if (open == std::string_view::npos) cursor.fail("no Fortran format such as (8F10.5) in this line");
+  const std::string_view format = line.substr(open, line.find(')', open) - open + 1);
+  std::string_view rest = format.substr(1);
+  Columns columns{take_digits(rest), 0};
+  if (starts_with(rest, "p")) {
+    rest = without_first(rest, rest.size() > 1 && rest[1] == ',' ? 2 : 1);
+    columns.per_line = take_digits(rest);
+  }
+  const bool has_type =
+      !rest.empty() && std::string_view("fegid").find(lower(rest.front())) != std::string_view::npos;
+  rest = without_first(rest, 1);
+  columns.width = take_digits(rest);
+  if (!has_type || columns.per_line == 0 || columns.width == 0) {
+    cursor.fail(quoted(format) + " is not a Fortran format of the kind (8F10.5)");
+  }
+  return columns;
+}
+
+std::vector<double> read_columns(Cursor& cursor, std::size_t count, Columns columns,
+                                 std::optional<double> null) {
+  const std::size_t announced_in = cursor.line_number();
+  std::vector<double> values;
+  while (values.size() < count) {
+    if (cursor.at_end()) check_count(cursor, values.size(), count, announced_in);
+    std::string_view rest = cursor.next("values");
+    for (std::size_t k = 0; k < columns.per_line && values.size() < count; ++k) {
+      if (trimmed(rest).empty()) cursor.fail("this line has " + std::to_string(k) + " values, too few");
+      values.push_back(number(cursor, rest.substr(0, columns.width)));
+      if (null && values.back() == *null) {
+        cursor.fail(quoted(trimmed(rest.substr(0, columns.width))) + " marks missing data");
+      }
+      rest = without_first(rest, columns.width);
+    }
+    if (!trimmed(rest).empty()) cursor.fail("surplus " + quoted(trimmed(rest)) + " at the end of this line");
+  }
+  return values;
+}
+
+void append_values(const Cursor& cursor, std::string_view line, std::vector<double>& values) {
+  for (const std::string_view word : words(line)) values.push_back(number(cursor, word));
+}
+
+std::vector<double> read_values(Cursor& cursor) {
+  std::vector<double> values;
+  while (!cursor.at_end()) {
+    const std::string_view line = cursor.next("values");
+    append_values(cursor, line, values);
+  }
+  return values;
+}
+
+void check_count(const Cursor& cursor, std::size_t found, std::size_t announced, std::size_t line) {
+  if (found == announced) return;
+  cursor.fail("the file ends after " + std::to_string(found) + " values; line " + std::to_string(line) +
+              " announces " + std::to_string(announced));
+}
+
+}  // namespace rockstack::records

@@ -1,0 +1,171 @@
+#include "analytic/scene/ground/synthetic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "analytic/scene/messages/field_error.hpp"
+#include "analytic/scene/messages/number_text.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+struct NormalPair {
+  double first, second;
+};
+
+/// Two independent standard normal numbers (Box & Muller 1958); the library's own distribution may differ
+/// from one compiler to the next.
+NormalPair draw_normal(std::mt19937_64& generator) {
+  const auto uniform = [&] { return (static_cast<double>(generator() >> 11U) + 0.5) * 0x1p-53; };
+  const double radius = std::sqrt(-2 * std::log(uniform()));
+  const double angle = two_pi * uniform();
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+std::size_t intervals(const SyntheticMotion& motion) {
+  return static_cast<std::size_t>(std::lround(motion.duration / motion.interval));
+}
+
+struct Wave {
+  double frequency;  ///< Hz
+  double deviation;  ///< of its amplitude
+};
+
+/// The waves that noise of variance 1 is made of. Half the lowest frequency would fit into the duration, so
+/// that the noise does not repeat itself within it.
+std::vector<Wave> waves(const SyntheticMotion& motion) {
+  const double spacing = 0.5 / motion.duration;
+  const auto count = static_cast<std::size_t>(synthetic_cutoff(motion) / spacing);
+  std::vector<Wave> result;
+  double variance = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double frequency = spacing * (static_cast<double>(k) + 0.5);
+    result.push_back({frequency, std::sqrt(synthetic_spectrum(motion, frequency))});
+    variance += result.back().deviation * result.back().deviation;
+  }
+  for (Wave& wave : result) wave.deviation /= std::sqrt(variance);
+  return result;
+}
+
+/// Adds amplitude.first cos + amplitude.second sin at every sample, one turn of the plane a sample.
+void add(std::vector<double>& samples, double angle, NormalPair amplitude) {
+  const double cosine = std::cos(angle);
+  const double sine = std::sin(angle);
+  for (double& sample : samples) {
+    sample += amplitude.first;
+    amplitude = {amplitude.first * cosine + amplitude.second * sine,
+                 amplitude.second * cosine - amplitude.first * sine};
+  }
+}
+
+/// Where straight lines between samples lead from rest, with 1 as the interval.
+struct End {
+  double velocity = 0, displacement = 0;
+};
+
+End end_of(const std::vector<double>& samples) {
+  End end;
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    end.displacement += end.velocity + samples[i] / 3 + samples[i + 1] / 6;
+    end.velocity += (samples[i] + samples[i + 1]) / 2;
+  }
+  return end;
+}
+
+/// Takes off the combination of two shapes that leaves the end at rest.
+void bring_to_rest(std::vector<double>& samples, const std::vector<double>& flat,
+                   const std::vector<double>& rising) {
+  const End end = end_of(samples);
+  const End one = end_of(flat);
+  const End other = end_of(rising);
+  const double determinant = one.velocity * other.displacement - other.velocity * one.displacement;
+  const double flat_part =
+      (end.velocity * other.displacement - other.velocity * end.displacement) / determinant;
+  const double rising_part =
+      (one.velocity * end.displacement - end.velocity * one.displacement) / determinant;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i] -= flat_part * flat[i] + rising_part * rising[i];
+  }
+}
+
+void correct_base_line(const SyntheticMotion& motion, std::vector<double>& samples) {
+  std::vector<double> flat, rising;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double t = motion.interval * static_cast<double>(i);
+    flat.push_back(synthetic_envelope(motion, t));
+    rising.push_back(flat.back() * t / motion.duration);
+  }
+  bring_to_rest(samples, flat, rising);
+}
+
+void require(bool allowed, const std::string& key, double value, const std::string& range) {
+  if (!allowed) throw FieldError(key, number_text(value), range);
+}
+
+}  // namespace
+
+double synthetic_cutoff(const SyntheticMotion& motion) {
+  return std::min(25.0, 0.5 / motion.interval);
+}
+
+double synthetic_spectrum(const SyntheticMotion& motion, double frequency) {
+  constexpr double slowness = 0.1, high_pass_damping = 0.6;
+  const auto square = [](double x) { return x * x; };
+  const double r = square(frequency / motion.frequency);
+  const double damped = 4 * square(motion.damping) * r;
+  const double layer = (1 + damped) / (square(1 - r) + damped);
+  const double s = r / square(slowness);
+  return layer * s * s / (square(1 - s) + 4 * square(high_pass_damping) * s);
+}
+
+double synthetic_envelope(const SyntheticMotion& motion, double t) {
+  const double s = 5 * t / motion.duration;
+  return s * s * std::exp(2 * (1 - s));
+}
+
+std::vector<double> modulated_noise(const SyntheticMotion& motion) {
+  std::mt19937_64 generator(motion.seed);
+  std::vector<double> samples(intervals(motion) + 1);
+  for (const Wave& wave : waves(motion)) {
+    const auto [first, second] = draw_normal(generator);
+    add(samples, two_pi * wave.frequency * motion.interval,
+        {wave.deviation * first, wave.deviation * second});
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i] *= synthetic_envelope(motion, motion.interval * static_cast<double>(i));
+  }
+  return samples;
+}
+
+GroundMotion make_synthetic(const SyntheticMotion& motion) {
+  validate(motion);
+  GroundMotion result{motion.interval, modulated_noise(motion),
+                      "synthetic motion, seed " + std::to_string(motion.seed), true};
+  correct_base_line(motion, result.samples);
+  const double largest = peak(result);
+  // Divided first, so that the largest sample comes out as the peak to the last bit.
+  for (double& sample : result.samples) sample = sample / largest * motion.peak;
+  return result;
+}
+
+void validate(const SyntheticMotion& motion, const std::string& key) {
+  require_positive(key + ".peak", motion.peak);
+  require(motion.duration > 0 && motion.duration <= 1000, key + ".duration", motion.duration,
+          "a number > 0 and at most 1000");
+  require(motion.interval >= motion.duration / 20000 && motion.interval <= motion.duration / 16,
+          key + ".interval", motion.interval,
+          "from " + number_text(motion.duration / 20000) + " to " + number_text(motion.duration / 16) +
+              ", the duration in 20000 to 16 parts");
+  require(motion.frequency >= 1 / motion.duration && motion.frequency <= synthetic_cutoff(motion),
+          key + ".frequency", motion.frequency,
+          "from " + number_text(1 / motion.duration) + ", one cycle in the duration, to " +
+              number_text(synthetic_cutoff(motion)) + " Hz");
+  require(motion.damping > 0 && motion.damping <= 1, key + ".damping", motion.damping,
+          "a number > 0 and at most 1");
+}
+
+}  // namespace rockstack

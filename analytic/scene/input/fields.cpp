@@ -1,0 +1,73 @@
+#include "analytic/scene/input/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack {
+
+void require_table(const Node& node, std::initializer_list<std::string_view> allowed) {
+  if (node.kind != Node::Kind::table) throw wrong_value(node, "a table");
+  for (const Node& child : node.children) {
+    if (std::find(allowed.begin(), allowed.end(), child.name) != allowed.end()) continue;
+    std::string names;
+    for (const auto name : allowed) names += (names.empty() ? "" : ", ") + std::string(name);
+    throw InputError(child.place + ": " + one_line(child.key) + ": unknown key, must be one of " + names);
+  }
+}
+
+const Node& required(const Node& table, std::string_view name, const std::string& allowed) {
+  const Node* node = find(table, name);
+  if (node == nullptr) throw missing_key(table, name, allowed);
+  return *node;
+}
+
+double number(const Node& node) {
+  if (node.kind != Node::Kind::number) throw wrong_value(node, "a number");
+  return node.number;
+}
+
+double number_above_zero(const Node& node) {
+  if (!(number(node) > 0)) throw wrong_value(node, "a number > 0");
+  return node.number;
+}
+
+int whole_number(const Node& node, int least) {
+  const double value = number(node);
+  if (!(value >= least) || value > 1e9 || value != std::floor(value))
+    throw wrong_value(node, "a whole number ≥ " + std::to_string(least));
+  return static_cast<int>(value);
+}
+
+double required_number(const Node& table, std::string_view name) {
+  return number(required(table, name, "a number"));
+}
+
+double number_or(const Node& table, std::string_view name, double otherwise) {
+  const Node* node = find(table, name);
+  return node == nullptr ? otherwise : number(*node);
+}
+
+const std::vector<Node>& entries(const Node& array, const std::string& allowed) {
+  if (array.kind != Node::Kind::array || array.children.empty()) throw wrong_value(array, allowed);
+  return array.children;
+}
+
+std::vector<double> numbers(const Node& node) {
+  if (node.kind != Node::Kind::array) throw wrong_value(node, "an array of numbers");
+  std::vector<double> result;
+  result.reserve(node.children.size());
+  for (const Node& child : node.children) {
+    if (!std::isfinite(number(child))) throw wrong_value(child, "a finite number");
+    result.push_back(child.number);
+  }
+  return result;
+}
+
+const std::string& text(const Node& node) {
+  if (node.kind != Node::Kind::text) throw wrong_value(node, "a text in quotes");
+  return node.text;
+}
+
+}  // namespace rockstack

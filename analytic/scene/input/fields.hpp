@@ -1,0 +1,48 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "analytic/scene/input/document.hpp"
+
+namespace rockstack {
+
+// Typed access to the values of a scene file. Every function throws InputError with place, key, value and
+// what is allowed.
+
+/// Refuses what is no table, and keys that are not among those allowed.
+void require_table(const Node& node, std::initializer_list<std::string_view> allowed);
+
+/// The child of that name; refuses a table without it.
+const Node& required(const Node& table, std::string_view name, const std::string& allowed);
+
+double number(const Node& node);
+double number_above_zero(const Node& node);
+/// From `least` to 10⁹.
+int whole_number(const Node& node, int least);
+double required_number(const Node& table, std::string_view name);
+double number_or(const Node& table, std::string_view name, double otherwise);
+
+/// The entries of an array that has some; `allowed` says what it must be.
+const std::vector<Node>& entries(const Node& array, const std::string& allowed);
+
+/// All entries of an array of numbers, each finite.
+std::vector<double> numbers(const Node& node);
+
+const std::string& text(const Node& node);
+
+/// The meaning of a text that is one of a few names.
+template <class Choice>
+Choice choice(const Node& node, std::initializer_list<std::pair<const char*, Choice>> choices) {
+  std::string allowed;
+  for (const auto& [name, value] : choices) {
+    if (node.kind == Node::Kind::text && node.text == name) return value;
+    allowed += (allowed.empty() ? "" : " or ") + quoted(name);
+  }
+  throw wrong_value(node, allowed);
+}
+
+}  // namespace rockstack

@@ -1,0 +1,120 @@
+#include "analytic/scene/input/scene_file.hpp"
+
+#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/ground_reader.hpp"
+#include "analytic/scene/input/overrides.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
+
+namespace rockstack {
+namespace {
+
+double read_mass(const Node& table, const Block& block) {
+  const Node* density = find(table, "density");
+  const Node* mass = find(table, "mass");
+  if (density == nullptr && mass == nullptr)
+    throw missing_key(table, "density", "given, or mass in its place");
+  if (density == nullptr) return number(*mass);
+  if (mass != nullptr) throw excluded_key(*mass, *density);
+  require_positive(density->key, number(*density));
+  return density->number * (2 * block.half_width) * (2 * block.half_height);
+}
+
+Block read_block(const Node& table) {
+  require_table(table, {"width", "height", "density", "mass", "inertia"});
+  Block block;
+  block.half_width = 0.5 * required_number(table, "width");
+  block.half_height = 0.5 * required_number(table, "height");
+  block.mass = read_mass(table, block);
+  block.inertia =
+      number_or(table, "inertia", rectangle_inertia(block.mass, block.half_width, block.half_height));
+  return block;
+}
+
+std::vector<Block> read_blocks(const Node& root) {
+  const Node* array = find(root, "blocks");
+  if (array == nullptr) return {};  // validate() says how many there must be
+  if (array->kind != Node::Kind::array) throw wrong_value(*array, "an array of tables, [[blocks]]");
+  std::vector<Block> blocks;
+  for (const Node& table : array->children) blocks.push_back(read_block(table));
+  return blocks;
+}
+
+InitialState read_initial(const Node& root, std::size_t size) {
+  InitialState initial{std::vector<double>(size), std::vector<double>(size)};
+  const Node* table = find(root, "initial");
+  if (table == nullptr) return initial;
+  require_table(*table, {"angles", "velocities"});
+  if (const Node* angles = find(*table, "angles")) initial.angles = numbers(*angles);
+  if (const Node* velocities = find(*table, "velocities")) initial.velocities = numbers(*velocities);
+  return initial;
+}
+
+void read_ground(const SceneDocument& document, MotionLibrary& library, Scene& scene) {
+  const Node* ground = find(document.root, "ground");
+  if (ground == nullptr) return;
+  require_table(*ground, {"horizontal", "vertical"});
+  if (const Node* table = find(*ground, "horizontal")) {
+    scene.horizontal = read_ground_motion(*table, document.folder, library);
+  }
+  if (const Node* table = find(*ground, "vertical")) {
+    scene.vertical = read_ground_motion(*table, document.folder, library);
+  }
+}
+
+EngineSurface read_engine(const Node& root) {
+  EngineSurface surface;
+  const Node* table = find(root, "engine");
+  if (table == nullptr) return surface;
+  require_table(*table, {"friction", "depth"});
+  surface.friction = number_or(*table, "friction", surface.friction);
+  surface.depth = number_or(*table, "depth", surface.depth);
+  return surface;
+}
+
+Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
+  const Node& root = document.root;
+  require_table(
+      root, {"title", "duration", "gravity", "law", "equations", "blocks", "initial", "ground", "engine"});
+  Scene scene;
+  const Node* title = find(root, "title");
+  scene.title = title == nullptr ? document.title : text(*title);
+  scene.duration = required_number(root, "duration");
+  scene.gravity = number_or(root, "gravity", scene.gravity);
+  if (const Node* law = find(root, "law")) {
+    scene.law = choice<Law>(*law, {{"paper", Law::paper}, {"consistent", Law::consistent}});
+  }
+  if (const Node* equations = find(root, "equations")) {
+    scene.equations =
+        choice<Equations>(*equations, {{"nonlinear", Equations::nonlinear}, {"linear", Equations::linear}});
+  }
+  scene.blocks = read_blocks(root);
+  scene.initial = read_initial(root, scene.blocks.size());
+  read_ground(document, library, scene);
+  scene.engine = read_engine(root);
+  return scene;
+}
+
+}  // namespace
+
+SceneDocument read_document(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  SceneDocument document{read_toml(file), file.parent_path(), file.stem().string()};
+  for (const std::string& each : overrides) apply_override(document.root, each);
+  return document;
+}
+
+Scene make_scene(const SceneDocument& document, MotionLibrary& library) {
+  try {
+    Scene scene = scene_from(document, library);
+    validate(scene);
+    return scene;
+  } catch (const FieldError& error) {
+    throw InputError(nearest(document.root, error.key).place + ": " + error.what());
+  }
+}
+
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  MotionLibrary library;
+  return make_scene(read_document(file, overrides), library);
+}
+
+}  // namespace rockstack

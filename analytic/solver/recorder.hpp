@@ -1,0 +1,144 @@
+#pragma once
+
+#include "analytic/events/first_event.hpp"
+#include "analytic/events/rest.hpp"
+#include "analytic/polynomials/maximum.hpp"
+#include "analytic/scene/solve_options.hpp"
+#include "analytic/solver/validity.hpp"
+#include "analytic/steps/ground_pieces.hpp"
+
+namespace rockstack {
+
+/// Keeps the history of a motion that goes by step by step: its events, and what the options ask for.
+template <class Real, int N>
+class Recorder {
+ public:
+  /// Keeps references to `model` and `options`.
+  Recorder(const Model<Real, N>& model, const SolveOptions& options) : model_(model), options_(options) {
+    const int size = model.stack.size();
+    rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model.gravity * model.stack.mass.sum());
+    history_.blocks = size;
+    if (options.peaks) history_.peaks.assign(static_cast<std::size_t>(size), Real(0));
+    if (options.validity) {
+      history_.forces.resize(static_cast<std::size_t>(size));
+      history_.impulses.resize(static_cast<std::size_t>(size));
+    }
+  }
+
+  /// A step from `offset` into a ground piece up to the event that ends it.
+  void note_step(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& offset,
+                 const Next<Real>& next, const Cleared& cleared) {
+    const Real start = piece.start + offset;
+    for (const auto& [s, kind, interface] : next.grazes) {
+      if (s <= next.s) history_.grazes.push_back({start + s * flow.length, kind, interface});
+    }
+    sample(flow, piece, offset, next.s);
+    if (options_.validity) note_forces(flow, piece, offset, next.s, cleared.forces);
+    if (options_.peaks) note_peaks(flow, next.s, cleared.angles);
+  }
+
+  /// Whether there is something to keep of a stretch of time through which the stack stands still.
+  bool wants(const StandingStack<Real, N>& standing, const Bearing<Real>& bears) const {
+    if (sample_due()) return true;
+    for (std::size_t k = 0; k < history_.forces.size(); ++k) {
+      const BasicDemand<Real>& known = history_.forces[k];
+      if (bears.tilt > known.friction || standing.mass[k] * bears.least_pull < known.least_normal)
+        return true;
+    }
+    return false;
+  }
+
+  /// The impulses of an impact.
+  void note_impact(const Outcome<Real, N>& outcome, const Real& time) {
+    if (options_.validity) note_demands(history_.impulses, outcome, time);
+  }
+
+  /// An event from pattern `from` and relative velocities `before` to the state `after`.
+  void note_event(const Real& time, EventKind kind, int interface, const Pattern& from,
+                  const Vector<Real, N>& before, const State<Real, N>& after, Consistency consistency) {
+    const auto list = [&](const Vector<Real, N>& relative_values) -> std::vector<Real> {
+      if (!options_.event_states) return {};
+      const Vector<Real, N> values = absolute(relative_values);
+      return std::vector<Real>(values.begin(), values.end());
+    };
+    history_.events.push_back({time, kind, interface, from, after.pattern, list(after.angles), list(before),
+                               list(after.velocities), consistency});
+  }
+
+  /// The samples that are left up to the end, where the last step has led.
+  void note_rest(const State<Real, N>& state, const Real& end) {
+    while (sample_due() && Real(options_.sample_times[next_sample_]) <= end) record_sample(state);
+  }
+
+  /// Of a whole step that takes them to these.
+  void raise_peaks(const PerBlock<Real, N>& peaks) {
+    std::copy_n(peaks.begin(), history_.peaks.size(), history_.peaks.begin());
+  }
+
+  const BasicHistory<Real>& so_far() const { return history_; }
+  const Real& rounding() const { return rounding_; }  ///< of forces, N
+  BasicHistory<Real> history() && { return std::move(history_); }
+
+ private:
+  bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
+
+  /// Samples of a step up to, and without, `end` of its length.
+  void sample(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& offset,
+              const Real& end) {
+    while (sample_due()) {
+      const Real s = ((Real(options_.sample_times[next_sample_]) - piece.start) - offset) / flow.length;
+      if (!(s < end)) return;
+      record_sample(flow.at(std::max(s, Real(0))));
+    }
+  }
+
+  void record_sample(const State<Real, N>& state) {
+    history_.times.push_back(Real(options_.sample_times[next_sample_++]));
+    const Vector<Real, N> angles = absolute(state.angles);
+    const Vector<Real, N> velocities = absolute(state.velocities);
+    history_.angles.insert(history_.angles.end(), angles.begin(), angles.end());
+    history_.velocities.insert(history_.velocities.end(), velocities.begin(), velocities.end());
+    history_.patterns.push_back(state.pattern);
+  }
+
+  /// The largest angles of a step up to s of its length.
+  void note_peaks(const Flow<Real, N>& flow, const Real& s, const Interfaces& cleared) {
+    if (cleared.count() == history_.peaks.size()) return;
+    Polynomial<Real> angle;  // absolute
+    for (std::size_t k = 0; k < history_.peaks.size(); ++k) {
+      add(flow.angles[k], Real(1), angle);
+      using std::abs;
+      if (angle.terms == 0 || cleared.test(k) || hull(angle).size() <= history_.peaks[k]) continue;
+      Polynomial<Real> part = angle;
+      rescale(part, s);
+      if (hull(part).size() <= history_.peaks[k]) continue;
+      for (int side = 0; side < 2; ++side) {
+        if (side > 0) {
+          for (Real& coefficient : part) coefficient = -coefficient;
+        }
+        const Real slack = 4 * std::numeric_limits<Real>::epsilon() * (abs(part[0]) + reach(part));
+        if (const auto top = summit(part, history_.peaks[k], slack)) history_.peaks[k] = top->height;
+      }
+    }
+  }
+
+  /// The demands of a step up to s of its length; at its start alone where the integrator tells no forces.
+  void note_forces(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& offset,
+                   const Real& s, const Interfaces& cleared) {
+    if (cleared.count() == history_.forces.size()) return;
+    const Real start = piece.start + offset;
+    if (flow.forces[0].normal.terms == 0)
+      return note_demands(history_.forces, accelerate(model_, flow.start, piece.at(offset)), start);
+    for (std::size_t k = 0; k < history_.forces.size(); ++k)
+      if (!cleared.test(k))
+        note_demand_along(history_.forces[k], flow.forces[k], s, rounding_, start, flow.length);
+  }
+
+  const Model<Real, N>& model_;
+  const SolveOptions& options_;
+  Real rounding_{};  ///< of forces, N
+  std::size_t next_sample_ = 0;
+  BasicHistory<Real> history_;
+};
+
+}  // namespace rockstack

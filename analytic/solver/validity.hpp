@@ -1,0 +1,98 @@
+#pragma once
+
+#include "analytic/mechanics/pattern_solution.hpp"
+#include "analytic/polynomials/maximum.hpp"
+#include "analytic/scene/history.hpp"
+#include "analytic/steps/dense_output.hpp"
+
+namespace rockstack {
+
+// The model neither lifts nor slips. Whether real blocks would is a result: the least normal force at each
+// interface, and the largest ratio of tangential to normal force, which their friction must reach; the same
+// for impulses.
+
+/// Takes what one interface bears at one time into account; what is `rounding` or less counts as zero.
+template <class Real>
+void note_demand(BasicDemand<Real>& demand, const Real& raw, const Real& tangential, const Real& rounding,
+                 const Real& time) {
+  using std::abs;
+  const Real normal = abs(raw) <= rounding ? Real(0) : raw;
+  if (normal == 0 && abs(tangential) <= rounding) return;
+  if (normal < demand.least_normal) {
+    demand.least_normal = normal;
+    demand.least_normal_time = time;
+  }
+  const Real ratio = normal > 0 ? abs(tangential) / normal : std::numeric_limits<Real>::infinity();
+  if (ratio > demand.friction) {
+    demand.friction = ratio;
+    demand.friction_time = time;
+  }
+}
+
+/// Takes an outcome into account.
+template <class Real, int N>
+void note_demands(std::vector<BasicDemand<Real>>& demands, const Outcome<Real, N>& outcome,
+                  const Real& time) {
+  for (int k = 0; k < outcome.pattern.size; ++k) {
+    note_demand(demands[static_cast<std::size_t>(k)], outcome.reactions.normal[k],
+                outcome.reactions.tangential[k], outcome.rounding[k], time);
+  }
+}
+
+/// True where sums of coefficients, which bound a polynomial (Hull), tell that a step demands
+/// no more than was known.
+template <class Real>
+bool demands_no_more(const BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& rounding) {
+  const bool bounded = demand.friction <= std::numeric_limits<Real>::max();
+  const Real ratio = bounded ? demand.friction : Real(0);
+  const Real least = demand.least_normal - rounding;
+  const Real negligible = bounded ? rounding * (1 + ratio) : std::numeric_limits<Real>::infinity();
+  Real normal = 0;
+  Real right = 0, left = 0;  // T − μN and −T − μN
+  for (std::size_t n = 0; n < force.normal.terms; ++n) {
+    const Real held = ratio * force.normal[n];
+    normal += force.normal[n];
+    right += force.tangential[n] - held;
+    left -= force.tangential[n] + held;
+    if (!(normal >= least && right <= negligible && left <= negligible)) return false;
+  }
+  return true;
+}
+
+/// The greatest demands along a step up to `end` of its length, to rounding: where the normal force is least,
+/// and where ±T/N is largest. The latter is the ratio μ at which the summit of ±T − μN comes down to zero
+/// (Dinkelbach 1967, Management Science 13, 492–498). `start` and `length` are those of the step, s.
+template <class Real>
+void note_demand_along(BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& end,
+                       const Real& rounding, const Real& start, const Real& length) {
+  if (demands_no_more(demand, force, rounding)) return;
+  if (end < 1) {
+    ForceCourses<Real> part = force;
+    rescale(part.normal, end);
+    rescale(part.tangential, end);
+    if (demands_no_more(demand, part, rounding)) return;
+  }
+  const auto note_at = [&](const Real& s) {
+    note_demand(demand, value(force.normal, s), value(force.tangential, s), rounding, start + s * length);
+  };
+  // Where normal · N + tangential · T passes `least` most.
+  const auto note_summit = [&](const Real& normal, const Real& tangential, const Real& least,
+                               const Real& slack) {
+    Polynomial<Real> sum;
+    sum.terms = force.normal.terms;
+    for (std::size_t n = 0; n < sum.terms; ++n)
+      sum[n] = normal * force.normal[n] + tangential * force.tangential[n];
+    rescale(sum, end);
+    if (const auto top = summit<Real>(sum, least, slack)) note_at(top->s * end);
+  };
+  note_summit(-1, 0, rounding - demand.least_normal, rounding);
+  for (const Real& side : {Real(1), Real(-1)}) {
+    for (Real before = -1; demand.friction > before && demand.friction <= std::numeric_limits<Real>::max();) {
+      before = demand.friction;
+      const Real negligible = rounding * (1 + before);
+      note_summit(-before, side, negligible, negligible);
+    }
+  }
+}
+
+}  // namespace rockstack

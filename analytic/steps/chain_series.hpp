@@ -1,0 +1,276 @@
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+#include "analytic/mechanics/chain_mass.hpp"
+#include "analytic/steps/body_force.hpp"
+
+namespace rockstack {
+
+// A step as a Taylor series, computed order by order. In s = τ/length, all is built from the series of the
+// blocks' absolute angles ψ, of c = cos ψ and of s = sin ψ. From c' = −s ψ' and s' = c ψ',
+//
+//     (c'')ₙ = −s₀ (ψ'')ₙ + known,   (s'')ₙ = c₀ (ψ'')ₙ + known,
+//
+// with the known part a sum of products of lower coefficients. So Lagrange's equations (linkage.hpp) give the
+// coefficients (ψ'')ₙ of all blocks from one linear system, whose matrix is the mass matrix at the start of
+// the step: it is factorised once. What belongs to relative angles are sums from the top down, and held
+// interfaces drop out.
+
+/// What a number of a calculation is made of: itself, or what a pack of numbers holds many of.
+template <class Real>
+struct NumberIn {
+  using type = Real;
+};
+template <class Real>
+using Number = typename NumberIn<Real>::type;
+
+/// 1/i.
+template <class Real>
+inline const std::array<Real, max_terms<Real> + 1> reciprocals = [] {
+  std::array<Real, max_terms<Real> + 1> result{};
+  for (std::size_t i = 1; i < result.size(); ++i) result[i] = Real(1) / Real(i);
+  return result;
+}();
+
+/// The series of a chain's motion over one step. Real may also be a pack of numbers that are computed side by
+/// side.
+template <class Real, int N>
+class ChainSeries {
+ public:
+  using Point2 = PlaneVector<Real>;
+  using Series = std::array<Real, max_terms<Real>>;
+  using PlaneSeries = std::array<Point2, max_terms<Real>>;
+  using Directions = PerBlock<PlaneVector<Real>, N>;
+
+  /// From the blocks' directions and relative velocities times the step's length; `forces` tells whether
+  /// push(), force(), reaction() and margin() will be asked for. Keeps a reference to `linkage`.
+  ChainSeries(const Linkage<Real, N>& linkage, bool linear, bool forces, const Directions& directions,
+              const PerBlock<Real, N>& advances)
+      : linkage_(linkage), linear_(linear), forces_(forces) {
+    start(directions, advances);
+  }
+
+  std::size_t size() const { return linkage_.size(); }
+
+  /// Makes the step `ratio` times as long, where order 0 is known: its coefficients go with the length
+  /// squared.
+  void shorten(const Real& ratio) {
+    const Real square = ratio * ratio;
+    for (std::size_t k = 0; k < size(); ++k) {
+      Row& row = rows_[k];
+      row.weighted[1] *= ratio;
+      row.weighted[2] *= square;
+      row.direction[1] = ratio * row.direction[1];
+      row.direction[2] = square * row.direction[2];
+      row.sway[0] = square * row.sway[0];
+      row.relative[0] *= square;
+      if (!forces_) continue;
+      row.reaction[0] *= square;
+      row.force[0] = square * row.force[0];
+    }
+  }
+
+  /// Computes (φ'')ₙ of all interfaces from all lower orders, 0 first.
+  void extend(std::size_t n, const Pull<Real>& pull) {
+    if constexpr (unrolled) {
+      (this->*orders[n])(pull);
+    } else {
+      extend_by(n, pull);
+    }
+  }
+
+  /// (φ'')ₙ of an interface.
+  const Real& relative(std::size_t k, std::size_t n) const { return rows_[k].relative[n]; }
+
+  /// φₙ₊₂ of an interface.
+  Real angle(std::size_t k, std::size_t n) const {
+    return relative(k, n) * reciprocals<Number<Real>>[n + 1] * reciprocals<Number<Real>>[n + 2];
+  }
+
+  /// Normal force at interface k, order n, in kg·m of s-time.
+  Real push(std::size_t k, std::size_t n) const {
+    if (k == 0 || linear_) return rows_[k].force[n].y;
+    return force(k, rows_[k - 1].direction, n).normal;
+  }
+
+  /// Forces at interface k along the normal and the direction of a block's face (the ground's: −1); order n,
+  /// likewise.
+  struct Force {
+    Real normal, tangential;
+  };
+  Force force(std::size_t k, int face, std::size_t n) const {
+    const Point2& own = rows_[k].force[n];
+    if (face < 0 || linear_) return {own.y, own.x};
+    return force(k, direction(static_cast<std::size_t>(face)), n);
+  }
+  /// Likewise, along a face of this direction.
+  Force force(std::size_t k, const PlaneSeries& direction, std::size_t n) const {
+    const Row& row = rows_[k];
+    Force sum{Real(0), Real(0)};
+    for (std::size_t i = 0; i <= n; ++i) {
+      sum.normal += direction[i].y * row.force[n - i].x + direction[i].x * row.force[n - i].y;
+      sum.tangential += direction[i].x * row.force[n - i].x - direction[i].y * row.force[n - i].y;
+    }
+    return sum;
+  }
+
+  /// The cosine and the sine of a block's angle.
+  const PlaneSeries& direction(std::size_t block) const { return rows_[block].direction; }
+
+  /// Moment about the pivot of interface k, about its middle where it is closed; order n.
+  const Real& reaction(std::size_t k, std::size_t n) const { return rows_[k].reaction[n]; }
+
+  /// How far the centre of pressure of a closed interface stays from either end, times the normal force;
+  /// order n, in kg·m² of s-time.
+  struct Margin {
+    Real right, left;
+  };
+  Margin margin(std::size_t k, std::size_t n) const {
+    const Real half = push(k, n) * linkage_.width[k];
+    return {half + reaction(k, n), half - reaction(k, n)};
+  }
+
+ private:
+  /// Short stacks in the processor's own numbers have each order compiled by itself.
+  static constexpr bool unrolled = N != Eigen::Dynamic && std::is_arithmetic_v<Number<Real>>;
+
+  struct Row {
+    Series weighted;        // i times coefficient i of ψ
+    PlaneSeries direction;  // cosine and sine of ψ
+    PlaneSeries sway;       // what they are multiplied by in the block's equation
+    Series relative;        // φ''
+    Series reaction;
+    PlaneSeries force;  // on the block and all above
+  };
+
+  void start(const Directions& directions, const PerBlock<Real, N>& advances) {
+    Real advance = 0;
+    for (std::size_t k = 0; k < size(); ++k) {
+      Row& row = rows_[k];
+      advance += advances[k];
+      row.weighted[1] = advance;
+      row.direction[0] = directions[k];
+      row.direction[1] = linear_ ? none() : advance * ahead(directions[k]);
+    }
+    mass_.factorise(linkage_, directions);
+  }
+
+  /// Order n, a number or the constant of one.
+  template <class Order>
+  void extend_by(Order n, const Pull<Real>& pull) {
+    const Point2 lift{n < pull.x.terms ? -pull.x[n] : Real(0), n < pull.y.terms ? -pull.y[n] : Real(0)};
+    PerBlock<Point2, N> bends;  // of directions, as far as they are known, then all
+    for (std::size_t k = 0; k < size(); ++k) bends[k] = linear_ ? none() : known_bend(rows_[k], n);
+    // A block alone sways under nothing but the pull.
+    const std::size_t sways = size() > 1 ? n : std::min<std::size_t>(n, std::max(pull.x.terms, pull.y.terms));
+    const PerBlock<Real, N> known = known_moments(n, sways, bends, lift);
+    PerBlock<Real, N> opposed;
+    for (std::size_t k = 0; k < size(); ++k) opposed[k] = -known[k];
+    const PerBlock<Real, N> relative = mass_.held.solve(opposed);
+    if (forces_) {
+      for (std::size_t k = 0; k < size(); ++k) {
+        rows_[k].reaction[n] = known[k];
+        for (std::size_t j = 0; j < size(); ++j) rows_[k].reaction[n] += mass_.matrix[k][j] * relative[j];
+      }
+    }
+    Real spin = 0;
+    for (std::size_t k = 0; k < size(); ++k) {
+      Row& row = rows_[k];
+      row.relative[n] = relative[k];
+      spin = k == 0 ? relative[0] : spin + relative[k];
+      row.weighted[n + 2] = spin * reciprocals<Number<Real>>[n + 1];
+      const Real twice = reciprocals<Number<Real>>[n + 1] * reciprocals<Number<Real>>[n + 2];
+      bends[k] = bends[k] + spin * ahead(row.direction[0]);
+      row.direction[n + 2] = linear_ ? none() : twice * bends[k];
+    }
+    couple(n, bends, lift);
+  }
+
+  template <std::size_t n>
+  void extend_to(const Pull<Real>& pull) {
+    extend_by(std::integral_constant<std::size_t, n>{}, pull);
+  }
+
+  using Extend = void (ChainSeries::*)(const Pull<Real>&);
+  template <std::size_t... n>
+  static constexpr std::array<Extend, sizeof...(n)> list(std::index_sequence<n...>) {
+    return {&ChainSeries::extend_to<n>...};
+  }
+  static constexpr auto orders = list(std::make_index_sequence < unrolled ? max_terms<Real> - 2 : 0 > {});
+
+  /// The known parts of (c'')ₙ and (s'')ₙ.
+  template <class Order>
+  static Point2 known_bend(const Row& row, Order n) {
+    Point2 sum = row.weighted[1] * row.direction[n + 1];
+    for (std::size_t j = 2; j < n + 2; ++j) sum = sum + row.weighted[j] * row.direction[n + 2 - j];
+    return {-Real(n + 1) * sum.y, Real(n + 1) * sum.x};
+  }
+
+  /// Order n of the moments about all pivots, but for what the blocks' spins (ψ'')ₙ will add.
+  template <class Order>
+  PerBlock<Real, N> known_moments(Order n, std::size_t sways, const PerBlock<Point2, N>& bends,
+                                  const Point2& lift) const {
+    PerBlock<Real, N> moments;
+    Point2 below = lift;
+    for (std::size_t k = 0; k < size(); ++k) {
+      moments[k] = across(mass_.moments[k], below);
+      if (!linear_) moments[k] += past_moment(rows_[k], n, sways);
+      if (k + 1 < size()) below = below + turned(bends[k], linkage_.link_x[k], linkage_.link_y[k]);
+    }
+    Point2 above = none();
+    for (std::size_t k = size() - 1; k-- > 0;) {
+      above = above + turned(bends[k + 1], linkage_.moment_x[k + 1], linkage_.moment_y[k + 1]);
+      moments[k] += moments[k + 1] + across(mass_.links[k], above);
+    }
+    return moments;
+  }
+
+  /// Order n of Sₖ⊥ · (…) + Lₖ⊥ · (…), but for order n of the sway: products of lower orders alone, of which
+  /// the first `sways` of the sway are not zero.
+  template <class Order>
+  static Real past_moment(const Row& row, Order n, std::size_t sways) {
+    Point2 sum = none();
+    for (std::size_t i = sways; i-- > 0;)
+      sum = {sum.x + row.direction[n - i].x * row.sway[i].x, sum.y + row.direction[n - i].y * row.sway[i].y};
+    return sum.x + sum.y;
+  }
+
+  /// Order n of what each block feels of the others and of the lift, and of the forces.
+  template <class Order>
+  void couple(Order n, const PerBlock<Point2, N>& bends, const Point2& lift) {
+    Point2 below = lift;
+    for (std::size_t k = 0; k < size(); ++k) {
+      Row& row = rows_[k];
+      row.sway[n] = sway(below, linkage_.moment_x[k], linkage_.moment_y[k]);
+      if (forces_) row.force[n] = linkage_.mass[k] * below;
+      if (k + 1 < size()) below = below + turned(bends[k], linkage_.link_x[k], linkage_.link_y[k]);
+    }
+    Point2 above = none();
+    for (std::size_t k = size(); k-- > 0;) {
+      Row& row = rows_[k];
+      if (k + 1 < size()) row.sway[n] = row.sway[n] + sway(above, linkage_.link_x[k], linkage_.link_y[k]);
+      if (k == 0 && !forces_) break;
+      above = above + turned(bends[k], linkage_.moment_x[k], linkage_.moment_y[k]);
+      if (forces_) row.force[n] = row.force[n] + above;
+    }
+  }
+
+  static Point2 none() { return {Real(0), Real(0)}; }
+  /// The derivative of a direction by its angle.
+  static Point2 ahead(const Point2& direction) { return {-direction.y, direction.x}; }
+  /// What the cosine and the sine of a block's angle are multiplied by to give (x, y)⊥ · push, with (x, y) in
+  /// the block's frame.
+  static Point2 sway(const Point2& push, const Real& x, const Real& y) {
+    return {y * push.x - x * push.y, -(x * push.x + y * push.y)};
+  }
+
+  const Linkage<Real, N>& linkage_;
+  bool linear_;
+  bool forces_;
+  std::array<Row, capacity(N)> rows_;
+  ChainMass<Real, N> mass_;  ///< at the start of the step
+};
+
+}  // namespace rockstack

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "analytic/mechanics/dynamics.hpp"
+#include "analytic/polynomials/polynomial.hpp"
+
+namespace rockstack {
+
+/// How far the centre of pressure of a closed interface stays from either end, times the normal force, as
+/// polynomials up to a positive factor: N (w − x) and N (w + x). Without terms where nobody watches.
+template <class Real>
+struct MarginCourses {
+  Polynomial<Real> right, left;
+};
+
+/// The forces on the block above an interface, N, as polynomials. Without terms where nobody asks.
+template <class Real>
+struct ForceCourses {
+  Polynomial<Real> normal, tangential;
+};
+
+/// What bounds on a whole step have told before it is looked at: where there is nothing to find.
+struct Cleared {
+  Interfaces gaps;    ///< of interfaces that stay open
+  Interfaces angles;  ///< of blocks that do not topple, nor lean more than before
+  Interfaces forces;  ///< that demand no more than before
+};
+
+/// Motion over one step as polynomials in s = τ/length, 0 ≤ s ≤ 1: one a relative angle, rad. Events and
+/// samples are read from these alone, whatever integrator made them.
+template <class Real, int N = Eigen::Dynamic>
+struct Flow {
+  Real length;  ///< s
+  State<Real, N> start;
+  std::array<Polynomial<Real>, capacity(N)> angles{};      ///< of open interfaces; without terms where closed
+  std::array<MarginCourses<Real>, capacity(N)> margins{};  ///< of closed interfaces
+  std::array<ForceCourses<Real>, capacity(N)> forces{};    ///< of all interfaces
+
+  State<Real, N> at(const Real& s) const {
+    State<Real, N> state = start;
+    for (int k = 0; k < state.size(); ++k) {
+      if (state.pattern[k] == Contact::closed) continue;
+      const auto [angle, advance] = tangent(angles[static_cast<std::size_t>(k)], s);
+      state.angles[k] = angle;
+      state.velocities[k] = advance / length;
+    }
+    return state;
+  }
+};
+
+}  // namespace rockstack

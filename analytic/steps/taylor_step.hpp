@@ -1,0 +1,182 @@
+#pragma once
+
+#include "analytic/scene/solve_options.hpp"
+#include "analytic/steps/dense_output.hpp"
+#include "analytic/steps/step_rule.hpp"
+
+namespace rockstack {
+
+/// Makes steps from Taylor series: as long as the ground's course is smooth, or as the highest order allows.
+/// The order is the lowest whose last coefficients are below the tolerance, and that leaves none of the
+/// pull's out; where there is none, the step is shorter (body_force.hpp).
+template <class Real, int N>
+class TaylorSteps {
+ public:
+  /// Keeps a reference to `model`.
+  TaylorSteps(const Model<Real, N>& model, const SolveOptions& options)
+      : model_(model),
+        forces_(options.validity),
+        tolerance_(std::max<Real>(Real(options.tolerance), 4 * std::numeric_limits<Real>::epsilon())) {
+    using std::sqrt;
+    rate_ = sqrt(model.gravity / (2 * model.stack.half_height.sum()));
+    longest_ = 1 / rate_;
+  }
+
+  /// A step from `offset` into a ground piece, no longer than `remaining`, with margins of `watched`
+  /// interfaces.
+  Flow<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& towards,
+                           const Linkage<Real, N>& linkage, const GroundPiece<Real>& piece,
+                           const Real& offset, const Real& remaining, const Interfaces& watched) {
+    const Real step = length(piece, remaining);
+    Pull<Real> pull = make_pull(model_.gravity, piece, offset, step);
+    const std::size_t pulls = std::max(pull.x.terms, pull.y.terms);
+    if (is_closed(state.pattern)) {
+      Flow<Real, N> flow{step, state, {}, {}};
+      stand(linkage, pull, watched, flow);
+      lengthen(flow.length, pulls);
+      return flow;
+    }
+    StepStart<Real, N> start{{}, {}, {}, step, rate_};
+    typename ChainSeries<Real, N>::Directions directions;
+    for (std::size_t k = 0; k < linkage.size(); ++k) {
+      const auto block = static_cast<int>(k);
+      start.sides[k] = Real(sign(state.pattern[block]));
+      start.angles[k] = state.angles[block];
+      start.advances[k] = state.velocities[block] * step;
+      directions[k] = {towards.cosine[block], towards.sine[block]};
+    }
+    ChainSeries<Real, N> series(linkage, model_.equations == Equations::linear, forces_ || watched.any(),
+                                directions, start.advances);
+    series.extend(0, pull);
+    const Real ratio = start.landing(series);
+    if (ratio < 1) {
+      start.shorten(ratio);
+      shorten(pull, ratio);
+      series.shorten(ratio);
+    }
+    Convergence<Real> convergence(tolerance_);
+    bool reached = false;
+    std::size_t orders = 0;
+    for (; !(reached && orders >= pulls) && orders < max_orders<Real>; ++orders) {
+      if (orders > 0) series.extend(orders, pull);
+      reached = convergence.note_order(start, series, orders);
+    }
+    Flow<Real, N> flow{start.length, state, {}, {}};
+    read(start, series, orders, watched, flow);
+    if (forces_) read_forces(series, orders, flow);
+    fit(reached ? Real(0) : convergence.excess(), orders, flow);
+    return flow;
+  }
+
+  /// Of the next step, with `remaining` s of a ground piece to go, unless something ends it, s.
+  Real length(const GroundPiece<Real>& piece, const Real& remaining) const {
+    return std::min({remaining, longest_, longest_series(piece)});
+  }
+
+  /// Shortens a step whose series did not get down to the tolerance, and had `excess` times as much left;
+  /// lengthens the next where it did easily. Of n orders, what is left goes with the length's n-th power at
+  /// least, and what is allowed with its third at most; so the second ratio is short enough. The first leaves
+  /// room, and is the lesser one but for a large excess.
+  void fit(const Real& excess, std::size_t orders, Flow<Real, N>& flow) {
+    using std::pow;
+    if (excess > 1) {
+      const Real ratio = std::min<Real>(pow(excess, Real(-1) / Real(orders - 1)) * Real(0.9),
+                                        pow(excess, Real(-1) / Real(orders - 3)));
+      flow.length *= ratio;
+      longest_ = flow.length;
+      for (auto& angle : flow.angles) rescale(angle, ratio);
+      for (auto& margin : flow.margins) {
+        rescale(margin.right, ratio);
+        rescale(margin.left, ratio);
+      }
+      for (auto& force : flow.forces) {
+        rescale(force.normal, ratio);
+        rescale(force.tangential, ratio);
+      }
+    } else {
+      lengthen(flow.length, orders);
+    }
+  }
+
+  /// Lengthens the next step where one of a length got down to the tolerance easily.
+  void lengthen(const Real& step, std::size_t orders) {
+    if (step == longest_ && orders + 2 < max_orders<Real>) longest_ *= Real(1.25);
+  }
+
+  const Real& tolerance() const { return tolerance_; }
+  const Real& rate() const { return rate_; }
+
+ private:
+  /// The margins of a stack at rest: what pulls at it acts at its centres of mass.
+  void stand(const Linkage<Real, N>& linkage, const Pull<Real>& pull, const Interfaces& watched,
+             Flow<Real, N>& flow) const {
+    Real moment = 0;  // of the masses above an interface, about its height, kg·m
+    for (std::size_t k = linkage.size(); k-- > 0;) {
+      moment += linkage.moment_y[k];
+      if (forces_) stand_on(linkage.mass[k], pull, flow.length, flow.forces[k]);
+      if (!watched.test(k)) continue;
+      const Real push = linkage.mass[k] * model_.stack.half_width[static_cast<int>(k)];
+      MarginCourses<Real>& margin = flow.margins[k];
+      margin.right.terms = margin.left.terms = std::max(pull.x.terms, pull.y.terms);
+      for (std::size_t n = 0; n < margin.right.terms; ++n) {
+        const Real upright = n < pull.y.terms ? -pull.y[n] * push : Real(0);
+        const Real lean = n < pull.x.terms ? -pull.x[n] * moment : Real(0);
+        margin.right[n] = upright + lean;
+        margin.left[n] = upright - lean;
+      }
+    }
+  }
+
+  /// What an interface carries of a mass that is at rest above it.
+  static void stand_on(const Real& mass, const Pull<Real>& pull, const Real& length,
+                       ForceCourses<Real>& force) {
+    const Real scale = -mass / (length * length);
+    force.normal.terms = force.tangential.terms = std::max(pull.x.terms, pull.y.terms);
+    for (std::size_t n = 0; n < force.normal.terms; ++n) {
+      force.normal[n] = n < pull.y.terms ? pull.y[n] * scale : Real(0);
+      force.tangential[n] = n < pull.x.terms ? pull.x[n] * scale : Real(0);
+    }
+  }
+
+  void read(const StepStart<Real, N>& start, const ChainSeries<Real, N>& series, std::size_t orders,
+            const Interfaces& watched, Flow<Real, N>& flow) const {
+    for (std::size_t k = 0; k < series.size(); ++k) {
+      if (flow.start.pattern[static_cast<int>(k)] != Contact::closed) {
+        Polynomial<Real>& angle = flow.angles[k];
+        angle.terms = orders + 2;
+        angle[0] = start.angles[k];
+        angle[1] = start.advances[k];
+        for (std::size_t n = 0; n < orders; ++n) angle[n + 2] = series.angle(k, n);
+      } else if (watched.test(k)) {
+        MarginCourses<Real>& margin = flow.margins[k];
+        margin.right.terms = margin.left.terms = orders;
+        for (std::size_t n = 0; n < orders; ++n) {
+          const auto coefficient = series.margin(k, n);
+          margin.right[n] = coefficient.right;
+          margin.left[n] = coefficient.left;
+        }
+      }
+    }
+  }
+
+  void read_forces(const ChainSeries<Real, N>& series, std::size_t orders, Flow<Real, N>& flow) const {
+    const Real scale = 1 / (flow.length * flow.length);
+    for (int k = 0; k < model_.stack.size(); ++k) {
+      ForceCourses<Real>& course = flow.forces[static_cast<std::size_t>(k)];
+      course.normal.terms = course.tangential.terms = orders;
+      for (std::size_t n = 0; n < orders; ++n) {
+        const auto force = series.force(static_cast<std::size_t>(k), face(model_.stack, k), n);
+        course.normal[n] = force.normal * scale;
+        course.tangential[n] = force.tangential * scale;
+      }
+    }
+  }
+
+  const Model<Real, N>& model_;
+  bool forces_;  ///< whether steps tell the forces
+  Real tolerance_;
+  Real rate_;     ///< √(g/H), 1/s
+  Real longest_;  ///< s, for the next step
+};
+
+}  // namespace rockstack

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <filesystem>
+#include <fstream>
+#include <locale>
+
+#include "analytic/scene/ground/records/record_file.hpp"
+#include "analytic/scene/messages/input_error.hpp"
+#include "tests/analytic/scene/ground/records/layouts.hpp"
+#include "tests/analytic/scene/ground/records/mutations.hpp"
+
+namespace rockstack {
+namespace {
+
+class RecordFile : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return folder_ / name;
+  }
+
+  std::string error_of(const std::string& name) const {
+    try {
+      read_record(folder_ / name);
+    } catch (const InputError& error) {
+      const std::string line = error.what();
+      return line.substr(line.find("/here/") + 6);
+    }
+    return {};
+  }
+
+  /// One a test: tests run at the same time.
+  const std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "rockstack-records" /
+                                        testing::UnitTest::GetInstance()->current_test_info()->name() /
+                                        "here";
+};
+
+TEST_F(RecordFile, NameDoesNotMatterForTheFormat) {
+  EXPECT_EQ(read_record(write("record.smc", peer_text(made_up_samples()))).format, "PEER AT2");
+}
+
+TEST_F(RecordFile, FirstChannelIsReadUnlessAnotherIsNamed) {
+  const std::string name =
+      write("three.v2", volume2_channel(made_up_samples(4)) + volume2_channel(made_up_samples(5)) +
+                            volume2_channel(made_up_samples(6)))
+          .string();
+  EXPECT_EQ(read_record(name).samples.size(), 4U);
+  EXPECT_EQ(read_record(name + ":1").samples.size(), 4U);
+  EXPECT_EQ(read_record(name + ":3").samples.size(), 6U);
+  EXPECT_EQ(record_file(name + ":3"), name);
+  EXPECT_EQ(record_file(name), name);
+  EXPECT_EQ(error_of("three.v2:4"), "three.v2: no channel 4: must be 1 to 3");
+  EXPECT_EQ(error_of("three.v2:0"), "three.v2: no channel 0: must be 1 to 3");
+}
+
+TEST_F(RecordFile, ColonMayBelongToTheName) {
+  const auto name = write("a:2", peer_text(made_up_samples()));
+  EXPECT_EQ(record_file(name), name);
+  EXPECT_EQ(read_record(name).samples.size(), 19U);
+  EXPECT_EQ(error_of("a:b"), "a:b: no such file");
+}
+
+TEST_F(RecordFile, MissingEmptyAndOtherFilesAreRefused) {
+  EXPECT_EQ(error_of("nothing.at2"), "nothing.at2: no such file");
+  EXPECT_EQ(error_of("nothing.at2:2"), "nothing.at2: no such file");
+  std::filesystem::create_directory(folder_ / "folder");
+  EXPECT_EQ(error_of("folder"), "folder: not a file");
+  write("empty", "");
+  EXPECT_EQ(error_of("empty"), "empty:1: the file is empty");
+  write("blank", "\xEF\xBB\xBF\r\n \n\n");
+  EXPECT_EQ(error_of("blank"), "blank:1: the file is empty");
+  write("prose", "Dear Sir,\nno record here.\n");
+  EXPECT_EQ(error_of("prose"),
+            "prose:1: not a known format: PEER AT2, COSMOS, CSMIP volume 2, USGS SMC, ESM, "
+            "K-NET/KiK-net, columns of numbers");
+}
+
+TEST_F(RecordFile, BinaryIsRefusedAtItsFirstControlCharacter) {
+  write("binary", "one\ntwo\n" + std::string("a\0b", 3));
+  EXPECT_EQ(error_of("binary"), "binary:3: byte 0: not a text file");
+}
+
+TEST_F(RecordFile, WindowsLineEndsAndByteOrderMarkChangeNothing) {
+  for (const std::string& text : one_of_each_layout()) {
+    const Record plain = read_record(write("plain", text));
+    const Record dressed =
+        read_record(write("dressed", "\xEF\xBB\xBF" + with_windows_line_ends(text) + "\x1A"));
+    EXPECT_EQ(dressed.samples, plain.samples) << text;
+    EXPECT_EQ(dressed.interval, plain.interval);
+    EXPECT_EQ(dressed.format, plain.format);
+  }
+}
+
+TEST_F(RecordFile, LastLineNeedsNoEnd) {
+  for (std::string text : one_of_each_layout()) {
+    const Record whole = read_record(write("whole", text));
+    text.pop_back();
+    EXPECT_EQ(read_record(write("cut", text)).samples, whole.samples) << text;
+  }
+}
+
+struct DecimalComma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+};
+
+TEST_F(RecordFile, LocaleChangesNothing) {
+  const auto name = write("record", peer_text(made_up_samples()));
+  const Record before = read_record(name);
+  const std::locale standard = std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // where there is such a one, for C's functions too
+  const Record record = read_record(name);
+  const std::string error = error_of_text(peer_text(made_up_samples(), "19", "-.01"));
+  std::locale::global(standard);
+  std::setlocale(LC_ALL, "C");
+  EXPECT_EQ(record.samples, before.samples);
+  EXPECT_EQ(record.interval, 0.005);
+  EXPECT_EQ(error, "file:4: time step is -0.01 s: must be > 0");
+}
+
+}  // namespace
+}  // namespace rockstack

@@ -1,0 +1,159 @@
+#include <gtest/gtest.h>
+
+#include "analytic/scene/input/scene_file.hpp"
+#include "analytic/scene/messages/input_error.hpp"
+#include "tests/analytic/scene/input/scene_text.hpp"
+
+namespace rockstack {
+namespace {
+
+/// two_blocks() with one line (from 1) in place of what stands there.
+std::string with_line(int line, const std::string& replacement) {
+  std::string text = two_blocks();
+  std::size_t start = 0;
+  for (int k = 1; k < line; ++k) start = text.find('\n', start) + 1;
+  return text.replace(start, text.find('\n', start) - start, replacement);
+}
+
+struct Case {
+  int line;
+  const char* replacement;
+  const char* error;
+};
+
+void expect_errors(std::initializer_list<Case> cases) {
+  for (const Case& each : cases) EXPECT_EQ(error_of(with_line(each.line, each.replacement)), each.error);
+}
+
+TEST(SceneErrors, TheSceneUsedHereIsRightByItself) {
+  EXPECT_EQ(error_of(two_blocks()), "");
+}
+
+TEST(SceneErrors, NumbersOutOfRange) {
+  expect_errors({
+      {1, "duration = 0", "scene.toml:1: duration = 0: must be a finite number > 0"},
+      {1, "duration = inf", "scene.toml:1: duration = inf: must be a finite number > 0"},
+      {1, "duration = 1\ngravity = nan", "scene.toml:2: gravity = nan: must be a finite number > 0"},
+      {3, "width = -1", "scene.toml:3: blocks.1.width = -1: must be a finite number > 0"},
+      {8, "height = nan", "scene.toml:8: blocks.2.height = nan: must be a finite number > 0"},
+      {5, "mass = 0.0", "scene.toml:5: blocks.1.mass = 0: must be a finite number > 0"},
+      {5, "density = -0.1", "scene.toml:5: blocks.1.density = -0.1: must be a finite number > 0"},
+      {5, "mass = 1\ninertia = -2", "scene.toml:6: blocks.1.inertia = -2: must be a finite number > 0"},
+      {11, "angles = [0.1, -inf]", "scene.toml:11: initial.angles.2 = -inf: must be a finite number"},
+      {12, "velocities = [nan, 0]", "scene.toml:12: initial.velocities.1 = nan: must be a finite number"},
+      {12, "[engine]\nfriction = 0", "scene.toml:13: engine.friction = 0: must be a finite number > 0"},
+      {12, "[engine]\ndepth = -1", "scene.toml:13: engine.depth = -1: must be a finite number > 0"},
+  });
+}
+
+TEST(SceneErrors, AToppledStartNamesTheLimit) {
+  const std::string line = error_of(with_line(11, "angles = [0, 2.0]"));
+  EXPECT_EQ(line.substr(0, 49), "scene.toml:11: initial.angles.2 = 2: must be betw");
+  EXPECT_NE(line.find("for block 2, its toppling angle"), std::string::npos);
+}
+
+TEST(SceneErrors, WrongTypes) {
+  expect_errors({
+      {1, "duration = \"5 s\"", "scene.toml:1: duration = \"5 s\": must be a number"},
+      {3, "width = true", "scene.toml:3: blocks.1.width = true: must be a number"},
+      {3, "width = 1979-05-27", "scene.toml:3: blocks.1.width = 1979-05-27: must be a number"},
+      {11, "angles = 0.1", "scene.toml:11: initial.angles = 0.1: must be an array of numbers"},
+      {11, "angles = [0.1, \"a\"]", "scene.toml:11: initial.angles.2 = \"a\": must be a number"},
+      {1, "duration = 1\ntitle = 3", "scene.toml:2: title = 3: must be a text in quotes"},
+      {1, "duration = 1\nengine = [1]", "scene.toml:2: engine = an array of 1: must be a table"},
+      {1, "duration = 1\nlaw = \"papr\"",
+       "scene.toml:2: law = \"papr\": must be \"paper\" or \"consistent\""},
+      {1, "duration = 1\nequations = 2", "scene.toml:2: equations = 2: must be \"nonlinear\" or \"linear\""},
+  });
+  EXPECT_EQ(error_of("duration = 1\nblocks = 3\n"),
+            "scene.toml:2: blocks = 3: must be an array of tables, [[blocks]]");
+  EXPECT_EQ(error_of("duration = 1\nblocks = [3]\n"), "scene.toml:2: blocks.1 = 3: must be a table");
+}
+
+TEST(SceneErrors, UnknownKeysListTheKnownOnes) {
+  expect_errors({
+      {1, "durration = 5",
+       "scene.toml:1: durration: unknown key, must be one of title, duration, gravity, law, equations, "
+       "blocks, "
+       "initial, ground, engine"},
+      {7, "widht = 1.0",
+       "scene.toml:7: blocks.2.widht: unknown key, must be one of width, height, density, mass, inertia"},
+      {12, "speeds = [0, 0]",
+       "scene.toml:12: initial.speeds: unknown key, must be one of angles, velocities"},
+      {12, "[ground]\nsideways = 1",
+       "scene.toml:13: ground.sideways: unknown key, must be one of horizontal, vertical"},
+      {12, "[ground.vertical]\nspectrum = 1",
+       "scene.toml:13: ground.vertical.spectrum: unknown key, must be one of record, samples, interval, "
+       "pulse, "
+       "synthetic, scale, peak"},
+      {12, "[ground.vertical]\npulse = \"sine\"\namplitude = 1\nperiod = 1\ncycles = 2",
+       "scene.toml:16: ground.vertical.cycles: unknown key, must be one of pulse, amplitude, period, start"},
+      {12, "[engine]\ngrip = 1", "scene.toml:13: engine.grip: unknown key, must be one of friction, depth"},
+  });
+}
+
+TEST(SceneErrors, MissingKeysNameTheLineOfTheirTable) {
+  expect_errors({
+      {1, "title = \"no duration\"", "scene.toml:1: duration: missing, must be a number"},
+      {7, "", "scene.toml:6: blocks.2.width: missing, must be a number"},
+      {8, "", "scene.toml:6: blocks.2.height: missing, must be a number"},
+      {5, "", "scene.toml:2: blocks.1.density: missing, must be given, or mass in its place"},
+  });
+  EXPECT_EQ(error_of("duration = 1\n"), "scene.toml:1: blocks = 0 blocks: must be 1 to 32 blocks");
+}
+
+TEST(SceneErrors, MassAndDensityExcludeEachOther) {
+  EXPECT_EQ(error_of(with_line(9, "mass = 3\ndensity = 4")),
+            "scene.toml:9: blocks.2.mass = 3: must be left out where density is given (scene.toml:10)");
+}
+
+TEST(SceneErrors, ArraysAreAsLongAsThereAreBlocks) {
+  expect_errors({
+      {11, "angles = [0, 0, 0]",
+       "scene.toml:11: initial.angles = an array of 3: must be as long as there are blocks, 2"},
+      {12, "velocities = []",
+       "scene.toml:12: initial.velocities = an array of 0: must be as long as there are blocks, 2"},
+  });
+}
+
+TEST(SceneErrors, ThirtyTwoBlocksAreTheMost) {
+  std::string text = "duration = 1\n";
+  for (int k = 0; k < 32; ++k) text += "[[blocks]]\nwidth = 1\nheight = 1\nmass = 1\n";
+  EXPECT_EQ(error_of(text), "");
+  text += "[[blocks]]\nwidth = 1\nheight = 1\nmass = 1\n";
+  EXPECT_EQ(error_of(text), "scene.toml:2: blocks = 33 blocks: must be 1 to 32 blocks");
+}
+
+TEST(SceneErrors, BrokenTomlNamesItsLine) {
+  for (const char* broken :
+       {"width = ", "width 1.0", "width = 1.0.0", "width = \"\x01\"", "é = 1", "width = 1.0 é"}) {
+    const std::string line = error_of(with_line(7, broken));
+    EXPECT_EQ(line.substr(0, 28), "scene.toml:7: must be TOML: ") << broken;
+    EXPECT_EQ(line.find('\n'), std::string::npos) << broken;
+  }
+}
+
+TEST(SceneErrors, OddTextStaysOnOneLine) {
+  EXPECT_EQ(error_of(with_line(1, "duration = \"a\\nb\"")),
+            "scene.toml:1: duration = \"a\\x0ab\": must be a number");
+  EXPECT_EQ(error_of(with_line(12, "\"a\\nb\" = 1")),
+            "scene.toml:12: initial.a\\x0ab: unknown key, must be one of angles, velocities");
+}
+
+TEST(SceneErrors, AFileThatIsNotThereOrADirectory) {
+  const TemporaryFolder folder;
+  const auto text = [](const std::filesystem::path& file) {
+    try {
+      read_scene(file);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string missing = (folder.path() / "none.toml").string();
+  EXPECT_EQ(text(missing), missing + ": must be a file, or a name from `rockstack list`; nothing is there");
+  EXPECT_EQ(text(folder.path()), folder.path().string() + ": must be a file, this is a directory");
+}
+
+}  // namespace
+}  // namespace rockstack

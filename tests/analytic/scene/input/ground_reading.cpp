@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include "analytic/scene/ground/synthetic.hpp"
+#include "analytic/scene/input/scene_file.hpp"
+#include "tests/analytic/scene/input/scene_text.hpp"
+
+namespace rockstack {
+namespace {
+
+/// The horizontal motion of a scene with these lines under [ground.horizontal].
+GroundMotion read(const std::string& lines) {
+  const TemporaryFolder folder;
+  return read_scene(folder.write("scene.toml", two_blocks() + "[ground.horizontal]\n" + lines)).horizontal;
+}
+
+/// The error for such lines; the first of them is line 14.
+std::string error_in(const std::string& lines) {
+  return error_of(two_blocks() + "[ground.horizontal]\n" + lines);
+}
+
+TEST(GroundReading, ScaleMultipliesEverySample) {
+  EXPECT_EQ(read("samples = [1, -2]\ninterval = 0.5\nscale = -0.5\n").samples,
+            (std::vector<double>{-0.5, 1}));
+}
+
+TEST(GroundReading, PeakIsReachedToTheLastBit) {
+  // With these two numbers, multiplying by the rounded factor peak / largest would miss the last bit.
+  const GroundMotion motion = read("samples = [0.1, -0.2, 0.2]\ninterval = 0.5\npeak = 6.97\n");
+  EXPECT_EQ(peak(motion), 6.97);
+  EXPECT_EQ(motion.samples[1], -6.97);
+}
+
+TEST(GroundReading, ARecordIsFoundBesideTheSceneFile) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "records");
+  folder.write(
+      "records/motion.at2",
+      "PEER NGA STRONG MOTION DATABASE RECORD\nMade for a test\nACCELERATION TIME SERIES IN UNITS OF G\n"
+      "NPTS=   4, DT=   .5000 SEC\n  .1000000E+00  -.2000000E+00   .0500000E+00   .0000000E+00\n");
+  const auto file = folder.write(
+      "scene.toml", two_blocks() + "[ground.vertical]\nrecord = \"records/motion.at2\"\npeak = 2.0\n");
+  const Scene scene = read_scene(file);
+  EXPECT_EQ(scene.vertical.interval, 0.5);
+  ASSERT_EQ(scene.vertical.samples.size(), 4U);
+  EXPECT_EQ(scene.vertical.samples[1], -2.0);
+  EXPECT_EQ(scene.vertical.source.substr(0, 18), "records/motion.at2");
+  EXPECT_TRUE(scene.horizontal.empty());
+}
+
+TEST(GroundReading, AChannelAfterTheRecordsNameIsNoPartOfItsPath) {
+  EXPECT_EQ(
+      error_in("record = \"none.v2:2\"\n"),
+      "scene.toml:14: ground.horizontal.record = \"none.v2:2\": must be a record's file, none is at none.v2");
+}
+
+TEST(GroundReading, AMissingRecordIsNamedWithItsPath) {
+  EXPECT_EQ(
+      error_in("record = \"none.at2\"\n"),
+      "scene.toml:14: ground.horizontal.record = \"none.at2\": must be a record's file, none is at none.at2");
+  EXPECT_EQ(error_in("record = \"..\"\n"),
+            "scene.toml:14: ground.horizontal.record = \"..\": must be a record's file, none is at ..");
+}
+
+TEST(GroundReading, ScaleAndPeakExcludeEachOther) {
+  EXPECT_EQ(
+      error_in("samples = [1]\ninterval = 1\nscale = 2\npeak = 3\n"),
+      "scene.toml:17: ground.horizontal.peak = 3: must be left out where scale is given (scene.toml:16)");
+}
+
+TEST(GroundReading, RecordAndSamplesExcludeEachOther) {
+  EXPECT_EQ(
+      error_in("record = \"a\"\nsamples = [1, 2]\ninterval = 1\n"),
+      "scene.toml:15: ground.horizontal.samples = an array of 2: must be left out where record is given "
+      "(scene.toml:14)");
+  EXPECT_EQ(error_in("record = \"a\"\ninterval = 1\n"),
+            "scene.toml:15: ground.horizontal.interval = 1: must be left out where record is given "
+            "(scene.toml:14)");
+}
+
+TEST(GroundReading, OneSourceIsNeeded) {
+  EXPECT_EQ(error_in(""),
+            "scene.toml:13: ground.horizontal.record: missing, must be given, or samples and interval, or a "
+            "pulse or synthetic in its place");
+  EXPECT_EQ(error_in("samples = [1]\n"),
+            "scene.toml:13: ground.horizontal.interval: missing, must be a number");
+  EXPECT_EQ(error_in("samples = []\ninterval = 1\n"),
+            "scene.toml:14: ground.horizontal.samples = an array of 0: must be at least one number");
+}
+
+TEST(GroundReading, ASyntheticMotionIsMadeFromItsSeed) {
+  const GroundMotion motion =
+      read("synthetic = 3\npeak = 2\nduration = 10\ninterval = 0.02\nfrequency = 2\ndamping = 0.4\n");
+  EXPECT_EQ(motion.samples, make_synthetic({3, 2, 10, 0.02, 2, 0.4}).samples);
+  EXPECT_EQ(read("synthetic = 3\npeak = 2\n").samples, make_synthetic({.seed = 3, .peak = 2}).samples);
+}
+
+TEST(GroundReading, ASyntheticMotionHasItsOwnKeysAndRanges) {
+  EXPECT_EQ(error_in("synthetic = 3\n"), "scene.toml:13: ground.horizontal.peak: missing, must be a number");
+  EXPECT_EQ(error_in("synthetic = -1\npeak = 1\n"),
+            "scene.toml:14: ground.horizontal.synthetic = -1: must be a whole number from 0 to "
+            "9007199254740992");
+  EXPECT_EQ(error_in("synthetic = 1.5\npeak = 1\n"),
+            "scene.toml:14: ground.horizontal.synthetic = 1.5: must be a whole number from 0 to "
+            "9007199254740992");
+  EXPECT_EQ(error_in("synthetic = 1\npeak = 1\nscale = 2\n"),
+            "scene.toml:16: ground.horizontal.scale: unknown key, must be one of synthetic, peak, duration, "
+            "interval, frequency, damping");
+  EXPECT_EQ(
+      error_in("synthetic = 1\npeak = 1\ninterval = 2\n"),
+      "scene.toml:16: ground.horizontal.interval = 2: must be from 0.001 to 1.25, the duration in 20000 "
+      "to 16 parts");
+  EXPECT_EQ(
+      error_in("synthetic = 1\npeak = 1\nfrequency = 30\n"),
+      "scene.toml:16: ground.horizontal.frequency = 30: must be from 0.05, one cycle in the duration, to "
+      "25 Hz");
+  EXPECT_EQ(error_in("synthetic = 1\npeak = -1\n"),
+            "scene.toml:15: ground.horizontal.peak = -1: must be a finite number > 0");
+}
+
+TEST(GroundReading, NumbersOutOfRangeAreRefused) {
+  EXPECT_EQ(error_in("samples = [1]\ninterval = 0\n"),
+            "scene.toml:15: ground.horizontal.interval = 0: must be a finite number > 0");
+  EXPECT_EQ(error_in("samples = [\n  1,\n  nan]\ninterval = 1\n"),
+            "scene.toml:16: ground.horizontal.samples.2 = nan: must be a finite number");
+  EXPECT_EQ(error_in("samples = [1]\ninterval = 1\nscale = inf\n"),
+            "scene.toml:16: ground.horizontal.scale = inf: must be a finite number");
+  EXPECT_EQ(error_in("samples = [1]\ninterval = 1\npeak = -3\n"),
+            "scene.toml:16: ground.horizontal.peak = -3: must be a finite number > 0");
+  EXPECT_EQ(error_in("samples = [0, 0]\ninterval = 1\npeak = 3\n"),
+            "scene.toml:16: ground.horizontal.peak = 3: must be left out where every sample is zero");
+  EXPECT_EQ(error_in("samples = [1e300]\ninterval = 1\nscale = 1e300\n"),
+            "scene.toml:14: ground.horizontal.samples.1 = inf: must be a finite number");
+}
+
+}  // namespace
+}  // namespace rockstack
