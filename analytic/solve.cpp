@@ -35,7 +35,7 @@ History solve(const Scene& scene, const SolveOptions& options) {
   try {
     return solve_in_double(scene, options);
   } catch (const IllConditioned&) {
-    return rounded(solve_stack_of<long double, Eigen::Dynamic>(scene, options));
+    return to_double(solve_stack_of<long double, Eigen::Dynamic>(scene, options));
   }
 }
 

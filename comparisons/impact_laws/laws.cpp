@@ -58,19 +58,20 @@ State<double> draw_state(const ImpactDraws& draws, const ImpactKind& kind, doubl
 
 /// The forces of the motion before: every interface pushes, closed ones inside their width.
 bool carries_itself(const Model<double>& model, const State<double>& state) {
-  const Outcome<double> outcome = accelerate(model, state, {0, 0});
-  if (!pushes(outcome)) return false;
+  const PatternSolution<double> solution = accelerate(model, state, {0, 0});
+  if (!pushes(solution)) return false;
   for (int k = 0; k < state.pattern.size; ++k) {
     if (state.pattern[k] != Contact::closed) continue;
-    const Margins<double> margin = margins(model.stack, outcome.reactions, k);
+    const Margins<double> margin = margins(model.stack, solution.reactions, k);
     if (margin.left < 0 || margin.right < 0) return false;
   }
   return true;
 }
 
-bool admissible(const Model<double>& model, const Outcome<double>& outcome, const Interfaces& touching) {
-  return kinematically_admissible(outcome, touching) && pushes(outcome) &&
-         !first_violation(model.stack, outcome, touching, 0.0);
+bool admissible(const Model<double>& model, const PatternSolution<double>& solution,
+                const Interfaces& touching) {
+  return kinematically_admissible(solution, touching) && pushes(solution) &&
+         !first_violation(model.stack, solution, touching, 0.0);
 }
 
 /// How clearly an engine can tell the two answers of an impact apart.
@@ -165,14 +166,14 @@ std::optional<DrawnImpact> draw_impact(const ImpactDraws& draws, const ImpactKin
 LawVerdict judge(const DrawnImpact& drawn) {
   const Model<double> model = make_model<double>(drawn.scene);
   const Interfaces touching = drawn.impact.touching();
-  LawVerdict verdict{paper_outcome(model, drawn.impact), std::nullopt};
+  LawVerdict verdict{paper_solution(model, drawn.impact), std::nullopt};
   for (const Pattern& pattern : candidates(drawn.impact.before.pattern, touching)) {
-    Outcome<double> outcome = velocities_after(model, drawn.impact, pattern);
-    if (!admissible(model, outcome, touching)) continue;
+    PatternSolution<double> solution = velocities_after(model, drawn.impact, pattern);
+    if (!admissible(model, solution, touching)) continue;
     ++verdict.admissible;
-    verdict.consistent = std::move(outcome);
+    verdict.consistent = std::move(solution);
   }
-  verdict.missed = verdict.consistent && !consistent_outcome(model, drawn.impact);
+  verdict.missed = verdict.consistent && !consistent_solution(model, drawn.impact);
   return verdict;
 }
 

@@ -59,8 +59,8 @@ std::optional<DrawnImpact> draw_impact(const ImpactDraws& draws, const ImpactKin
 
 /// What the laws make of an impact. `consistent` is empty where no candidate is.
 struct LawVerdict {
-  Outcome<double> paper;
-  std::optional<Outcome<double>> consistent;
+  PatternSolution<double> paper;
+  std::optional<PatternSolution<double>> consistent;
   int admissible = 0;   ///< candidates that are admissible both ways, of all 3ⁿ for n touching interfaces
   bool missed = false;  ///< law `consistent` finds none although there is one
 
