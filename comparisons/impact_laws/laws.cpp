@@ -25,7 +25,7 @@ Range part(const Range& range, int i, int count) {
   return {edge(i), edge(i + 1)};
 }
 
-Scene draw_blocks(const ImpactDraws& draws, int count, const Range& slenderness, const Range& mass_ratio,
+Scene draw_blocks(const ImpactDraws& draws, int count, const Range& aspect_ratio, const Range& mass_ratio,
                   std::mt19937_64& random) {
   Scene scene;
   double half_width = 1;
@@ -34,7 +34,7 @@ Scene draw_blocks(const ImpactDraws& draws, int count, const Range& slenderness,
     const bool top = k == count - 1;
     if (k > 0) half_width *= uniform(draws.width_ratio, random);
     if (k > 0) mass *= log_uniform(top ? mass_ratio : draws.mass_ratio, random);
-    const double half_height = half_width * log_uniform(top ? slenderness : draws.base_slenderness, random);
+    const double half_height = half_width * log_uniform(top ? aspect_ratio : draws.base_aspect_ratio, random);
     scene.blocks.push_back({half_width, half_height, mass, rectangle_inertia(mass, half_width, half_height)});
   }
   return scene;
@@ -110,7 +110,7 @@ void fill(const ImpactDraws& draws, ImpactShare& share, std::mt19937_64& random,
   constexpr int attempts = 50;
   for (int i = 0; i < draws.samples; ++i) {
     const auto drawn =
-        draw_impact(draws, share.kind, share.slenderness, share.mass_ratio, attempts, random, share.drawn);
+        draw_impact(draws, share.kind, share.aspect_ratio, share.mass_ratio, attempts, random, share.drawn);
     if (!drawn) continue;
     const LawVerdict verdict = judge(*drawn);
     ++share.impacts;
@@ -149,11 +149,11 @@ std::vector<ImpactKind> impact_kinds(int blocks) {
 }
 
 std::optional<DrawnImpact> draw_impact(const ImpactDraws& draws, const ImpactKind& kind,
-                                       const Range& slenderness, const Range& mass_ratio, int attempts,
+                                       const Range& aspect_ratio, const Range& mass_ratio, int attempts,
                                        std::mt19937_64& random, int& drawn) {
   for (int i = 0; i < attempts; ++i) {
     ++drawn;
-    DrawnImpact result{draw_blocks(draws, kind.before.size, slenderness, mass_ratio, random), {}};
+    DrawnImpact result{draw_blocks(draws, kind.before.size, aspect_ratio, mass_ratio, random), {}};
     const Model<double> model = make_model<double>(result.scene);
     const double rate_scale = std::sqrt(model.gravity / (2 * model.stack.half_height.sum()));
     result.impact.before = draw_state(draws, kind, rate_scale, random);
@@ -183,9 +183,9 @@ ImpactLaws study_impact_laws(const ImpactDraws& draws) {
   for (const int blocks : draws.blocks) {
     for (const ImpactKind& kind : impact_kinds(blocks)) {
       for (int i = 0; i < draws.cells * draws.cells; ++i) {
-        const Range slenderness = part(draws.slenderness, i % draws.cells, draws.cells);
+        const Range aspect_ratio = part(draws.aspect_ratio, i % draws.cells, draws.cells);
         const Range mass_ratio = part(draws.mass_ratio, i / draws.cells, draws.cells);
-        result.shares.push_back({blocks, kind, slenderness, mass_ratio});
+        result.shares.push_back({blocks, kind, aspect_ratio, mass_ratio});
         fill(draws, result.shares.back(), random, result.disagreements);
       }
     }

@@ -52,7 +52,7 @@ Table candidates(const Scene& scene, const Event& event) {
 
 }  // namespace
 
-LessonValues projection_values(const Suite& suite, const std::vector<Row>& /*rows*/) {
+LessonValues projection_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
   const Scene& scene = suite.scenes.front().scene;
   const std::vector<Event> impacts = first_impacts(exact_answer(scene), 8);
   const Event& first = impacts.front();

@@ -58,7 +58,7 @@ Scene under(Scene scene, Law law) {
 
 }  // namespace
 
-LessonValues still_base_values(const Suite& suite, const std::vector<Row>& /*rows*/) {
+LessonValues still_base_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
   const Scene& scene = suite.scenes.front().scene;
   const History paper = exact_answer(under(scene, Law::paper)),
                 consistent = exact_answer(under(scene, Law::consistent));
