@@ -33,13 +33,12 @@ struct ChainMass {
   using Point2 = PlaneVector<Real>;
   PerBlock<Point2, N> links, moments;  ///< L and S of the linkage as they stand, m and kg·m
   std::array<PerBlock<Real, N>, capacity(N)> matrix;
-  ConstrainedMass<Real, N> constrained;
+  HeldMass<Real, N> held;
 
   /// From the cosine and the sine of each block's angle.
   void factorise(const Linkage<Real, N>& linkage, const PerBlock<Point2, N>& directions) {
     fill(linkage, directions);
-    constrained.factorise(linkage.size(), linkage.free,
-                          [&](std::size_t i, std::size_t j) { return matrix[i][j]; });
+    held.factorise(linkage.size(), linkage.free, [&](std::size_t i, std::size_t j) { return matrix[i][j]; });
   }
 
  private:

@@ -9,12 +9,12 @@
 #include "comparisons/metrics/alignment.hpp"
 #include "comparisons/metrics/contact_patterns.hpp"
 #include "comparisons/metrics/difference.hpp"
-#include "comparisons/results/run_metrics.hpp"
+#include "comparisons/results/row.hpp"
 
 namespace rockstack {
 
 /// The rows as comma-separated values with a header.
-std::string comparison_csv(const std::vector<RunMetrics>& rows);
+std::string comparison_csv(const std::vector<Row>& rows);
 
 /// A list of flat objects with the same keys as comma-separated values with a header; nulls are empty cells.
 /// Precondition: at least one.

@@ -61,10 +61,10 @@ std::vector<DistributionDistance> distances(const std::vector<MotionTally>& exac
   return list;
 }
 
-std::vector<DistributionDistance> distances(const std::vector<RunMetrics>& rows,
+std::vector<DistributionDistance> distances(const std::vector<Row>& rows,
                                             const std::filesystem::path& folder) {
   std::vector<DistributionDistance> list;
-  for (const RunMetrics& row : rows) {
+  for (const Row& row : rows) {
     if (row.engine == "exact") continue;
     const auto exact = tallies_in(folder / "runs" / (row.scene + ".exact"));
     const auto other = tallies_in(folder / "runs" / row.run);
