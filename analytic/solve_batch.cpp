@@ -10,7 +10,7 @@
 namespace rockstack {
 namespace {
 
-using Take = std::function<void(Solved&&)>;
+using Deliver = std::function<void(Solved&&)>;
 
 /// A scene's history, or why there is none.
 struct Ending {
@@ -32,16 +32,16 @@ class Lanes {
  public:
   using MakeSteps = void (*)(StepRows<N>&);
 
-  /// Keeps references to `options` and `take`.
-  Lanes(bool linear, MakeSteps make_steps, const SolveOptions& options, const Take& take)
-      : make_steps_(make_steps), options_(options), take_(take) {
+  /// Keeps references to `options` and `deliver`.
+  Lanes(bool linear, MakeSteps make_steps, const SolveOptions& options, const Deliver& deliver)
+      : make_steps_(make_steps), options_(options), deliver_(deliver) {
     rows_.linear = linear;
     rows_.forces = options.validity;
   }
 
   /// Goes on with the others until there is room.
   void add(std::size_t number, Scene&& scene) {
-    while (busy_ == batch_lanes) go_on();
+    while (busy_ == batch_lanes) advance_all();
     std::size_t lane = 0;
     while (runs_[lane]) ++lane;
     Run& run = *(runs_[lane] = std::make_unique<Run>(Run{number, std::move(scene), {}}));
@@ -55,7 +55,7 @@ class Lanes {
   }
 
   void finish() {
-    while (busy_ > 0) go_on();
+    while (busy_ > 0) advance_all();
   }
 
  private:
@@ -65,10 +65,10 @@ class Lanes {
     std::optional<Lane<N>> lane;
   };
 
-  void go_on() {
+  void advance_all() {
     make_steps_(rows_);
     for (std::size_t lane = 0; lane < batch_lanes; ++lane) {
-      if (runs_[lane]) attempt(lane, [&] { return runs_[lane]->lane->go_on(rows_, lane); });
+      if (runs_[lane]) attempt(lane, [&] { return runs_[lane]->lane->advance(rows_, lane); });
     }
   }
 
@@ -91,12 +91,12 @@ class Lanes {
     const std::unique_ptr<Run> run = std::move(runs_[lane]);
     --busy_;
     rows_.busy[lane] = 0;
-    take_({run->number, run->scene, std::move(ending.history), ending.failure});
+    deliver_({run->number, run->scene, std::move(ending.history), ending.failure});
   }
 
   MakeSteps make_steps_;
   const SolveOptions& options_;
-  const Take& take_;
+  const Deliver& deliver_;
   std::array<std::unique_ptr<Run>, batch_lanes> runs_;
   std::size_t busy_ = 0;
   StepRows<N> rows_;
@@ -105,16 +105,16 @@ class Lanes {
 /// One scene after the other.
 class OneByOne {
  public:
-  OneByOne(const SolveOptions& options, const Take& take) : options_(options), take_(take) {}
+  OneByOne(const SolveOptions& options, const Deliver& deliver) : options_(options), deliver_(deliver) {}
 
   void add(std::size_t number, const Scene& scene) const {
     Ending ending = alone(scene, options_);
-    take_({number, scene, std::move(ending.history), ending.failure});
+    deliver_({number, scene, std::move(ending.history), ending.failure});
   }
 
  private:
   const SolveOptions& options_;
-  const Take& take_;
+  const Deliver& deliver_;
 };
 
 /// None for one scene after the other.
@@ -164,16 +164,17 @@ const std::vector<InstructionSet>& instruction_sets() {
 }
 
 void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveOptions& options,
-                 const Take& take, InstructionSet set) {
+                 const Deliver& deliver, InstructionSet set) {
   const StepKernels* const made_by = fits(options) ? kernels(set) : nullptr;
-  const OneByOne others(options, take);
+  const OneByOne others(options, deliver);
   std::size_t number = 0;
   if (made_by == nullptr) {
     while (std::optional<Scene> scene = next()) others.add(number++, *scene);
     return;
   }
-  Lanes<1> one[]{{false, made_by->one_block, options, take}, {true, made_by->one_block, options, take}};
-  Lanes<2> two[]{{false, made_by->two_blocks, options, take}, {true, made_by->two_blocks, options, take}};
+  Lanes<1> one[]{{false, made_by->one_block, options, deliver}, {true, made_by->one_block, options, deliver}};
+  Lanes<2> two[]{{false, made_by->two_blocks, options, deliver},
+                 {true, made_by->two_blocks, options, deliver}};
   for (; std::optional<Scene> scene = next(); ++number) {
     const std::size_t kind = scene->equations == Equations::linear ? 1 : 0;
     switch (scene->blocks.size()) {

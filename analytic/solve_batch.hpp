@@ -31,9 +31,10 @@ struct Solved {
 
 /// Solves one scene after the other, several side by side where they have one or two blocks; each history is
 /// the one that solve() gives, to the bit. Asks `next` for scenes until it has none, some ahead of those that
-/// are done; `take` gets what comes out, not in order. What these two throw goes through.
+/// are done; `deliver` gets what comes out, not in order. What these two throw goes through.
 /// @throws std::invalid_argument for a set that is not among instruction_sets().
 void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveOptions& options,
-                 const std::function<void(Solved&&)>& take, InstructionSet set = instruction_sets().back());
+                 const std::function<void(Solved&&)>& deliver,
+                 InstructionSet set = instruction_sets().back());
 
 }  // namespace rockstack

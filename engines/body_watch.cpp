@@ -12,8 +12,8 @@ BodyWatch::BodyWatch(const Scene& scene, double dt, bool ground_moves) : scene_(
   if (ground_moves && is_shaken(scene)) path_.emplace(scene, dt);
 }
 
-void BodyWatch::look(const Simulation& simulation, std::span<const double> angles,
-                     std::span<const double> velocities) {
+void BodyWatch::observe(const Simulation& simulation, std::span<const double> angles,
+                        std::span<const double> velocities) {
   if (samples_ > 0) follow_ground();
   std::vector<BodyState> bodies;
   last_places_ = std::move(places_);

@@ -19,7 +19,8 @@ class BodyWatch {
   BodyWatch(const Scene& scene, double dt, bool ground_moves);
 
   /// To be called once at t = 0 and once after every step, with what Simulation::read() gave.
-  void look(const Simulation& simulation, std::span<const double> angles, std::span<const double> velocities);
+  void observe(const Simulation& simulation, std::span<const double> angles,
+               std::span<const double> velocities);
 
   const BodyRecord& record() const { return record_; }
 

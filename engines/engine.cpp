@@ -70,14 +70,14 @@ EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Pa
   history.velocities.reserve((steps + 1) * scene.blocks.size());
   std::optional<BodyWatch> watch;
   if (bodies) watch.emplace(scene, dt, moves_ground(parameters));
-  const auto look = [&](std::size_t step) {
+  const auto observe = [&](std::size_t step) {
     append(history, static_cast<double>(step) * dt, *simulation);
-    if (watch) watch->look(*simulation, history.angles_at(step), history.velocities_at(step));
+    if (watch) watch->observe(*simulation, history.angles_at(step), history.velocities_at(step));
   };
-  look(0);
+  observe(0);
   for (std::size_t step = 1; step <= steps; ++step) {
     simulation->step();
-    look(step);
+    observe(step);
     require_finite(history);
     if (has_toppled(scene, history.angles_at(step))) break;
   }

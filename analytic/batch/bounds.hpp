@@ -23,8 +23,8 @@ struct PartialSums {
   }
 };
 
-/// Whether a gap or a margin neither crosses zero nor grazes it, as stays_clear(); a start at zero is none of
-/// both.
+/// Whether an opening angle or a margin neither crosses zero nor grazes it, as stays_clear(); a start at zero
+/// is none of both.
 template <class Real>
 class Clearance {
  public:

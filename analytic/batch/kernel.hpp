@@ -49,9 +49,9 @@ class StepKernel {
       directions[k] = {load(rows_.cosine[k]), load(rows_.sine[k])};
       watched = watched || any(load(rows_.watched[k]) > Real(0));
     }
-    load_pull();
+    load_body_force();
     Chain series(linkage, rows_.linear, rows_.forces || watched, directions, start_.advances);
-    series.extend(0, pull_);
+    series.extend(0, body_force_);
     land(series);
     converge(series, busy);
     follow_angles(series);
@@ -77,15 +77,15 @@ class StepKernel {
     return linkage;
   }
 
-  void load_pull() {
-    const Real pulls = load(rows_.pulls);
+  void load_body_force() {
+    const Real body_force_terms = load(rows_.body_force_terms);
     std::size_t terms = 0;
-    while (terms < max_terms<Real> && any(pulls > Real(static_cast<double>(terms)))) {
-      pull_.x[terms] = load(rows_.pull_x[terms]);
-      pull_.y[terms] = load(rows_.pull_y[terms]);
+    while (terms < max_terms<Real> && any(body_force_terms > Real(static_cast<double>(terms)))) {
+      body_force_.x[terms] = load(rows_.body_force_x[terms]);
+      body_force_.y[terms] = load(rows_.body_force_y[terms]);
       ++terms;
     }
-    pull_.x.terms = pull_.y.terms = terms;
+    body_force_.x.terms = body_force_.y.terms = terms;
   }
 
   /// Shortens the steps that an impact will end.
@@ -95,24 +95,24 @@ class StepKernel {
     if (!any(shorter)) return;
     const Real share = select(shorter, ratio, Real(1));
     start_.shorten(share);
-    shorten(pull_, share);
+    shorten(body_force_, share);
     series.shorten(share);
   }
 
   /// Computes orders until the last coefficients of all lanes are below the tolerance; each lane has its own
   /// number.
   void converge(Chain& series, const Real& busy) {
-    const Real pulls = load(rows_.pulls);
+    const Real body_force_terms = load(rows_.body_force_terms);
     Mask open = busy > Real(0);
     Mask reached = open;
     Convergence<Real> convergence(load(rows_.tolerance));
     own_ = 0;
     for (orders_ = 0; any(open) && orders_ < max_orders<Real>;) {
-      if (orders_ > 0) series.extend(orders_, pull_);
+      if (orders_ > 0) series.extend(orders_, body_force_);
       reached = convergence.note_order(start_, series, orders_);
       const Real count = static_cast<double>(++orders_);
       own_ = select(open, count, own_);
-      open = open & ~(reached & (count >= pulls));
+      open = open & ~(reached & (count >= body_force_terms));
     }
     const Mask exceeds = open & ~reached;
     store(own_, rows_.orders);
@@ -135,17 +135,17 @@ class StepKernel {
       const Real& side = start_.sides[k];
       keep(0, start_.angles[k]);
       keep(1, start_.advances[k]);
-      Clearance<Real> gap(start_.angles[k] * side);
+      Clearance<Real> clearance(start_.angles[k] * side);
       Leaning<Real> swing(absolute[0]);
-      gap.add(start_.advances[k] * side);
+      clearance.add(start_.advances[k] * side);
       swing.add(1, absolute[1]);
       for (std::size_t n = 0; n < orders_; ++n) {
         const Real coefficient = own(n, series.angle(k, n));
         keep(n + 2, coefficient);
-        gap.add(coefficient * side);
+        clearance.add(coefficient * side);
         swing.add(static_cast<double>(n + 2), absolute[n + 2]);
       }
-      const Mask stays = gap.holds();
+      const Mask stays = clearance.holds();
       plain_ = plain_ & (stays | (side == Real(0)));
       store_truth(stays, rows_.stays[k]);
       end(absolute, swing, k);
@@ -222,7 +222,7 @@ class StepKernel {
     }
   }
 
-  Pull<Real> pull_;
+  ScaledBodyForce<Real> body_force_;
   StepStart<Real, N> start_;
   Real own_;  ///< orders of each lane
   Mask plain_;

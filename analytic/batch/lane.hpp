@@ -20,26 +20,26 @@ class Lane {
   bool start(StepRows<N>& rows, std::size_t lane) {
     solver_.start();
     describe_scene(rows, lane);
-    return ask(rows, lane, true);
+    return request_step(rows, lane, true);
   }
 
   /// Goes along the step that was asked for, and on up to the next; likewise. @throws as Solver::run().
-  bool go_on(StepRows<N>& rows, std::size_t lane) {
-    // Never just after an opening: from zero and at rest, no bound clears the gap.
+  bool advance(StepRows<N>& rows, std::size_t lane) {
+    // Never just after an opening: from zero and at rest, no bound clears the angle.
     const bool plain = rows.plain[lane] > 0;
     if (plain) {
-      pass(rows, lane);
+      follow_uneventful(rows, lane);
     } else {
-      take(rows, lane);
+      follow(rows, lane);
     }
-    return ask(rows, lane, !plain);
+    return request_step(rows, lane, !plain);
   }
 
   History history() && { return std::move(solver_).history(); }
 
  private:
   /// A step that nothing happens in.
-  void pass(const StepRows<N>& rows, std::size_t lane) {
+  void follow_uneventful(const StepRows<N>& rows, std::size_t lane) {
     typename Solver<double, blocks>::End end;
     for (std::size_t k = 0; k < N; ++k) {
       end.angles[k] = rows.end_angle[k][lane];
@@ -48,41 +48,41 @@ class Lane {
     }
     const double length = rows.length[lane];
     solver_.steps().lengthen(length, static_cast<std::size_t>(rows.orders[lane]));
-    solver_.pass(length, end);
+    solver_.follow_uneventful(length, end);
   }
 
   /// A step that the kernel could not tell all about.
-  void take(const StepRows<N>& rows, std::size_t lane) {
+  void follow(const StepRows<N>& rows, std::size_t lane) {
     const auto orders = static_cast<std::size_t>(rows.orders[lane]);
     const auto read = [&](const CoefficientRows& from, std::size_t terms, Polynomial<double>& to) {
       to.terms = terms;
       for (std::size_t n = 0; n < terms; ++n) to[n] = from[n][lane];
     };
-    const Cleared cleared = tell(rows, lane);
+    const Cleared cleared = cleared_by_bounds(rows, lane);
     const bool bears = rows.forces && cleared.forces.count() < N;
-    Flow<double, blocks> flow{rows.length[lane], solver_.state(), {}, {}};
+    DenseOutput<double, blocks> output{rows.length[lane], solver_.state(), {}, {}};
     for (std::size_t k = 0; k < N; ++k) {
       if (rows.side[k][lane] != 0) {
-        read(rows.angles[k], orders + 2, flow.angles[k]);
-      } else if (rows.watched[k][lane] > 0 && !cleared.gaps.test(k)) {
-        read(rows.right[k], orders, flow.margins[k].right);
-        read(rows.left[k], orders, flow.margins[k].left);
+        read(rows.angles[k], orders + 2, output.angles[k]);
+      } else if (rows.watched[k][lane] > 0 && !cleared.contacts.test(k)) {
+        read(rows.right[k], orders, output.margins[k].right);
+        read(rows.left[k], orders, output.margins[k].left);
       }
       if (!bears) continue;
-      read(rows.normal[k], orders, flow.forces[k].normal);
-      read(rows.tangential[k], orders, flow.forces[k].tangential);
+      read(rows.normal[k], orders, output.forces[k].normal);
+      read(rows.tangential[k], orders, output.forces[k].tangential);
     }
-    solver_.steps().fit(rows.excess[lane], orders, flow);
-    solver_.take(flow, cleared);
+    solver_.steps().fit(rows.excess[lane], orders, output);
+    solver_.follow(output, cleared);
   }
 
   /// What the kernel has told of a step whose series stays as it is; what holds over all of a step holds over
   /// the part that fit() leaves of it.
-  Cleared tell(const StepRows<N>& rows, std::size_t lane) const {
+  Cleared cleared_by_bounds(const StepRows<N>& rows, std::size_t lane) const {
     Cleared cleared;
     if (!clear_) return cleared;
     for (std::size_t k = 0; k < N; ++k) {
-      cleared.gaps.set(k, rows.stays[k][lane] > 0);
+      cleared.contacts.set(k, rows.stays[k][lane] > 0);
       cleared.angles.set(k, rows.upright[k][lane] > 0);
       cleared.forces.set(k, rows.forces && rows.borne[k][lane] > 0);
     }
@@ -90,14 +90,14 @@ class Lane {
   }
 
   /// `changed` tells whether more than the state may have changed since a step was asked for.
-  bool ask(StepRows<N>& rows, std::size_t lane, bool changed) {
+  bool request_step(StepRows<N>& rows, std::size_t lane, bool changed) {
     if (!solver_.seek_motion()) return false;
     const auto step = solver_.next_step();
     clear_ = step.clear;
     if (changed) describe_pattern(step.linkage, step.state.pattern, step.watched, rows, lane);
-    describe_state(step.state, step.towards, rows, lane);
+    describe_state(step.state, step.directions, rows, lane);
     rows.length[lane] = step.length;
-    describe_pull(step.pull, rows, lane);
+    describe_body_force(step.body_force, rows, lane);
     return true;
   }
 
@@ -132,32 +132,32 @@ class Lane {
     }
   }
 
-  static void describe_state(const State<double, blocks>& state, const Directions<double, blocks>& towards,
+  static void describe_state(const State<double, blocks>& state, const Directions<double, blocks>& directions,
                              StepRows<N>& rows, std::size_t lane) {
     for (std::size_t k = 0; k < N; ++k) {
       const auto block = static_cast<int>(k);
       rows.angle[k][lane] = state.angles[block];
       rows.velocity[k][lane] = state.velocities[block];
-      rows.cosine[k][lane] = towards.cosine[block];
-      rows.sine[k][lane] = towards.sine[block];
+      rows.cosine[k][lane] = directions.cosine[block];
+      rows.sine[k][lane] = directions.sine[block];
     }
   }
 
   /// What has no coefficients is −0, so that its opposite adds nothing.
-  void describe_pull(const Pull<double>& pull, StepRows<N>& rows, std::size_t lane) {
-    const std::size_t terms = std::max(pull.x.terms, pull.y.terms);
-    const std::size_t filled = std::max(terms, pulls_);
+  void describe_body_force(const ScaledBodyForce<double>& body_force, StepRows<N>& rows, std::size_t lane) {
+    const std::size_t terms = std::max(body_force.x.terms, body_force.y.terms);
+    const std::size_t filled = std::max(terms, body_force_terms_);
     for (std::size_t n = 0; n < filled; ++n) {
-      rows.pull_x[n][lane] = n < pull.x.terms ? pull.x[n] : -0.0;
-      rows.pull_y[n][lane] = n < pull.y.terms ? pull.y[n] : -0.0;
+      rows.body_force_x[n][lane] = n < body_force.x.terms ? body_force.x[n] : -0.0;
+      rows.body_force_y[n][lane] = n < body_force.y.terms ? body_force.y[n] : -0.0;
     }
-    rows.pulls[lane] = static_cast<double>(terms);
-    pulls_ = terms;
+    rows.body_force_terms[lane] = static_cast<double>(terms);
+    body_force_terms_ = terms;
   }
 
   Solver<double, blocks> solver_;
-  bool clear_ = false;                     ///< of ties, in the step that was asked for
-  std::size_t pulls_ = max_terms<double>;  ///< coefficients in the rows
+  bool clear_ = false;                                ///< of ties, in the step that was asked for
+  std::size_t body_force_terms_ = max_terms<double>;  ///< coefficients in the rows
 };
 
 }  // namespace rockstack

@@ -43,8 +43,8 @@ struct StepRows {
   PerBlock<LaneRow> least_normal, friction, peak;
   // of the step
   PerBlock<LaneRow> angle, velocity, cosine, sine;
-  LaneRow length, pulls;  ///< s; terms of the pull
-  CoefficientRows pull_x, pull_y;
+  LaneRow length, body_force_terms;  ///< s; terms of the body force
+  CoefficientRows body_force_x, body_force_y;
 
   // what comes out
   LaneRow plain;   ///< whether nothing happens in the step, and nothing is to be recorded
@@ -54,7 +54,7 @@ struct StepRows {
   PerBlock<LaneRow> stays;    ///< whether an open interface stays open, or a watched one closed
   PerBlock<LaneRow> upright;  ///< whether a block does not topple, nor lean more than before
   PerBlock<LaneRow> borne;    ///< whether an interface demands no more than before
-  PerBlock<CoefficientRows> angles, right, left, normal, tangential;  ///< coefficients of the flow
+  PerBlock<CoefficientRows> angles, right, left, normal, tangential;  ///< coefficients of the dense output
 };
 
 }  // namespace rockstack

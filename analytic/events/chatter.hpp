@@ -29,11 +29,12 @@ class EndOfChatter {
   }
 
   /// No relative angle accelerates more, rad/s². By Gauss's principle a motion has no more energy than that
-  /// of free blocks: Σ Iω̇² ≤ Σ m|a|², with a their pull less what is centripetal, ω² times all links at most.
+  /// of free blocks: Σ Iω̇² ≤ Σ m|a|², with a their body force less what is centripetal, ω² times all links at
+  /// most.
   Real fastest_return(const State<Real, N>& state, const Point<Real>& ground) const {
-    const Real pull = ground.template lpNorm<1>() + model_.gravity;
-    const Real spin = state.velocities.template lpNorm<1>();
-    return yield_ * (pull + spin * spin * reach_);
+    const Real effective_gravity = ground.template lpNorm<1>() + model_.gravity;
+    const Real rotation_rate = state.velocities.template lpNorm<1>();
+    return yield_ * (effective_gravity + rotation_rate * rotation_rate * reach_);
   }
 
   /// Open by what rounding makes of angles and speeds: such interfaces close with the next that does, or two
@@ -44,10 +45,10 @@ class EndOfChatter {
            abs(state.angles[k]) * rate_ <= settling_speed_ * settling_speed_;
   }
 
-  /// The pattern after an impact with the interfaces closed that part too slowly to be followed. `towards`
+  /// The pattern after an impact with the interfaces closed that part too slowly to be followed. `directions`
   /// are directions_at() the state, `ground` is (ẍg, ÿg) in m/s².
   Pattern without_slow(const State<Real, N>& after, const Interfaces& touching,
-                       const Directions<Real, N>& towards, const Point<Real>& ground) const {
+                       const Directions<Real, N>& directions, const Point<Real>& ground) const {
     using std::abs;
     Pattern pattern = after.pattern;
     const Real fastest = fastest_return(after, ground);
@@ -56,7 +57,7 @@ class EndOfChatter {
       const Real speed = abs(after.velocities[k]);
       bool slow = speed <= settling_speed_;
       if (!slow && speed * speed <= 2 * resolution_ * fastest) {
-        const Vector<Real, N> back = accelerations(model_, after, towards, ground);
+        const Vector<Real, N> back = accelerations(model_, after, directions, ground);
         slow = speed * speed <= -2 * resolution_ * back[k] * Real(sign(pattern[k]));
       }
       if (slow) pattern[k] = Contact::closed;

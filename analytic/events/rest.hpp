@@ -14,29 +14,29 @@ namespace rockstack {
 /// with mₖ the mass above interface k, and the S of the linkage upright. For one block λ is b/h. Every
 /// interface bears N = mₖ (g + ÿg) and T = mₖ ẍg.
 template <class Real, int N>
-struct StandingStack {
+struct RestingStack {
   PerBlock<Real, N> mass;  ///< kg, of all above an interface
   Real gravity;            ///< m/s²
-  Real slenderness;        ///< λ, less what rounding may make of it
+  Real critical_tilt;      ///< λ, less what rounding may make of it
 
-  explicit StandingStack(const Model<Real, N>& model) : gravity(model.gravity) {
+  explicit RestingStack(const Model<Real, N>& model) : gravity(model.gravity) {
     const Linkage<Real, N> linkage = make_linkage(model.stack, closed_pattern(model.stack.size()));
     mass = linkage.mass;
-    slenderness = std::numeric_limits<Real>::infinity();
+    critical_tilt = std::numeric_limits<Real>::infinity();
     Real moment = 0;
     for (std::size_t k = linkage.size(); k-- > 0;) {
       moment += linkage.moment_y[k];
-      slenderness = std::min<Real>(slenderness, mass[k] * linkage.width[k] / moment);
+      critical_tilt = std::min<Real>(critical_tilt, mass[k] * linkage.width[k] / moment);
     }
-    slenderness *= 1 - 1024 * std::numeric_limits<Real>::epsilon();
+    critical_tilt *= 1 - 1024 * std::numeric_limits<Real>::epsilon();
   }
 };
 
-/// What a stack that stands still bears over a stretch of time, at most: the least pull g + ÿg in m/s², and
-/// the largest |ẍg| / (g + ÿg).
+/// What a stack that stands still bears over a stretch of time, at most: the least effective gravity g + ÿg
+/// in m/s², and the largest |ẍg| / (g + ÿg).
 template <class Real>
 struct Bearing {
-  Real least_pull;
+  Real least_gravity;
   Real tilt;
 };
 
@@ -46,15 +46,15 @@ template <class Real>
 Bearing<Real> bearing(const Real& gravity, const GroundPiece<Real>& piece, const Real& offset) {
   Bearing<Real> result{std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()};
   if (!piece.straight()) return result;
-  const auto pull_at = [&](const Real& time) { return gravity + piece.vertical.line_at(time); };
+  const auto gravity_at = [&](const Real& time) { return gravity + piece.vertical.line_at(time); };
   const auto push_at = [&](const Real& time) {
     using std::abs;
     return abs(piece.horizontal.line_at(time));
   };
-  const Real first = pull_at(offset);
-  const Real last = pull_at(piece.length);
-  result.least_pull = std::min(first, last);
-  if (result.least_pull > 0)
+  const Real first = gravity_at(offset);
+  const Real last = gravity_at(piece.length);
+  result.least_gravity = std::min(first, last);
+  if (result.least_gravity > 0)
     result.tilt = std::max<Real>(push_at(offset) / first, push_at(piece.length) / last);
   return result;
 }

@@ -46,9 +46,9 @@ class TieBreaker {
 
   /// A step up to its first event, which is at `time`.
   /// @throws std::runtime_error where events at one instant do not come to an end.
-  void note_step(const Next<Real>& next, const Real& time) {
-    const bool goes_on = next.s > 0;
-    if (next.opening.any()) {
+  void note_step(const FirstEvent<Real>& event, const Real& time) {
+    const bool goes_on = event.s > 0;
+    if (event.opening.any()) {
       ++openings_;
     } else if (goes_on) {
       openings_ = 0;
@@ -99,11 +99,11 @@ class TieBreaker {
 
   /// Lets fresh interfaces accelerate towards their sides.
   template <int N>
-  void keep_fresh_open(Flow<Real, N>& flow) const {
-    for (int k = 0; k < flow.start.size(); ++k) {
-      Polynomial<Real>& angle = flow.angles[static_cast<std::size_t>(k)];
+  void keep_fresh_open(DenseOutput<Real, N>& output) const {
+    for (int k = 0; k < output.start.size(); ++k) {
+      Polynomial<Real>& angle = output.angles[static_cast<std::size_t>(k)];
       if (fresh_.test(static_cast<std::size_t>(k)) && angle.terms > 2 &&
-          angle[2] * Real(sign(flow.start.pattern[k])) < 0)
+          angle[2] * Real(sign(output.start.pattern[k])) < 0)
         angle[2] = 0;
     }
   }

@@ -33,12 +33,13 @@ struct ChainMass {
   using Point2 = PlaneVector<Real>;
   PerBlock<Point2, N> links, moments;  ///< L and S of the linkage as they stand, m and kg·m
   std::array<PerBlock<Real, N>, capacity(N)> matrix;
-  HeldMass<Real, N> held;
+  ConstrainedMass<Real, N> constrained;
 
   /// From the cosine and the sine of each block's angle.
   void factorise(const Linkage<Real, N>& linkage, const PerBlock<Point2, N>& directions) {
     fill(linkage, directions);
-    held.factorise(linkage.size(), linkage.free, [&](std::size_t i, std::size_t j) { return matrix[i][j]; });
+    constrained.factorise(linkage.size(), linkage.free,
+                          [&](std::size_t i, std::size_t j) { return matrix[i][j]; });
   }
 
  private:

@@ -10,7 +10,7 @@ using PerBlock = std::array<Real, static_cast<std::size_t>(capacity(N))>;
 /// The mass matrix of relative angles, kg·m², with closed interfaces held: their rows and columns are those
 /// of the identity. As factors L D Lᵀ.
 template <class Real, int N>
-class HeldMass {
+class ConstrainedMass {
  public:
   /// `free` is 1 where an interface is open, 0 where it is closed; `mass(i, j)` is the matrix, i ≥ j.
   template <class Mass>

@@ -144,18 +144,18 @@ Vector<Real, N> nearest_allowed(const Stack<Real, N>& stack, const Pattern& patt
     open[static_cast<std::size_t>(k)] = pattern[k] == Contact::closed ? Real(0) : Real(1);
     momenta[static_cast<std::size_t>(k)] = momentum[k];
   }
-  HeldMass<Real, N> held;
-  held.factorise(static_cast<std::size_t>(size), open, [&](std::size_t i, std::size_t j) {
+  ConstrainedMass<Real, N> constrained;
+  constrained.factorise(static_cast<std::size_t>(size), open, [&](std::size_t i, std::size_t j) {
     return mass(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
   });
   for (int k = 0; k < size; ++k) {
     if (pattern[k] != Contact::closed &&
-        !(held.diagonal(static_cast<std::size_t>(k)) > mass(k, k) * least_diagonal_share<Real>)) {
+        !(constrained.diagonal(static_cast<std::size_t>(k)) > mass(k, k) * least_diagonal_share<Real>)) {
       throw IllConditioned(
           "block masses or sizes are too far apart: rounding would leave energies fewer than nine digits");
     }
   }
-  const PerBlock<Real, N> motions = held.solve(momenta);
+  const PerBlock<Real, N> motions = constrained.solve(momenta);
   return Eigen::Map<const Vector<Real, N>>(motions.data(), size);
 }
 
@@ -179,23 +179,23 @@ Motion<Real, N> free_acceleration(const Model<Real, N>& model, const Chain<Real,
                                   const Vector<Real, N>& velocities, const Point<Real>& ground) {
   const int size = model.stack.size();
   Motion<Real, N> free{Points<Real, N>::Zero(2, size), Vector<Real, N>::Zero(size)};
-  const Point<Real> pull{-ground.x(), -(model.gravity + ground.y())};
+  const Point<Real> body_force{-ground.x(), -(model.gravity + ground.y())};
   if (model.equations == Equations::linear) {
-    free.centre.colwise() = pull;
+    free.centre.colwise() = body_force;
   } else {
     free.centre = -centripetal(chain, absolute(velocities));
-    free.centre.colwise() += pull;
+    free.centre.colwise() += body_force;
   }
   return free;
 }
 
 /// Relative angular accelerations φ̈ₖ, rad/s²; zero where closed. Spanos et al. 2001, Eqs. (8)–(18), and
-/// (19)–(28) for the linear equations, are the values for two blocks. `towards` are directions_at() the
+/// (19)–(28) for the linear equations, are the values for two blocks. `directions` are directions_at() the
 /// state.
 template <class Real, int N>
 Vector<Real, N> accelerations(const Model<Real, N>& model, const State<Real, N>& state,
-                              const Directions<Real, N>& towards, const Point<Real>& ground) {
-  const Chain<Real, N> chain = make_chain(model.stack, state.pattern, towards);
+                              const Directions<Real, N>& directions, const Point<Real>& ground) {
+  const Chain<Real, N> chain = make_chain(model.stack, state.pattern, directions);
   return nearest_allowed(model.stack, state.pattern, chain,
                          free_acceleration(model, chain, state.velocities, ground));
 }

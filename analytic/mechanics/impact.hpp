@@ -24,7 +24,7 @@ namespace rockstack {
 //    where it lands.
 //
 // Law `consistent` takes the pattern that is admissible both ways. There is at most one: no slip is linear
-// and the corners' gaps are one-sided, so the velocities after are the nearest point of a convex cone to
+// and the corners' distances are one-sided, so the velocities after are the nearest point of a convex cone to
 // those before, and the conditions are those of that nearest point. Where the nearest point lifts a block off
 // no pattern is consistent; the law then falls back on the paper's order and the event says so.
 
@@ -41,15 +41,15 @@ struct Impact {
 /// What an impact finds, whatever pattern follows.
 template <class Real, int N = Eigen::Dynamic>
 struct Approach {
-  Directions<Real, N> towards;
+  Directions<Real, N> directions;
   Motion<Real, N> motion;
 };
 
 template <class Real, int N>
 Approach<Real, N> approach(const Model<Real, N>& model, const State<Real, N>& before,
-                           const Directions<Real, N>& towards) {
+                           const Directions<Real, N>& directions) {
   const Vector<Real, N> rates = absolute(before.velocities);
-  return {towards, {centre_velocities(make_chain(model.stack, before.pattern, towards), rates), rates}};
+  return {directions, {centre_velocities(make_chain(model.stack, before.pattern, directions), rates), rates}};
 }
 
 template <class Real, int N>
@@ -59,24 +59,24 @@ Approach<Real, N> approach(const Model<Real, N>& model, const State<Real, N>& be
 
 /// The velocities that follow if `pattern` does, in rad/s, and the impulses that bring them about, in N·s.
 template <class Real, int N>
-Outcome<Real, N> velocities_after(const Model<Real, N>& model, const Approach<Real, N>& before,
-                                  const Pattern& pattern) {
-  return respond(model, pattern, before.towards, make_chain(model.stack, pattern, before.towards),
+PatternSolution<Real, N> velocities_after(const Model<Real, N>& model, const Approach<Real, N>& before,
+                                          const Pattern& pattern) {
+  return respond(model, pattern, before.directions, make_chain(model.stack, pattern, before.directions),
                  before.motion);
 }
 
 template <class Real, int N>
-Outcome<Real, N> velocities_after(const Model<Real, N>& model, const Impact<Real, N>& impact,
-                                  const Pattern& pattern) {
+PatternSolution<Real, N> velocities_after(const Model<Real, N>& model, const Impact<Real, N>& impact,
+                                          const Pattern& pattern) {
   return velocities_after(model, approach(model, impact.before), pattern);
 }
 
 /// True where every touching interface that is open opens towards its side.
 template <class Real, int N>
-bool kinematically_admissible(const Outcome<Real, N>& outcome, const Interfaces& touching) {
-  for (int k = 0; k < outcome.size(); ++k) {
-    if (!touching.test(static_cast<std::size_t>(k)) || outcome.pattern[k] == Contact::closed) continue;
-    if (!(Real(sign(outcome.pattern[k])) * outcome.relative[k] > 0)) return false;
+bool kinematically_admissible(const PatternSolution<Real, N>& solution, const Interfaces& touching) {
+  for (int k = 0; k < solution.size(); ++k) {
+    if (!touching.test(static_cast<std::size_t>(k)) || solution.pattern[k] == Contact::closed) continue;
+    if (!(Real(sign(solution.pattern[k])) * solution.relative[k] > 0)) return false;
   }
   return true;
 }
@@ -84,28 +84,29 @@ bool kinematically_admissible(const Outcome<Real, N>& outcome, const Interfaces&
 /// The pattern that is admissible both ways, if there is one. In most impacts the interfaces that impact go
 /// on to their other side, and the others stay as they are.
 template <class Real, int N>
-std::optional<Outcome<Real, N>> consistent_outcome(const Model<Real, N>& model, const Impact<Real, N>& impact,
-                                                   const Approach<Real, N>& before) {
+std::optional<PatternSolution<Real, N>> consistent_solution(const Model<Real, N>& model,
+                                                            const Impact<Real, N>& impact,
+                                                            const Approach<Real, N>& before) {
   Pattern guess = impact.before.pattern;
   for (int k = 0; k < impact.before.size(); ++k) {
     if (impact.impacting.test(static_cast<std::size_t>(k))) guess[k] = opposite(guess[k]);
   }
-  auto outcome = find_admissible(model.stack, guess, impact.touching(), Real(0), [&](const Pattern& pattern) {
-    return velocities_after(model, before, pattern);
-  });
-  if (outcome && !pushes(*outcome)) outcome.reset();
-  return outcome;
+  auto solution =
+      find_admissible(model.stack, guess, impact.touching(), Real(0),
+                      [&](const Pattern& pattern) { return velocities_after(model, before, pattern); });
+  if (solution && !pushes(*solution)) solution.reset();
+  return solution;
 }
 
 template <class Real, int N>
-std::optional<Outcome<Real, N>> consistent_outcome(const Model<Real, N>& model,
-                                                   const Impact<Real, N>& impact) {
-  return consistent_outcome(model, impact, approach(model, impact.before));
+std::optional<PatternSolution<Real, N>> consistent_solution(const Model<Real, N>& model,
+                                                            const Impact<Real, N>& impact) {
+  return consistent_solution(model, impact, approach(model, impact.before));
 }
 
-/// The paper's order: open, joined, closed. `evaluate` maps a pattern to its outcome.
+/// The paper's order: open, joined, closed. `evaluate` maps a pattern to its solution.
 template <class Real, int N, class Evaluate>
-Outcome<Real, N> paper_outcome(const Impact<Real, N>& impact, const Evaluate& evaluate) {
+PatternSolution<Real, N> paper_solution(const Impact<Real, N>& impact, const Evaluate& evaluate) {
   const Interfaces touching = impact.touching();
   int lowest = 0;
   while (!impact.impacting.test(static_cast<std::size_t>(lowest))) ++lowest;
@@ -122,32 +123,32 @@ Outcome<Real, N> paper_outcome(const Impact<Real, N>& impact, const Evaluate& ev
     closed[k] = Contact::closed;
   }
   for (const Pattern& pattern : {open, joined}) {
-    Outcome<Real, N> outcome = evaluate(pattern);
-    if (kinematically_admissible(outcome, touching)) return outcome;
+    PatternSolution<Real, N> solution = evaluate(pattern);
+    if (kinematically_admissible(solution, touching)) return solution;
   }
   return evaluate(closed);
 }
 
 template <class Real, int N>
-Outcome<Real, N> paper_outcome(const Model<Real, N>& model, const Impact<Real, N>& impact) {
+PatternSolution<Real, N> paper_solution(const Model<Real, N>& model, const Impact<Real, N>& impact) {
   const Approach<Real, N> before = approach(model, impact.before);
-  return paper_outcome<Real, N>(
+  return paper_solution<Real, N>(
       impact, [&](const Pattern& pattern) { return velocities_after(model, before, pattern); });
 }
 
 /// What follows an impact under a law, and whether it is the consistent pattern.
 template <class Real, int N = Eigen::Dynamic>
 struct Resolution {
-  Outcome<Real, N> outcome;
+  PatternSolution<Real, N> solution;
   Consistency consistency;
 };
 
 template <class Real, int N>
 Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& impact,
                             const Approach<Real, N>& before, Law law) {
-  const auto consistent = consistent_outcome(model, impact, before);
+  const auto consistent = consistent_solution(model, impact, before);
   if (law == Law::consistent && consistent) return {*consistent, Consistency::consistent};
-  const Outcome<Real, N> chosen = paper_outcome<Real, N>(impact, [&](const Pattern& pattern) {
+  const PatternSolution<Real, N> chosen = paper_solution<Real, N>(impact, [&](const Pattern& pattern) {
     return consistent && consistent->pattern == pattern ? *consistent
                                                         : velocities_after(model, before, pattern);
   });

@@ -8,7 +8,8 @@ namespace rockstack {
 /// constant Lₖ (from its pivot to the next) and the first moment of mass Sₖ = mₖrₖ + (mass above) Lₖ in its
 /// own frame, both turned by ψₖ, a dot a time derivative and ⊥ a quarter turn, Lagrange's equation of ψₖ is
 ///
-///     Jₖ ψ̈ₖ + Lₖ⊥ · Σ_{j>k} S̈ⱼ + Sₖ⊥ · (Σ_{j<k} L̈ⱼ − pull) = moment about the pivot of k − that about k + 1
+///     Jₖ ψ̈ₖ + Lₖ⊥ · Σ_{j>k} S̈ⱼ + Sₖ⊥ · (Σ_{j<k} L̈ⱼ − body force) = moment about the pivot of k − that about
+///     k + 1
 ///
 /// so that the left sides from k up add up to the moment about pivot k: zero where that interface is open.
 template <class Real, int N>

@@ -11,7 +11,7 @@ namespace rockstack {
 
 /// What a pattern leads to: relative accelerations and forces, or relative velocities and impulses.
 template <class Real, int N = Eigen::Dynamic>
-struct Outcome {
+struct PatternSolution {
   Pattern pattern;
   Vector<Real, N> relative;      ///< φ̈ in rad/s², or φ̇ in rad/s; zero at closed interfaces
   Reactions<Real, N> reactions;  ///< N and N·m, or N·s and N·m·s
@@ -22,31 +22,31 @@ struct Outcome {
 
 /// The allowed motion nearest to `free` (with any bias already taken off) and what brings it about.
 template <class Real, int N>
-Outcome<Real, N> respond(const Model<Real, N>& model, const Pattern& pattern,
-                         const Directions<Real, N>& towards, const Chain<Real, N>& chain,
-                         const Motion<Real, N>& free) {
+PatternSolution<Real, N> respond(const Model<Real, N>& model, const Pattern& pattern,
+                                 const Directions<Real, N>& directions, const Chain<Real, N>& chain,
+                                 const Motion<Real, N>& free) {
   const Vector<Real, N> relative_motion = nearest_allowed(model.stack, pattern, chain, free);
   const Vector<Real, N> rotation = absolute(relative_motion);
   const Motion<Real, N> change{centre_velocities(chain, rotation) - free.centre, rotation - free.rotation};
   Vector<Real, N> rounding = free.centre.colwise().norm().transpose().cwiseProduct(model.stack.mass);
   sum_from_top(rounding);
   rounding *= 1024 * std::numeric_limits<Real>::epsilon();
-  return {pattern, relative_motion, reactions(model, chain, towards, change), rounding};
+  return {pattern, relative_motion, reactions(model, chain, directions, change), rounding};
 }
 
-/// The accelerations of a moving stack and the forces it is under; `towards` are directions_at() the state,
-/// `ground` is (ẍg, ÿg) in m/s².
+/// The accelerations of a moving stack and the forces it is under; `directions` are directions_at() the
+/// state, `ground` is (ẍg, ÿg) in m/s².
 template <class Real, int N>
-Outcome<Real, N> accelerate(const Model<Real, N>& model, const State<Real, N>& state,
-                            const Directions<Real, N>& towards, const Point<Real>& ground) {
-  const Chain<Real, N> chain = make_chain(model.stack, state.pattern, towards);
-  return respond(model, state.pattern, towards, chain,
+PatternSolution<Real, N> accelerate(const Model<Real, N>& model, const State<Real, N>& state,
+                                    const Directions<Real, N>& directions, const Point<Real>& ground) {
+  const Chain<Real, N> chain = make_chain(model.stack, state.pattern, directions);
+  return respond(model, state.pattern, directions, chain,
                  free_acceleration(model, chain, state.velocities, ground));
 }
 
 template <class Real, int N>
-Outcome<Real, N> accelerate(const Model<Real, N>& model, const State<Real, N>& state,
-                            const Point<Real>& ground) {
+PatternSolution<Real, N> accelerate(const Model<Real, N>& model, const State<Real, N>& state,
+                                    const Point<Real>& ground) {
   return accelerate(model, state, directions_at(model, state.angles), ground);
 }
 
@@ -59,17 +59,18 @@ struct Violation {
 /// The lowest touching interface that is open and moves into itself (by more than `slack`, in the unit of the
 /// relative motion), or is closed with its centre of pressure outside.
 template <class Real, int N>
-std::optional<Violation> first_violation(const Stack<Real, N>& stack, const Outcome<Real, N>& outcome,
-                                         const Interfaces& touching, const Real& slack) {
-  for (int k = 0; k < outcome.size(); ++k) {
+std::optional<Violation> first_violation(const Stack<Real, N>& stack,
+                                         const PatternSolution<Real, N>& solution, const Interfaces& touching,
+                                         const Real& slack) {
+  for (int k = 0; k < solution.size(); ++k) {
     if (!touching.test(static_cast<std::size_t>(k))) continue;
-    const Contact contact = outcome.pattern[k];
+    const Contact contact = solution.pattern[k];
     if (contact == Contact::closed) {
-      const Margins<Real> margin = margins(stack, outcome.reactions, k);
-      const Real least = -outcome.rounding[k] * stack.half_width[k];
+      const Margins<Real> margin = margins(stack, solution.reactions, k);
+      const Real least = -solution.rounding[k] * stack.half_width[k];
       if (margin.right < least && margin.right <= margin.left) return Violation{k, Contact::right};
       if (margin.left < least) return Violation{k, Contact::left};
-    } else if (Real(sign(contact)) * outcome.relative[k] < -slack) {
+    } else if (Real(sign(contact)) * solution.relative[k] < -slack) {
       return Violation{k, Contact::closed};
     }
   }
@@ -89,24 +90,25 @@ inline Pattern with_closed(Pattern pattern, const Interfaces& closed) {
 /// outside moves apart, as the mass matrix is positive; where it moves into itself though nothing else has
 /// changed, both are rounding, and it stays open.
 template <class Real, int N, class Evaluate>
-std::optional<Outcome<Real, N>> mend_violations(const Stack<Real, N>& stack, Pattern& pattern,
-                                                const Interfaces& touching, const Real& slack, bool at_once,
-                                                int attempts, const Evaluate& evaluate) {
+std::optional<PatternSolution<Real, N>> mend_violations(const Stack<Real, N>& stack, Pattern& pattern,
+                                                        const Interfaces& touching, const Real& slack,
+                                                        bool at_once, int attempts,
+                                                        const Evaluate& evaluate) {
   int opened = -1;  // by the last change
   while (attempts-- > 0) {
-    const Outcome<Real, N> outcome = evaluate(pattern);
+    const PatternSolution<Real, N> solution = evaluate(pattern);
     Interfaces others = touching;
-    auto violation = first_violation(stack, outcome, others, slack);
+    auto violation = first_violation(stack, solution, others, slack);
     if (violation && violation->interface == opened) {
       others.reset(static_cast<std::size_t>(opened));
-      violation = first_violation(stack, outcome, others, slack);
+      violation = first_violation(stack, solution, others, slack);
     }
-    if (!violation) return outcome;
+    if (!violation) return solution;
     opened = violation->mend == Contact::closed || at_once ? -1 : violation->interface;
     do {
       pattern[violation->interface] = violation->mend;
       others.reset(static_cast<std::size_t>(violation->interface));
-      if (at_once) violation = first_violation(stack, outcome, others, slack);
+      if (at_once) violation = first_violation(stack, solution, others, slack);
     } while (at_once && violation);
   }
   return std::nullopt;
@@ -134,27 +136,27 @@ inline std::vector<Pattern> candidates(const Pattern& pattern, const Interfaces&
 /// stay closed, by principal pivoting from a first guess. One interface at a time, two changes each are
 /// usual, but in long stacks their number may double with every interface; there all at once are quicker, but
 /// may go in circles. Of up to six touching interfaces all patterns are tried at last. `evaluate` maps a
-/// pattern to its outcome. Nothing is found where blocks would have to lift off.
+/// pattern to its solution. Nothing is found where blocks would have to lift off.
 template <class Real, int N, class Evaluate>
-std::optional<Outcome<Real, N>> find_admissible(const Stack<Real, N>& stack, Pattern pattern,
-                                                const Interfaces& touching, const Real& slack,
-                                                const Evaluate& evaluate) {
+std::optional<PatternSolution<Real, N>> find_admissible(const Stack<Real, N>& stack, Pattern pattern,
+                                                        const Interfaces& touching, const Real& slack,
+                                                        const Evaluate& evaluate) {
   const int few = 4 * pattern.size;
   auto found = mend_violations(stack, pattern, touching, slack, false, few, evaluate);
   if (!found) found = mend_violations(stack, pattern, touching, slack, true, few, evaluate);
   if (!found) found = mend_violations(stack, pattern, touching, slack, false, 4 * few, evaluate);
   if (found || touching.count() > 6) return found;
   for (const Pattern& candidate : candidates(pattern, touching)) {
-    const Outcome<Real, N> outcome = evaluate(candidate);
-    if (!first_violation(stack, outcome, touching, slack)) return outcome;
+    const PatternSolution<Real, N> solution = evaluate(candidate);
+    if (!first_violation(stack, solution, touching, slack)) return solution;
   }
   return std::nullopt;
 }
 
 /// True where no interface is pulled at.
 template <class Real, int N>
-bool pushes(const Outcome<Real, N>& outcome) {
-  return (outcome.reactions.normal.array() >= -outcome.rounding.array()).all();
+bool pushes(const PatternSolution<Real, N>& solution) {
+  return (solution.reactions.normal.array() >= -solution.rounding.array()).all();
 }
 
 }  // namespace rockstack

@@ -17,7 +17,7 @@ struct Reactions {
 /// would.
 template <class Real, int N>
 Reactions<Real, N> reactions(const Model<Real, N>& model, const Chain<Real, N>& chain,
-                             const Directions<Real, N>& towards, const Motion<Real, N>& change) {
+                             const Directions<Real, N>& directions, const Motion<Real, N>& change) {
   const Stack<Real, N>& stack = model.stack;
   const int size = stack.size();
   const Vector<Real, N> zero = Vector<Real, N>::Zero(size);
@@ -30,8 +30,8 @@ Reactions<Real, N> reactions(const Model<Real, N>& model, const Chain<Real, N>& 
               quarter_turned<Real>(chain.links.col(k)).dot(force);
     force += own;
     const int along = face(stack, k);
-    const Real cosine = along < 0 ? Real(1) : towards.cosine[along];
-    const Real sine = along < 0 ? Real(0) : towards.sine[along];
+    const Real cosine = along < 0 ? Real(1) : directions.cosine[along];
+    const Real sine = along < 0 ? Real(0) : directions.sine[along];
     result.normal[k] = force.x() * sine + force.y() * cosine;
     result.tangential[k] = force.x() * cosine - force.y() * sine;
     result.moment[k] = moment;

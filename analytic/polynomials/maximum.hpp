@@ -6,23 +6,23 @@ namespace rockstack {
 
 /// Where a polynomial is highest on [0, 1], and how high.
 template <class Real>
-struct Summit {
+struct Maximum {
   Real s;
   Real height;
 
-  void raise(const Summit& other) {
+  void raise(const Maximum& other) {
     if (other.height > height) *this = other;
   }
 };
 
-/// The summit to within `slack`, or what rounding makes of it; nothing where the polynomial stays at or below
-/// `least`. It is at an end or at the zero of a slope that falls; else it is searched for where Bernstein
-/// coefficients may pass it.
+/// The maximum to within `slack`, > 0; nothing where the polynomial stays at or below `least`. It is at an
+/// end or at the zero of a slope that falls; else it is searched for where Bernstein coefficients may pass
+/// it.
 template <class Real>
-std::optional<Summit<Real>> summit(const Polynomial<Real>& polynomial, const Real& least,
-                                   const Real& slack = 0) {
+std::optional<Maximum<Real>> maximum(const Polynomial<Real>& polynomial, const Real& least,
+                                     const Real& slack) {
   struct Search {
-    Summit<Real> best;
+    Maximum<Real> best;
     Real slack;
 
     void operator()(const Polynomial<Real>& coefficients, const Real& low, const Real& width) {
@@ -35,9 +35,7 @@ std::optional<Summit<Real>> summit(const Polynomial<Real>& polynomial, const Rea
     }
   };
   if (polynomial.terms == 0 || hull(polynomial).greatest <= least) return std::nullopt;
-  using std::abs;
-  const Real rounding = 4 * std::numeric_limits<Real>::epsilon() * (abs(polynomial[0]) + reach(polynomial));
-  Search search{{0, polynomial[0]}, std::max(slack, rounding)};
+  Search search{{0, polynomial[0]}, slack};
   search.best.raise({1, value(polynomial, Real(1))});
   if (!is_monotone(polynomial)) {
     const Polynomial<Real> slope = derivative(polynomial);

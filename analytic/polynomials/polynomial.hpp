@@ -95,7 +95,7 @@ template <class Real>
 struct Hull {
   Real least, greatest;
 
-  void take(const Real& sum) {
+  void include(const Real& sum) {
     least = std::min(sum, least);
     greatest = std::max(sum, greatest);
   }
@@ -107,7 +107,7 @@ template <class Real>
 Hull<Real> hull(const Polynomial<Real>& polynomial, std::size_t first = 0) {
   Real sum = polynomial[first];
   Hull<Real> result{sum, sum};
-  for (std::size_t i = first + 1; i < polynomial.terms; ++i) result.take(sum += polynomial[i]);
+  for (std::size_t i = first + 1; i < polynomial.terms; ++i) result.include(sum += polynomial[i]);
   return result;
 }
 
@@ -125,7 +125,7 @@ bool is_monotone(const Polynomial<Real>& polynomial) {
   if (polynomial.terms < 2) return true;
   Real sum = polynomial[1];
   Hull<Real> slopes{sum, sum};
-  for (std::size_t i = 2; i < polynomial.terms; ++i) slopes.take(sum += Real(i) * polynomial[i]);
+  for (std::size_t i = 2; i < polynomial.terms; ++i) slopes.include(sum += Real(i) * polynomial[i]);
   return slopes.least >= 0 || slopes.greatest <= 0;
 }
 

@@ -44,8 +44,8 @@ struct BasicEvent {
   Consistency consistency = Consistency::consistent;
 };
 
-/// A gap, or the margin of a closed interface, that touched zero to rounding: whether there was an impact, or
-/// an opening, the numbers cannot tell, and what follows depends on it.
+/// An opening angle, or the margin of a closed interface, that touched zero to rounding: whether there was an
+/// impact, or an opening, the numbers cannot tell, and what follows depends on it.
 template <class Real>
 struct BasicGraze {
   Real time{};        ///< s

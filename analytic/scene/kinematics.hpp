@@ -109,13 +109,13 @@ Directions<Real, N> directions(const Vector<Real, N>& angles) {
 /// Arms rₖ = (−σₖwₖ, hₖ) and links Lₖ = (σₖ₊₁wₖ₊₁ − σₖwₖ, 2hₖ), both turned by θₖ.
 template <class Real, int N>
 Chain<Real, N> make_chain(const Stack<Real, N>& stack, const Pattern& pattern,
-                          const Directions<Real, N>& towards) {
+                          const Directions<Real, N>& directions) {
   const int size = stack.size();
   const auto pivot = [&](int k) { return k < size ? Real(sign(pattern[k])) * stack.half_width[k] : Real(0); };
   Chain<Real, N> chain{{pivot(0), Real(0)}, Points<Real, N>::Zero(2, size), Points<Real, N>::Zero(2, size)};
   for (int k = 0; k < size; ++k) {
-    const Real cosine = towards.cosine[k];
-    const Real sine = towards.sine[k];
+    const Real cosine = directions.cosine[k];
+    const Real sine = directions.sine[k];
     const Real height = stack.half_height[k];
     chain.arms.col(k) = turned<Real>(-pivot(k), height, cosine, sine);
     chain.links.col(k) = turned<Real>(pivot(k + 1) - pivot(k), 2 * height, cosine, sine);

@@ -26,31 +26,31 @@ class Recorder {
   }
 
   /// A step from `offset` into a ground piece up to the event that ends it.
-  void note_step(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& offset,
-                 const Next<Real>& next, const Cleared& cleared) {
+  void note_step(const DenseOutput<Real, N>& output, const GroundPiece<Real>& piece, const Real& offset,
+                 const FirstEvent<Real>& event, const Cleared& cleared) {
     const Real start = piece.start + offset;
-    for (const auto& [s, kind, interface] : next.grazes) {
-      if (s <= next.s) history_.grazes.push_back({start + s * flow.length, kind, interface});
+    for (const auto& [s, kind, interface] : event.grazes) {
+      if (s <= event.s) history_.grazes.push_back({start + s * output.length, kind, interface});
     }
-    sample(flow, piece, offset, next.s);
-    if (options_.validity) note_forces(flow, piece, offset, next.s, cleared.forces);
-    if (options_.peaks) note_peaks(flow, next.s, cleared.angles);
+    sample(output, piece, offset, event.s);
+    if (options_.validity) note_forces(output, piece, offset, event.s, cleared.forces);
+    if (options_.peaks) note_peaks(output, event.s, cleared.angles);
   }
 
   /// Whether there is something to keep of a stretch of time through which the stack stands still.
-  bool wants(const StandingStack<Real, N>& standing, const Bearing<Real>& bears) const {
+  bool wants(const RestingStack<Real, N>& resting, const Bearing<Real>& bears) const {
     if (sample_due()) return true;
     for (std::size_t k = 0; k < history_.forces.size(); ++k) {
       const BasicDemand<Real>& known = history_.forces[k];
-      if (bears.tilt > known.friction || standing.mass[k] * bears.least_pull < known.least_normal)
+      if (bears.tilt > known.friction || resting.mass[k] * bears.least_gravity < known.least_normal)
         return true;
     }
     return false;
   }
 
   /// The impulses of an impact.
-  void note_impact(const Outcome<Real, N>& outcome, const Real& time) {
-    if (options_.validity) note_demands(history_.impulses, outcome, time);
+  void note_impact(const PatternSolution<Real, N>& solution, const Real& time) {
+    if (options_.validity) note_demands(history_.impulses, solution, time);
   }
 
   /// An event from pattern `from` and relative velocities `before` to the state `after`.
@@ -83,12 +83,12 @@ class Recorder {
   bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
 
   /// Samples of a step up to, and without, `end` of its length.
-  void sample(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& offset,
+  void sample(const DenseOutput<Real, N>& output, const GroundPiece<Real>& piece, const Real& offset,
               const Real& end) {
     while (sample_due()) {
-      const Real s = ((Real(options_.sample_times[next_sample_]) - piece.start) - offset) / flow.length;
+      const Real s = ((Real(options_.sample_times[next_sample_]) - piece.start) - offset) / output.length;
       if (!(s < end)) return;
-      record_sample(flow.at(std::max(s, Real(0))));
+      record_sample(output.at(std::max(s, Real(0))));
     }
   }
 
@@ -102,11 +102,12 @@ class Recorder {
   }
 
   /// The largest angles of a step up to s of its length.
-  void note_peaks(const Flow<Real, N>& flow, const Real& s, const Interfaces& cleared) {
+  void note_peaks(const DenseOutput<Real, N>& output, const Real& s, const Interfaces& cleared) {
     if (cleared.count() == history_.peaks.size()) return;
     Polynomial<Real> angle;  // absolute
     for (std::size_t k = 0; k < history_.peaks.size(); ++k) {
-      add(flow.angles[k], Real(1), angle);
+      add(output.angles[k], Real(1), angle);
+      using std::abs;
       if (angle.terms == 0 || cleared.test(k) || hull(angle).size() <= history_.peaks[k]) continue;
       Polynomial<Real> part = angle;
       rescale(part, s);
@@ -115,21 +116,22 @@ class Recorder {
         if (side > 0) {
           for (Real& coefficient : part) coefficient = -coefficient;
         }
-        if (const auto top = summit(part, history_.peaks[k])) history_.peaks[k] = top->height;
+        const Real slack = 4 * std::numeric_limits<Real>::epsilon() * (abs(part[0]) + reach(part));
+        if (const auto top = maximum(part, history_.peaks[k], slack)) history_.peaks[k] = top->height;
       }
     }
   }
 
   /// The demands of a step up to s of its length; at its start alone where the integrator tells no forces.
-  void note_forces(const Flow<Real, N>& flow, const GroundPiece<Real>& piece, const Real& offset,
+  void note_forces(const DenseOutput<Real, N>& output, const GroundPiece<Real>& piece, const Real& offset,
                    const Real& s, const Interfaces& cleared) {
     if (cleared.count() == history_.forces.size()) return;
     const Real start = piece.start + offset;
-    if (flow.forces[0].normal.terms == 0)
-      return note_demands(history_.forces, accelerate(model_, flow.start, piece.at(offset)), start);
+    if (output.forces[0].normal.terms == 0)
+      return note_demands(history_.forces, accelerate(model_, output.start, piece.at(offset)), start);
     for (std::size_t k = 0; k < history_.forces.size(); ++k)
       if (!cleared.test(k))
-        note_demand_along(history_.forces[k], flow.forces[k], s, rounding_, start, flow.length);
+        note_demand_along(history_.forces[k], output.forces[k], s, rounding_, start, output.length);
   }
 
   const Model<Real, N>& model_;

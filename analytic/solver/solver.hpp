@@ -32,7 +32,7 @@ class Solver {
         recorder_(model_, options),
         stall_guard_(model_),
         ties_(model_),
-        standing_(model_),
+        resting_(model_),
         end_of_chatter_(model_, options.resolution > 0 ? Real(options.resolution)
                                                        : std::numeric_limits<Real>::epsilon()) {
     validate(options);
@@ -42,21 +42,24 @@ class Solver {
     };
     state_ = {{}, relative(vector(scene.initial.angles)), relative(vector(scene.initial.velocities))};
     state_.pattern = pattern_of(state_.angles, state_.velocities);
-    turn();
+    update_directions();
     for (int k = 0; k < model_.stack.size(); ++k)
       toppling_angles_[static_cast<std::size_t>(k)] = Real(toppling_angle(scene, k));
   }
 
-  /// @throws std::runtime_error with the time where no pattern lets the motion go on, events do not come to
-  /// an end (stall_guard.hpp, tie_breaker.hpp), or numbers leave the range of their type; IllConditioned for
-  /// masses or sizes too far apart for the number type.
+  /// @throws std::runtime_error with the time where no pattern lets the motion go on, or events do not come
+  /// to an end (stall_guard.hpp, tie_breaker.hpp); IllConditioned for masses or sizes too far apart for the
+  /// number type.
   BasicHistory<Real> run() {
     start();
     while (!finished()) advance();
     return std::move(*this).history();
   }
-  /// Once finished().
+  /// Once finished(). @throws std::runtime_error where numbers have left the range of their type.
   BasicHistory<Real> history() && {
+    const Real size = state_.angles.template lpNorm<1>() + state_.velocities.template lpNorm<1>();
+    if (!(size <= std::numeric_limits<Real>::max()))
+      throw std::runtime_error("angles or velocities have become too large for numbers");
     if (!toppled_) recorder_.note_rest(state_, Real(scene_.duration));
     return std::move(recorder_).history();
   }
@@ -64,7 +67,7 @@ class Solver {
   /// What run() does, step by step: start() once, then advance() until finished(). @throws as run().
   void start() {
     // For the IllConditioned that it may throw: steps do not look.
-    accelerations(model_, state_, towards_, pieces_.current().at(offset_));
+    accelerations(model_, state_, directions_, pieces_.current().at(offset_));
     settle(state_.pattern);
   }
   bool finished() const { return pieces_.finished() || toppled_; }
@@ -72,10 +75,10 @@ class Solver {
 
   void advance() {
     if (!(remaining() > 0)) return next_piece();
-    if (stand()) return;
-    Flow<Real, N> flow = steps_(state_, towards_, linkage(), pieces_.current(), offset_, longest_step(),
-                                ties_.may_open(state_));
-    take(flow);
+    if (skip_rest()) return;
+    DenseOutput<Real, N> output = steps_(state_, directions_, linkage(), pieces_.current(), offset_,
+                                         longest_step(), ties_.may_open(state_));
+    follow(output);
   }
 
   /// Goes on up to a step in which blocks move, and true; or to the end. @throws as run().
@@ -90,34 +93,33 @@ class Solver {
   /// What the next step starts from. Preconditions: not finished, not at the end of a piece.
   struct Start {
     const State<Real, N>& state;
-    const Directions<Real, N>& towards;
+    const Directions<Real, N>& directions;
     const Linkage<Real, N>& linkage;
     Real length;  ///< s
-    Pull<Real> pull;
+    ScaledBodyForce<Real> body_force;
     Interfaces watched;
     bool clear;  ///< of ties
   };
   Start next_step() {
     const Real length = steps_.length(pieces_.current(), longest_step());
     return {state_,
-            towards_,
+            directions_,
             linkage(),
             length,
-            make_pull(model_.gravity, pieces_.current(), offset_, length),
+            scaled_body_force(model_.gravity, pieces_.current(), offset_, length),
             ties_.may_open(state_),
             ties_.all_clear()};
   }
 
   /// Goes along a step up to its first event, and through that. @throws as run().
-  void take(Flow<Real, N>& flow, const Cleared& cleared = {}) {
-    ties_.keep_fresh_open(flow);
-    const Next<Real> next = first_event(flow, toppling_angles_, cleared);
-    state_ = flow.at(next.s);
-    require_numbers();
-    recorder_.note_step(flow, pieces_.current(), offset_, next, cleared);
-    if (next.closing.none()) turn();
-    go_on(next, flow.length);
-    if (next.happens()) handle(next);
+  void follow(DenseOutput<Real, N>& output, const Cleared& cleared = {}) {
+    ties_.keep_fresh_open(output);
+    const FirstEvent<Real> event = first_event(output, toppling_angles_, cleared);
+    recorder_.note_step(output, pieces_.current(), offset_, event, cleared);
+    state_ = output.at(event.s);
+    if (event.closing.none()) update_directions();
+    advance_time(event, output.length);
+    if (event.happens()) handle(event);
   }
 
   /// Where a step leads: relative angles and velocities of open interfaces, and all peaks so far.
@@ -126,15 +128,15 @@ class Solver {
   };
 
   /// Goes along a whole step in which nothing happens, and nothing is to be recorded but peaks.
-  void pass(const Real& length, const End& end) {
+  void follow_uneventful(const Real& length, const End& end) {
     for (int k = 0; k < state_.size(); ++k) {
       if (state_.pattern[k] == Contact::closed) continue;
       state_.angles[k] = end.angles[static_cast<std::size_t>(k)];
       state_.velocities[k] = end.velocities[static_cast<std::size_t>(k)];
     }
-    turn();
+    update_directions();
     recorder_.raise_peaks(end.peaks);
-    go_on({}, length);
+    advance_time({}, length);
   }
 
   const State<Real, N>& state() const { return state_; }
@@ -149,17 +151,17 @@ class Solver {
   Real longest_step() const { return ties_.longest_step(remaining()); }
 
   /// To the event that ends a step of a length, or to its end.
-  void go_on(const Next<Real>& next, const Real& length) {
-    ties_.note_step(next, time());
-    if (length >= remaining() && next.s == 1) {
+  void advance_time(const FirstEvent<Real>& event, const Real& length) {
+    ties_.note_step(event, time());
+    if (length >= remaining() && event.s == 1) {
       next_piece();
     } else {
-      offset_ += next.s * length;
+      offset_ += event.s * length;
     }
   }
 
   /// After a change of angles.
-  void turn() { towards_ = directions_at(model_, state_.angles); }
+  void update_directions() { directions_ = directions_at(model_, state_.angles); }
 
   const Linkage<Real, N>& linkage() {
     if (linkage_.blocks == 0 || !(linked_ == state_.pattern)) {
@@ -171,27 +173,20 @@ class Solver {
 
   /// Goes on past the ground pieces through whose rest the stack stands still, and nothing of it is to be
   /// kept. False where there is none. At the instant of an event steps tell.
-  bool stand() {
+  bool skip_rest() {
     if (!is_closed(state_.pattern) || !ties_.all_clear() || ties_.at_instant()) return false;
     const auto stands = [&] {
       const Bearing<Real> bears = bearing(model_.gravity, pieces_.current(), offset_);
-      return bears.tilt < standing_.slenderness && !recorder_.wants(standing_, bears);
+      return bears.tilt < resting_.critical_tilt && !recorder_.wants(resting_, bears);
     };
-    bool stood = false;
-    for (; !finished() && stands(); stood = true) next_piece();
-    return stood;
+    bool skipped = false;
+    for (; !finished() && stands(); skipped = true) next_piece();
+    return skipped;
   }
 
   void next_piece() {
     pieces_.advance();
     offset_ = 0;
-  }
-
-  void require_numbers() const {
-    const Real size = state_.angles.template lpNorm<1>() + state_.velocities.template lpNorm<1>();
-    if (!(size <= std::numeric_limits<Real>::max()))
-      throw std::runtime_error("angles or velocities have become too large for numbers at t = " +
-                               std::to_string(static_cast<double>(time())) + " s");
   }
 
   [[noreturn]] void no_way_on() const {
@@ -200,22 +195,22 @@ class Solver {
         " s: the blocks would have to lift off");
   }
 
-  void handle(const Next<Real>& next) {
+  void handle(const FirstEvent<Real>& event) {
     const Pattern from = state_.pattern;
-    if (next.toppling >= 0) {
+    if (event.toppling >= 0) {
       toppled_ = true;
-      record_event(EventKind::topple, next.toppling, from, state_.velocities, Consistency::consistent);
-    } else if (next.closing.any()) {
-      ties_.note_closing(next.closing);
-      collide(next.closing);
+      record_event(EventKind::topple, event.toppling, from, state_.velocities, Consistency::consistent);
+    } else if (event.closing.any()) {
+      ties_.note_closing(event.closing);
+      collide(event.closing);
       settle(state_.pattern);
     } else if (ties_.undecided()) {
-      ties_.hold(next.opening);
+      ties_.hold(event.opening);
     } else {
       for (int k = 0; k < state_.size(); ++k) {
-        if (next.opening.test(static_cast<std::size_t>(k))) state_.pattern[k] = next.opened[k];
+        if (event.opening.test(static_cast<std::size_t>(k))) state_.pattern[k] = event.opened[k];
       }
-      ties_.note_opening(next.opening);
+      ties_.note_opening(event.opening);
       settle(from);
     }
   }
@@ -229,27 +224,26 @@ class Solver {
     for (int k = 0; k < state_.size(); ++k) {
       if (closing.test(static_cast<std::size_t>(k))) state_.angles[k] = 0;
     }
-    turn();
+    update_directions();
     const Impact<Real, N> impact{state_, closing};
-    const Approach<Real, N> before = approach(model_, state_, towards_);
+    const Approach<Real, N> before = approach(model_, state_, directions_);
     Resolution<Real, N> resolution = resolve(model_, impact, before, scene_.law);
-    Outcome<Real, N>& outcome = resolution.outcome;
+    PatternSolution<Real, N>& solution = resolution.solution;
     const auto without_slow = [&] {
-      return end_of_chatter_.without_slow({outcome.pattern, state_.angles, outcome.relative},
-                                          impact.touching(), towards_, pieces_.current().at(offset_));
+      return end_of_chatter_.without_slow({solution.pattern, state_.angles, solution.relative},
+                                          impact.touching(), directions_, pieces_.current().at(offset_));
     };
     bool settled = false;
-    for (Pattern slow = without_slow(); !(slow == outcome.pattern); slow = without_slow()) {
-      outcome = velocities_after(model_, before, slow);
+    for (Pattern slow = without_slow(); !(slow == solution.pattern); slow = without_slow()) {
+      solution = velocities_after(model_, before, slow);
       settled = true;
     }
-    state_.pattern = outcome.pattern;
-    state_.velocities = outcome.relative;
-    require_numbers();
-    recorder_.note_impact(outcome, time());
-    const EventKind kind = !settled                     ? EventKind::impact
-                           : is_closed(outcome.pattern) ? EventKind::rest
-                                                        : EventKind::closure;
+    recorder_.note_impact(solution, time());
+    state_.pattern = solution.pattern;
+    state_.velocities = solution.relative;
+    const EventKind kind = !settled                      ? EventKind::impact
+                           : is_closed(solution.pattern) ? EventKind::rest
+                                                         : EventKind::closure;
     record_event(kind, first, impact.before.pattern, impact.before.velocities, resolution.consistency);
   }
 
@@ -258,7 +252,8 @@ class Solver {
     const Interfaces touching = ties_.touching(state_);
     const Point<Real> ground = pieces_.current().at(offset_);
     const auto evaluate = [&](const Pattern& pattern) {
-      return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, towards_, ground);
+      return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, directions_,
+                        ground);
     };
     if (touching.any() && first_violation(model_.stack, evaluate(state_.pattern), touching, ties_.slack())) {
       const auto found = find_admissible(model_.stack, with_closed(state_.pattern, touching), touching,
@@ -294,11 +289,11 @@ class Solver {
   Recorder<Real, N> recorder_;
   StallGuard<Real> stall_guard_;
   TieBreaker<Real> ties_;
-  StandingStack<Real, N> standing_;
+  RestingStack<Real, N> resting_;
   EndOfChatter<Real, N> end_of_chatter_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;
-  Directions<Real, N> towards_;  ///< at the state
+  Directions<Real, N> directions_;  ///< at the state
   std::array<Real, max_blocks> toppling_angles_{};
   Real offset_ = 0;  ///< into the current piece, s
   Pattern linked_;   ///< the pattern of linkage_

@@ -6,7 +6,7 @@ namespace rockstack {
 
 /// A history in double precision. What is ordered or equal stays so.
 template <class Real>
-History rounded(const BasicHistory<Real>& history) {
+History to_double(const BasicHistory<Real>& history) {
   const auto list = [](const std::vector<Real>& values) {
     return std::vector<double>(values.begin(), values.end());
   };

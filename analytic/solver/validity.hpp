@@ -29,13 +29,13 @@ void note_demand(BasicDemand<Real>& demand, const Real& raw, const Real& tangent
   }
 }
 
-/// Takes an outcome into account.
+/// Takes a solution into account.
 template <class Real, int N>
-void note_demands(std::vector<BasicDemand<Real>>& demands, const Outcome<Real, N>& outcome,
+void note_demands(std::vector<BasicDemand<Real>>& demands, const PatternSolution<Real, N>& solution,
                   const Real& time) {
-  for (int k = 0; k < outcome.pattern.size; ++k) {
-    note_demand(demands[static_cast<std::size_t>(k)], outcome.reactions.normal[k],
-                outcome.reactions.tangential[k], outcome.rounding[k], time);
+  for (int k = 0; k < solution.pattern.size; ++k) {
+    note_demand(demands[static_cast<std::size_t>(k)], solution.reactions.normal[k],
+                solution.reactions.tangential[k], solution.rounding[k], time);
   }
 }
 
@@ -60,7 +60,7 @@ bool demands_no_more(const BasicDemand<Real>& demand, const ForceCourses<Real>& 
 }
 
 /// The greatest demands along a step up to `end` of its length, to rounding: where the normal force is least,
-/// and where ±T/N is largest. The latter is the ratio μ at which the summit of ±T − μN comes down to zero
+/// and where ±T/N is largest. The latter is the ratio μ at which the maximum of ±T − μN comes down to zero
 /// (Dinkelbach 1967, Management Science 13, 492–498). `start` and `length` are those of the step, s.
 template <class Real>
 void note_demand_along(BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& end,
@@ -76,21 +76,21 @@ void note_demand_along(BasicDemand<Real>& demand, const ForceCourses<Real>& forc
     note_demand(demand, value(force.normal, s), value(force.tangential, s), rounding, start + s * length);
   };
   // Where normal · N + tangential · T passes `least` most.
-  const auto note_summit = [&](const Real& normal, const Real& tangential, const Real& least,
-                               const Real& slack) {
+  const auto note_maximum = [&](const Real& normal, const Real& tangential, const Real& least,
+                                const Real& slack) {
     Polynomial<Real> sum;
     sum.terms = force.normal.terms;
     for (std::size_t n = 0; n < sum.terms; ++n)
       sum[n] = normal * force.normal[n] + tangential * force.tangential[n];
     rescale(sum, end);
-    if (const auto top = summit<Real>(sum, least, slack)) note_at(top->s * end);
+    if (const auto top = maximum<Real>(sum, least, slack)) note_at(top->s * end);
   };
-  note_summit(-1, 0, rounding - demand.least_normal, rounding);
+  note_maximum(-1, 0, rounding - demand.least_normal, rounding);
   for (const Real& side : {Real(1), Real(-1)}) {
     for (Real before = -1; demand.friction > before && demand.friction <= std::numeric_limits<Real>::max();) {
       before = demand.friction;
       const Real negligible = rounding * (1 + before);
-      note_summit(-before, side, negligible, negligible);
+      note_maximum(-before, side, negligible, negligible);
     }
   }
 }

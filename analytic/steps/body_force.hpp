@@ -136,18 +136,18 @@ Polynomial<Real> series_of(const Pulse& pulse, const Real& elapsed, const Real& 
   return series;
 }
 
-/// What pulls at every unit of mass in the frame of the ground, (−ẍg, −(g + ÿg)), over one step, times its
-/// length squared, m.
+/// The body force on a unit of mass in the frame of the ground, (−ẍg, −(g + ÿg)), over one step, times the
+/// length squared of the step, m.
 template <class Real>
-struct Pull {
+struct ScaledBodyForce {
   Polynomial<Real> x, y;
 };
 
-/// A component of it, from `offset` s into the ground's course on: of the course and of what pulls `at_rest`,
+/// A component of it, from `offset` s into the ground's course on: of the course and of what acts `at_rest`,
 /// without a change that is negligible, m/s².
 template <class Real>
-Polynomial<Real> pull_along(const GroundCourse<Real>& course, const Real& at_rest, const Real& negligible,
-                            const Real& offset, const Real& length) {
+Polynomial<Real> body_force_along(const GroundCourse<Real>& course, const Real& at_rest,
+                                  const Real& negligible, const Real& offset, const Real& length) {
   using std::abs;
   const Real scale = -(length * length);
   if (!course.pulse) [[likely]] {
@@ -163,17 +163,17 @@ Polynomial<Real> pull_along(const GroundCourse<Real>& course, const Real& at_res
 }
 
 template <class Real>
-Pull<Real> make_pull(const Real& gravity, const GroundPiece<Real>& piece, const Real& offset,
-                     const Real& length) {
+ScaledBodyForce<Real> scaled_body_force(const Real& gravity, const GroundPiece<Real>& piece,
+                                        const Real& offset, const Real& length) {
   const Real negligible = std::numeric_limits<Real>::epsilon() / 8 * gravity;
-  return {pull_along<Real>(piece.horizontal, 0, negligible, offset, length),
-          pull_along<Real>(piece.vertical, gravity, negligible, offset, length)};
+  return {body_force_along<Real>(piece.horizontal, 0, negligible, offset, length),
+          body_force_along<Real>(piece.vertical, gravity, negligible, offset, length)};
 }
 
-/// The pull over a step `ratio` times as long.
+/// The body force over a step `ratio` times as long.
 template <class Real>
-void shorten(Pull<Real>& pull, const Real& ratio) {
-  for (Polynomial<Real>* series : {&pull.x, &pull.y}) {
+void shorten(ScaledBodyForce<Real>& body_force, const Real& ratio) {
+  for (Polynomial<Real>* series : {&body_force.x, &body_force.y}) {
     rescale(*series, ratio);
     for (Real& coefficient : *series) coefficient *= ratio * ratio;
   }

@@ -64,7 +64,7 @@ class ChainSeries {
       row.weighted[2] *= square;
       row.direction[1] = ratio * row.direction[1];
       row.direction[2] = square * row.direction[2];
-      row.sway[0] = square * row.sway[0];
+      row.coupling[0] = square * row.coupling[0];
       row.relative[0] *= square;
       if (!forces_) continue;
       row.reaction[0] *= square;
@@ -73,11 +73,11 @@ class ChainSeries {
   }
 
   /// Computes (φ'')ₙ of all interfaces from all lower orders, 0 first.
-  void extend(std::size_t n, const Pull<Real>& pull) {
+  void extend(std::size_t n, const ScaledBodyForce<Real>& body_force) {
     if constexpr (unrolled) {
-      (this->*orders[n])(pull);
+      (this->*orders[n])(body_force);
     } else {
-      extend_by(n, pull);
+      extend_by(n, body_force);
     }
   }
 
@@ -139,7 +139,7 @@ class ChainSeries {
   struct Row {
     Series weighted;        // i times coefficient i of ψ
     PlaneSeries direction;  // cosine and sine of ψ
-    PlaneSeries sway;       // what they are multiplied by in the block's equation
+    PlaneSeries coupling;   // what they are multiplied by in the block's equation
     Series relative;        // φ''
     Series reaction;
     PlaneSeries force;  // on the block and all above
@@ -159,41 +159,44 @@ class ChainSeries {
 
   /// Order n, a number or the constant of one.
   template <class Order>
-  void extend_by(Order n, const Pull<Real>& pull) {
-    const Point2 lift{n < pull.x.terms ? -pull.x[n] : Real(0), n < pull.y.terms ? -pull.y[n] : Real(0)};
-    PerBlock<Point2, N> bends;  // of directions, as far as they are known, then all
-    for (std::size_t k = 0; k < size(); ++k) bends[k] = linear_ ? none() : known_bend(rows_[k], n);
-    // A block alone sways under nothing but the pull.
-    const std::size_t sways = size() > 1 ? n : std::min<std::size_t>(n, std::max(pull.x.terms, pull.y.terms));
-    const PerBlock<Real, N> known = known_moments(n, sways, bends, lift);
+  void extend_by(Order n, const ScaledBodyForce<Real>& body_force) {
+    const Point2 lift{n < body_force.x.terms ? -body_force.x[n] : Real(0),
+                      n < body_force.y.terms ? -body_force.y[n] : Real(0)};
+    PerBlock<Point2, N> second_derivatives;  // of directions, as far as they are known, then all
+    for (std::size_t k = 0; k < size(); ++k)
+      second_derivatives[k] = linear_ ? none() : known_second_derivative(rows_[k], n);
+    // A block alone is coupled to nothing but the body force.
+    const std::size_t couplings =
+        size() > 1 ? n : std::min<std::size_t>(n, std::max(body_force.x.terms, body_force.y.terms));
+    const PerBlock<Real, N> known = known_moments(n, couplings, second_derivatives, lift);
     PerBlock<Real, N> opposed;
     for (std::size_t k = 0; k < size(); ++k) opposed[k] = -known[k];
-    const PerBlock<Real, N> relative = mass_.held.solve(opposed);
+    const PerBlock<Real, N> relative = mass_.constrained.solve(opposed);
     if (forces_) {
       for (std::size_t k = 0; k < size(); ++k) {
         rows_[k].reaction[n] = known[k];
         for (std::size_t j = 0; j < size(); ++j) rows_[k].reaction[n] += mass_.matrix[k][j] * relative[j];
       }
     }
-    Real spin = 0;
+    Real angular_acceleration = 0;
     for (std::size_t k = 0; k < size(); ++k) {
       Row& row = rows_[k];
       row.relative[n] = relative[k];
-      spin = k == 0 ? relative[0] : spin + relative[k];
-      row.weighted[n + 2] = spin * reciprocals<Number<Real>>[n + 1];
+      angular_acceleration = k == 0 ? relative[0] : angular_acceleration + relative[k];
+      row.weighted[n + 2] = angular_acceleration * reciprocals<Number<Real>>[n + 1];
       const Real twice = reciprocals<Number<Real>>[n + 1] * reciprocals<Number<Real>>[n + 2];
-      bends[k] = bends[k] + spin * ahead(row.direction[0]);
-      row.direction[n + 2] = linear_ ? none() : twice * bends[k];
+      second_derivatives[k] = second_derivatives[k] + angular_acceleration * ahead(row.direction[0]);
+      row.direction[n + 2] = linear_ ? none() : twice * second_derivatives[k];
     }
-    couple(n, bends, lift);
+    couple(n, second_derivatives, lift);
   }
 
   template <std::size_t n>
-  void extend_to(const Pull<Real>& pull) {
-    extend_by(std::integral_constant<std::size_t, n>{}, pull);
+  void extend_to(const ScaledBodyForce<Real>& body_force) {
+    extend_by(std::integral_constant<std::size_t, n>{}, body_force);
   }
 
-  using Extend = void (ChainSeries::*)(const Pull<Real>&);
+  using Extend = void (ChainSeries::*)(const ScaledBodyForce<Real>&);
   template <std::size_t... n>
   static constexpr std::array<Extend, sizeof...(n)> list(std::index_sequence<n...>) {
     return {&ChainSeries::extend_to<n>...};
@@ -202,57 +205,61 @@ class ChainSeries {
 
   /// The known parts of (c'')ₙ and (s'')ₙ.
   template <class Order>
-  static Point2 known_bend(const Row& row, Order n) {
+  static Point2 known_second_derivative(const Row& row, Order n) {
     Point2 sum = row.weighted[1] * row.direction[n + 1];
     for (std::size_t j = 2; j < n + 2; ++j) sum = sum + row.weighted[j] * row.direction[n + 2 - j];
     return {-Real(n + 1) * sum.y, Real(n + 1) * sum.x};
   }
 
-  /// Order n of the moments about all pivots, but for what the blocks' spins (ψ'')ₙ will add.
+  /// Order n of the moments about all pivots, but for what the blocks' accelerations (ψ'')ₙ will add.
   template <class Order>
-  PerBlock<Real, N> known_moments(Order n, std::size_t sways, const PerBlock<Point2, N>& bends,
-                                  const Point2& lift) const {
+  PerBlock<Real, N> known_moments(Order n, std::size_t couplings,
+                                  const PerBlock<Point2, N>& second_derivatives, const Point2& lift) const {
     PerBlock<Real, N> moments;
     Point2 below = lift;
     for (std::size_t k = 0; k < size(); ++k) {
       moments[k] = across(mass_.moments[k], below);
-      if (!linear_) moments[k] += past_moment(rows_[k], n, sways);
-      if (k + 1 < size()) below = below + turned(bends[k], linkage_.link_x[k], linkage_.link_y[k]);
+      if (!linear_) moments[k] += past_moment(rows_[k], n, couplings);
+      if (k + 1 < size())
+        below = below + turned(second_derivatives[k], linkage_.link_x[k], linkage_.link_y[k]);
     }
     Point2 above = none();
     for (std::size_t k = size() - 1; k-- > 0;) {
-      above = above + turned(bends[k + 1], linkage_.moment_x[k + 1], linkage_.moment_y[k + 1]);
+      above = above + turned(second_derivatives[k + 1], linkage_.moment_x[k + 1], linkage_.moment_y[k + 1]);
       moments[k] += moments[k + 1] + across(mass_.links[k], above);
     }
     return moments;
   }
 
-  /// Order n of Sₖ⊥ · (…) + Lₖ⊥ · (…), but for order n of the sway: products of lower orders alone, of which
-  /// the first `sways` of the sway are not zero.
+  /// Order n of Sₖ⊥ · (…) + Lₖ⊥ · (…), but for order n of the coupling: products of lower orders alone, of
+  /// which the first `couplings` of the coupling are not zero.
   template <class Order>
-  static Real past_moment(const Row& row, Order n, std::size_t sways) {
+  static Real past_moment(const Row& row, Order n, std::size_t couplings) {
     Point2 sum = none();
-    for (std::size_t i = sways; i-- > 0;)
-      sum = {sum.x + row.direction[n - i].x * row.sway[i].x, sum.y + row.direction[n - i].y * row.sway[i].y};
+    for (std::size_t i = couplings; i-- > 0;)
+      sum = {sum.x + row.direction[n - i].x * row.coupling[i].x,
+             sum.y + row.direction[n - i].y * row.coupling[i].y};
     return sum.x + sum.y;
   }
 
   /// Order n of what each block feels of the others and of the lift, and of the forces.
   template <class Order>
-  void couple(Order n, const PerBlock<Point2, N>& bends, const Point2& lift) {
+  void couple(Order n, const PerBlock<Point2, N>& second_derivatives, const Point2& lift) {
     Point2 below = lift;
     for (std::size_t k = 0; k < size(); ++k) {
       Row& row = rows_[k];
-      row.sway[n] = sway(below, linkage_.moment_x[k], linkage_.moment_y[k]);
+      row.coupling[n] = coupling_of(below, linkage_.moment_x[k], linkage_.moment_y[k]);
       if (forces_) row.force[n] = linkage_.mass[k] * below;
-      if (k + 1 < size()) below = below + turned(bends[k], linkage_.link_x[k], linkage_.link_y[k]);
+      if (k + 1 < size())
+        below = below + turned(second_derivatives[k], linkage_.link_x[k], linkage_.link_y[k]);
     }
     Point2 above = none();
     for (std::size_t k = size(); k-- > 0;) {
       Row& row = rows_[k];
-      if (k + 1 < size()) row.sway[n] = row.sway[n] + sway(above, linkage_.link_x[k], linkage_.link_y[k]);
+      if (k + 1 < size())
+        row.coupling[n] = row.coupling[n] + coupling_of(above, linkage_.link_x[k], linkage_.link_y[k]);
       if (k == 0 && !forces_) break;
-      above = above + turned(bends[k], linkage_.moment_x[k], linkage_.moment_y[k]);
+      above = above + turned(second_derivatives[k], linkage_.moment_x[k], linkage_.moment_y[k]);
       if (forces_) row.force[n] = row.force[n] + above;
     }
   }
@@ -262,7 +269,7 @@ class ChainSeries {
   static Point2 ahead(const Point2& direction) { return {-direction.y, direction.x}; }
   /// What the cosine and the sine of a block's angle are multiplied by to give (x, y)⊥ · push, with (x, y) in
   /// the block's frame.
-  static Point2 sway(const Point2& push, const Real& x, const Real& y) {
+  static Point2 coupling_of(const Point2& push, const Real& x, const Real& y) {
     return {y * push.x - x * push.y, -(x * push.x + y * push.y)};
   }
 

@@ -20,15 +20,15 @@ struct ForceCourses {
 
 /// What bounds on a whole step have told before it is looked at: where there is nothing to find.
 struct Cleared {
-  Interfaces gaps;    ///< of interfaces that stay open
-  Interfaces angles;  ///< of blocks that do not topple, nor lean more than before
-  Interfaces forces;  ///< that demand no more than before
+  Interfaces contacts;  ///< of interfaces that stay open, or closed
+  Interfaces angles;    ///< of blocks that do not topple, nor lean more than before
+  Interfaces forces;    ///< that demand no more than before
 };
 
-/// Motion over one step as polynomials in s = τ/length, 0 ≤ s ≤ 1: one a relative angle, rad. Events and
-/// samples are read from these alone, whatever integrator made them.
+/// The dense output of a step: its motion as polynomials in s = τ/length, 0 ≤ s ≤ 1: one a relative angle,
+/// rad. Events and samples are read from these alone, whatever integrator made them.
 template <class Real, int N = Eigen::Dynamic>
-struct Flow {
+struct DenseOutput {
   Real length;  ///< s
   State<Real, N> start;
   std::array<Polynomial<Real>, capacity(N)> angles{};      ///< of open interfaces; without terms where closed

@@ -68,7 +68,7 @@ class GroundPieces {
     if (motion.pulse) {
       course = pulse_course(*motion.pulse);
     } else if (!motion.samples.empty()) {
-      sample = course.end == piece_.start ? sample + 1 : last_sample(motion);
+      sample = course.end == piece_.start ? sample + 1 : last_sample(Real(motion.interval));
       course = line_course(motion, sample);
     }
   }
@@ -81,12 +81,10 @@ class GroundPieces {
                               : GroundCourse<Real>{};
   }
 
-  /// Before or at the start of the piece; after the end of the samples any number beyond theirs.
-  std::ptrdiff_t last_sample(const GroundMotion& motion) const {
-    const Real interval(motion.interval);
+  /// Before or at the start of the piece.
+  std::ptrdiff_t last_sample(const Real& interval) const {
     // The quotient of a sample's time by the interval may round to just below its number.
-    const auto sample =
-        static_cast<std::ptrdiff_t>(std::min<Real>(piece_.start / interval, Real(motion.samples.size())));
+    const auto sample = static_cast<std::ptrdiff_t>(piece_.start / interval);
     return Real(sample + 1) * interval <= piece_.start ? sample + 1 : sample;
   }
 

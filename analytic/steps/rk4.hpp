@@ -20,30 +20,31 @@ class Rk4Steps {
   /// interfaces: the quintic that has the angle, velocity and acceleration of both its ends. Its error, of
   /// order length⁶, stays below the method's own. The increments enter as they are, not as differences of end
   /// states, so that motions that start from zero keep their relative precision.
-  Flow<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& towards,
-                           const Linkage<Real, N>&, const GroundPiece<Real>& piece, const Real& offset,
-                           const Real& remaining, const Interfaces& watched) const {
+  DenseOutput<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& directions,
+                                  const Linkage<Real, N>&, const GroundPiece<Real>& piece, const Real& offset,
+                                  const Real& remaining, const Interfaces& watched) const {
     using std::ceil;
     // A stack at rest needs no steps where the ground's straight line alone decides when it opens.
     const bool whole = is_closed(state.pattern) && piece.straight();
     const Real length = whole ? remaining : remaining / ceil(remaining / step_);
-    Flow<Real, N> flow = free_motion(state, towards, piece, offset, length);
-    if (watched.any()) add_margins(piece, offset, watched, flow);
-    return flow;
+    DenseOutput<Real, N> output = free_motion(state, directions, piece, offset, length);
+    if (watched.any()) add_margins(piece, offset, watched, output);
+    return output;
   }
 
  private:
   static constexpr std::size_t nodes = 5;  ///< points of a step at which margins are evaluated
 
-  Flow<Real, N> free_motion(const State<Real, N>& state, const Directions<Real, N>& towards,
-                            const GroundPiece<Real>& piece, const Real& offset, const Real& length) const {
+  DenseOutput<Real, N> free_motion(const State<Real, N>& state, const Directions<Real, N>& directions,
+                                   const GroundPiece<Real>& piece, const Real& offset,
+                                   const Real& length) const {
     const auto derivative = [&](const Vector<Real, N>& angles, const Vector<Real, N>& velocities,
                                 const Real& tau) {
       return accelerations(model_, State<Real, N>{state.pattern, angles, velocities}, piece.at(offset + tau));
     };
     const Real half = length / 2;
     const Vector<Real, N>& start = state.velocities;
-    const Vector<Real, N> a1 = accelerations(model_, state, towards, piece.at(offset));
+    const Vector<Real, N> a1 = accelerations(model_, state, directions, piece.at(offset));
     const Vector<Real, N> v2 = start + half * a1;
     const Vector<Real, N> a2 = derivative(state.angles + half * start, v2, half);
     const Vector<Real, N> v3 = start + half * a2;
@@ -55,12 +56,12 @@ class Rk4Steps {
     const Vector<Real, N> gain = length / 6 * (a1 + 2 * (a2 + a3) + a4);
     const Vector<Real, N> end = derivative(state.angles + length * (start + mean), start + gain, length);
 
-    Flow<Real, N> flow{length, state, {}, {}};
+    DenseOutput<Real, N> output{length, state, {}, {}};
     for (int k = 0; k < state.pattern.size; ++k) {
       if (state.pattern[k] == Contact::closed) continue;
       const Real curve = length * a1[k] / 2;
       const Real last = length * end[k];
-      flow.angles[static_cast<std::size_t>(k)] = {
+      output.angles[static_cast<std::size_t>(k)] = {
           state.angles[k],
           length * start[k],
           length * curve,
@@ -68,18 +69,18 @@ class Rk4Steps {
           length * (7 * gain[k] - 15 * mean[k] + 3 * curve - last),
           length * (6 * mean[k] - 3 * gain[k] - curve + last / 2)};
     }
-    return flow;
+    return output;
   }
 
   /// The quartics through five points of the step.
   void add_margins(const GroundPiece<Real>& piece, const Real& offset, const Interfaces& watched,
-                   Flow<Real, N>& flow) const {
+                   DenseOutput<Real, N>& output) const {
     std::array<std::array<Margins<Real>, nodes>, capacity(N)> values;
     for (std::size_t i = 0; i < nodes; ++i) {
       const Real s = Real(i) / Real(nodes - 1);
-      const auto outcome = accelerate(model_, flow.at(s), piece.at(offset + s * flow.length));
-      for (int k = 0; k < flow.start.pattern.size; ++k) {
-        values[static_cast<std::size_t>(k)][i] = margins(model_.stack, outcome.reactions, k);
+      const auto solution = accelerate(model_, output.at(s), piece.at(offset + s * output.length));
+      for (int k = 0; k < output.start.pattern.size; ++k) {
+        values[static_cast<std::size_t>(k)][i] = margins(model_.stack, solution.reactions, k);
       }
     }
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -90,7 +91,7 @@ class Rk4Steps {
         right[i] = values[k][i].right;
         left[i] = values[k][i].left;
       }
-      flow.margins[k] = {quartic_through(right), quartic_through(left)};
+      output.margins[k] = {quartic_through(right), quartic_through(left)};
     }
   }
 

@@ -41,14 +41,14 @@ struct StepStart {
     const Real zero = 0;
     Real first = 1;
     for (std::size_t k = 0; k < series.size(); ++k) {
-      const Real gap = sides[k] * angles[k];
+      const Real angle = sides[k] * angles[k];
       const Real speed = sides[k] * advances[k];
       const Real acceleration = sides[k] * series.relative(k, 0);
-      const Real radicand = speed * speed - 2 * acceleration * gap;
+      const Real radicand = speed * speed - 2 * acceleration * angle;
       const auto returns = (radicand > zero) & ((speed < zero) | (acceleration < zero));
       if (!any(returns)) continue;
       const Real root = sqrt(radicand);
-      const Real s = select(speed < zero, 2 * gap / (root - speed), (root + speed) / -acceleration);
+      const Real s = select(speed < zero, 2 * angle / (root - speed), (root + speed) / -acceleration);
       const Real end = s * (1 + s * length * rate) * Real(1.0625);
       first = select(returns & (s > zero), min(first, end), first);
     }

@@ -8,7 +8,7 @@ namespace rockstack {
 
 /// Makes steps from Taylor series: as long as the ground's course is smooth, or as the highest order allows.
 /// The order is the lowest whose last coefficients are below the tolerance, and that leaves none of the
-/// pull's out; where there is none, the step is shorter (body_force.hpp).
+/// body force's out; where there is none, the step is shorter (body_force.hpp).
 template <class Real, int N>
 class TaylorSteps {
  public:
@@ -24,48 +24,48 @@ class TaylorSteps {
 
   /// A step from `offset` into a ground piece, no longer than `remaining`, with margins of `watched`
   /// interfaces.
-  Flow<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& towards,
-                           const Linkage<Real, N>& linkage, const GroundPiece<Real>& piece,
-                           const Real& offset, const Real& remaining, const Interfaces& watched) {
+  DenseOutput<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& directions,
+                                  const Linkage<Real, N>& linkage, const GroundPiece<Real>& piece,
+                                  const Real& offset, const Real& remaining, const Interfaces& watched) {
     const Real step = length(piece, remaining);
-    Pull<Real> pull = make_pull(model_.gravity, piece, offset, step);
-    const std::size_t pulls = std::max(pull.x.terms, pull.y.terms);
+    ScaledBodyForce<Real> body_force = scaled_body_force(model_.gravity, piece, offset, step);
+    const std::size_t body_force_terms = std::max(body_force.x.terms, body_force.y.terms);
     if (is_closed(state.pattern)) {
-      Flow<Real, N> flow{step, state, {}, {}};
-      stand(linkage, pull, watched, flow);
-      lengthen(flow.length, pulls);
-      return flow;
+      DenseOutput<Real, N> output{step, state, {}, {}};
+      margins_at_rest(linkage, body_force, watched, output);
+      lengthen(output.length, body_force_terms);
+      return output;
     }
     StepStart<Real, N> start{{}, {}, {}, step, rate_};
-    typename ChainSeries<Real, N>::Directions directions;
+    typename ChainSeries<Real, N>::Directions block_directions;
     for (std::size_t k = 0; k < linkage.size(); ++k) {
       const auto block = static_cast<int>(k);
       start.sides[k] = Real(sign(state.pattern[block]));
       start.angles[k] = state.angles[block];
       start.advances[k] = state.velocities[block] * step;
-      directions[k] = {towards.cosine[block], towards.sine[block]};
+      block_directions[k] = {directions.cosine[block], directions.sine[block]};
     }
     ChainSeries<Real, N> series(linkage, model_.equations == Equations::linear, forces_ || watched.any(),
-                                directions, start.advances);
-    series.extend(0, pull);
+                                block_directions, start.advances);
+    series.extend(0, body_force);
     const Real ratio = start.landing(series);
     if (ratio < 1) {
       start.shorten(ratio);
-      shorten(pull, ratio);
+      shorten(body_force, ratio);
       series.shorten(ratio);
     }
     Convergence<Real> convergence(tolerance_);
     bool reached = false;
     std::size_t orders = 0;
-    for (; !(reached && orders >= pulls) && orders < max_orders<Real>; ++orders) {
-      if (orders > 0) series.extend(orders, pull);
+    for (; !(reached && orders >= body_force_terms) && orders < max_orders<Real>; ++orders) {
+      if (orders > 0) series.extend(orders, body_force);
       reached = convergence.note_order(start, series, orders);
     }
-    Flow<Real, N> flow{start.length, state, {}, {}};
-    read(start, series, orders, watched, flow);
-    if (forces_) read_forces(series, orders, flow);
-    fit(reached ? Real(0) : convergence.excess(), orders, flow);
-    return flow;
+    DenseOutput<Real, N> output{start.length, state, {}, {}};
+    read(start, series, orders, watched, output);
+    if (forces_) read_forces(series, orders, output);
+    fit(reached ? Real(0) : convergence.excess(), orders, output);
+    return output;
   }
 
   /// Of the next step, with `remaining` s of a ground piece to go, unless something ends it, s.
@@ -77,24 +77,24 @@ class TaylorSteps {
   /// lengthens the next where it did easily. Of n orders, what is left goes with the length's n-th power at
   /// least, and what is allowed with its third at most; so the second ratio is short enough. The first leaves
   /// room, and is the lesser one but for a large excess.
-  void fit(const Real& excess, std::size_t orders, Flow<Real, N>& flow) {
+  void fit(const Real& excess, std::size_t orders, DenseOutput<Real, N>& output) {
     using std::pow;
     if (excess > 1) {
       const Real ratio = std::min<Real>(pow(excess, Real(-1) / Real(orders - 1)) * Real(0.9),
                                         pow(excess, Real(-1) / Real(orders - 3)));
-      flow.length *= ratio;
-      longest_ = flow.length;
-      for (auto& angle : flow.angles) rescale(angle, ratio);
-      for (auto& margin : flow.margins) {
+      output.length *= ratio;
+      longest_ = output.length;
+      for (auto& angle : output.angles) rescale(angle, ratio);
+      for (auto& margin : output.margins) {
         rescale(margin.right, ratio);
         rescale(margin.left, ratio);
       }
-      for (auto& force : flow.forces) {
+      for (auto& force : output.forces) {
         rescale(force.normal, ratio);
         rescale(force.tangential, ratio);
       }
     } else {
-      lengthen(flow.length, orders);
+      lengthen(output.length, orders);
     }
   }
 
@@ -107,20 +107,20 @@ class TaylorSteps {
   const Real& rate() const { return rate_; }
 
  private:
-  /// The margins of a stack at rest: what pulls at it acts at its centres of mass.
-  void stand(const Linkage<Real, N>& linkage, const Pull<Real>& pull, const Interfaces& watched,
-             Flow<Real, N>& flow) const {
+  /// The margins of a stack at rest: body forces act at its centres of mass.
+  void margins_at_rest(const Linkage<Real, N>& linkage, const ScaledBodyForce<Real>& body_force,
+                       const Interfaces& watched, DenseOutput<Real, N>& output) const {
     Real moment = 0;  // of the masses above an interface, about its height, kg·m
     for (std::size_t k = linkage.size(); k-- > 0;) {
       moment += linkage.moment_y[k];
-      if (forces_) stand_on(linkage.mass[k], pull, flow.length, flow.forces[k]);
+      if (forces_) forces_at_rest(linkage.mass[k], body_force, output.length, output.forces[k]);
       if (!watched.test(k)) continue;
       const Real push = linkage.mass[k] * model_.stack.half_width[static_cast<int>(k)];
-      MarginCourses<Real>& margin = flow.margins[k];
-      margin.right.terms = margin.left.terms = std::max(pull.x.terms, pull.y.terms);
+      MarginCourses<Real>& margin = output.margins[k];
+      margin.right.terms = margin.left.terms = std::max(body_force.x.terms, body_force.y.terms);
       for (std::size_t n = 0; n < margin.right.terms; ++n) {
-        const Real upright = n < pull.y.terms ? -pull.y[n] * push : Real(0);
-        const Real lean = n < pull.x.terms ? -pull.x[n] * moment : Real(0);
+        const Real upright = n < body_force.y.terms ? -body_force.y[n] * push : Real(0);
+        const Real lean = n < body_force.x.terms ? -body_force.x[n] * moment : Real(0);
         margin.right[n] = upright + lean;
         margin.left[n] = upright - lean;
       }
@@ -128,27 +128,27 @@ class TaylorSteps {
   }
 
   /// What an interface carries of a mass that is at rest above it.
-  static void stand_on(const Real& mass, const Pull<Real>& pull, const Real& length,
-                       ForceCourses<Real>& force) {
+  static void forces_at_rest(const Real& mass, const ScaledBodyForce<Real>& body_force, const Real& length,
+                             ForceCourses<Real>& force) {
     const Real scale = -mass / (length * length);
-    force.normal.terms = force.tangential.terms = std::max(pull.x.terms, pull.y.terms);
+    force.normal.terms = force.tangential.terms = std::max(body_force.x.terms, body_force.y.terms);
     for (std::size_t n = 0; n < force.normal.terms; ++n) {
-      force.normal[n] = n < pull.y.terms ? pull.y[n] * scale : Real(0);
-      force.tangential[n] = n < pull.x.terms ? pull.x[n] * scale : Real(0);
+      force.normal[n] = n < body_force.y.terms ? body_force.y[n] * scale : Real(0);
+      force.tangential[n] = n < body_force.x.terms ? body_force.x[n] * scale : Real(0);
     }
   }
 
   void read(const StepStart<Real, N>& start, const ChainSeries<Real, N>& series, std::size_t orders,
-            const Interfaces& watched, Flow<Real, N>& flow) const {
+            const Interfaces& watched, DenseOutput<Real, N>& output) const {
     for (std::size_t k = 0; k < series.size(); ++k) {
-      if (flow.start.pattern[static_cast<int>(k)] != Contact::closed) {
-        Polynomial<Real>& angle = flow.angles[k];
+      if (output.start.pattern[static_cast<int>(k)] != Contact::closed) {
+        Polynomial<Real>& angle = output.angles[k];
         angle.terms = orders + 2;
         angle[0] = start.angles[k];
         angle[1] = start.advances[k];
         for (std::size_t n = 0; n < orders; ++n) angle[n + 2] = series.angle(k, n);
       } else if (watched.test(k)) {
-        MarginCourses<Real>& margin = flow.margins[k];
+        MarginCourses<Real>& margin = output.margins[k];
         margin.right.terms = margin.left.terms = orders;
         for (std::size_t n = 0; n < orders; ++n) {
           const auto coefficient = series.margin(k, n);
@@ -159,10 +159,11 @@ class TaylorSteps {
     }
   }
 
-  void read_forces(const ChainSeries<Real, N>& series, std::size_t orders, Flow<Real, N>& flow) const {
-    const Real scale = 1 / (flow.length * flow.length);
+  void read_forces(const ChainSeries<Real, N>& series, std::size_t orders,
+                   DenseOutput<Real, N>& output) const {
+    const Real scale = 1 / (output.length * output.length);
     for (int k = 0; k < model_.stack.size(); ++k) {
-      ForceCourses<Real>& course = flow.forces[static_cast<std::size_t>(k)];
+      ForceCourses<Real>& course = output.forces[static_cast<std::size_t>(k)];
       course.normal.terms = course.tangential.terms = orders;
       for (std::size_t n = 0; n < orders; ++n) {
         const auto force = series.force(static_cast<std::size_t>(k), face(model_.stack, k), n);

@@ -97,9 +97,9 @@ std::size_t count_failed(const std::filesystem::path& runs) {
   return count;
 }
 
-void write_timing(const SweepResult& result, const Workers& workers, const SweepOptions& options) {
+void write_timing(const SweepResult& result, const Executor& executor, const SweepOptions& options) {
   const Json json{{"command", options.command},
-                  {"workers", workers.description()},
+                  {"workers", executor.description()},
                   {"runs_computed", result.computed},
                   {"seconds", result.seconds}};
   write_file(options.folder / "timing.json", json.dump(2) + "\n");
@@ -119,7 +119,7 @@ std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibra
   return run_lines(ensemble, first, first + length_of(block, runs), library);
 }
 
-SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Workers& workers,
+SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& executor,
                   const SweepOptions& options) {
   SweepResult result{.runs = run_count(ensemble)};
   Journal journal(options.folder, identity(ensemble, library) + std::to_string(block_size(result.runs)));
@@ -134,19 +134,19 @@ SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Workers& wor
   const std::size_t begun_with = result.done;
   options.progress(result.done, begun_with, result.runs);
   const auto start = std::chrono::steady_clock::now();
-  workers.run(blocks, {[&](std::size_t block) { return block_lines(ensemble, block, library); },
-                       [&](std::size_t block, const std::string& lines) {
-                         journal.append(block, lines);
-                         result.done += length_of(block, result.runs);
-                         options.progress(result.done, begun_with, result.runs);
-                       },
-                       options.stopped});
+  executor.run(blocks, {[&](std::size_t block) { return block_lines(ensemble, block, library); },
+                        [&](std::size_t block, const std::string& lines) {
+                          journal.append(block, lines);
+                          result.done += length_of(block, result.runs);
+                          options.progress(result.done, begun_with, result.runs);
+                        },
+                        options.stopped});
   result.computed = result.done - begun_with;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!result.finished()) return result;
   write_results(ensemble, journal, options.folder);
   result.failed = count_failed(options.folder / "runs.csv");
-  if (result.computed > 0) write_timing(result, workers, options);
+  if (result.computed > 0) write_timing(result, executor, options);
   return result;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "comparisons/ensemble/ensemble.hpp"
-#include "comparisons/runs/workers.hpp"
+#include "comparisons/runs/executor.hpp"
 
 namespace rockstack {
 
@@ -33,10 +33,10 @@ std::size_t block_size(std::size_t runs);
 std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibrary& library);
 
 /// Makes the runs of an ensemble that DIR/runs.journal does not have yet. Once all are there it writes
-/// runs.csv, sweep.json and summaries, whose bytes depend neither on the workers nor on interruptions, and
-/// timing.json. Precondition: workers.leads().
+/// runs.csv, sweep.json and summaries, whose bytes depend neither on the executor nor on interruptions, and
+/// timing.json. Precondition: executor.leads().
 /// @throws InputError where the folder holds another ensemble.
-SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Workers& workers,
+SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& executor,
                   const SweepOptions& options);
 
 }  // namespace rockstack

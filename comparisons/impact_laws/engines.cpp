@@ -118,6 +118,10 @@ std::vector<ImpactCase> clear_cases(const std::vector<Disagreement>& disagreemen
   return cases;
 }
 
+std::string name(Follows follows) {
+  return follows == Follows::consistent ? "consistent" : follows == Follows::paper ? "paper" : "neither";
+}
+
 EngineVerdict ask_engine(const ImpactCase& question, const EngineSeries& series, double dt) {
   EngineVerdict verdict{
       series.engine->name(), series.engine->solver(), series.settings, dt, {}, {}, {}, {}, 0, 0};
@@ -128,14 +132,13 @@ EngineVerdict ask_engine(const ImpactCase& question, const EngineSeries& series,
     if (half < 1 || half > last) throw std::runtime_error("the step is too long, or a block toppled");
     verdict.rates = mean_rates(history, last - half, last);
     verdict.pattern = pattern_at(question, history.angles_at(last));
-    verdict.follows = verdict.pattern == question.disagreement.consistent ? "consistent"
-                      : verdict.pattern == question.disagreement.paper    ? "paper"
-                                                                          : "neither";
+    verdict.follows = verdict.pattern == question.disagreement.consistent ? Follows::consistent
+                      : verdict.pattern == question.disagreement.paper    ? Follows::paper
+                                                                          : Follows::neither;
     verdict.from_paper = largest_apart(verdict.rates, question.paper) / question.largest_rate;
     verdict.from_consistent = largest_apart(verdict.rates, question.consistent) / question.largest_rate;
   } catch (const std::exception& failure) {
     verdict.failure = failure.what();
-    verdict.follows = "failed";
   }
   return verdict;
 }

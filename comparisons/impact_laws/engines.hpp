@@ -35,13 +35,19 @@ struct ImpactCase {
 /// scene's first event is not that impact, or another follows within `follow`.
 std::vector<ImpactCase> clear_cases(const std::vector<Disagreement>& disagreements, double least_clearness);
 
+/// The law whose pattern an engine shows after an impact.
+enum class Follows { consistent, paper, neither };
+
+/// "consistent", …
+std::string name(Follows follows);
+
 /// One engine run of a case.
 struct EngineVerdict {
   std::string engine, solver, settings;
   double dt = 0;               ///< s
   std::string failure;         ///< why there is no answer, or empty
   Pattern pattern;             ///< `follow` after the impact
-  std::string follows;         ///< "consistent", "paper" or "neither"
+  Follows follows{};           ///< where there is an answer
   std::vector<double> rates;   ///< mean angular velocities over the second half of `follow`, rad/s
   double from_paper = 0;       ///< largest difference of those rates from law paper's, over largest_rate
   double from_consistent = 0;  ///< likewise from law consistent's

@@ -25,7 +25,7 @@ Range part(const Range& range, int i, int count) {
   return {edge(i), edge(i + 1)};
 }
 
-Scene draw_blocks(const ImpactDraws& draws, int count, const Range& slenderness, const Range& mass_ratio,
+Scene draw_blocks(const ImpactDraws& draws, int count, const Range& aspect_ratio, const Range& mass_ratio,
                   std::mt19937_64& random) {
   Scene scene;
   double half_width = 1;
@@ -34,7 +34,7 @@ Scene draw_blocks(const ImpactDraws& draws, int count, const Range& slenderness,
     const bool top = k == count - 1;
     if (k > 0) half_width *= uniform(draws.width_ratio, random);
     if (k > 0) mass *= log_uniform(top ? mass_ratio : draws.mass_ratio, random);
-    const double half_height = half_width * log_uniform(top ? slenderness : draws.base_slenderness, random);
+    const double half_height = half_width * log_uniform(top ? aspect_ratio : draws.base_aspect_ratio, random);
     scene.blocks.push_back({half_width, half_height, mass, rectangle_inertia(mass, half_width, half_height)});
   }
   return scene;
@@ -58,19 +58,20 @@ State<double> draw_state(const ImpactDraws& draws, const ImpactKind& kind, doubl
 
 /// The forces of the motion before: every interface pushes, closed ones inside their width.
 bool carries_itself(const Model<double>& model, const State<double>& state) {
-  const Outcome<double> outcome = accelerate(model, state, {0, 0});
-  if (!pushes(outcome)) return false;
+  const PatternSolution<double> solution = accelerate(model, state, {0, 0});
+  if (!pushes(solution)) return false;
   for (int k = 0; k < state.pattern.size; ++k) {
     if (state.pattern[k] != Contact::closed) continue;
-    const Margins<double> margin = margins(model.stack, outcome.reactions, k);
+    const Margins<double> margin = margins(model.stack, solution.reactions, k);
     if (margin.left < 0 || margin.right < 0) return false;
   }
   return true;
 }
 
-bool admissible(const Model<double>& model, const Outcome<double>& outcome, const Interfaces& touching) {
-  return kinematically_admissible(outcome, touching) && pushes(outcome) &&
-         !first_violation(model.stack, outcome, touching, 0.0);
+bool admissible(const Model<double>& model, const PatternSolution<double>& solution,
+                const Interfaces& touching) {
+  return kinematically_admissible(solution, touching) && pushes(solution) &&
+         !first_violation(model.stack, solution, touching, 0.0);
 }
 
 /// How clearly an engine can tell the two answers of an impact apart.
@@ -109,7 +110,7 @@ void fill(const ImpactDraws& draws, ImpactShare& share, std::mt19937_64& random,
   constexpr int attempts = 50;
   for (int i = 0; i < draws.samples; ++i) {
     const auto drawn =
-        draw_impact(draws, share.kind, share.slenderness, share.mass_ratio, attempts, random, share.drawn);
+        draw_impact(draws, share.kind, share.aspect_ratio, share.mass_ratio, attempts, random, share.drawn);
     if (!drawn) continue;
     const LawVerdict verdict = judge(*drawn);
     ++share.impacts;
@@ -148,11 +149,11 @@ std::vector<ImpactKind> impact_kinds(int blocks) {
 }
 
 std::optional<DrawnImpact> draw_impact(const ImpactDraws& draws, const ImpactKind& kind,
-                                       const Range& slenderness, const Range& mass_ratio, int attempts,
+                                       const Range& aspect_ratio, const Range& mass_ratio, int attempts,
                                        std::mt19937_64& random, int& drawn) {
   for (int i = 0; i < attempts; ++i) {
     ++drawn;
-    DrawnImpact result{draw_blocks(draws, kind.before.size, slenderness, mass_ratio, random), {}};
+    DrawnImpact result{draw_blocks(draws, kind.before.size, aspect_ratio, mass_ratio, random), {}};
     const Model<double> model = make_model<double>(result.scene);
     const double rate_scale = std::sqrt(model.gravity / (2 * model.stack.half_height.sum()));
     result.impact.before = draw_state(draws, kind, rate_scale, random);
@@ -165,14 +166,14 @@ std::optional<DrawnImpact> draw_impact(const ImpactDraws& draws, const ImpactKin
 LawVerdict judge(const DrawnImpact& drawn) {
   const Model<double> model = make_model<double>(drawn.scene);
   const Interfaces touching = drawn.impact.touching();
-  LawVerdict verdict{paper_outcome(model, drawn.impact), std::nullopt};
+  LawVerdict verdict{paper_solution(model, drawn.impact), std::nullopt};
   for (const Pattern& pattern : candidates(drawn.impact.before.pattern, touching)) {
-    Outcome<double> outcome = velocities_after(model, drawn.impact, pattern);
-    if (!admissible(model, outcome, touching)) continue;
+    PatternSolution<double> solution = velocities_after(model, drawn.impact, pattern);
+    if (!admissible(model, solution, touching)) continue;
     ++verdict.admissible;
-    verdict.consistent = std::move(outcome);
+    verdict.consistent = std::move(solution);
   }
-  verdict.missed = verdict.consistent && !consistent_outcome(model, drawn.impact);
+  verdict.missed = verdict.consistent && !consistent_solution(model, drawn.impact);
   return verdict;
 }
 
@@ -182,9 +183,9 @@ ImpactLaws study_impact_laws(const ImpactDraws& draws) {
   for (const int blocks : draws.blocks) {
     for (const ImpactKind& kind : impact_kinds(blocks)) {
       for (int i = 0; i < draws.cells * draws.cells; ++i) {
-        const Range slenderness = part(draws.slenderness, i % draws.cells, draws.cells);
+        const Range aspect_ratio = part(draws.aspect_ratio, i % draws.cells, draws.cells);
         const Range mass_ratio = part(draws.mass_ratio, i / draws.cells, draws.cells);
-        result.shares.push_back({blocks, kind, slenderness, mass_ratio});
+        result.shares.push_back({blocks, kind, aspect_ratio, mass_ratio});
         fill(draws, result.shares.back(), random, result.disagreements);
       }
     }

@@ -22,15 +22,15 @@ struct Range {
 /// What impacts are drawn from. Lengths follow from a lowest block 2 m wide, masses from one of 1 kg.
 struct ImpactDraws {
   std::uint64_t seed = 1;
-  int samples = 400;                ///< impacts a cell and kind
-  int cells = 8;                    ///< along either axis of the grid
-  std::vector<int> blocks{2, 3};    ///< stacks of so many blocks, each 2 or 3
-  Range slenderness{0.25, 8};       ///< h/b of the top block, logarithmic axis of the grid
-  Range mass_ratio{0.05, 20};       ///< of a block to the one below, logarithmic axis of the grid
-  Range base_slenderness{0.25, 8};  ///< h/b of the other blocks
-  Range width_ratio{0.3, 1};        ///< of a block to the one below
-  double largest_angle = 0.3;       ///< of an open interface that does not impact, rad
-  Range speed{0.05, 0.5};           ///< largest relative rate before, in √(g/H), H the stack's height
+  int samples = 400;                 ///< impacts a cell and kind
+  int cells = 8;                     ///< along either axis of the grid
+  std::vector<int> blocks{2, 3};     ///< stacks of so many blocks, each 2 or 3
+  Range aspect_ratio{0.25, 8};       ///< h/b of the top block, logarithmic axis of the grid
+  Range mass_ratio{0.05, 20};        ///< of a block to the one below, logarithmic axis of the grid
+  Range base_aspect_ratio{0.25, 8};  ///< h/b of the other blocks
+  Range width_ratio{0.3, 1};         ///< of a block to the one below
+  double largest_angle = 0.3;        ///< of an open interface that does not impact, rad
+  Range speed{0.05, 0.5};            ///< largest relative rate before, in √(g/H), H the stack's height
 };
 
 /// A kind of impact: the pattern before and the open interface that closes (index from 0).
@@ -54,13 +54,13 @@ struct DrawnImpact {
 /// Draws until the pattern before carries itself (every pivot pushes, every centre of pressure lies inside),
 /// at most `attempts` times; nothing where it never does. `drawn` counts the attempts.
 std::optional<DrawnImpact> draw_impact(const ImpactDraws& draws, const ImpactKind& kind,
-                                       const Range& slenderness, const Range& mass_ratio, int attempts,
+                                       const Range& aspect_ratio, const Range& mass_ratio, int attempts,
                                        std::mt19937_64& random, int& drawn);
 
 /// What the laws make of an impact. `consistent` is empty where no candidate is.
 struct LawVerdict {
-  Outcome<double> paper;
-  std::optional<Outcome<double>> consistent;
+  PatternSolution<double> paper;
+  std::optional<PatternSolution<double>> consistent;
   int admissible = 0;   ///< candidates that are admissible both ways, of all 3ⁿ for n touching interfaces
   bool missed = false;  ///< law `consistent` finds none although there is one
 
@@ -73,7 +73,7 @@ LawVerdict judge(const DrawnImpact& drawn);
 struct ImpactShare {
   int blocks = 0;
   ImpactKind kind;
-  Range slenderness, mass_ratio;
+  Range aspect_ratio, mass_ratio;
   int drawn = 0;    ///< states, among them those whose pattern cannot carry itself
   int impacts = 0;  ///< states that were judged
   int differ = 0;   ///< both laws have an answer, and not the same

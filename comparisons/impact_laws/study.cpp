@@ -62,9 +62,9 @@ ImpactDraws read_draws(const Node& root) {
   draws.samples = read_count(root, "samples", draws.samples, 1'000'000);
   draws.cells = read_count(root, "cells", draws.cells, 100);
   draws.blocks = read_blocks(root, draws.blocks);
-  draws.slenderness = read_range(root, "slenderness", draws.slenderness);
+  draws.aspect_ratio = read_range(root, "aspect_ratio", draws.aspect_ratio);
   draws.mass_ratio = read_range(root, "mass_ratio", draws.mass_ratio);
-  draws.base_slenderness = read_range(root, "base_slenderness", draws.base_slenderness);
+  draws.base_aspect_ratio = read_range(root, "base_aspect_ratio", draws.base_aspect_ratio);
   draws.width_ratio = read_range(root, "width_ratio", draws.width_ratio);
   draws.largest_angle = read_positive(root, "largest_angle", draws.largest_angle);
   draws.speed = read_range(root, "speed", draws.speed);
@@ -84,8 +84,8 @@ struct Definition {
 constexpr Definition share_columns[]{
     {"blocks", "number of blocks"},
     {"kind", "pattern before the impact, and where it takes place; one of each pair of mirror images"},
-    {"slenderness_from", "height over width of the top block: the cell's edges"},
-    {"slenderness_to", "likewise"},
+    {"aspect_ratio_from", "height over width of the top block: the cell's edges"},
+    {"aspect_ratio_to", "likewise"},
     {"mass_ratio_from", "mass of the top block over that of the block below: the cell's edges"},
     {"mass_ratio_to", "likewise"},
     {"drawn", "states drawn, among them those whose pattern before cannot carry itself"},
@@ -184,8 +184,8 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
 ImpactLawStudy read_impact_law_study(const std::filesystem::path& file) {
   const Node root = read_toml(file);
   require_table(root,
-                {"study", "title", "seed", "samples", "cells", "blocks", "slenderness", "mass_ratio",
-                 "base_slenderness", "width_ratio", "largest_angle", "speed", "least_clearness", "engines"});
+                {"study", "title", "seed", "samples", "cells", "blocks", "aspect_ratio", "mass_ratio",
+                 "base_aspect_ratio", "width_ratio", "largest_angle", "speed", "least_clearness", "engines"});
   choice<int>(required(root, "study", "\"impact-laws\""), {{"impact-laws", 0}});
   std::ifstream stream(file, std::ios::binary);
   ImpactLawStudy study{text(required(root, "title", "text")),
@@ -229,10 +229,10 @@ std::vector<EngineTally> tallies(const std::vector<AskedCase>& cases) {
         return known.engine == engine && known.dt == verdict.dt;
       });
       if (tally == list.end()) tally = list.insert(list.end(), {engine, verdict.dt});
-      tally->consistent += static_cast<int>(verdict.follows == "consistent");
-      tally->paper += static_cast<int>(verdict.follows == "paper");
-      tally->neither += static_cast<int>(verdict.follows == "neither");
-      tally->failed += static_cast<int>(verdict.follows == "failed");
+      ++(!verdict.failure.empty()                 ? tally->failed
+         : verdict.follows == Follows::consistent ? tally->consistent
+         : verdict.follows == Follows::paper      ? tally->paper
+                                                  : tally->neither);
     }
   }
   return list;
@@ -242,7 +242,7 @@ std::string shares_csv(const std::vector<ImpactShare>& shares) {
   CsvWriter csv;
   add_header(csv, share_columns);
   for (const ImpactShare& share : shares) {
-    csv.line(share.blocks, name(share.kind), share.slenderness.from, share.slenderness.to,
+    csv.line(share.blocks, name(share.kind), share.aspect_ratio.from, share.aspect_ratio.to,
              share.mass_ratio.from, share.mass_ratio.to, share.drawn, share.impacts, share.differ, share.none,
              share.several, share.missed);
   }
@@ -259,9 +259,9 @@ std::string verdicts_csv(const std::vector<AskedCase>& cases) {
       const auto cell = [&](double value) { return failed ? "" : number_text(value); };
       csv.line(question.name, name(found.kind), verdict.engine, verdict.solver, verdict.settings, verdict.dt,
                failed ? "failed" : "done", verdict.failure, name(found.paper), name(found.consistent),
-               failed ? "" : name(verdict.pattern), failed ? "" : verdict.follows, cell(verdict.from_paper),
-               cell(verdict.from_consistent), spaced(question.before), spaced(question.paper),
-               spaced(question.consistent), spaced(verdict.rates));
+               failed ? "" : name(verdict.pattern), failed ? "" : name(verdict.follows),
+               cell(verdict.from_paper), cell(verdict.from_consistent), spaced(question.before),
+               spaced(question.paper), spaced(question.consistent), spaced(verdict.rates));
     }
   }
   return csv.text();

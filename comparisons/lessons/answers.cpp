@@ -22,9 +22,9 @@ History exact_answer(const Scene& scene, double interval) {
   return solve(scene, {.sample_times = regular_times(interval, scene.duration)});
 }
 
-const Row& find_row(const std::vector<Row>& rows, const std::string& engine, const std::string& settings,
-                    double dt) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
+const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine,
+                           const std::string& settings, double dt) {
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const RunMetrics& row) {
     return (row.engine == engine || row.engine + ":" + row.solver == engine) && row.settings == settings &&
            row.dt == dt;
   });

@@ -18,8 +18,8 @@ History exact_answer(const Scene& scene, double interval = 1e-3);
 
 /// The row of a suite's run; one where that run is not done has no numbers.
 /// @throws std::logic_error where the suite has no such run.
-const Row& find_row(const std::vector<Row>& rows, const std::string& engine, const std::string& settings,
-                    double dt);
+const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine,
+                           const std::string& settings, double dt);
 
 /// The first event of a kind, or nullptr.
 const Event* first_event(const History& history, EventKind kind);

@@ -65,7 +65,7 @@ std::size_t count_impacts(const History& history) {
 
 }  // namespace
 
-LessonValues chatter_values(const Suite& suite, const std::vector<Row>& /*rows*/) {
+LessonValues chatter_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
   const Scene& scene = suite.scenes.front().scene;
   const History history = exact_answer(scene);
   const Chatter chatter = first_chatter(history);

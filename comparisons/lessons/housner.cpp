@@ -75,7 +75,7 @@ Table swings(const Scene& scene, const Constants& c) {
 
 }  // namespace
 
-LessonValues housner_values(const Suite& suite, const std::vector<Row>& rows) {
+LessonValues housner_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
   const Scene& scene = suite.scenes.front().scene;
   const Constants c = constants(scene);
   const History history = exact_answer(scene);
@@ -99,8 +99,8 @@ LessonValues housner_values(const Suite& suite, const std::vector<Row>& rows) {
       {"before", fixed(energies.before, 1)},
       {"after", fixed(energies.after, 1)},
       {"difference", percent((energies.before - energies.after) / energies.before, 2)},
-      {"bullet_first", power(*find_row(rows, "bullet", "tuned", 1e-3).first_impact_time_difference, 1)},
-      {"ode_first", power(*find_row(rows, "ode", "tuned", 1e-3).first_impact_time_difference, 1)},
+      {"bullet_first", power(*find_run(rows, "bullet", "tuned", 1e-3).first_impact_time_difference, 1)},
+      {"ode_first", power(*find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference, 1)},
   };
   values.tables = {{"periods", periods(scene, c)}, {"swings", swings(scene, c)}};
   return values;

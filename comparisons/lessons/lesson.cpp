@@ -70,9 +70,10 @@ const Lesson& find_lesson(const std::string& name) {
   throw InputError(fmt::format("teach {}: must be one of {}", name, names));
 }
 
-std::vector<Row> run_lesson(const Lesson& lesson, const fs::path& folder, const CompareOptions& options) {
+std::vector<RunMetrics> run_lesson(const Lesson& lesson, const fs::path& folder,
+                                   const CompareOptions& options) {
   const Suite suite = read_suite(file_of(lesson, ".toml"), {});
-  std::vector<Row> rows = compare({suite}, folder, options).rows;
+  std::vector<RunMetrics> rows = compare({suite}, folder, options).rows;
   const LessonValues values = lesson.values(suite, rows);
   write_file(folder / "lesson.json", lesson_json(lesson, suite, values).dump(2) + "\n");
   return rows;

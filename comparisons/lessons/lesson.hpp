@@ -13,7 +13,7 @@ namespace rockstack {
 /// the suite has been run. Both files are in this folder.
 struct Lesson {
   std::string name;
-  LessonValues (*values)(const Suite& suite, const std::vector<Row>& rows);
+  LessonValues (*values)(const Suite& suite, const std::vector<RunMetrics>& rows);
 };
 
 /// In the order in which to read them.
@@ -26,7 +26,7 @@ std::string title(const Lesson& lesson);
 const Lesson& find_lesson(const std::string& name);
 
 /// Runs a lesson's suite as compare() does, and writes FOLDER/lesson.json: text, numbers and tables.
-std::vector<Row> run_lesson(const Lesson& lesson, const std::filesystem::path& folder,
-                            const CompareOptions& options);
+std::vector<RunMetrics> run_lesson(const Lesson& lesson, const std::filesystem::path& folder,
+                                   const CompareOptions& options);
 
 }  // namespace rockstack

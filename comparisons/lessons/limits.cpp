@@ -61,7 +61,7 @@ Table lifting(const Scene& scene) {
 
 }  // namespace
 
-LessonValues limits_values(const Suite& suite, const std::vector<Row>& rows) {
+LessonValues limits_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
   const Scene& scene = suite.scenes.front().scene;
   const History history = with_demands(scene);
   const Demand& force = history.forces[0];
@@ -78,8 +78,8 @@ LessonValues limits_values(const Suite& suite, const std::vector<Row>& rows) {
       {"least_share", percent(force.least_normal / weight, 1)},
       {"weight", fixed(weight, 0)},
       {"slippery", fixed(scene.engine.friction, 2)},
-      {"bullet_until", fixed(*find_row(rows, "bullet", "tuned", sample_step).agreement_time, 2)},
-      {"ode_until", fixed(*find_row(rows, "ode", "tuned", sample_step).agreement_time, 2)},
+      {"bullet_until", fixed(*find_run(rows, "bullet", "tuned", sample_step).agreement_time, 2)},
+      {"ode_until", fixed(*find_run(rows, "ode", "tuned", sample_step).agreement_time, 2)},
       {"tolerance", fixed(suite.tolerance, 2)}};
   values.tables = {{"slipping", slipping(scene)}, {"lifting", lifting(scene)}};
   return values;

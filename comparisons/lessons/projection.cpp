@@ -39,20 +39,20 @@ Table candidates(const Scene& scene, const Event& event) {
   for (const Contact contact : {Contact::left, Contact::closed, Contact::right}) {
     Pattern pattern = event.from;
     pattern[event.interface - 1] = contact;
-    const Outcome<double> outcome = velocities_after(model, impact, pattern);
-    const Vector<double> rates = absolute(outcome.relative);
+    const PatternSolution<double> solution = velocities_after(model, impact, pattern);
+    const Vector<double> rates = absolute(solution.relative);
     Eigen::Index weakest = 0;
-    const double least = outcome.reactions.normal.minCoeff(&weakest);
+    const double least = solution.reactions.normal.minCoeff(&weakest);
     table.rows.push_back({name(pattern), cell(rates[0], 1), cell(rates[1], 1),
-                          kinematically_admissible(outcome, impact.touching()) ? "yes" : "no",
-                          cell(std::abs(least) > outcome.rounding[weakest] ? least : 0)});
+                          kinematically_admissible(solution, impact.touching()) ? "yes" : "no",
+                          cell(std::abs(least) > solution.rounding[weakest] ? least : 0)});
   }
   return table;
 }
 
 }  // namespace
 
-LessonValues projection_values(const Suite& suite, const std::vector<Row>& /*rows*/) {
+LessonValues projection_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
   const Scene& scene = suite.scenes.front().scene;
   const std::vector<Event> impacts = first_impacts(exact_answer(scene), 8);
   const Event& first = impacts.front();

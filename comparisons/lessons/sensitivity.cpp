@@ -107,7 +107,7 @@ void add_engine(const std::string& name, const std::vector<double>& exact, const
 
 }  // namespace
 
-LessonValues sensitivity_values(const Suite& suite, const std::vector<Row>& rows) {
+LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
   const NamedScene& named = suite.scenes.front();
   const Scene& scene = named.scene;
   const History exact = exact_answer(scene), changed = exact_answer(stronger(scene, change));
@@ -120,8 +120,8 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<Row>& rows
   values.numbers = {
       {"change", power(change, 0)},
       {"parted_exact", fixed(parting(exact, changed, 1e-6), 2)},
-      {"bullet_until", fixed(*find_row(rows, "bullet", "tuned", engine_step).agreement_time, 2)},
-      {"ode_until", fixed(*find_row(rows, "ode", "tuned", engine_step).agreement_time, 2)},
+      {"bullet_until", fixed(*find_run(rows, "bullet", "tuned", engine_step).agreement_time, 2)},
+      {"ode_until", fixed(*find_run(rows, "ode", "tuned", engine_step).agreement_time, 2)},
       {"tolerance", fixed(suite.tolerance, 2)},
       {"seeds", std::to_string(seeds)},
       {"changed_distance", fixed(changed_test.distance, 3)},

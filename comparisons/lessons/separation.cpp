@@ -69,7 +69,7 @@ Table solvers(const Scene& scene, const History& exact) {
 
 }  // namespace
 
-LessonValues separation_values(const Suite& suite, const std::vector<Row>& rows) {
+LessonValues separation_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
   const Scene& scene = suite.scenes.front().scene;
   const History history = exact_answer(scene, 1e-4);
   const Event& opening = *first_event(history, EventKind::opening);
@@ -98,8 +98,8 @@ LessonValues separation_values(const Suite& suite, const std::vector<Row>& rows)
       {"printed_energy", fixed(printed.energy, 3)},
       {"gain", percent(printed.energy - 1, 0)},
       {"loss", percent(1 - right.energy, 0)},
-      {"bullet_rms", power(*find_row(rows, "bullet", "tuned", 1e-4).rms_angle_difference, 1)},
-      {"ode_rms", power(*find_row(rows, "ode", "tuned", 1e-4).rms_angle_difference, 1)},
+      {"bullet_rms", power(*find_run(rows, "bullet", "tuned", 1e-4).rms_angle_difference, 1)},
+      {"ode_rms", power(*find_run(rows, "ode", "tuned", 1e-4).rms_angle_difference, 1)},
   };
   values.tables = {
       {"readings", readings(scene)}, {"events", first_events(history)}, {"solvers", solvers(scene, history)}};

@@ -64,7 +64,7 @@ Table springs(double weight) {
 
 }  // namespace
 
-LessonValues soft_contacts_values(const Suite& suite, const std::vector<Row>& /*rows*/) {
+LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
   const Scene& scene = suite.scenes.front().scene;
   const Event landing = *first_event(exact_answer(scene), EventKind::impact);
   const Block& block = scene.blocks.front();

@@ -16,11 +16,11 @@ double error(const Scene& scene, const History& history) {
   return root_mean_square(difference(solve(scene, {.sample_times = history.times}), history));
 }
 
-Table over_steps(const std::vector<Row>& rows, const std::string& scene) {
+Table over_steps(const std::vector<RunMetrics>& rows, const std::string& scene) {
   Table table{{"engine", "step (s)", "first impact, engine less exact (s)", "RMS angle difference (rad)",
                "agrees within tolerance until (s)"},
               {}};
-  for (const Row& row : rows)
+  for (const RunMetrics& row : rows)
     if (row.dt && row.scene == scene && row.rms_angle_difference)
       table.rows.push_back({row.engine + ":" + row.solver, cell(*row.dt),
                             row.first_impact_time_difference ? cell(*row.first_impact_time_difference) : "",
@@ -40,18 +40,18 @@ Table over_iterations(const Scene& scene) {
 }
 
 /// Slope of the first impact's error between two steps, in logarithms.
-double slope(const std::vector<Row>& rows, const std::string& engine, double large, double small) {
-  const double first = std::abs(*find_row(rows, engine, "tuned", large).first_impact_time_difference);
-  const double second = std::abs(*find_row(rows, engine, "tuned", small).first_impact_time_difference);
+double slope(const std::vector<RunMetrics>& rows, const std::string& engine, double large, double small) {
+  const double first = std::abs(*find_run(rows, engine, "tuned", large).first_impact_time_difference);
+  const double second = std::abs(*find_run(rows, engine, "tuned", small).first_impact_time_difference);
   return std::log(first / second) / std::log(large / small);
 }
 
 }  // namespace
 
-LessonValues steps_values(const Suite& suite, const std::vector<Row>& rows) {
+LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
   const NamedScene& scene = suite.scenes.front();
   const auto rms = [&](const char* engine, double dt) {
-    return power(*find_row(rows, engine, "tuned", dt).rms_angle_difference, 1);
+    return power(*find_run(rows, engine, "tuned", dt).rms_angle_difference, 1);
   };
   const auto finer = [&](const char* engine) {
     return power(error(scene.scene, answer(engine, "tuned", scene.scene, finest_step)), 1);
@@ -61,8 +61,8 @@ LessonValues steps_values(const Suite& suite, const std::vector<Row>& rows) {
       {"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
       {"ode_slope", fixed(slope(rows, "ode", 1e-2, 1e-4), 2)},
       {"bullet_share",
-       fixed(*find_row(rows, "bullet", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
-      {"ode_share", fixed(*find_row(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
+       fixed(*find_run(rows, "bullet", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
+      {"ode_share", fixed(*find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
       {"bullet_coarse", rms("bullet", 1e-2)},
       {"bullet_fine", rms("bullet", 1e-4)},
       {"ode_coarse", rms("ode", 1e-2)},

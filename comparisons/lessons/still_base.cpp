@@ -23,14 +23,14 @@ Table patterns_after(const Scene& scene, const Event& event) {
       Pattern pattern = event.from;
       pattern[0] = lower;
       pattern[1] = upper;
-      const Outcome<double> outcome = velocities_after(model, impact, pattern);
-      const Vector<double> rates = absolute(outcome.relative);
-      const double width = model.stack.half_width[0], push = outcome.reactions.normal[0];
-      const bool pushes = std::abs(push) > outcome.rounding[0];
+      const PatternSolution<double> solution = velocities_after(model, impact, pattern);
+      const Vector<double> rates = absolute(solution.relative);
+      const double width = model.stack.half_width[0], push = solution.reactions.normal[0];
+      const bool pushes = std::abs(push) > solution.rounding[0];
       const double place =
-          lower == Contact::closed ? -outcome.reactions.moment[0] / push : sign(lower) * width;
+          lower == Contact::closed ? -solution.reactions.moment[0] / push : sign(lower) * width;
       table.rows.push_back({name(pattern), cell(rates[0], 1), cell(rates[1], 1),
-                            kinematically_admissible(outcome, impact.touching()) ? "yes" : "no",
+                            kinematically_admissible(solution, impact.touching()) ? "yes" : "no",
                             cell(pushes ? push : 0), pushes ? cell(place) : ""});
     }
   return table;
@@ -58,13 +58,14 @@ Scene under(Scene scene, Law law) {
 
 }  // namespace
 
-LessonValues still_base_values(const Suite& suite, const std::vector<Row>& /*rows*/) {
+LessonValues still_base_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
   const Scene& scene = suite.scenes.front().scene;
   const History paper = exact_answer(under(scene, Law::paper)),
                 consistent = exact_answer(under(scene, Law::consistent));
   const Event& first = *first_event(paper, EventKind::impact);
   const Event& other = *first_event(consistent, EventKind::impact);
-  const Outcome<double> kept = velocities_after(make_model<double>(scene), impact_of(first), first.to);
+  const PatternSolution<double> kept =
+      velocities_after(make_model<double>(scene), impact_of(first), first.to);
   LessonValues values;
   values.numbers = {{"time", fixed(first.time, 4)},
                     {"paper", name(first.to)},

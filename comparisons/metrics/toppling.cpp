@@ -2,9 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rockstack {
+namespace {
+
+/// In the order of TopplingVerdict.
+constexpr std::array<const char*, 5> verdict_names{"", "neither", "both", "exact alone", "engine alone"};
+
+}  // namespace
 
 std::string reported_toppling(const History& history) {
   if (history.events.empty() || history.events.back().kind != EventKind::topple) return "";
@@ -20,9 +28,23 @@ std::string observed_toppling(const Scene& scene, const History& history) {
   return "";
 }
 
-std::string toppling_verdict(bool exact, bool engine) {
-  if (exact == engine) return exact ? "both" : "neither";
-  return exact ? "exact alone" : "engine alone";
+TopplingVerdict toppling_verdict(bool exact, bool engine) {
+  if (exact == engine) return exact ? TopplingVerdict::both : TopplingVerdict::neither;
+  return exact ? TopplingVerdict::exact_alone : TopplingVerdict::engine_alone;
+}
+
+std::string name(TopplingVerdict verdict) {
+  return verdict_names.at(static_cast<std::size_t>(verdict));
+}
+
+TopplingVerdict named_verdict(const std::string& name) {
+  const auto found = std::find(verdict_names.begin(), verdict_names.end(), name);
+  return found == verdict_names.end() ? TopplingVerdict::unknown
+                                      : static_cast<TopplingVerdict>(found - verdict_names.begin());
+}
+
+bool differ(TopplingVerdict verdict) {
+  return verdict == TopplingVerdict::exact_alone || verdict == TopplingVerdict::engine_alone;
 }
 
 }  // namespace rockstack

@@ -14,7 +14,18 @@ std::string reported_toppling(const History& history);
 /// are those of its last sample.
 std::string observed_toppling(const Scene& scene, const History& history);
 
-/// Which of both topple: "neither", "both", "engine alone" or "exact alone".
-std::string toppling_verdict(bool exact, bool engine);
+/// Which of both topple.
+enum class TopplingVerdict { unknown, neither, both, exact_alone, engine_alone };
+
+TopplingVerdict toppling_verdict(bool exact, bool engine);
+
+/// "neither", "both", "exact alone", "engine alone"; empty where it is unknown.
+std::string name(TopplingVerdict verdict);
+
+/// The verdict of that name, unknown where there is none.
+TopplingVerdict named_verdict(const std::string& name);
+
+/// True where one of both topples and the other does not.
+bool differ(TopplingVerdict verdict);
 
 }  // namespace rockstack

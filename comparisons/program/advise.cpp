@@ -16,11 +16,11 @@ void print_advice(const Advice& advice, const AdviseArguments& arguments, const 
   fmt::print("{:<32} {:>8} {:>14} {:>12}  {}\n", "solver (tuned)", "dt (s)", "angle off (rad)", "time (s)",
              "");
   for (std::size_t i = 0; i < advice.rows.size(); ++i) {
-    const Row& row = advice.rows[i];
+    const RunMetrics& row = advice.rows[i];
     const auto cell = [](const std::optional<double>& value) {
       return value ? fmt::format("{:.2e}", *value) : "-";
     };
-    const std::string words = row.status != "done"                 ? row.status
+    const std::string words = row.status != RunStatus::done        ? name(row.status)
                               : static_cast<int>(i) == advice.pick ? "<- the cheapest within the error"
                               : meets(row, arguments.error)        ? "within the error"
                                                                    : "";
@@ -32,7 +32,7 @@ void print_advice(const Advice& advice, const AdviseArguments& arguments, const 
                advised_steps().back());
     return;
   }
-  const Row& pick = advice.rows[static_cast<std::size_t>(advice.pick)];
+  const RunMetrics& pick = advice.rows[static_cast<std::size_t>(advice.pick)];
   std::string changes;
   for (const std::string& change : common.overrides) changes += " --set " + shell_word(change);
   fmt::print("\nrockstack simulate {}{} --engine {}:{} --dt {} --out DIR\n", shell_word(arguments.scene),
@@ -52,7 +52,7 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
   const Advice advice = advise(scene, wish, arguments.out, common.command);
   if (common.json) {
     nlohmann::ordered_json json{{"error", arguments.error}, {"pick", nullptr}};
-    if (advice.pick >= 0) json["pick"] = row_json(advice.rows[static_cast<std::size_t>(advice.pick)]);
+    if (advice.pick >= 0) json["pick"] = metrics_json(advice.rows[static_cast<std::size_t>(advice.pick)]);
     fmt::print("{}\n", json.dump(2));
   } else if (!common.quiet) {
     print_advice(advice, arguments, common);

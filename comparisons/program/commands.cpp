@@ -159,7 +159,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   draw_few(suites, arguments.out, common);
 #endif
   print_rows(result, arguments.out, common);
-  const auto failed = [](const Row& row) { return row.status != "done"; };
+  const auto failed = [](const RunMetrics& row) { return row.status != RunStatus::done; };
   return std::any_of(result.rows.begin(), result.rows.end(), failed) ? 1 : 0;
 }
 

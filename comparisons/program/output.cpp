@@ -26,19 +26,19 @@ struct Widths {
   std::size_t engine = 13, settings = 8;
 };
 
-Widths widths_of(const std::vector<Row>& rows) {
+Widths widths_of(const std::vector<RunMetrics>& rows) {
   Widths widths;
-  for (const Row& row : rows) {
+  for (const RunMetrics& row : rows) {
     widths.engine = std::max(widths.engine, row.engine.size() + 1 + row.solver.size());
     widths.settings = std::max(widths.settings, row.settings.size());
   }
   return widths;
 }
 
-void print_row(const Row& row, const Widths& widths) {
-  if (row.status != "done") {
+void print_row(const RunMetrics& row, const Widths& widths) {
+  if (row.status != RunStatus::done) {
     fmt::print("{:<{}} {:<{}} {:>7} {}: {}\n", row.engine + ":" + row.solver, widths.engine, row.settings,
-               widths.settings, cell(row.dt, "{}"), row.status, row.reason);
+               widths.settings, cell(row.dt, "{}"), name(row.status), row.reason);
     return;
   }
   const std::string impacts = row.impacts_matched ? fmt::format("{}/{}/{}", *row.impacts_matched,
@@ -86,9 +86,9 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
-std::function<void(const Standing&)> progress(const Common& common) {
-  if (!shows_progress(common)) return [](const Standing&) {};
-  return [](const Standing& now) {
+std::function<void(const Progress&)> progress(const Common& common) {
+  if (!shows_progress(common)) return [](const Progress&) {};
+  return [](const Progress& now) {
     const bool end = now.done == now.total;
     const std::string remaining = end || !now.remaining ? "" : ", " + waiting_time(*now.remaining) + " to go";
     fmt::print(stderr, "\r\033[K[{}/{}{}] {}{}", now.done, now.total, remaining, now.last, end ? "\n" : "");
@@ -155,17 +155,17 @@ void print_history(const History& history, const std::vector<std::string>& warni
 }
 
 void print_rows(const CompareResult& result, const std::filesystem::path& folder, const Common& common) {
-  const std::vector<Row>& rows = result.rows;
+  const std::vector<RunMetrics>& rows = result.rows;
   if (common.json) {
     Json list = Json::array();
-    for (const Row& row : rows) list.push_back(row_json(row));
+    for (const RunMetrics& row : rows) list.push_back(metrics_json(row));
     fmt::print("{}\n", list.dump(2));
     return;
   }
   if (common.quiet) return;
   const Widths widths = widths_of(rows);
   std::string scene;
-  for (const Row& row : rows) {
+  for (const RunMetrics& row : rows) {
     if (row.scene != scene) {
       fmt::print("{}{}\n{:<{}} {:<{}} {:>7} {:>11} {:>9} {:>12} {:>9} {:>9} {:>10}\n",
                  scene.empty() ? "" : "\n", row.scene, "engine:solver", widths.engine, "settings",
@@ -180,7 +180,7 @@ void print_rows(const CompareResult& result, const std::filesystem::path& folder
       "angles "
       "stay\nwithin the tolerance; time: least wall time of stepping alone\n");
   if (std::any_of(rows.begin(), rows.end(),
-                  [](const Row& row) { return row.runs_at_a_time.value_or(1) > 1; }))
+                  [](const RunMetrics& row) { return row.runs_at_a_time.value_or(1) > 1; }))
     fmt::print("times are those of runs that shared the machine\n");
   if (result.reused > 0) fmt::print("{} of {} runs were there already\n", result.reused, rows.size());
   for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);

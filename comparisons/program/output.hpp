@@ -18,7 +18,7 @@ namespace rockstack {
 std::string shell_word(const std::string& word);
 
 /// A line that counts runs, names the last one and says how long the rest will take.
-std::function<void(const Standing&)> progress(const Common& common);
+std::function<void(const Progress&)> progress(const Common& common);
 
 /// A line that counts runs done and says how long the rest will take.
 std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const Common& common);

@@ -20,16 +20,16 @@ int stability_command(const std::filesystem::path& file, const std::filesystem::
   const StabilityStudy study = read_stability_study(file, common.overrides);
   prepare_folder(out);
   const FolderLock lock(out);
-  const std::vector<StabilityRow> rows = run_stability(study, out, {common.command, jobs, progress(common)});
+  const std::vector<StabilityRun> rows = run_stability(study, out, {common.command, jobs, progress(common)});
 #ifdef ROCKSTACK_WITH_PLOTS
   plots::draw_stability(out);
 #endif
-  const bool failed =
-      std::any_of(rows.begin(), rows.end(), [](const StabilityRow& row) { return row.row.status != "done"; });
+  const bool failed = std::any_of(rows.begin(), rows.end(),
+                                  [](const StabilityRun& row) { return row.row.status != RunStatus::done; });
   const int code = failed ? 1 : 0;
   if (common.quiet) return code;
   std::map<std::string, int> counts{{"sound", 0}, {"inexact", 0}, {"unstable", 0}, {"failed", 0}};
-  for (const StabilityRow& row : rows) {
+  for (const StabilityRun& row : rows) {
     if (row.row.dt) ++counts[name(row.verdict.soundness)];
   }
   if (common.json) {

@@ -27,7 +27,7 @@ extern "C" void interrupt(int /*signal*/) {
 }
 
 /// The ranks that mpirun has started, or threads.
-std::unique_ptr<Workers> make_workers(std::size_t threads) {
+std::unique_ptr<Executor> make_executor(std::size_t threads) {
 #ifdef ROCKSTACK_WITH_MPI
   if (auto ranks = find_ranks()) return ranks;
 #endif
@@ -40,10 +40,10 @@ Ensemble read_ensemble(const SweepArguments& arguments, const Common& common, Mo
 
 /// What a process does that does not lead. It reads the ensemble only when it is given a block, so that of
 /// bad input the leader alone speaks.
-int serve(Workers& workers, const SweepArguments& arguments, const Common& common) {
+int serve(Executor& executor, const SweepArguments& arguments, const Common& common) {
   MotionLibrary library;
   std::optional<Ensemble> ensemble;
-  workers.serve([&](std::size_t block) {
+  executor.serve([&](std::size_t block) {
     if (!ensemble) ensemble = read_ensemble(arguments, common, library);
     return block_lines(*ensemble, block, library);
   });
@@ -55,14 +55,14 @@ int serve(Workers& workers, const SweepArguments& arguments, const Common& commo
 int sweep_command(const SweepArguments& arguments, const Common& common) {
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
-  const auto workers = make_workers(arguments.threads);
-  if (!workers->leads()) return serve(*workers, arguments, common);
+  const auto executor = make_executor(arguments.threads);
+  if (!executor->leads()) return serve(*executor, arguments, common);
   MotionLibrary library;
   const Ensemble ensemble = read_ensemble(arguments, common, library);
   prepare_folder(arguments.out);
   const FolderLock lock(arguments.out);
   const SweepResult result =
-      sweep(ensemble, library, *workers,
+      sweep(ensemble, library, *executor,
             {arguments.out, common.command, sweep_progress(common), [] { return interrupted.load(); }});
   if (!result.finished()) {
     print_stopped(result, common);

@@ -49,7 +49,7 @@ int teach_command(const TeachArguments& arguments, const Common& common) {
   if (arguments.out.empty()) throw InputError("--out: missing, must be a folder for the lesson's page");
   prepare_folder(arguments.out);
   const FolderLock lock(arguments.out);
-  const std::vector<Row> rows =
+  const std::vector<RunMetrics> rows =
       run_lesson(lesson, arguments.out, {.command = common.command, .progress = progress(common)});
 #ifdef ROCKSTACK_WITH_PLOTS
   plots::draw_figures(arguments.out);
@@ -59,7 +59,10 @@ int teach_command(const TeachArguments& arguments, const Common& common) {
 #else
   print_report(arguments.out, common);
 #endif
-  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.status != "done"; }) ? 1 : 0;
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const RunMetrics& row) { return row.status != RunStatus::done; })
+             ? 1
+             : 0;
 }
 
 }  // namespace rockstack

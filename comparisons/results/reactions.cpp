@@ -40,13 +40,14 @@ std::string reactions_csv(const Scene& scene, const History& history) {
   for (std::size_t i = 0; i < history.size(); ++i) {
     const double time = history.times[i];
     const Point<double> ground{acceleration(scene.horizontal, time), acceleration(scene.vertical, time)};
-    const Outcome<double> outcome = accelerate(model, state_at(history, i), ground);
-    const auto& reactions = outcome.reactions;
+    const PatternSolution<double> solution = accelerate(model, state_at(history, i), ground);
+    const auto& reactions = solution.reactions;
     csv.add(time);
     for (const double normal : reactions.normal) csv.add(shortened(normal));
     for (const double tangential : reactions.tangential) csv.add(shortened(tangential));
     for (int k = 0; k < blocks; ++k) {
-      const bool carried = outcome.pattern[k] == Contact::closed && reactions.normal[k] > outcome.rounding[k];
+      const bool carried =
+          solution.pattern[k] == Contact::closed && reactions.normal[k] > solution.rounding[k];
       csv.add(carried ? shortened(-reactions.moment[k] / reactions.normal[k]) : "");
     }
     csv.end_line();

@@ -43,9 +43,9 @@ std::vector<double> ground_times(const Scene& scene) {
 
 }  // namespace
 
-std::string comparison_csv(const std::vector<Row>& rows) {
+std::string comparison_csv(const std::vector<RunMetrics>& rows) {
   Json list = Json::array();
-  for (const Row& row : rows) list.push_back(row_json(row));
+  for (const RunMetrics& row : rows) list.push_back(metrics_json(row));
   return csv_of(list);
 }
 

@@ -9,12 +9,12 @@
 #include "comparisons/metrics/alignment.hpp"
 #include "comparisons/metrics/contact_patterns.hpp"
 #include "comparisons/metrics/difference.hpp"
-#include "comparisons/results/row.hpp"
+#include "comparisons/results/run_metrics.hpp"
 
 namespace rockstack {
 
 /// The rows as comma-separated values with a header.
-std::string comparison_csv(const std::vector<Row>& rows);
+std::string comparison_csv(const std::vector<RunMetrics>& rows);
 
 /// A list of flat objects with the same keys as comma-separated values with a header; nulls are empty cells.
 /// Precondition: at least one.

@@ -28,13 +28,12 @@ std::vector<double> advised_steps() {
   return {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5};
 }
 
-bool meets(const Row& row, double error) {
-  return row.status == "done" && row.largest_angle_difference && *row.largest_angle_difference <= error &&
-         (row.toppling_verdict.empty() || row.toppling_verdict == "neither" ||
-          row.toppling_verdict == "both");
+bool meets(const RunMetrics& row, double error) {
+  return row.status == RunStatus::done && row.largest_angle_difference &&
+         *row.largest_angle_difference <= error && !differ(row.toppling_verdict);
 }
 
-int cheapest(const std::vector<Row>& rows, double error) {
+int cheapest(const std::vector<RunMetrics>& rows, double error) {
   int best = -1;
   double time = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -54,14 +53,14 @@ Advice advise(const NamedScene& scene, const Wish& wish, const std::filesystem::
     for (std::size_t i = 0; i < suite.series.size(); ++i) {
       if (given_up[i]) continue;
       const Job job{suite, scene, dt, &suite.series[i]};
-      const auto made = finished_row(folder / "runs" / describe(job).run, identity(job));
-      const Row row = made ? *made : measure(job, folder, command, 1);
+      const auto made = finished_run(folder / "runs" / describe(job).run, identity(job));
+      const RunMetrics row = made ? *made : measure(job, folder, command, 1);
       advice.rows.push_back(row);
       advice.pick = cheapest(advice.rows, wish.error);
       const double best = advice.pick < 0
                               ? std::numeric_limits<double>::infinity()
                               : *advice.rows[static_cast<std::size_t>(advice.pick)].stepping_time_minimum;
-      given_up[i] = meets(row, wish.error) || row.status == "time limit" ||
+      given_up[i] = meets(row, wish.error) || row.status == RunStatus::time_limit ||
                     row.stepping_time_minimum.value_or(0) > best;
     }
   }

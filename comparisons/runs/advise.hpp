@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/results/row.hpp"
+#include "comparisons/results/run_metrics.hpp"
 #include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
@@ -18,7 +18,7 @@ struct Wish {
 
 /// The answer: all runs that were made, in their order, and the one to take.
 struct Advice {
-  std::vector<Row> rows;
+  std::vector<RunMetrics> rows;
   int pick = -1;  ///< of rows; −1: no run comes within the error
 };
 
@@ -26,10 +26,10 @@ struct Advice {
 std::vector<double> advised_steps();
 
 /// True where a run is done, topples as the exact solution does, and stays within the error.
-bool meets(const Row& row, double error);
+bool meets(const RunMetrics& row, double error);
 
 /// The cheapest row within the error by its least time of stepping; −1 where there is none.
-int cheapest(const std::vector<Row>& rows, double error);
+int cheapest(const std::vector<RunMetrics>& rows, double error);
 
 /// Tries every solver with its tuned parameters from large to small steps until it comes within the error, or
 /// takes longer than the cheapest that did. Writes FOLDER/runs/ and FOLDER/advice.csv, the columns of

@@ -31,7 +31,7 @@ std::optional<double> second_peak(const History& history) {
 }
 
 void add_angles(const History& exact, const History& other, const Difference& apart, double tolerance,
-                Row& row) {
+                RunMetrics& row) {
   row.largest_angle_difference = largest(apart);
   row.rms_angle_difference = root_mean_square(apart);
   row.agreement_time = agreement_time(apart, tolerance);
@@ -47,7 +47,7 @@ void add_angles(const History& exact, const History& other, const Difference& ap
 }
 
 void add_impacts(const Scene& scene, const History& exact, const OtherAnswer& answer,
-                 const std::filesystem::path& folder, Row& row) {
+                 const std::filesystem::path& folder, RunMetrics& row) {
   const auto expected = reported_impacts(exact, chatter_speed(scene));
   const auto alignment = align(expected, answer.impacts, matching_window(scene));
   const AlignmentCounts counts = count(alignment);
@@ -71,7 +71,7 @@ void add_impacts(const Scene& scene, const History& exact, const OtherAnswer& an
 }
 
 void add_patterns(const Scene& scene, const std::vector<double>& times, const History& exact,
-                  const History& other, const std::filesystem::path& folder, Row& row) {
+                  const History& other, const std::filesystem::path& folder, RunMetrics& row) {
   const auto expected = sampled_patterns(scene, exact), found = sampled_patterns(scene, other);
   const auto shares = pattern_shares(times, expected, found);
   row.pattern_agreement = agreement(shares);
@@ -79,7 +79,7 @@ void add_patterns(const Scene& scene, const std::vector<double>& times, const Hi
   write_file(folder / "patterns.csv", patterns_csv(shares));
 }
 
-void add_bodies(const Scene& scene, const BodyRecord& bodies, Row& row) {
+void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   row.energy_gain = largest_gain(bodies.energy, bodies.input) / energy_scale(scene);
   row.penetration = bodies.penetration;
   row.gap = bodies.gap;
@@ -91,7 +91,7 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, Row& row) {
 }  // namespace
 
 void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswer& answer,
-                        const std::filesystem::path& folder, Row& row) {
+                        const std::filesystem::path& folder, RunMetrics& row) {
   const Wanted& wanted = suite.wanted;
   const History& history = answer.history;
   const History exact = solve(scene, {.sample_times = history.times});

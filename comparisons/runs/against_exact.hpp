@@ -6,7 +6,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "comparisons/metrics/impacts.hpp"
-#include "comparisons/results/row.hpp"
+#include "comparisons/results/run_metrics.hpp"
 #include "comparisons/suites/suite.hpp"
 #include "engines/body_record.hpp"
 
@@ -24,6 +24,6 @@ struct OtherAnswer {
 /// writes history.csv, difference.csv, impacts.csv, patterns.csv and energy.csv as far as it wants them.
 /// @throws std::runtime_error where the scene cannot be solved or a file cannot be written.
 void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswer& answer,
-                        const std::filesystem::path& folder, Row& row);
+                        const std::filesystem::path& folder, RunMetrics& row);
 
 }  // namespace rockstack

@@ -13,9 +13,9 @@
 #include "comparisons/results/environment.hpp"
 #include "comparisons/results/files.hpp"
 #include "comparisons/results/tables.hpp"
+#include "comparisons/runs/executor.hpp"
 #include "comparisons/runs/identity.hpp"
 #include "comparisons/runs/measure.hpp"
-#include "comparisons/runs/workers.hpp"
 #include "comparisons/statistics/distributions.hpp"
 #include "comparisons/statistics/fits.hpp"
 
@@ -96,7 +96,7 @@ std::vector<const WorkerEngine*> engines_of(const std::vector<Suite>& suites) {
   return list;
 }
 
-Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& rows,
+Json comparison_json(const std::vector<Suite>& suites, const std::vector<RunMetrics>& rows,
                      const std::vector<SeriesFit>& fits, const std::vector<DistributionDistance>& apart,
                      const std::string& command) {
   Json json;
@@ -133,7 +133,7 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<Row>& r
   json["distribution_definition"] = distribution_definition();
   json["distributions"] = distributions_json(apart);
   json["rows"] = Json::array();
-  for (const Row& row : rows) json["rows"].push_back(row_json(row));
+  for (const RunMetrics& row : rows) json["rows"].push_back(metrics_json(row));
   return json;
 }
 
@@ -156,24 +156,24 @@ double expected_work(const Job& job) {
 }
 
 /// Counts runs, and the work that is left.
-class Progress {
+class ProgressCounter {
  public:
-  Progress(const std::vector<Job>& jobs, const CompareOptions& options) : options_(options) {
+  ProgressCounter(const std::vector<Job>& jobs, const CompareOptions& options) : options_(options) {
     for (const Job& job : jobs) work_.push_back(expected_work(job));
     left_ = std::accumulate(work_.begin(), work_.end(), 0.0);
-    standing_.total = jobs.size();
-    options_.progress(standing_);
+    report_.total = jobs.size();
+    options_.progress(report_);
   }
 
   /// A run that was there, or was made since.
   void finish(std::size_t job, const std::string& run, bool made) {
-    ++standing_.done;
-    standing_.last = run;
+    ++report_.done;
+    report_.last = run;
     left_ -= work_[job];
     if (made) done_ += work_[job];
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-    if (done_ > 0) standing_.remaining = passed.count() * left_ / done_;
-    options_.progress(standing_);
+    if (done_ > 0) report_.remaining = passed.count() * left_ / done_;
+    options_.progress(report_);
   }
 
  private:
@@ -183,17 +183,17 @@ class Progress {
   Clock::time_point start_ = Clock::now();
   std::vector<double> work_;
   double left_ = 0, done_ = 0;
-  Standing standing_;
+  Progress report_;
 };
 
 CompareResult make_runs(const std::vector<Job>& jobs, const std::filesystem::path& folder,
                         const CompareOptions& options) {
-  CompareResult result{std::vector<Row>(jobs.size()), 0};
-  Progress progress(jobs, options);
+  CompareResult result{std::vector<RunMetrics>(jobs.size()), 0};
+  ProgressCounter progress(jobs, options);
   std::vector<std::size_t> parts;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const std::string run = describe(jobs[i]).run;
-    if (const auto row = finished_row(folder / "runs" / run, identity(jobs[i]))) {
+    if (const auto row = finished_run(folder / "runs" / run, identity(jobs[i]))) {
       result.rows[i] = *row;
       ++result.reused;
       progress.finish(i, run, false);
@@ -218,7 +218,7 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
                       const CompareOptions& options) {
   require_compatible(suites);
   CompareResult result = make_runs(jobs_of(suites), folder, options);
-  const std::vector<SeriesFit> fits = fit_rows(result.rows);
+  const std::vector<SeriesFit> fits = fit_runs(result.rows);
   const std::vector<DistributionDistance> apart = distances(result.rows, folder);
   write_ground(suites, folder);
   if (!apart.empty()) write_file(folder / "distributions.csv", distributions_csv(apart));

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/results/row.hpp"
+#include "comparisons/results/run_metrics.hpp"
 #include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
 
 /// How far a comparison has come.
-struct Standing {
+struct Progress {
   std::size_t done = 0, total = 0;  ///< runs
   std::string last;                 ///< the run that was finished last; empty at the beginning
   /// Time to go by the expected work that is left, s; unknown before a run is finished.
@@ -24,11 +24,11 @@ struct CompareOptions {
   std::string command = {};  ///< written into the results
   std::size_t jobs =
       1;  ///< runs at a time, ≥ 1; with more than one, times are those of runs that share the machine
-  std::function<void(const Standing&)> progress = [](const Standing&) {};  ///< from one thread at a time
+  std::function<void(const Progress&)> progress = [](const Progress&) {};  ///< from one thread at a time
 };
 
 struct CompareResult {
-  std::vector<Row> rows;
+  std::vector<RunMetrics> rows;
   std::size_t reused = 0;  ///< rows of runs that were there already
 };
 

@@ -30,7 +30,7 @@ std::uint64_t file_checksum(const std::filesystem::path& file) {
 
 std::string identity(const Job& job) {
   RunRequest request{"", job.scene.scene, job.dt, {}, job.suite.repeats, job.suite.wanted.bodies};
-  std::string text = job.variant != nullptr ? job.variant->name : "";
+  std::string text = job.variant != nullptr ? job.variant->name() : "";
   if (job.series != nullptr) {
     request.solver = job.series->engine->solver();
     request.parameters = job.series->parameters;
@@ -43,12 +43,12 @@ std::string identity(const Job& job) {
   return fmt::format("{:016x}", checksum(text + to_bytes(Request{request})));
 }
 
-std::optional<Row> finished_row(const std::filesystem::path& run_folder, const std::string& identity) {
+std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, const std::string& identity) {
   std::ifstream stream(run_folder / "summary.json");
   const auto summary = nlohmann::ordered_json::parse(stream, nullptr, false);
   if (!summary.is_object() || summary.value("identity", "") != identity) return {};
-  const Row row = row_from(summary);
-  return row.status == "done" ? std::optional(row) : std::nullopt;
+  const RunMetrics row = metrics_from(summary);
+  return row.status == RunStatus::done ? std::optional(row) : std::nullopt;
 }
 
 }  // namespace rockstack

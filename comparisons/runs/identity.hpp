@@ -13,6 +13,6 @@ namespace rockstack {
 std::string identity(const Job& job);
 
 /// The row of a run that is done and whose results in its folder have that identity, or nothing.
-std::optional<Row> finished_row(const std::filesystem::path& run_folder, const std::string& identity);
+std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, const std::string& identity);
 
 }  // namespace rockstack

@@ -5,11 +5,11 @@
 namespace rockstack {
 
 bool is_baseline(const Job& job) {
-  return job.variant != nullptr && job.variant->name == "rk4";
+  return job.variant != nullptr && job.variant->choice == Variant::Choice::rk4;
 }
 
-Row describe(const Job& job) {
-  Row row;
+RunMetrics describe(const Job& job) {
+  RunMetrics row;
   row.scene = job.scene.name;
   if (job.series != nullptr) {
     row.dt = job.dt;
@@ -19,12 +19,12 @@ Row describe(const Job& job) {
     row.run = fmt::format("{}.{}-{}-{}-{}", row.scene, row.engine, row.solver, row.settings, job.dt);
   } else if (is_baseline(job)) {
     row.dt = job.dt;
-    row.engine = job.variant->name;
+    row.engine = job.variant->name();
     row.solver = "runge-kutta";
     row.settings = "baseline";
     row.run = fmt::format("{}.{}-{}", row.scene, row.engine, job.dt);
   } else {
-    row.engine = job.variant != nullptr ? job.variant->name : "exact";
+    row.engine = job.variant != nullptr ? job.variant->name() : "exact";
     row.solver = "taylor";
     row.run = row.scene + "." + row.engine;
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparisons/results/row.hpp"
+#include "comparisons/results/run_metrics.hpp"
 #include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
@@ -19,6 +19,6 @@ struct Job {
 bool is_baseline(const Job& job);
 
 /// The row of a run before it is made: what is run, without results.
-Row describe(const Job& job);
+RunMetrics describe(const Job& job);
 
 }  // namespace rockstack

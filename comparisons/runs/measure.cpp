@@ -30,9 +30,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr double sample_interval = 1e-3;  // of histories that have no step of their own, s
 
-Json summary(const Row& row, const NamedScene& scene, const Parameters& parameters,
+Json summary(const RunMetrics& row, const NamedScene& scene, const Parameters& parameters,
              const std::vector<const WorkerEngine*>& engines, const std::string& command) {
-  Json json = row_json(row);
+  Json json = metrics_json(row);
   json["title"] = scene.scene.title;
   json["parameters"] = parameters;
   json["scene_file"] = scene.text;
@@ -71,7 +71,7 @@ double motion_time(const Scene& scene, const History& history) {
 }
 
 /// `motion`: the time that was simulated, s.
-void set_time(const SteppingTime& time, double motion, Row& row) {
+void set_time(const SteppingTime& time, double motion, RunMetrics& row) {
   row.stepping_time_minimum = time.minimum;
   row.stepping_time_median = time.median;
   row.stepping_time_spread = time.spread;
@@ -110,7 +110,8 @@ void run_perturbed(const Job& job, const std::filesystem::path& folder,
   write_file(folder / "perturbed.csv", tallies_csv(tallies, blocks));
 }
 
-Json run_exact(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
+Json run_exact(const Job& job, const std::filesystem::path& folder, RunMetrics& row,
+               const std::string& command) {
   const Scene& scene = job.scene.scene;
   const History history = solve(scene, sampled(scene));
   row.toppled = reported_toppling(history);
@@ -123,7 +124,8 @@ Json run_exact(const Job& job, const std::filesystem::path& folder, Row& row, co
   return json;
 }
 
-Json run_variant(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
+Json run_variant(const Job& job, const std::filesystem::path& folder, RunMetrics& row,
+                 const std::string& command) {
   const Scene scene = job.variant->apply(job.scene.scene);
   SolveOptions options = options_for(job);
   options.sample_times = sampled(scene).sample_times;
@@ -141,16 +143,17 @@ Json run_variant(const Job& job, const std::filesystem::path& folder, Row& row, 
   return json;
 }
 
-Json run_engine(const Job& job, const std::filesystem::path& folder, Row& row, const std::string& command) {
+Json run_engine(const Job& job, const std::filesystem::path& folder, RunMetrics& row,
+                const std::string& command) {
   const Scene& scene = job.scene.scene;
   const EngineSeries& series = *job.series;
   const WorkerRun made = run_in_worker(*series.engine, scene, job.dt, series.parameters, job.suite.repeats,
                                        job.suite.limits, job.suite.wanted.bodies);
   row.processor_time = made.processor_time;
   if (made.peak_memory > 0) row.peak_memory = made.peak_memory;
-  row.status = made.status;
+  row.status = run_status(made.status);
   row.reason = made.reason;
-  if (made.status == "done") {
+  if (row.status == RunStatus::done) {
     const auto& [history, warnings, bodies] = made.run;
     row.steps = static_cast<int>(history.size() - 1);
     row.warnings = static_cast<int>(warnings);
@@ -170,9 +173,9 @@ Json run_engine(const Job& job, const std::filesystem::path& folder, Row& row, c
 
 }  // namespace
 
-Row measure(const Job& job, const std::filesystem::path& folder, const std::string& command,
-            std::size_t runs_at_a_time) {
-  Row row = describe(job);
+RunMetrics measure(const Job& job, const std::filesystem::path& folder, const std::string& command,
+                   std::size_t runs_at_a_time) {
+  RunMetrics row = describe(job);
   row.runs_at_a_time = static_cast<int>(runs_at_a_time);
   const auto own = folder / "runs" / row.run;
   std::filesystem::remove_all(own);
@@ -183,7 +186,7 @@ Row measure(const Job& job, const std::filesystem::path& folder, const std::stri
     json = make(job, own, row, command);
   } catch (const std::exception& failure) {
     row = describe(job);
-    row.status = "failed";
+    row.status = RunStatus::failed;
     row.reason = failure.what();
     json = summary(row, job.scene, {}, {}, command);
   }
@@ -194,34 +197,22 @@ Row measure(const Job& job, const std::filesystem::path& folder, const std::stri
 
 History solve_into(const NamedScene& scene, const SolveOptions& options, const std::filesystem::path& folder,
                    const std::string& command) {
+  History history = solve(scene.scene, options);
   const bool baseline = options.integrator == Integrator::rk4;
-  Row row = describe({{}, scene, {}});
+  RunMetrics row = describe({{}, scene, {}});
   row.solver = baseline ? "rk4" : "taylor";
-  const auto write = [&](const History& history) {
-    row.toppled = reported_toppling(history);
-    write_history(folder, history);
-    Json json =
-        summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, {}, command);
-    add_validity(scene.scene, history, json);
-    write_file(folder / "summary.json", json.dump(2) + "\n");
-  };
-  try {
-    History history = solve(scene.scene, options);
-    write(history);
-    return history;
-  } catch (const Unfinished& unfinished) {
-    row.status = "failed";
-    row.reason = unfinished.what();
-    write(unfinished.history);
-    throw std::runtime_error(
-        fmt::format("{}; the motion up to there is in {}", unfinished.what(), folder.string()));
-  }
+  row.toppled = reported_toppling(history);
+  write_history(folder, history);
+  Json json = summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, {}, command);
+  add_validity(scene.scene, history, json);
+  write_file(folder / "summary.json", json.dump(2) + "\n");
+  return history;
 }
 
 History simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
                       const std::filesystem::path& folder, const std::string& command) {
   auto [history, warnings, bodies] = simulate(*series.engine, scene.scene, dt, series.parameters);
-  Row row = describe({{}, scene, dt, &series});
+  RunMetrics row = describe({{}, scene, dt, &series});
   row.steps = static_cast<int>(history.size() - 1);
   row.warnings = static_cast<int>(warnings);
   row.toppled = observed_toppling(scene.scene, history);

@@ -12,12 +12,10 @@ namespace rockstack {
 /// events, for others what compare_with_exact() writes, and at last summary.json. A failure ends up in the
 /// row. `runs_at_a_time`: how many share the machine with it, itself included.
 /// @throws std::runtime_error where a file cannot be written.
-Row measure(const Job& job, const std::filesystem::path& folder, const std::string& command,
-            std::size_t runs_at_a_time);
+RunMetrics measure(const Job& job, const std::filesystem::path& folder, const std::string& command,
+                   std::size_t runs_at_a_time);
 
-/// Solves a scene and writes history.csv, events.csv and summary.json into a folder. Where the motion could
-/// not be followed to its end, the files hold it up to there, and the summary's status is "failed".
-/// @throws as solve(), with the files written.
+/// Solves a scene and writes history.csv, events.csv and summary.json into a folder.
 History solve_into(const NamedScene& scene, const SolveOptions& options, const std::filesystem::path& folder,
                    const std::string& command);
 

@@ -11,8 +11,8 @@
 namespace rockstack {
 namespace {
 
-// A worker says "ready", "finished" with the lines of a part, or "failed" with the reason; the leader answers
-// each with the number of a part, or with none. So a worker always waits for an answer, and the leader for
+// A rank says "ready", "finished" with the lines of a part, or "failed" with the reason; the leader answers
+// each with the number of a part, or with none. So a rank always waits for an answer, and the leader for
 // nobody.
 enum Tag { ready = 1, finished, failed, answer };
 
@@ -25,7 +25,7 @@ struct Message {
   std::string text;
 };
 
-/// The next message from any worker. Sleeps between looks: MPI's own waiting would keep a core busy.
+/// The next message from any rank. Sleeps between looks: MPI's own waiting would keep a core busy.
 Message receive() {
   MPI_Status status;
   for (int there = 0; there == 0;) {
@@ -44,7 +44,7 @@ void send(const std::string& text, int rank, int tag) {
   MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, rank, tag, MPI_COMM_WORLD);
 }
 
-class Ranks : public Workers {
+class Ranks : public Executor {
  public:
   Ranks() {
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
@@ -115,7 +115,7 @@ class Ranks : public Workers {
 
 }  // namespace
 
-std::unique_ptr<Workers> find_ranks() {
+std::unique_ptr<Executor> find_ranks() {
   if (MPI_Init(nullptr, nullptr) != MPI_SUCCESS) throw std::runtime_error("MPI cannot start");
   int size = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &size);

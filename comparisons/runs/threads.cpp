@@ -2,7 +2,7 @@
 #include <mutex>
 #include <thread>
 
-#include "comparisons/runs/workers.hpp"
+#include "comparisons/runs/executor.hpp"
 
 namespace rockstack {
 namespace {
@@ -45,7 +45,7 @@ class Queue {
   std::exception_ptr failure_;
 };
 
-class Threads : public Workers {
+class Threads : public Executor {
  public:
   explicit Threads(std::size_t count) : count_(count) {}
 
@@ -71,7 +71,7 @@ class Threads : public Workers {
 
 }  // namespace
 
-std::unique_ptr<Workers> make_threads(std::size_t count) {
+std::unique_ptr<Executor> make_threads(std::size_t count) {
   return std::make_unique<Threads>(count);
 }
 

@@ -99,7 +99,7 @@ std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& alon
 }
 
 /// Where a run lies on the axis.
-double place(const StabilityStudy& study, const Row& row) {
+double place(const StabilityStudy& study, const RunMetrics& row) {
   if (study.axis.parameter.empty()) {
     for (std::size_t i = 0; i < study.suite.scenes.size(); ++i)
       if (study.suite.scenes[i].name == row.scene) return study.axis.values[i];
@@ -121,7 +121,7 @@ std::string settings_of(const StabilityStudy& study, const std::string& settings
   return settings.substr(0, changed) + (end == std::string::npos ? "" : settings.substr(end));
 }
 
-std::string stability_csv(const std::vector<StabilityRow>& rows) {
+std::string stability_csv(const std::vector<StabilityRun>& rows) {
   CsvWriter csv;
   csv.line("run", "engine", "solver", "settings", "dt", "value", "verdict", "reason", "energy_gain",
            "penetration", "gap", "slip", "out_of_plane", "residual_motion", "largest_angle_difference",
@@ -130,7 +130,7 @@ std::string stability_csv(const std::vector<StabilityRow>& rows) {
     csv.line(row.run, row.engine, row.solver, row.settings, row.dt, value, name(verdict.soundness),
              verdict.reason, row.energy_gain, row.penetration, row.gap, row.slip, row.out_of_plane,
              row.residual_motion, row.largest_angle_difference, row.stepping_time_minimum,
-             row.toppling_verdict);
+             name(row.toppling_verdict));
   }
   return csv.text();
 }
@@ -184,7 +184,7 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
     if (!study.axis.parameter.empty()) throw wrong_value(*steps, "no key where engines' parameters vary");
     for (const double step : numbers(*steps)) {
       if (!(step > 0)) throw wrong_value(*steps, "an array of steps > 0, s");
-      study.suite.variants.push_back({"rk4", step});
+      study.suite.variants.push_back({Variant::Choice::rk4, step});
     }
   }
   study.suite.wanted = {
@@ -200,7 +200,7 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
   return study;
 }
 
-std::vector<LargestSteps> largest_steps(const std::vector<StabilityRow>& rows) {
+std::vector<LargestSteps> largest_steps(const std::vector<StabilityRun>& rows) {
   using Key = std::tuple<std::string, std::string, std::string, double>;
   std::map<Key, std::size_t> places;
   std::vector<LargestSteps> list;
@@ -226,10 +226,10 @@ std::vector<LargestSteps> largest_steps(const std::vector<StabilityRow>& rows) {
   return list;
 }
 
-std::vector<StabilityRow> run_stability(const StabilityStudy& study, const std::filesystem::path& folder,
+std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::filesystem::path& folder,
                                         const CompareOptions& options) {
-  std::vector<StabilityRow> rows;
-  for (const Row& row : compare({study.suite}, folder, options).rows) {
+  std::vector<StabilityRun> rows;
+  for (const RunMetrics& row : compare({study.suite}, folder, options).rows) {
     rows.push_back({row, place(study, row),
                     judge_stability(row, find_scene(study.suite.scenes, row.scene).scene, study.limits)});
     rows.back().row.settings = settings_of(study, row.settings);

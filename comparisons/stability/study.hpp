@@ -33,8 +33,8 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
                                     const std::vector<std::string>& overrides);
 
 /// One run with its verdict.
-struct StabilityRow {
-  Row row;
+struct StabilityRun {
+  RunMetrics row;
   double value = 0;  ///< on the axis
   StabilityVerdict verdict;
 };
@@ -49,11 +49,11 @@ struct LargestSteps {
 };
 
 /// In the order of the rows. Exact runs are passed over.
-std::vector<LargestSteps> largest_steps(const std::vector<StabilityRow>& rows);
+std::vector<LargestSteps> largest_steps(const std::vector<StabilityRun>& rows);
 
 /// Makes the runs that are not there yet, as compare(), and writes besides stability.csv, steps.csv and
 /// stability.json. @throws as compare().
-std::vector<StabilityRow> run_stability(const StabilityStudy& study, const std::filesystem::path& folder,
+std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::filesystem::path& folder,
                                         const CompareOptions& options);
 
 }  // namespace rockstack

@@ -72,18 +72,20 @@ std::string name(Soundness soundness) {
   return {};
 }
 
-StabilityVerdict judge_stability(const Row& row, const Scene& scene, const StabilityLimits& limits) {
-  if (row.status != "done") return {Soundness::failed, row.status + ": " + row.reason};
+StabilityVerdict judge_stability(const RunMetrics& row, const Scene& scene, const StabilityLimits& limits) {
+  if (row.status != RunStatus::done) return {Soundness::failed, name(row.status) + ": " + row.reason};
   const Scale scale = scale_of(scene);
   Findings unstable;
   unstable.check("energy gained, of what tips the stack over,", row.energy_gain, scale.tipping,
                  limits.unstable_energy);
   unstable.check("a block thrown up, of the smallest height,", row.gap, scale.height, limits.unstable_gap);
   unstable.check("tilt out of the plane", row.out_of_plane_tilt, 1, limits.unstable_tilt);
-  unstable.check(row.toppling_verdict == "engine alone", "topples though the exact solution does not");
+  unstable.check(row.toppling_verdict == TopplingVerdict::engine_alone,
+                 "topples though the exact solution does not");
   if (!unstable.reason().empty()) return {Soundness::unstable, unstable.reason()};
   Findings inexact;
-  inexact.check(row.toppling_verdict == "exact alone", "stands though the exact solution topples");
+  inexact.check(row.toppling_verdict == TopplingVerdict::exact_alone,
+                "stands though the exact solution topples");
   inexact.check("energy gained, of what tips the stack over,", row.energy_gain, scale.tipping, limits.energy);
   inexact.check("penetration, of the smallest height,", row.penetration, scale.height, limits.penetration);
   inexact.check("slip, of the narrowest width,", row.slip, scale.width, limits.slip);

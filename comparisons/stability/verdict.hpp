@@ -3,7 +3,7 @@
 #include <string>
 
 #include "analytic/scene/scene.hpp"
-#include "comparisons/results/row.hpp"
+#include "comparisons/results/run_metrics.hpp"
 
 namespace rockstack {
 
@@ -37,6 +37,7 @@ struct StabilityVerdict {
 };
 
 /// The verdict on a run of a scene by its measures; those that are not there are passed over.
-StabilityVerdict judge_stability(const Row& row, const Scene& scene, const StabilityLimits& limits = {});
+StabilityVerdict judge_stability(const RunMetrics& row, const Scene& scene,
+                                 const StabilityLimits& limits = {});
 
 }  // namespace rockstack

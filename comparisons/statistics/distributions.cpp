@@ -61,10 +61,10 @@ std::vector<DistributionDistance> distances(const std::vector<MotionTally>& exac
   return list;
 }
 
-std::vector<DistributionDistance> distances(const std::vector<Row>& rows,
+std::vector<DistributionDistance> distances(const std::vector<RunMetrics>& rows,
                                             const std::filesystem::path& folder) {
   std::vector<DistributionDistance> list;
-  for (const Row& row : rows) {
+  for (const RunMetrics& row : rows) {
     if (row.engine == "exact") continue;
     const auto exact = tallies_in(folder / "runs" / (row.scene + ".exact"));
     const auto other = tallies_in(folder / "runs" / row.run);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/results/row.hpp"
+#include "comparisons/results/run_metrics.hpp"
 #include "comparisons/statistics/kolmogorov_smirnov.hpp"
 #include "comparisons/statistics/tally.hpp"
 
@@ -26,7 +26,7 @@ std::vector<DistributionDistance> distances(const std::vector<MotionTally>& exac
 
 /// Those of every row of a comparison with FOLDER/runs/<run>/perturbed.csv beside that of its scene's exact
 /// run.
-std::vector<DistributionDistance> distances(const std::vector<Row>& rows,
+std::vector<DistributionDistance> distances(const std::vector<RunMetrics>& rows,
                                             const std::filesystem::path& folder);
 
 /// scene,run,quantity,exact_runs,runs,exact_mean,mean,distance,critical,p_value.

@@ -17,20 +17,22 @@ constexpr std::size_t least_steps = 5;
 
 struct Quantity {
   const char* column;
-  std::optional<double> Row::*field;
+  std::optional<double> RunMetrics::*field;
 };
 
 constexpr std::array<Quantity, 2> quantities{
-    {{"rms_angle_difference", &Row::rms_angle_difference},
-     {"first_impact_time_difference", &Row::first_impact_time_difference}}};
+    {{"rms_angle_difference", &RunMetrics::rms_angle_difference},
+     {"first_impact_time_difference", &RunMetrics::first_impact_time_difference}}};
 
 /// Rows that differ in their time step alone.
-using Series = std::vector<const Row*>;
+using Series = std::vector<const RunMetrics*>;
 
-std::vector<Series> series_of(const std::vector<Row>& rows) {
-  const auto key = [](const Row& row) { return std::tie(row.scene, row.engine, row.solver, row.settings); };
+std::vector<Series> series_of(const std::vector<RunMetrics>& rows) {
+  const auto key = [](const RunMetrics& row) {
+    return std::tie(row.scene, row.engine, row.solver, row.settings);
+  };
   std::vector<Series> list;
-  for (const Row& row : rows) {
+  for (const RunMetrics& row : rows) {
     if (!row.dt) continue;
     const auto same = std::find_if(list.begin(), list.end(),
                                    [&](const Series& one) { return key(*one.front()) == key(row); });
@@ -41,7 +43,7 @@ std::vector<Series> series_of(const std::vector<Row>& rows) {
 
 StepFit fit_of(const Series& series, const Quantity& quantity) {
   std::vector<StepError> errors;
-  for (const Row* row : series) {
+  for (const RunMetrics* row : series) {
     if (const auto& error = row->*quantity.field) errors.push_back({*row->dt, std::abs(*error)});
   }
   return fit_steps(errors);
@@ -50,7 +52,7 @@ StepFit fit_of(const Series& series, const Quantity& quantity) {
 /// Names and cells of a fit.
 Json cells_of(const SeriesFit& one) {
   const StepFit& fit = one.fit;
-  const bool fitted = fit.gap.high > 0;
+  const bool fitted = fit.model_error.high > 0;
   const auto cell = [&](double value) { return fitted ? Json(value) : Json(); };
   return {{"scene", one.scene},
           {"engine", one.engine},
@@ -58,9 +60,9 @@ Json cells_of(const SeriesFit& one) {
           {"settings", one.settings},
           {"quantity", one.quantity},
           {"steps", fit.points},
-          {"gap", cell(fit.gap.value)},
-          {"gap_low", cell(fit.gap.low)},
-          {"gap_high", cell(fit.gap.high)},
+          {"gap", cell(fit.model_error.value)},
+          {"gap_low", cell(fit.model_error.low)},
+          {"gap_high", cell(fit.model_error.high)},
           {"order", cell(fit.order.value)},
           {"order_low", cell(fit.order.low)},
           {"order_high", cell(fit.order.high)},
@@ -72,11 +74,11 @@ Json cells_of(const SeriesFit& one) {
 
 }  // namespace
 
-std::vector<SeriesFit> fit_rows(const std::vector<Row>& rows) {
+std::vector<SeriesFit> fit_runs(const std::vector<RunMetrics>& rows) {
   std::vector<SeriesFit> fits;
   for (const Series& series : series_of(rows)) {
     if (series.size() < least_steps) continue;
-    const Row& row = *series.front();
+    const RunMetrics& row = *series.front();
     for (const Quantity& quantity : quantities) {
       fits.push_back(
           {row.scene, row.engine, row.solver, row.settings, quantity.column, fit_of(series, quantity)});
@@ -96,7 +98,8 @@ Json fits_json(const std::vector<SeriesFit>& fits) {
 }
 
 std::string fit_definition() {
-  return "error(dt) = gap + coefficient · dt^order, by least squares of ln error, gap ≥ 0 and order from 0.1 "
+  return "error(dt) = gap + coefficient · dt^order, gap being the model error that no step takes away, by "
+         "least squares of ln error, gap ≥ 0 and order from 0.1 "
          "to 6; "
          "low and high are 95 % bounds of the profile of the sum of squares; scatter is the root of the mean "
          "square deviation in ln error. A fit holds with at least five steps, a scatter of at most ln 3, "

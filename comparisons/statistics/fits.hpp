@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/results/row.hpp"
+#include "comparisons/results/run_metrics.hpp"
 #include "comparisons/statistics/step_fit.hpp"
 
 namespace rockstack {
@@ -18,7 +18,7 @@ struct SeriesFit {
 
 /// Fits rms_angle_difference and first_impact_time_difference of every series that was asked for at five time
 /// steps or more, in the order of the rows; steps whose runs are not done or lack the column are left out.
-std::vector<SeriesFit> fit_rows(const std::vector<Row>& rows);
+std::vector<SeriesFit> fit_runs(const std::vector<RunMetrics>& rows);
 
 /// A line a fit: scene,engine,solver,settings,quantity,steps,gap,gap_low,gap_high,order,order_low,order_high,
 /// coefficient,scatter,holds,reason. Precondition: at least one.

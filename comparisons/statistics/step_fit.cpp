@@ -60,7 +60,8 @@ class Data {
 
   std::size_t size() const { return steps_.size(); }
   double mean_step() const { return mean_; }
-  /// Where curves turn from the gap to the power: from far below the smallest to above the largest step.
+  /// Where curves turn from the model error to the power: from far below the smallest to above the largest
+  /// step.
   Range turns() const {
     const auto [low, high] = std::minmax_element(steps_.begin(), steps_.end());
     return {*low - 8, *high + 4};
@@ -101,9 +102,9 @@ class Data {
   std::vector<double> steps_, errors_;
 };
 
-constexpr double no_turn = -HUGE_VAL;  ///< of a curve without gap
+constexpr double no_turn = -HUGE_VAL;  ///< of a curve without model error
 
-/// The best curve without gap.
+/// The best curve without model error.
 Found best_power(const Data& data) {
   constexpr int bits = std::numeric_limits<double>::digits / 2;  // a minimum is no sharper
   const auto sum = [&](double order) { return data.rest(order, no_turn).sum; };
@@ -125,9 +126,11 @@ double sum_at_order(const Data& data, double order) {
   return std::min(least(sum, data.turns(), {0, 0}).sum, data.rest(order, no_turn).sum);
 }
 
-/// The sum of squares with ln gap given.
-double sum_at_gap(const Data& data, double gap) {
-  const auto sum = [&](double order, double turn) { return data.sum(order, turn, gap - order * turn); };
+/// The sum of squares with ln of the model error given.
+double sum_at_model_error(const Data& data, double model_error) {
+  const auto sum = [&](double order, double turn) {
+    return data.sum(order, turn, model_error - order * turn);
+  };
   return least(sum, {least_order, most_order}, data.turns()).sum;
 }
 
@@ -146,13 +149,14 @@ Bounded order_bounds(const Data& data, const Found& best, double limit) {
   return {best.x, edge(profile, limit, best.x, least_order), edge(profile, limit, best.x, most_order)};
 }
 
-/// Gaps from a thousandth of the least error to the largest error; below it a gap counts as none.
-Bounded gap_bounds(const Data& data, double gap, double power_sum, double limit, Range errors) {
-  const auto profile = [&](double logarithm) { return sum_at_gap(data, logarithm); };
+/// Model errors from a thousandth of the least error to the largest error; below it one counts as none.
+Bounded model_error_bounds(const Data& data, double model_error, double power_sum, double limit,
+                           Range errors) {
+  const auto profile = [&](double logarithm) { return sum_at_model_error(data, logarithm); };
   const double smallest = std::log(1e-3 * errors.low);
-  const double inside = std::max(smallest, gap > 0 ? std::log(gap) : smallest);
+  const double inside = std::max(smallest, model_error > 0 ? std::log(model_error) : smallest);
   const double low = power_sum <= limit ? 0 : std::exp(edge(profile, limit, inside, smallest));
-  return {gap, low, std::exp(edge(profile, limit, inside, std::log(errors.high)))};
+  return {model_error, low, std::exp(edge(profile, limit, inside, std::log(errors.high)))};
 }
 
 std::string failure(const StepFit& fit, double constant_sum, double limit) {
@@ -187,11 +191,12 @@ StepFit fit_steps(const std::vector<StepError>& errors) {
   // Rounding alone must not leave a best place out of its own bounds.
   const double limit = best.sum * (1 + ratio * ratio / static_cast<double>(freedom)) + 1e-20;
   const double coefficient = data.rest(best.x, best.y).mean;
-  const double gap = best.y == no_turn ? 0 : std::exp(coefficient + best.x * best.y);
+  const double model_error = best.y == no_turn ? 0 : std::exp(coefficient + best.x * best.y);
   fit.scatter = std::sqrt(best.sum / static_cast<double>(freedom));
   fit.coefficient = std::exp(coefficient - best.x * data.mean_step());
   fit.order = order_bounds(data, best, limit);
-  fit.gap = gap_bounds(data, gap, best_power(data).sum, limit, {low->error, high->error});
+  fit.model_error =
+      model_error_bounds(data, model_error, best_power(data).sum, limit, {low->error, high->error});
   fit.reason = failure(fit, data.rest(0, no_turn).sum, limit);
   return fit;
 }

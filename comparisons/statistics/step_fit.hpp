@@ -16,17 +16,17 @@ struct Bounded {
   double value = 0, low = 0, high = 0;
 };
 
-/// error(dt) = gap + c·dtᵖ, which tells the error of taking steps from the gap between two models that no
-/// step closes.
+/// error(dt) = model_error + c·dtᵖ, which tells the error of taking steps from the difference between two
+/// models that no step closes.
 ///
 /// The fit is the one of least squares of ln error, so that every step counts by its relative deviation:
-/// over gap ≥ 0, c > 0 and p between 0.1 and 6. Bounds are those of the profile: all values with which the
-/// others can still bring the sum of squares S to at most S_min (1 + t²/ν), ν = points − 3 and t the 97.5 %
-/// point of Student's distribution (Bates & Watts, "Nonlinear regression analysis and its applications",
-/// 1988, chapter 6).
+/// over model_error ≥ 0, c > 0 and p between 0.1 and 6. Bounds are those of the profile: all values with
+/// which the others can still bring the sum of squares S to at most S_min (1 + t²/ν), ν = points − 3 and t
+/// the 97.5 % point of Student's distribution (Bates & Watts, "Nonlinear regression analysis and its
+/// applications", 1988, chapter 6).
 struct StepFit {
   std::size_t points = 0;
-  Bounded gap;             ///< in the error's unit; may be 0
+  Bounded model_error;     ///< in the error's unit; may be 0
   Bounded order;           ///< p
   double coefficient = 0;  ///< c, in the error's unit at a step of 1 s
   double scatter = 0;      ///< √(S_min/ν): the errors' typical relative deviation from the curve, in ln

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
@@ -36,10 +37,10 @@ std::vector<Variant> read_variants(const Node& array) {
   if (array.kind != Node::Kind::array) throw wrong_value(array, "an array of names, e.g. [\"linear\"]");
   std::vector<Variant> variants;
   for (const Node& child : array.children) {
-    variants.push_back({choice<std::string>(child, {{"linear", "linear"},
-                                                    {"nonlinear", "nonlinear"},
-                                                    {"paper", "paper"},
-                                                    {"consistent", "consistent"}})});
+    using enum Variant::Choice;
+    variants.push_back({choice<Variant::Choice>(
+        child,
+        {{"linear", linear}, {"nonlinear", nonlinear}, {"paper", paper}, {"consistent", consistent}})});
   }
   return variants;
 }
@@ -75,11 +76,16 @@ PaperScenes read_statements(const Node& table, const Suite& suite) {
 }  // namespace
 
 Scene Variant::apply(Scene scene) const {
-  if (name == "linear") scene.equations = Equations::linear;
-  if (name == "nonlinear") scene.equations = Equations::nonlinear;
-  if (name == "paper") scene.law = Law::paper;
-  if (name == "consistent") scene.law = Law::consistent;
+  if (choice == Choice::linear) scene.equations = Equations::linear;
+  if (choice == Choice::nonlinear) scene.equations = Equations::nonlinear;
+  if (choice == Choice::paper) scene.law = Law::paper;
+  if (choice == Choice::consistent) scene.law = Law::consistent;
   return scene;
+}
+
+std::string Variant::name() const {
+  constexpr std::array names{"linear", "nonlinear", "paper", "consistent", "rk4"};
+  return names.at(static_cast<std::size_t>(choice));
 }
 
 const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name) {

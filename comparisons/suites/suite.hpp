@@ -22,8 +22,13 @@ struct NamedScene {
 /// The exact solver with one choice changed, to be compared as if it were another engine: linear against
 /// nonlinear equations, one impact law against the other, or Runge–Kutta steps in place of series.
 struct Variant {
-  std::string name;  ///< "linear", "nonlinear", "paper", "consistent" or "rk4"
-  double step = 0;   ///< of rk4, s
+  enum class Choice { linear, nonlinear, paper, consistent, rk4 };
+
+  Choice choice;
+  double step = 0;  ///< of rk4, s
+
+  /// "linear", …
+  std::string name() const;
 
   /// The scene with that choice made.
   Scene apply(Scene scene) const;

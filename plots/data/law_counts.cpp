@@ -44,8 +44,8 @@ std::vector<LawShare> shares_by(const std::vector<LawCell>& cells,
   return list;
 }
 
-std::string slenderness_range(const LawCell& cell) {
-  return fmt::format("{:.3g} to {:.3g}", cell.slenderness_from, cell.slenderness_to);
+std::string aspect_ratio_range(const LawCell& cell) {
+  return fmt::format("{:.3g} to {:.3g}", cell.aspect_ratio_from, cell.aspect_ratio_to);
 }
 
 std::string mass_ratio_range(const LawCell& cell) {

@@ -22,7 +22,7 @@ std::vector<LawShare> shares_by(const std::vector<LawCell>& cells,
                                 const std::function<std::string(const LawCell&)>& name);
 
 /// The range of a cell along either axis, "0.25 to 0.386".
-std::string slenderness_range(const LawCell& cell);
+std::string aspect_ratio_range(const LawCell& cell);
 std::string mass_ratio_range(const LawCell& cell);
 
 /// Some engine runs together.

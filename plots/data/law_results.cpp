@@ -33,7 +33,7 @@ void read_cells(const fs::path& file, LawResults& results) {
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Row row(table, i, file);
     results.cells.push_back({static_cast<int>(row.value("blocks")), row.text("kind"),
-                             row.value("slenderness_from"), row.value("slenderness_to"),
+                             row.value("aspect_ratio_from"), row.value("aspect_ratio_to"),
                              row.value("mass_ratio_from"), row.value("mass_ratio_to"), row.value("impacts"),
                              row.value("differ"), row.value("none")});
   }

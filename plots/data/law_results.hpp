@@ -12,11 +12,11 @@ namespace rockstack::plots {
 struct LawCell {
   int blocks = 0;
   std::string kind;
-  double slenderness_from = 0, slenderness_to = 0;  ///< height over width of the top block
-  double mass_ratio_from = 0, mass_ratio_to = 0;    ///< of the top block to the one below
-  double impacts = 0;                               ///< states that were judged
-  double differ = 0;                                ///< after which the laws have different patterns
-  double none = 0;                                  ///< after which no pattern is consistent
+  double aspect_ratio_from = 0, aspect_ratio_to = 0;  ///< height over width of the top block
+  double mass_ratio_from = 0, mass_ratio_to = 0;      ///< of the top block to the one below
+  double impacts = 0;                                 ///< states that were judged
+  double differ = 0;                                  ///< after which the laws have different patterns
+  double none = 0;                                    ///< after which no pattern is consistent
 };
 
 /// Two answers to one kind of impact.
@@ -29,8 +29,8 @@ struct LawPair {
 /// A state just before an impact that engines were asked about.
 struct LawState {
   std::string name;
-  double slenderness = 0;  ///< height over width of the top block
-  double mass_ratio = 0;   ///< of the top block to the one below
+  double aspect_ratio = 0;  ///< height over width of the top block
+  double mass_ratio = 0;    ///< of the top block to the one below
 };
 
 /// One row of impact-laws-engines.csv: what one engine made of one state. NaN where a run failed.

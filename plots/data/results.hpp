@@ -50,12 +50,12 @@ struct ComparedScene {
   bool has(const std::string& result) const;
 };
 
-/// The errors of one series over its time steps, fitted by gap + coefficient · dt^order. NaN where no number
-/// was found.
+/// The errors of one series over its time steps, fitted by model error + coefficient · dt^order. NaN where no
+/// number was found.
 struct Fit {
   std::string scene, engine, solver, settings;
-  std::string quantity;                       ///< the column of the errors
-  double gap = 0, gap_low = 0, gap_high = 0;  ///< in the unit of the errors
+  std::string quantity;                                               ///< the column of the errors
+  double model_error = 0, model_error_low = 0, model_error_high = 0;  ///< in the unit of the errors
   double order = 0, order_low = 0, order_high = 0;
   double coefficient = 0;  ///< likewise, at a step of 1 s
   bool holds = false;

@@ -96,7 +96,7 @@ void Sheet::panel(double height, double gap, const std::string& settings,
 Drawing Sheet::finish() const {
   constexpr double word_row = 22;
   const double words_top = below_ + axis_height;
-  const double height = std::ceil(words_top + static_cast<double>(words_.size()) * word_row);
+  const double height = std::ceil(words_top + static_cast<double>(notes_.size()) * word_row);
   std::string text = fmt::format(
       "set multiplot\nunset key\nset label 1 {} noenhanced at screen 0.5, screen {} center font ',{}'\n",
       in_quotes(title_), plain(1 - title_height / 2 / height), title_size(title_));
@@ -105,11 +105,11 @@ Drawing Sheet::finish() const {
     text += fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", left_edge, right_edge,
                         plain(1 - panel.bottom / height), plain(1 - panel.top / height));
     if (&panel == &panels_.back())
-      for (std::size_t i = 0; i < words_.size(); ++i)
+      for (std::size_t i = 0; i < notes_.size(); ++i)
         text += fmt::format("set label {} noenhanced at screen {}, screen {} left font ',12' tc rgb '{}'\n",
-                            in_quotes(words_[i].first), left_edge,
+                            in_quotes(notes_[i].first), left_edge,
                             plain(1 - (words_top + static_cast<double>(i) * word_row) / height),
-                            words_[i].second);
+                            notes_[i].second);
     text += panel.settings + fmt::format("plot {}\nunset label\nunset arrow\n", panel.plots);
   }
   return {.height = static_cast<int>(height), .data = blocks_, .commands = text + "unset multiplot"};
@@ -131,11 +131,11 @@ std::string without_horizontal_labels() {
   return "set format x ''\nunset xlabel\n";
 }
 
-Drawing empty_sheet(const std::string& title, const std::string& words) {
+Drawing empty_sheet(const std::string& title, const std::string& text) {
   Sheet sheet(title, {});
   constexpr double height = 120;
   sheet.panel(height, 0,
-              "unset tics\nset xrange [0:1]\nset yrange [0:1]\nset label 2 " + in_quotes(words) +
+              "unset tics\nset xrange [0:1]\nset yrange [0:1]\nset label 2 " + in_quotes(text) +
                   " noenhanced at graph 0.5, graph 0.5 center\n",
               {});
   return sheet.finish();

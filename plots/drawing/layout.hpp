@@ -31,7 +31,7 @@ class Sheet {
   void panel(double height, double gap, const std::string& settings, const std::vector<std::string>& plots);
 
   /// Adds a line of words in a colour, #rrggbb, under the last panel's axis.
-  void words(const std::string& text, const std::string& colour) { words_.emplace_back(text, colour); }
+  void note(const std::string& text, const std::string& colour) { notes_.emplace_back(text, colour); }
 
   void data(const std::string& block) { blocks_ += block; }
 
@@ -48,7 +48,7 @@ class Sheet {
   std::string title_, blocks_;
   Legend legend_;
   std::vector<Panel> panels_;
-  std::vector<std::pair<std::string, std::string>> words_;  ///< with their colours
+  std::vector<std::pair<std::string, std::string>> notes_;  ///< with their colours
 };
 
 /// Numbers along a logarithmic axis, "x" or "y": powers of ten, or where there are too few of them 1, 2 and 5
@@ -59,7 +59,7 @@ std::string logarithmic_tics(const std::string& axis, double low, double high);
 std::string without_horizontal_labels();
 
 /// A sheet with one frame that says why there is nothing to show.
-Drawing empty_sheet(const std::string& title, const std::string& words);
+Drawing empty_sheet(const std::string& title, const std::string& text);
 
 /// "θ₁" for block 1.
 std::string angle_name(int block);

@@ -103,10 +103,10 @@ std::string frame(const Stage& stage, double time) {
   std::string text = "unset object\n";
   for (std::size_t i = 0; i < stage.actors.size(); ++i) text += drawn(stage, i, time);
   const std::string pattern = pattern_at(stage.spans, time);
-  const std::string words =
+  const std::string label =
       fmt::format("{:.2f} s{}", time, pattern.empty() ? "" : ", exact pattern " + pattern);
   return text + fmt::format("set label 1 {} noenhanced at graph 0.5, graph 0.965 center\nplot NaN notitle\n",
-                            in_quotes(words));
+                            in_quotes(label));
 }
 
 /// How fast a film runs: as players do at first.
@@ -120,7 +120,7 @@ std::string speed_text(double speed) {
 }
 
 /// Two engines at most: more would be too small to look at.
-std::vector<Actor> actors_of(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+std::vector<Actor> actors_of(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   const Shown shown = shown_runs(comparison, scene.name);
   std::vector<Run> runs = shown.exact;
   for (const Run& run : shown.engines)
@@ -129,15 +129,15 @@ std::vector<Actor> actors_of(const Comparison& comparison, const ComparedScene& 
   for (const std::string& name : numbered("theta_", scene.blocks)) names.push_back(name);
   std::vector<Actor> actors;
   for (const Run& run : runs) {
-    Actor actor{run, looks.at(solver_name(run)).colour, read_columns(run.folder / "history.csv", names)};
+    Actor actor{run, styles.at(solver_name(run)).colour, read_columns(run.folder / "history.csv", names)};
     if (actor.samples.front().size() > 1) actors.push_back(std::move(actor));
   }
   return actors;
 }
 
-Stage stage_of(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+Stage stage_of(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   Stage stage{.scene = scene,
-              .actors = actors_of(comparison, scene, looks),
+              .actors = actors_of(comparison, scene, styles),
               .spans = {},
               .stack = stack_of(scene.stack)};
   double height = 0, width = 0, most = 0;
@@ -184,12 +184,12 @@ Animation animation_of(const Stage& stage) {
 
 std::vector<std::filesystem::path> draw_animations(const std::filesystem::path& results) {
   const Comparison comparison = read_comparison(results);
-  const Looks looks = assign_looks(comparison.runs);
+  const Styles styles = assign_styles(comparison.runs);
   std::vector<std::filesystem::path> files;
   for (const ComparedScene& scene : comparison.scenes) {
     if (!has_motion(comparison, scene)) continue;
     const std::filesystem::path stem = figure_stem(results, scene.name, "motion");
-    draw(animation_of(stage_of(comparison, scene, looks)), stem);
+    draw(animation_of(stage_of(comparison, scene, styles)), stem);
     files.push_back(std::filesystem::path(stem).concat(".gif"));
     if (has_ffmpeg()) files.push_back(std::filesystem::path(stem).concat(".mp4"));
   }

@@ -102,14 +102,14 @@ void add_history(Sheet& sheet, const RecordFacts& facts, const std::string& name
 
 void add_husid(Sheet& sheet, const RecordFacts& facts, const Curve& shares) {
   sheet.data(data_block("husid", thin(shares, bins)));
-  const std::string words = fmt::format("5–95 %: {:.3g} s; Arias intensity {:.3g} m/s",
+  const std::string label = fmt::format("5–95 %: {:.3g} s; Arias intensity {:.3g} m/s",
                                         facts.end - facts.begin, facts.arias_intensity);
   sheet.panel(130, 16,
               time_settings(facts, shares.times.back()) +
                   "set format x '%g'\nset xlabel 'time (s)'\nset yrange [0:1]\nset ytics 0.25\n"
                   "set ylabel 'share of ∫a² dt' offset 0.5\n" +
                   fmt::format("set label {} noenhanced at graph 0.985, graph 0.12 right font ',12' front\n",
-                              in_quotes(words)),
+                              in_quotes(label)),
               {fmt::format("$husid using 1:2 {}", line_style)});
 }
 

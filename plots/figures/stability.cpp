@@ -16,13 +16,13 @@
 namespace rockstack::plots {
 namespace {
 
-struct Look {
+struct VerdictStyle {
   const char* verdict;
   const char* colour;
-  const char* words;
+  const char* label;
 };
 /// From light to dark, so that they are told apart in grey and by everyone.
-constexpr std::array<Look, 4> looks{
+constexpr std::array<VerdictStyle, 4> styles{
     {{"sound", "#D3EDE0", "sound: within all limits"},
      {"inexact", "#EDB93A", "inexact: physical, but off"},
      {"unstable", "#C43C4E", "unstable: gains energy, or topples what stands"},
@@ -112,13 +112,14 @@ Drawing drawing(const std::string& solver, const Map& map, const nlohmann::json&
   Legend legend;
   std::string data = staircase(map, across, up);
   std::vector<std::string> elements;
-  for (std::size_t k = 0; k < looks.size(); ++k) {
-    const Look& look = looks.at(k);
+  for (std::size_t k = 0; k < styles.size(); ++k) {
+    const VerdictStyle& style = styles.at(k);
     legend.emplace_back(
-        fmt::format("with boxes fs solid 1.0 border lc rgb '#606060' fc rgb '{}'", look.colour), look.words);
+        fmt::format("with boxes fs solid 1.0 border lc rgb '#606060' fc rgb '{}'", style.colour),
+        style.label);
     std::string lines;
     for (const Cell& cell : map.cells) {
-      if (cell.verdict == look.verdict)
+      if (cell.verdict == style.verdict)
         lines += fmt::format("{} {} 0.5 0.5\n", across.of(cell.value), up.of(cell.dt));
     }
     if (lines.empty()) continue;
@@ -126,7 +127,7 @@ Drawing drawing(const std::string& solver, const Map& map, const nlohmann::json&
     elements.push_back(
         fmt::format("$kind_{} using 1:2:3:4 with boxxyerror fs solid 1.0 border lc rgb 'white' "
                     "fc rgb '{}' notitle",
-                    k, look.colour));
+                    k, style.colour));
   }
   elements.emplace_back("$stable using 1:2 with lines lw 4 lc rgb 'black' notitle");
   legend.emplace_back("with lines lw 4 lc rgb 'black'", "largest stable step");

@@ -24,7 +24,7 @@ std::vector<unsigned char> bytes_of(const std::vector<float>& numbers) {
 
 }  // namespace
 
-std::string packed(const std::vector<float>& numbers) {
+std::string base64(const std::vector<float>& numbers) {
   const std::vector<unsigned char> bytes = bytes_of(numbers);
   std::string text;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {

@@ -6,6 +6,6 @@
 namespace rockstack::plots {
 
 /// Numbers as text for a page: 32-bit floating point, lowest byte first, in base 64.
-std::string packed(const std::vector<float>& numbers);
+std::string base64(const std::vector<float>& numbers);
 
 }  // namespace rockstack::plots

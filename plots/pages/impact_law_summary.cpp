@@ -70,7 +70,7 @@ void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::
     sentences.push_back(fmt::format(
         "The share within {} by height over width of the top block: {}; by its mass over that of the block "
         "below: {}.",
-        differing == 1 ? "this kind" : "these kinds", extremes(shares_by(where, slenderness_range)),
+        differing == 1 ? "this kind" : "these kinds", extremes(shares_by(where, aspect_ratio_range)),
         extremes(shares_by(where, mass_ratio_range))));
   }
   if (all.none > 0)

@@ -59,7 +59,8 @@ std::string stacks_table(const std::vector<LawCell>& cells) {
                       "laws differ", "differ (%)",       "none", "none (%)"};
   std::string rows;
   for (const LawShare& share : shares_by(cells, [](const LawCell& cell) {
-         return by_blocks(cell, fmt::format("slenderness;{};{}", cell.slenderness_from, cell.slenderness_to));
+         return by_blocks(
+             cell, fmt::format("height over width;{};{}", cell.aspect_ratio_from, cell.aspect_ratio_to));
        }))
     rows += share_row(columns, share);
   for (const LawShare& share : shares_by(cells, [](const LawCell& cell) {
@@ -116,13 +117,13 @@ std::string solvers_table(const std::vector<LawRun>& runs) {
 
 std::string states_table(const LawResults& results) {
   const Cells columns =
-      followed_by({"state", "slenderness of the top block", "its mass over that below"}, tally_columns);
+      followed_by({"state", "height over width of the top block", "its mass over that below"}, tally_columns);
   std::map<std::string, LawTally> tallies;
   for (LawTally& tally : tallies_by(results.runs, [](const LawRun& one) { return one.run.scene; }))
     tallies.emplace(tally.of, std::move(tally));
   std::string rows;
   for (const LawState& state : results.states)
-    rows += table_row(columns, with_tally({state.name, fmt::format("{}", state.slenderness),
+    rows += table_row(columns, with_tally({state.name, fmt::format("{}", state.aspect_ratio),
                                            fmt::format("{}", state.mass_ratio)},
                                           tallies[state.name]));
   return table(columns, rows);

@@ -102,8 +102,8 @@ std::string figure_part(const fs::path& results, const Comparison& comparison, s
 }
 
 std::string player_part(const Comparison& comparison, std::size_t scene) {
-  return player(comparison, comparison.scenes[scene], assign_looks(comparison.runs), comparison.scenes.size(),
-                fmt::format("player-{}", scene + 1));
+  return player(comparison, comparison.scenes[scene], assign_styles(comparison.runs),
+                comparison.scenes.size(), fmt::format("player-{}", scene + 1));
 }
 
 void write_page(const fs::path& file, const std::string& text) {

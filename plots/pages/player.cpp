@@ -33,7 +33,7 @@ std::string packed_rows(const Columns& columns, std::size_t first, const std::ve
   for (const std::size_t sample : kept)
     for (std::size_t c = first; c < columns.size(); ++c)
       numbers.push_back(static_cast<float>(columns[c][sample]));
-  return packed(numbers);
+  return base64(numbers);
 }
 
 Columns read_samples(const std::filesystem::path& file, const std::vector<std::string>& stems, int blocks) {
@@ -76,13 +76,13 @@ void add_reactions(Json& track, const Run& run, int blocks, std::size_t samples)
   track["reactions"] = packed_rows(reactions, 1, kept);
 }
 
-Json track(const Run& run, int blocks, const Look& look, std::size_t samples, bool shown) {
+Json track(const Run& run, int blocks, const Style& style, std::size_t samples, bool shown) {
   Columns motion = read_samples(run.folder / "history.csv", {"theta_"}, blocks);
   if (run.exact()) motion = with_events(std::move(motion), run, blocks);
   const std::vector<std::size_t> kept = kept_samples(motion[0].size(), samples);
   Json json{{"label", run_label(run)},
-            {"colour", look.colour},
-            {"dash", look.dash},
+            {"colour", style.colour},
+            {"dash", style.dash},
             {"shown", shown},
             {"times", packed_rows({motion[0]}, 0, kept)},
             {"angles", packed_rows(motion, 1, kept)},
@@ -174,7 +174,7 @@ void add_exact_impacts(Json& track, const Json& events) {
     if (impact[4] == 0) track["impacts"].push_back(impact[0]);
 }
 
-Json data_of(const Comparison& comparison, const ComparedScene& scene, const Looks& looks,
+Json data_of(const Comparison& comparison, const ComparedScene& scene, const Styles& styles,
              std::size_t players) {
   const Shown shown = shown_runs(comparison, scene.name);
   std::vector<Run> runs = shown.exact;
@@ -188,7 +188,7 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, const Loo
             {"tracks", Json::array()}};
   for (const Run& run : runs)
     data["tracks"].push_back(
-        track(run, scene.blocks, looks.at(solver_name(run)), samples, first.contains(run.name)));
+        track(run, scene.blocks, styles.at(solver_name(run)), samples, first.contains(run.name)));
   add_exact_impacts(data["tracks"][0], data["events"]);
   if (!scene.ground_motion.empty()) data["ground"] = ground_of(scene);
   return data;
@@ -203,11 +203,11 @@ std::string for_script(const Json& data) {
 
 }  // namespace
 
-std::string player(const Comparison& comparison, const ComparedScene& scene, const Looks& looks,
+std::string player(const Comparison& comparison, const ComparedScene& scene, const Styles& styles,
                    std::size_t players, const std::string& id) {
   return filled_in(player_html, {{"id", id},
                                  {"title", escaped(scene.title)},
-                                 {"data", for_script(data_of(comparison, scene, looks, players))}});
+                                 {"data", for_script(data_of(comparison, scene, styles, players))}});
 }
 
 }  // namespace rockstack::plots

@@ -11,7 +11,7 @@ namespace rockstack::plots {
 /// thinned so that a page of `players` of them stays small. `id` names its element. Precondition:
 /// has_motion().
 /// @throws InputError naming the file that is missing or malformed.
-std::string player(const Comparison& comparison, const ComparedScene& scene, const Looks& looks,
+std::string player(const Comparison& comparison, const ComparedScene& scene, const Styles& styles,
                    std::size_t players, const std::string& id);
 
 }  // namespace rockstack::plots

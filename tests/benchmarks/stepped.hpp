@@ -162,19 +162,19 @@ class Stepped {
 
   void collide(const Interfaces& closing) {
     const Impact<double, N> impact{state(chain_.pattern()), closing};
-    Outcome<double, N> outcome = resolve(model_, impact, scene_.law).outcome;
+    PatternSolution<double, N> solution = resolve(model_, impact, scene_.law).solution;
     const Interfaces touching = impact.touching();
-    for (Pattern slow = without_slow(outcome, touching); !(slow == outcome.pattern);
-         slow = without_slow(outcome, touching))
-      outcome = velocities_after(model_, impact, slow);
-    for (std::size_t k = 0; k < N; ++k) values_[k + N] = outcome.relative[static_cast<int>(k)];
-    set_pattern(outcome.pattern);
+    for (Pattern slow = without_slow(solution, touching); !(slow == solution.pattern);
+         slow = without_slow(solution, touching))
+      solution = velocities_after(model_, impact, slow);
+    for (std::size_t k = 0; k < N; ++k) values_[k + N] = solution.relative[static_cast<int>(k)];
+    set_pattern(solution.pattern);
   }
 
-  Pattern without_slow(const Outcome<double, N>& outcome, const Interfaces& touching) const {
-    Pattern pattern = outcome.pattern;
+  Pattern without_slow(const PatternSolution<double, N>& solution, const Interfaces& touching) const {
+    Pattern pattern = solution.pattern;
     Values<N> values = values_;
-    for (std::size_t k = 0; k < N; ++k) values[k + N] = outcome.relative[static_cast<int>(k)];
+    for (std::size_t k = 0; k < N; ++k) values[k + N] = solution.relative[static_cast<int>(k)];
     const Response response = LeanChain<N>(model_, pattern).respond(values, pieces_.current().at(offset_));
     for (int k = 0; k < N; ++k) {
       const auto i = static_cast<std::size_t>(k);

@@ -113,7 +113,7 @@ TEST(BodyWatch, EnergyOfFreeFlightIsConstantAndDriftOutOfThePlaneIsSeen) {
   BodyWatch watch(scene, dt, false);
   for (int step = 0; step <= 8; ++step) {
     if (step > 0) stone.step();
-    watch.look(stone, std::vector<double>{0}, std::vector<double>{0.5});
+    watch.observe(stone, std::vector<double>{0}, std::vector<double>{0.5});
   }
   const Block& block = scene.blocks[0];
   const double expected = 0.5 * block.mass * (2 * 2 + 3 * 3) + 0.5 * block.inertia * 0.25 +

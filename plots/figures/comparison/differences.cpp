@@ -50,22 +50,22 @@ std::string difference_name(std::size_t run, std::size_t block) {
 }
 
 /// Where a run's agreement ends: its mark, filled, on the line of the tolerance.
-std::string agreement_mark(const Departure& departure, const Looks& looks, double tolerance) {
+std::string agreement_mark(const Departure& departure, const Styles& styles, double tolerance) {
   return fmt::format("'+' every ::0::0 using ({}):({}) {} notitle", plain(departure.run.agreement_time),
-                     plain(tolerance), mark_style(looks.at(solver_name(departure.run)), true, 1.5));
+                     plain(tolerance), mark_style(styles.at(solver_name(departure.run)), true, 1.5));
 }
 
-std::vector<std::string> panel_plots(const std::vector<Departure>& departures, const Looks& looks,
+std::vector<std::string> panel_plots(const std::vector<Departure>& departures, const Styles& styles,
                                      std::size_t block, double tolerance) {
   std::vector<std::string> plots{
       fmt::format("{} with lines lw 2 dt (5,8) lc rgb '#666666' notitle", plain(tolerance))};
   for (std::size_t i = 0; i < departures.size(); ++i)
     if (!departures[i].sizes[block].times.empty())
       plots.push_back(fmt::format("${} using 1:2 {} notitle", difference_name(i, block),
-                                  curve_style(looks, departures[i].run, i)));
+                                  curve_style(styles, departures[i].run, i)));
   for (const Departure& departure : departures)
     if (departure.run.agreement_time < departure.end)
-      plots.push_back(agreement_mark(departure, looks, tolerance));
+      plots.push_back(agreement_mark(departure, styles, tolerance));
   return plots;
 }
 
@@ -75,17 +75,17 @@ double last_time(const std::vector<Departure>& departures) {
   return end;
 }
 
-Legend legend_of(const std::vector<Departure>& departures, const Looks& looks) {
+Legend legend_of(const std::vector<Departure>& departures, const Styles& styles) {
   Legend legend;
   for (std::size_t i = 0; i < departures.size(); ++i)
-    legend.emplace_back(curve_style(looks, departures[i].run, i), run_label(departures[i].run));
+    legend.emplace_back(curve_style(styles, departures[i].run, i), run_label(departures[i].run));
   legend.emplace_back("with lines lw 2 dt (5,8) lc rgb '#666666'", "tolerance; filled mark: agreement ends");
   return legend;
 }
 
 }  // namespace
 
-Drawing differences(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+Drawing differences(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   const std::vector<Run> runs = shown_runs(comparison, scene.name).engines;
   if (runs.empty()) return empty_sheet(scene.title, "No engine run of this scene to compare.");
   const auto blocks = static_cast<std::size_t>(scene.blocks);
@@ -97,7 +97,7 @@ Drawing differences(const Comparison& comparison, const ComparedScene& scene, co
   if (departures.empty()) return empty_sheet(scene.title, "No exact run of this scene to compare with.");
   const LogRange range = range_of(departures, comparison.tolerance, floor);
 
-  Sheet sheet(scene.title, legend_of(departures, looks));
+  Sheet sheet(scene.title, legend_of(departures, styles));
   for (std::size_t i = 0; i < departures.size(); ++i)
     for (std::size_t k = 0; k < blocks; ++k)
       sheet.data(data_block(difference_name(i, k), departures[i].sizes[k]));
@@ -110,7 +110,7 @@ Drawing differences(const Comparison& comparison, const ComparedScene& scene, co
                     plain(last_time(departures)), plain(range.low), plain(range.high),
                     angle_name(static_cast<int>(k) + 1)) +
             (k + 1 == blocks ? "set format x '%g'\nset xlabel 'time (s)'\n" : without_horizontal_labels()),
-        panel_plots(departures, looks, k, comparison.tolerance));
+        panel_plots(departures, styles, k, comparison.tolerance));
   return sheet.finish();
 }
 

@@ -58,31 +58,31 @@ Curve shares(const std::vector<double>& values, const Span& span) {
   return curve;
 }
 
-std::string style(const Run& run, const Looks& looks) {
+std::string style(const Run& run, const Styles& styles) {
   if (run.exact()) return "with steps lw 4 lc rgb '#000000'";
-  const Look& look = looks.at(solver_name(run));
-  return fmt::format("with steps lw 2 lc rgb '{}' dt {}", look.colour,
-                     dash_of(look, run.settings, look.dash));
+  const Style& style = styles.at(solver_name(run));
+  return fmt::format("with steps lw 2 lc rgb '{}' dt {}", style.colour,
+                     dash_of(style, run.settings, style.dash));
 }
 
 /// The distances of one quantity as a line above its panel.
 std::string distance_line(const Comparison& comparison, const std::vector<Sample>& samples,
                           const std::string& quantity) {
-  std::string words;
+  std::string label;
   for (const Sample& sample : samples)
     for (const Distance& one : comparison.distances) {
       if (one.run != sample.run.name || one.quantity != quantity) continue;
-      if (words.empty())
-        words = fmt::format("D, above {:.2f} once in twenty times by chance: ", one.critical);
+      if (label.empty())
+        label = fmt::format("D, above {:.2f} once in twenty times by chance: ", one.critical);
       else
-        words += ", ";
+        label += ", ";
       const std::string& settings = sample.run.settings;
-      words += fmt::format("{}{} {:.2f}", solver_name(sample.run),
+      label += fmt::format("{}{} {:.2f}", solver_name(sample.run),
                            settings.substr(std::min(settings.find('+'), settings.size())), one.distance);
     }
-  return words.empty()
+  return label.empty()
              ? ""
-             : "set label " + in_quotes(words) + " noenhanced at graph 0, graph 1.05 left font ',11'\n";
+             : "set label " + in_quotes(label) + " noenhanced at graph 0, graph 1.05 left font ',11'\n";
 }
 
 struct Quantity {
@@ -99,11 +99,11 @@ std::vector<Quantity> quantities_of(const ComparedScene& scene) {
 
 }  // namespace
 
-Drawing distributions(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+Drawing distributions(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   const Shown shown = shown_runs(comparison, scene.name);
   Legend legend;
   for (const Sample& sample : samples_of(shown, "impacts"))
-    legend.emplace_back(style(sample.run, looks), run_label(sample.run));
+    legend.emplace_back(style(sample.run, styles), run_label(sample.run));
   Sheet sheet(scene.title, legend);
   for (const auto& [name, axis] : quantities_of(scene)) {
     const std::vector<Sample> samples = samples_of(shown, name);
@@ -113,7 +113,7 @@ Drawing distributions(const Comparison& comparison, const ComparedScene& scene, 
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const std::string block = fmt::format("{}_{}", name, i);
       sheet.data(data_block(block, shares(samples[i].values, span)));
-      plots.push_back(fmt::format("${} using 1:2 {} notitle", block, style(samples[i].run, looks)));
+      plots.push_back(fmt::format("${} using 1:2 {} notitle", block, style(samples[i].run, styles)));
     }
     sheet.panel(
         300, 110,

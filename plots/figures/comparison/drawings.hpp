@@ -7,40 +7,40 @@
 namespace rockstack::plots {
 
 /// Angles over time, a panel a block, with the exact impacts and the exact pattern.
-Drawing histories(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+Drawing histories(const Comparison& comparison, const ComparedScene& scene, const Styles& styles);
 
 /// Absolute angle differences over time, a panel a block, with the tolerance and the end of agreement.
-Drawing differences(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+Drawing differences(const Comparison& comparison, const ComparedScene& scene, const Styles& styles);
 
 /// Time differences of matched impacts by number; missed and extra ones in rows of their own.
-Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, const Styles& styles);
 
 /// The full equations beside the linear ones, a panel a block. Precondition: the scene has runs of both.
-Drawing equations(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+Drawing equations(const Comparison& comparison, const ComparedScene& scene, const Styles& styles);
 
 /// Angle against angular velocity, a panel a block.
-Drawing phase(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+Drawing phase(const Comparison& comparison, const ComparedScene& scene, const Styles& styles);
 
 /// Energy over time, the exact staircase beside engines, and how far they are from it.
-Drawing energy(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+Drawing energy(const Comparison& comparison, const ComparedScene& scene, const Styles& styles);
 
 /// The share of time spent in each pattern.
-Drawing occupancy(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+Drawing occupancy(const Comparison& comparison, const ComparedScene& scene, const Styles& styles);
 
 /// RMS angle difference against stepping time, a line over time steps for each engine, solver and settings.
-Drawing error_time(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+Drawing error_time(const Comparison& comparison, const ComparedScene& scene, const Styles& styles);
 
-/// RMS angle difference against time step, with the fitted curves and the gaps that they fall to.
-Drawing error_step(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+/// RMS angle difference against time step, with the fitted curves and the model errors that they fall to.
+Drawing error_step(const Comparison& comparison, const ComparedScene& scene, const Styles& styles);
 
 /// The same of the first impact's time difference.
-Drawing first_impact_step(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+Drawing first_impact_step(const Comparison& comparison, const ComparedScene& scene, const Styles& styles);
 
 /// Shares of perturbed scenes at or below each value of a quantity, a panel each: the exact solution's and
 /// the engines'. Precondition: the scene has such distributions.
-Drawing distributions(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+Drawing distributions(const Comparison& comparison, const ComparedScene& scene, const Styles& styles);
 
 /// The ground's acceleration, a panel for each axis that moves. Precondition: the scene has a ground motion.
-Drawing ground_motion(const Comparison& comparison, const ComparedScene& scene, const Looks& looks);
+Drawing ground_motion(const Comparison& comparison, const ComparedScene& scene, const Styles& styles);
 
 }  // namespace rockstack::plots

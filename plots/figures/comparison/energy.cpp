@@ -36,26 +36,26 @@ std::string range_of(const std::vector<const Curve*>& curves) {
 constexpr auto grid = "set grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n";
 constexpr auto core_style = "with lines lw 1 lc rgb '#000000'";
 
-std::vector<std::string> level_plots(const std::vector<Energies>& all, const Looks& looks) {
+std::vector<std::string> level_plots(const std::vector<Energies>& all, const Styles& styles) {
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < all.size(); ++i)
-    plots.push_back(fmt::format("$engine_{} using 1:2 {} notitle", i, curve_style(looks, all[i].run, i)));
+    plots.push_back(fmt::format("$engine_{} using 1:2 {} notitle", i, curve_style(styles, all[i].run, i)));
   plots.push_back(fmt::format("$exact using 1:2 {} notitle", exact_style));
   plots.push_back(fmt::format("$exact using 1:2 {} notitle", core_style));
   return plots;
 }
 
-std::vector<std::string> apart_plots(const std::vector<Energies>& all, const Looks& looks) {
+std::vector<std::string> apart_plots(const std::vector<Energies>& all, const Styles& styles) {
   std::vector<std::string> plots{"0 with lines lw 1.5 lc rgb '#000000' notitle"};
   for (std::size_t i = 0; i < all.size(); ++i)
-    plots.push_back(fmt::format("$apart_{} using 1:2 {} notitle", i, curve_style(looks, all[i].run, i)));
+    plots.push_back(fmt::format("$apart_{} using 1:2 {} notitle", i, curve_style(styles, all[i].run, i)));
   return plots;
 }
 
-Legend legend_of(const std::vector<Energies>& all, const Looks& looks) {
+Legend legend_of(const std::vector<Energies>& all, const Styles& styles) {
   Legend legend{{exact_style, "exact"}};
   for (std::size_t i = 0; i < all.size(); ++i)
-    legend.emplace_back(curve_style(looks, all[i].run, i), run_label(all[i].run));
+    legend.emplace_back(curve_style(styles, all[i].run, i), run_label(all[i].run));
   return legend;
 }
 
@@ -69,7 +69,7 @@ const Curve& longest_exact(const std::vector<Energies>& all) {
 
 }  // namespace
 
-Drawing energy(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+Drawing energy(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   const std::vector<Run> runs = shown_runs(comparison, scene.name).engines;
   std::vector<Energies> all;
   for (const Run& run : runs)
@@ -79,7 +79,7 @@ Drawing energy(const Comparison& comparison, const ComparedScene& scene, const L
   const Curve& exact = longest_exact(all);
   const double end = exact.times.empty() ? 1 : std::max(exact.times.back(), 1e-9);
   std::vector<const Curve*> levels{&exact}, differences;
-  Sheet sheet(scene.title, legend_of(all, looks));
+  Sheet sheet(scene.title, legend_of(all, styles));
   sheet.data(data_block("exact", exact));
   for (std::size_t i = 0; i < all.size(); ++i) {
     levels.push_back(&all[i].engine);
@@ -92,12 +92,12 @@ Drawing energy(const Comparison& comparison, const ComparedScene& scene, const L
   sheet.panel(tall, 0,
               across + range_of(levels) + grid + without_horizontal_labels() +
                   "set format y '%.4g'\nset ylabel 'energy above rest (J)' offset 0\n",
-              level_plots(all, looks));
+              level_plots(all, styles));
   sheet.panel(low, gap,
               across + range_of(differences) + grid +
                   "set format y '%.5g'\nset format x '%g'\nset xlabel 'time (s)'\n"
                   "set ylabel 'engine − exact (J)' offset 0\n",
-              apart_plots(all, looks));
+              apart_plots(all, styles));
   return sheet.finish();
 }
 

@@ -26,12 +26,14 @@ struct ErrorLine {
   bool fits() const { return fit != nullptr && fit->holds; }
 };
 
-std::string fit_words(const Fit& fit) {
+std::string fit_label(const Fit& fit) {
   if (!fit.holds) return "no fit, " + fit.reason;
-  const std::string gap = fit.gap_low > 0
-                              ? fmt::format("{:.2g} ({:.2g}–{:.2g})", fit.gap, fit.gap_low, fit.gap_high)
-                              : fmt::format("≤ {:.2g}", fit.gap_high);
-  return fmt::format("p {:.2f} ({:.2f}–{:.2f}), gap {}", fit.order, fit.order_low, fit.order_high, gap);
+  const std::string model_error =
+      fit.model_error_low > 0
+          ? fmt::format("{:.2g} ({:.2g}–{:.2g})", fit.model_error, fit.model_error_low, fit.model_error_high)
+          : fmt::format("≤ {:.2g}", fit.model_error_high);
+  return fmt::format("p {:.2f} ({:.2f}–{:.2f}), model error {}", fit.order, fit.order_low, fit.order_high,
+                     model_error);
 }
 
 std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::string& scene,
@@ -58,15 +60,15 @@ Curve fitted(const ErrorLine& line) {
   for (int i = 0; i <= points; ++i) {
     const double dt = first * std::pow(last / first, static_cast<double>(i) / points);
     curve.times.push_back(dt);
-    curve.values.push_back(line.fit->gap + line.fit->coefficient * std::pow(dt, line.fit->order));
+    curve.values.push_back(line.fit->model_error + line.fit->coefficient * std::pow(dt, line.fit->order));
   }
   return curve;
 }
 
-std::string mark(const ErrorLine& line, const Looks& looks) {
-  const Look& look = looks.at(solver_name(line.run));
-  return fmt::format("with points lw 2 lc rgb '{}' pt {} ps 1.5*mark", look.colour,
-                     mark_of(look, line.run.settings));
+std::string mark(const ErrorLine& line, const Styles& styles) {
+  const Style& style = styles.at(solver_name(line.run));
+  return fmt::format("with points lw 2 lc rgb '{}' pt {} ps 1.5*mark", style.colour,
+                     mark_of(style, line.run.settings));
 }
 
 /// Half a decade of room around all marks.
@@ -86,26 +88,26 @@ std::string ranges(const std::vector<ErrorLine>& lines) {
          logarithmic_tics("y", small / room, large * room);
 }
 
-std::string floors(const std::vector<ErrorLine>& lines, const Looks& looks) {
+std::string floors(const std::vector<ErrorLine>& lines, const Styles& styles) {
   std::string text;
   for (const ErrorLine& line : lines)
-    if (line.fits()) text += floor_line(*line.fit, looks.at(solver_name(line.run)).colour);
+    if (line.fits()) text += floor_line(*line.fit, styles.at(solver_name(line.run)).colour);
   return text;
 }
 
-Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, const Looks& looks,
+Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, const Styles& styles,
                     const Errors& errors) {
   const std::vector<ErrorLine> lines = error_lines(comparison, scene.name, errors);
   if (lines.empty()) return empty_sheet(scene.title, "No engine run of this scene with an error.");
   Legend legend;
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Look& look = looks.at(solver_name(lines[i].run));
-    legend.emplace_back(mark(lines[i], looks), lines[i].label);
+    const Style& style = styles.at(solver_name(lines[i].run));
+    legend.emplace_back(mark(lines[i], styles), lines[i].label);
     if (lines[i].fits())
       plots.push_back(fmt::format("$fitted_{} using 1:2 with lines lw 2 lc rgb '{}' dt {} notitle", i,
-                                  look.colour, dash_of(look, lines[i].run.settings, "solid")));
-    plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark(lines[i], looks)));
+                                  style.colour, dash_of(style, lines[i].run.settings, "solid")));
+    plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark(lines[i], styles)));
   }
   Sheet sheet(scene.title, legend);
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -115,24 +117,24 @@ Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, co
   sheet.panel(560, 0,
               "set logscale xy\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
               "set xlabel 'time step (s)'\nset ylabel " +
-                  in_quotes(errors.axis) + " offset 0\n" + ranges(lines) + floors(lines, looks),
+                  in_quotes(errors.axis) + " offset 0\n" + ranges(lines) + floors(lines, styles),
               plots);
   for (const ErrorLine& line : lines)
     if (line.fit != nullptr)
-      sheet.words(line.label + ": " + fit_words(*line.fit), looks.at(solver_name(line.run)).colour);
+      sheet.note(line.label + ": " + fit_label(*line.fit), styles.at(solver_name(line.run)).colour);
   return sheet.finish();
 }
 
 }  // namespace
 
-Drawing error_step(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
-  return draw_errors(comparison, scene, looks,
+Drawing error_step(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
+  return draw_errors(comparison, scene, styles,
                      {"rms_angle_difference", "RMS angle difference (rad)",
                       [](const Run& run) { return run.rms_angle_difference; }});
 }
 
-Drawing first_impact_step(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
-  return draw_errors(comparison, scene, looks,
+Drawing first_impact_step(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
+  return draw_errors(comparison, scene, styles,
                      {"first_impact_time_difference", "|engine − exact| of the first impact (s)",
                       [](const Run& run) { return std::abs(run.first_impact_time_difference); }});
 }

@@ -15,7 +15,7 @@ namespace {
 /// One run as a point: wall time a second of motion, its error in rad, and what it is labelled with.
 struct Cost {
   double time, error;
-  std::string words;
+  std::string label;
 };
 
 constexpr double panel_across = 1056, panel_up = 520;  ///< pixels
@@ -64,10 +64,10 @@ std::string line_data(std::size_t index, const CostLine& line) {
   return data_block(fmt::format("line_{}", index), curve);
 }
 
-std::string line_style(const CostLine& line, const Looks& looks) {
-  const Look& look = looks.at(solver_name(line.run));
-  return fmt::format("with linespoints lw 2 lc rgb '{}' dt {} pt {} ps 1.7*mark", look.colour,
-                     dash_of(look, line.run.settings, "solid"), mark_of(look, line.run.settings));
+std::string line_style(const CostLine& line, const Styles& styles) {
+  const Style& style = styles.at(solver_name(line.run));
+  return fmt::format("with linespoints lw 2 lc rgb '{}' dt {} pt {} ps 1.7*mark", style.colour,
+                     dash_of(style, line.run.settings, "solid"), mark_of(style, line.run.settings));
 }
 
 /// The panel's edges, and where its points lie in pixels from its lower left corner.
@@ -128,7 +128,7 @@ std::vector<Box> line_boxes(const std::vector<CostLine>& lines, const Frame& fra
   return boxes;
 }
 
-/// Where words stand: their box, and on which side of the mark.
+/// Where a label stands: their box, and on which side of the mark.
 struct Place {
   Box box;
   double side;
@@ -137,7 +137,7 @@ struct Place {
 /// The first of four corners of a mark that is free of all boxes.
 std::optional<Place> free_corner(const Frame& frame, const Cost& cost, const std::vector<Box>& taken,
                                  const std::vector<Box>& lines) {
-  const double width = 9.5 * static_cast<double>(cost.words.size()) + 4;
+  const double width = 9.5 * static_cast<double>(cost.label.size()) + 4;
   const double x = frame.across(cost.time), y = frame.up(cost.error);
   constexpr double gap = 11, half_height = 8, rise = 12;
   for (const double side : {1.0, -1.0})
@@ -154,14 +154,14 @@ std::optional<Place> free_corner(const Frame& frame, const Cost& cost, const std
 std::string label(const Cost& cost, const Place& place, const std::string& colour) {
   const bool right = place.side > 0;
   return fmt::format("set label '{}' at graph {}, graph {} {} font ',11' textcolor rgb '{}' front\n",
-                     cost.words, plain((right ? place.box.left : place.box.right) / panel_across),
+                     cost.label, plain((right ? place.box.left : place.box.right) / panel_across),
                      plain((place.box.low + place.box.high) / 2 / panel_up), right ? "left" : "right",
                      colour);
 }
 
-/// The time steps beside their marks, clear of lines where there is room, and left out where words or marks
+/// The time steps beside their marks, clear of lines where there is room, and left out where labels or marks
 /// are in the way: the other runs with that step lie beside it.
-std::string labels(const std::vector<CostLine>& lines, const Frame& frame, const Looks& looks) {
+std::string labels(const std::vector<CostLine>& lines, const Frame& frame, const Styles& styles) {
   std::vector<Box> taken;
   constexpr double half_mark = 7;
   for (const CostLine& line : lines)
@@ -177,24 +177,24 @@ std::string labels(const std::vector<CostLine>& lines, const Frame& frame, const
       if (!place) place = free_corner(frame, cost, taken, {});
       if (!place) continue;
       taken.push_back(place->box);
-      text += label(cost, *place, looks.at(solver_name(line.run)).colour);
+      text += label(cost, *place, styles.at(solver_name(line.run)).colour);
     }
   return text;
 }
 
-std::vector<std::string> plots_of(const std::vector<CostLine>& lines, const Looks& looks) {
+std::vector<std::string> plots_of(const std::vector<CostLine>& lines, const Styles& styles) {
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < lines.size(); ++i)
-    plots.push_back(fmt::format("$line_{} using 1:2 {} notitle", i, line_style(lines[i], looks)));
+    plots.push_back(fmt::format("$line_{} using 1:2 {} notitle", i, line_style(lines[i], styles)));
   return plots;
 }
 
-/// The gaps that no step closes, where they lie within the panel.
-std::string floors(const std::vector<CostLine>& lines, const Frame& frame, const Looks& looks) {
+/// The model errors that no step takes away, where they lie within the panel.
+std::string floors(const std::vector<CostLine>& lines, const Frame& frame, const Styles& styles) {
   std::string text;
   for (const CostLine& line : lines)
-    if (line.fit != nullptr && line.fit->holds && line.fit->gap > frame.small)
-      text += floor_line(*line.fit, looks.at(solver_name(line.run)).colour);
+    if (line.fit != nullptr && line.fit->holds && line.fit->model_error > frame.small)
+      text += floor_line(*line.fit, styles.at(solver_name(line.run)).colour);
   return text;
 }
 
@@ -208,23 +208,23 @@ std::string exact_line(double cost) {
 
 }  // namespace
 
-Drawing error_time(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+Drawing error_time(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   const std::vector<CostLine> lines = cost_lines(comparison, scene.name);
   if (lines.empty())
     return empty_sheet(scene.title, "No engine run of this scene with both an error and a time.");
   const double exact = exact_cost(shown_runs(comparison, scene.name).exact);
   const Frame frame = frame_of(lines, exact);
   Legend legend;
-  for (const CostLine& line : lines) legend.emplace_back(line_style(line, looks), line.label);
+  for (const CostLine& line : lines) legend.emplace_back(line_style(line, styles), line.label);
   Sheet sheet(scene.title, legend);
   for (std::size_t i = 0; i < lines.size(); ++i) sheet.data(line_data(i, lines[i]));
   sheet.panel(panel_up, 0,
               "set logscale xy\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
               "set xlabel 'stepping time for one second of motion (s)'\n"
               "set ylabel 'RMS angle difference (rad)' offset 0\n" +
-                  frame.ranges() + labels(lines, frame, looks) + floors(lines, frame, looks) +
+                  frame.ranges() + labels(lines, frame, styles) + floors(lines, frame, styles) +
                   exact_line(exact),
-              plots_of(lines, looks));
+              plots_of(lines, styles));
   return sheet.finish();
 }
 

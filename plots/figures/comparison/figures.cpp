@@ -7,7 +7,7 @@
 namespace rockstack::plots {
 namespace {
 
-using Draw = Drawing (*)(const Comparison&, const ComparedScene&, const Looks&);
+using Draw = Drawing (*)(const Comparison&, const ComparedScene&, const Styles&);
 
 constexpr std::array<Draw, 12> draws{ground_motion, histories,    equations, differences, impact_times,
                                      energy,        phase,        occupancy, error_step,  first_impact_step,
@@ -77,11 +77,11 @@ const std::vector<FigureKind>& figure_kinds() {
        "time a motion is in the exact one's pattern.",
        [](const ComparedScene& scene) { return scene.has("patterns"); }},
       {"error-step", "Error against time step",
-       "Each mark is a run. The line through them is the fit error = gap + c · dtᵖ, with its order p and the "
-       "gap "
-       "that no step closes, each with 95 % bounds. Levels across are the gaps: dashed, or dotted where the "
-       "bounds "
-       "include none.",
+       "Each mark is a run. The line through them is the fit error = model error + c · dtᵖ, with its order p "
+       "and the model error "
+       "that no step takes away, each with 95 % bounds. Levels across are the model errors: dashed, or "
+       "dotted where "
+       "the bounds include none.",
        fitted},
       {"first-impact-step", "Time of the first impact against time step",
        "The same for the absolute difference in time of the first impact, which no impact before it has "
@@ -96,7 +96,7 @@ const std::vector<FigureKind>& figure_kinds() {
        "changed. "
        "The vertical line is the time the exact "
        "solver "
-       "takes. Levels across are the gaps between models, where a fit over the time steps tells them: "
+       "takes. Levels across are model errors, where a fit over the time steps tells them: "
        "dashed, or "
        "dotted where its bounds include none.",
        [](const ComparedScene& scene) { return scene.has("angles"); }},
@@ -122,11 +122,11 @@ std::filesystem::path figure_stem(const std::filesystem::path& results, const st
 
 void draw_figures(const std::filesystem::path& results) {
   const Comparison comparison = read_comparison(results);
-  const Looks looks = assign_looks(comparison.runs);
+  const Styles styles = assign_styles(comparison.runs);
   for (const ComparedScene& scene : comparison.scenes)
     for (std::size_t i = 0; i < draws.size(); ++i)
       if (const FigureKind& kind = figure_kinds()[i]; has_figure(scene, kind))
-        draw(draws[i](comparison, scene, looks), figure_stem(results, scene.name, kind.name));
+        draw(draws[i](comparison, scene, styles), figure_stem(results, scene.name, kind.name));
 }
 
 }  // namespace rockstack::plots

@@ -42,7 +42,7 @@ void add_axis(Sheet& sheet, const std::string& name, const Curve& curve, bool la
 
 }  // namespace
 
-Drawing ground_motion(const Comparison&, const ComparedScene& scene, const Looks&) {
+Drawing ground_motion(const Comparison&, const ComparedScene& scene, const Styles&) {
   const auto columns = read_columns(scene.ground_motion, {"time", "horizontal", "vertical"});
   const auto moves = [](const std::vector<double>& values) {
     return std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });

@@ -65,17 +65,17 @@ std::string curve_name(std::size_t run, std::size_t block) {
 
 /// Engines first and the exact line over them, or it would be hidden where they agree; thick, it shows beside
 /// them.
-std::vector<std::string> angle_plots(const std::vector<Motion>& motions, const Looks& looks,
+std::vector<std::string> angle_plots(const std::vector<Motion>& motions, const Styles& styles,
                                      std::size_t block) {
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     if (motions[i].angles[block].times.empty()) continue;
-    const Look& look = looks.at(solver_name(motions[i].run));
-    const std::string style = curve_style(looks, motions[i].run, i);
+    const Style& core = styles.at(solver_name(motions[i].run));
+    const std::string style = curve_style(styles, motions[i].run, i);
     plots.push_back(fmt::format("${} using 1:2 {} notitle", curve_name(i, block), style));
     if (motions[i].run.exact())
       plots.push_back(fmt::format("${} using 1:2 with lines lw 1 lc rgb '{}' notitle", curve_name(i, block),
-                                  look.colour));
+                                  core.colour));
   }
   return plots;
 }
@@ -141,11 +141,11 @@ double last_time(const std::vector<Motion>& motions) {
   return end;
 }
 
-Legend legend_of(const std::vector<Motion>& motions, const Looks& looks) {
+Legend legend_of(const std::vector<Motion>& motions, const Styles& styles) {
   Legend legend;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const Run& run = motions[i].run;
-    legend.emplace_back(curve_style(looks, run, i), run_label(run));
+    legend.emplace_back(curve_style(styles, run, i), run_label(run));
   }
   return legend;
 }
@@ -176,18 +176,18 @@ std::string panel_settings(const std::vector<Motion>& motions, const ExactEvents
          impact_ticks(events.impact_times[block], end);
 }
 
-Drawing draw_runs(const std::vector<Run>& runs, const ComparedScene& scene, const Looks& looks) {
+Drawing draw_runs(const std::vector<Run>& runs, const ComparedScene& scene, const Styles& styles) {
   if (runs.empty()) return empty_sheet(scene.title, "No run of this scene was done.");
   const std::vector<Motion> motions = read_motions(runs, scene.blocks);
   const ExactEvents events = events_of(motions, scene.blocks);
   const double end = last_time(motions);
-  Sheet sheet(scene.title, legend_of(motions, looks));
+  Sheet sheet(scene.title, legend_of(motions, styles));
   constexpr double gap = 16;
   for (std::size_t k = 0; k < events.impact_times.size(); ++k) {
     for (std::size_t i = 0; i < motions.size(); ++i)
       sheet.data(data_block(curve_name(i, k), motions[i].angles[k]));
     sheet.panel(panel_height(scene.blocks), gap, panel_settings(motions, events, k, end),
-                angle_plots(motions, looks, k));
+                angle_plots(motions, styles, k));
   }
   add_band(sheet, events.spans, motions.front().end, end);
   return sheet.finish();
@@ -195,18 +195,18 @@ Drawing draw_runs(const std::vector<Run>& runs, const ComparedScene& scene, cons
 
 }  // namespace
 
-Drawing histories(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+Drawing histories(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   const Shown shown = shown_runs(comparison, scene.name);
   std::vector<Run> runs = shown.exact;
   runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
-  return draw_runs(runs, scene, looks);
+  return draw_runs(runs, scene, styles);
 }
 
-Drawing equations(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+Drawing equations(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   std::vector<Run> runs;
   for (const Run& run : done_runs(comparison, scene.name))
     if (run.exact() || has_other_equations(run)) runs.push_back(run);
-  return draw_runs(runs, scene, looks);
+  return draw_runs(runs, scene, styles);
 }
 
 }  // namespace rockstack::plots

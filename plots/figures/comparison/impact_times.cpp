@@ -93,19 +93,19 @@ void add_data(Sheet& sheet, const std::vector<Verdicts>& all, const SignedLog& s
   }
 }
 
-std::vector<std::string> matched_plots(const std::vector<Verdicts>& all, const Looks& looks, double size) {
+std::vector<std::string> matched_plots(const std::vector<Verdicts>& all, const Styles& styles, double size) {
   std::vector<std::string> plots{"0 with lines lw 1.5 lc rgb '#000000' notitle"};
   for (std::size_t i = 0; i < all.size(); ++i)
     if (!all[i].impacts.matched.empty())
       plots.push_back(fmt::format("${} using 1:2 {} notitle", block_name("matched", i),
-                                  mark_style(looks.at(solver_name(all[i].run)), false, size)));
+                                  mark_style(styles.at(solver_name(all[i].run)), false, size)));
   return plots;
 }
 
-std::vector<std::string> row_plots(const std::vector<Verdicts>& all, const Looks& looks) {
+std::vector<std::string> row_plots(const std::vector<Verdicts>& all, const Styles& styles) {
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string style = mark_style(looks.at(solver_name(all[i].run)), false, 1.1);
+    const std::string style = mark_style(styles.at(solver_name(all[i].run)), false, 1.1);
     if (!all[i].impacts.missed.empty())
       plots.push_back(fmt::format("${} using 1:2 {} notitle", block_name("missed", i), style));
     if (!all[i].impacts.extra.empty())
@@ -124,7 +124,7 @@ std::string row_settings(std::size_t runs) {
 
 }  // namespace
 
-Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   std::vector<Verdicts> all;
   for (const Run& run : shown_runs(comparison, scene.name).engines)
     if (std::filesystem::exists(run.folder / "impacts.csv")) all.push_back({run, read_impacts(run)});
@@ -141,7 +141,8 @@ Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, c
   constexpr double few = 40;
   Legend legend;
   for (const Verdicts& verdicts : all)
-    legend.emplace_back(mark_style(looks.at(solver_name(verdicts.run)), false, 1.6), run_label(verdicts.run));
+    legend.emplace_back(mark_style(styles.at(solver_name(verdicts.run)), false, 1.6),
+                        run_label(verdicts.run));
   Sheet sheet(scene.title, legend);
   add_data(sheet, all, scale);
   sheet.panel(
@@ -150,11 +151,11 @@ Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, c
           fmt::format("set yrange [-{0}:{0}]\nset ytics ({1})\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
                       "set ylabel 'engine − exact impact time (s)' offset 0\n",
                       plain(scale.edge()), scale.tics()),
-      matched_plots(all, looks, last > few ? 1.1 : 1.7));
+      matched_plots(all, styles, last > few ? 1.1 : 1.7));
   sheet.panel(static_cast<double>(all.size()) * 28 + 16, 12,
               number_range + row_settings(all.size()) +
                   "set format x '%g'\nset xlabel 'number of the exact impact'\n",
-              row_plots(all, looks));
+              row_plots(all, styles));
   return sheet.finish();
 }
 

@@ -109,7 +109,7 @@ std::string pattern_tics(const std::vector<std::string>& patterns) {
 
 }  // namespace
 
-Drawing occupancy(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+Drawing occupancy(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   std::vector<Occupancy> all;
   for (const Run& run : shown_runs(comparison, scene.name).engines)
     if (std::filesystem::exists(run.folder / "patterns.csv")) all.push_back(read_occupancy(run));
@@ -119,7 +119,7 @@ Drawing occupancy(const Comparison& comparison, const ComparedScene& scene, cons
   Legend legend{{"with boxes " + fill("#000000", 0), "exact"}};
   std::vector<std::string> plots{bar_plot("#000000", 0, solvers)};
   for (const Occupancy& one : all) {
-    const std::string& colour = looks.at(solver_name(one.run)).colour;
+    const std::string& colour = styles.at(solver_name(one.run)).colour;
     legend.emplace_back("with boxes " + fill(colour, plots.size()), run_label(one.run));
     plots.push_back(bar_plot(colour, plots.size(), solvers));
   }

@@ -53,13 +53,13 @@ std::string name_of(std::size_t run, std::size_t block) {
   return fmt::format("orbit_{}_{}", run, block + 1);
 }
 
-std::vector<std::string> panel_plots(const std::vector<Orbit>& orbits, const Looks& looks,
+std::vector<std::string> panel_plots(const std::vector<Orbit>& orbits, const Styles& styles,
                                      std::size_t block) {
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < orbits.size(); ++i)
     if (!orbits[i].blocks[block].times.empty())
       plots.push_back(
-          fmt::format("${} using 1:2 {} notitle", name_of(i, block), curve_style(looks, orbits[i].run, i)));
+          fmt::format("${} using 1:2 {} notitle", name_of(i, block), curve_style(styles, orbits[i].run, i)));
   if (orbits.front().run.exact() && !orbits.front().blocks[block].times.empty())
     plots.push_back(fmt::format("${} using 1:2 with lines lw 1 lc rgb '#000000' notitle", name_of(0, block)));
   return plots;
@@ -67,7 +67,7 @@ std::vector<std::string> panel_plots(const std::vector<Orbit>& orbits, const Loo
 
 }  // namespace
 
-Drawing phase(const Comparison& comparison, const ComparedScene& scene, const Looks& looks) {
+Drawing phase(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   const Shown shown = shown_runs(comparison, scene.name);
   std::vector<Run> runs = shown.exact;
   runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
@@ -76,7 +76,7 @@ Drawing phase(const Comparison& comparison, const ComparedScene& scene, const Lo
   std::vector<Orbit> orbits;
   Legend legend;
   for (const Run& run : runs) {
-    legend.emplace_back(curve_style(looks, run, orbits.size()), run_label(run));
+    legend.emplace_back(curve_style(styles, run, orbits.size()), run_label(run));
     orbits.push_back(read_orbit(run, scene.blocks));
   }
   Sheet sheet(scene.title, legend);
@@ -91,7 +91,7 @@ Drawing phase(const Comparison& comparison, const ComparedScene& scene, const Lo
             "set grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\nset format x '%g'\n" +
             fmt::format("set xlabel '{0} (rad)' offset 0,0.4\nset ylabel 'rate of {0} (rad/s)' offset 0\n",
                         angle),
-        panel_plots(orbits, looks, k));
+        panel_plots(orbits, styles, k));
   }
   return sheet.finish();
 }

@@ -74,7 +74,7 @@ Drawing law_engines(const LawResults& results) {
   std::vector<Run> runs;
   runs.reserve(list.size());
   for (const Marks& marks : list) runs.push_back(marks.run);
-  const Looks looks = assign_looks(runs);
+  const Styles styles = assign_styles(runs);
   const auto shortest = shortest_steps(list);
   Legend legend;
   std::vector<std::string> elements;
@@ -82,7 +82,7 @@ Drawing law_engines(const LawResults& results) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Run& run = list[i].run;
     const bool filled = run.dt <= shortest.at(line_label(run));
-    const std::string style = mark_style(looks.at(solver_name(run)), filled, 1.2);
+    const std::string style = mark_style(styles.at(solver_name(run)), filled, 1.2);
     if (filled) legend.emplace_back(style, line_label(run));
     elements.push_back(fmt::format("$marks_{} using 1:2 {} notitle", i, style));
     data += data_of(list[i], i);

@@ -79,9 +79,9 @@ std::string data_of(const Map& map, std::size_t index) {
     if (!(cell.impacts > 0)) continue;
     const auto middle = [](double from, double to) { return (std::log2(from) + std::log2(to)) / 2; };
     const auto half = [](double from, double to) { return (std::log2(to) - std::log2(from)) / 2; };
-    text += fmt::format("{} {} {} {} {}\n", plain(middle(cell.slenderness_from, cell.slenderness_to)),
+    text += fmt::format("{} {} {} {} {}\n", plain(middle(cell.aspect_ratio_from, cell.aspect_ratio_to)),
                         plain(middle(cell.mass_ratio_from, cell.mass_ratio_to)),
-                        plain(half(cell.slenderness_from, cell.slenderness_to)),
+                        plain(half(cell.aspect_ratio_from, cell.aspect_ratio_to)),
                         plain(half(cell.mass_ratio_from, cell.mass_ratio_to)),
                         plain(100 * cell.*map.count / cell.impacts));
   }
@@ -112,7 +112,7 @@ std::string panel(const Map& map, std::size_t index, std::size_t panels, const G
   const double y = top + row * (grid.side + gap_down);
   const bool lowest = index + static_cast<std::size_t>(grid.columns) >= panels;
   const double share = 100 * sum(map.cells, map.count) / sum(map.cells, &LawCell::impacts);
-  const auto across = edges(map, &LawCell::slenderness_from, &LawCell::slenderness_to);
+  const auto across = edges(map, &LawCell::aspect_ratio_from, &LawCell::aspect_ratio_to);
   const auto up = edges(map, &LawCell::mass_ratio_from, &LawCell::mass_ratio_to);
   std::string text = fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", plain(x / width),
                                  plain((x + grid.side) / width), plain(1 - (y + grid.side) / grid.height()),

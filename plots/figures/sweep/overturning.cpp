@@ -16,7 +16,7 @@ namespace {
 struct Kind {
   const char* column;
   const char* colour;
-  const char* words;
+  const char* label;
 };
 constexpr std::array<Kind, 5> kinds{{{"rest", "#FFFFFF", "stays at rest"},
                                      {"rocking", "#C6DBEF", "rocks and stands"},
@@ -98,7 +98,7 @@ Drawing overturning(const std::filesystem::path& results, const SweepFacts& fact
     const std::string fill = fmt::format("fs solid 1.0 noborder lc rgb '{}'", kinds.at(k).colour);
     legend.emplace_back(
         "with boxes fs solid 1.0 border lc rgb '#606060' fc rgb '" + std::string(kinds.at(k).colour) + "'",
-        kinds.at(k).words);
+        kinds.at(k).label);
     elements.push_back(fmt::format("$kind_{} using 1:2:3:4:5:6 with boxxyerror {} notitle", k, fill));
     data += fmt::format("$kind_{} << END\n{}END\n", k, lines.at(k));
   }

@@ -54,7 +54,7 @@ struct Stretch {
   const Pulse* vertical = nullptr;
 
   /// g + ÿ, m/s².
-  Number pull(const Scene& scene, Number t) const {
+  Number effective_gravity(const Scene& scene, Number t) const {
     const Number rise = vertical ? vertical->amplitude * shape(*vertical, t - vertical->start) : Number(0);
     return scene.gravity + rise;
   }
@@ -62,7 +62,7 @@ struct Stretch {
   Number tilt(const Scene& scene, Number t) const {
     const Number push =
         horizontal ? horizontal->amplitude * shape(*horizontal, t - horizontal->start) : Number(0);
-    return push / pull(scene, t);
+    return push / effective_gravity(scene, t);
   }
 };
 
@@ -117,7 +117,7 @@ std::vector<Number> points(const Stretch& stretch, const Course& course) {
 /// The interface whose |ẍ|/(g + ÿ) is least, from 0, and that: West's condition for all above it as one body.
 struct Weakest {
   int interface;
-  Number slenderness;
+  Number critical_tilt;
 };
 
 Weakest weakest(const Scene& scene) {
@@ -131,7 +131,7 @@ Weakest weakest(const Scene& scene) {
     }
     const Number half_width =
         std::min(scene.blocks[k].half_width, scene.blocks[k == 0 ? 0 : k - 1].half_width);
-    if (half_width * mass / moment < result.slenderness)
+    if (half_width * mass / moment < result.critical_tilt)
       result = {static_cast<int>(k), half_width * mass / moment};
   }
   return result;
@@ -152,19 +152,20 @@ struct Opening {
   bool jumps;  ///< the tilt jumps there, perhaps beyond what other interfaces bear too
 };
 
-/// When the ground first tilts the pull beyond a slenderness, by bisection. Precondition: it does.
-Opening first_opening(const Scene& scene, Number slenderness) {
+/// When the ground first tilts the effective gravity beyond a critical tilt, by bisection. Precondition: it
+/// does.
+Opening first_opening(const Scene& scene, Number critical_tilt) {
   for (const Stretch& stretch : stretches(scene)) {
     const auto course = [&](Number t) { return std::abs(stretch.tilt(scene, t)); };
     Number low = stretch.from;
     for (Number high : points(stretch, course)) {
-      if (!(course(high) > slenderness)) {
+      if (!(course(high) > critical_tilt)) {
         low = high;
         continue;
       }
       for (int halving = 0; halving < 80; ++halving) {
         const Number middle = (low + high) / 2;
-        (course(middle) > slenderness ? high : low) = middle;
+        (course(middle) > critical_tilt ? high : low) = middle;
       }
       return {high, stretch.tilt(scene, high) > 0 ? Contact::left : Contact::right, high == stretch.from};
     }
@@ -183,14 +184,15 @@ GroundMotion drawn_pulse(Draw& draw, double amplitude) {
   return motion;
 }
 
-/// A stack at rest under pulses that tilt its pull to `excess` + 1 times what its weakest interface bears.
+/// A stack at rest under pulses that tilt its effective gravity to `excess` + 1 times what its weakest
+/// interface bears.
 Scene pushed(Draw& draw, double excess) {
   Scene scene = testing::random_stack(draw, 1 + draw.below(5));
   scene.horizontal = drawn_pulse(draw, 1);
   if (draw.coin()) scene.vertical = drawn_pulse(draw, draw.between(0.1, 0.9) * scene.gravity);
   scene.duration = static_cast<double>(scene.horizontal.pulse->start + lasting(*scene.horizontal.pulse));
   scene.horizontal.pulse->amplitude *=
-      static_cast<double>(weakest(scene).slenderness / largest_tilt(scene)) * (1 + excess);
+      static_cast<double>(weakest(scene).critical_tilt / largest_tilt(scene)) * (1 + excess);
   return scene;
 }
 
@@ -210,7 +212,7 @@ TEST(FirstOpenings, AreThoseOfWestsCondition) {
   for (int i = 0; i < stacks; ++i) {
     Scene scene = pushed(draw, std::pow(10, draw.between(-6, 1)));
     const Weakest weak = weakest(scene);
-    const Opening expected = first_opening(scene, weak.slenderness);
+    const Opening expected = first_opening(scene, weak.critical_tilt);
     scene.duration = static_cast<double>(expected.time) + 1e-3 * longest_period(scene);
     const History history = solve(scene);
     ASSERT_FALSE(history.events.empty()) << i;
@@ -227,7 +229,7 @@ TEST(FirstOpenings, AreThoseOfWestsCondition) {
 }
 
 // Just below the threshold nothing opens, and what the interfaces demand is known: friction of the largest
-// tilt, and the least of the pull.
+// tilt, and the least of the effective gravity.
 TEST(FirstOpenings, StayOutBelowTheThreshold) {
   static Draw draw(72);
   for (int i = 0; i < stacks; ++i) {

@@ -8,25 +8,25 @@ namespace rockstack {
 namespace {
 
 /// The first event of a step in which a single block's angle is (s − a)(s − b) × 0.01 rad.
-Next<double> first_in_step(double a, double b) {
-  Flow<double> flow{};
-  flow.length = 0.01;
-  flow.start = {closed_pattern(1), Vector<double>{{0.01 * a * b}}, Vector<double>{{0.0}}};
-  flow.start.pattern[0] = Contact::right;
-  flow.angles[0] = {0.01 * a * b, -0.01 * (a + b), 0.01};
+FirstEvent<double> first_in_step(double a, double b) {
+  DenseOutput<double> output{};
+  output.length = 0.01;
+  output.start = {closed_pattern(1), Vector<double>{{0.01 * a * b}}, Vector<double>{{0.0}}};
+  output.start.pattern[0] = Contact::right;
+  output.angles[0] = {0.01 * a * b, -0.01 * (a + b), 0.01};
   std::array<double, max_blocks> toppling{};
   toppling.fill(1);
-  return first_event(flow, toppling);
+  return first_event(output, toppling);
 }
 
 // A depth d of the dip is 0.01 d² rad; rounding of coefficients up to 0.02 rad is 16 ε × 0.02 = 7e-17 rad, so
-// that depths below 8e-8 are in doubt, whether the gap crosses or just misses.
+// that depths below 8e-8 are in doubt, whether the angle crosses or just misses.
 TEST(Glancing, WhatRoundingDecidesIsReported) {
   for (const double depth : {0.0, 1e-9, 1e-8}) {
-    const Next<double> next = first_in_step(0.4 - depth, 0.4 + depth);
-    ASSERT_EQ(next.grazes.size(), 1U) << depth;
-    EXPECT_EQ(next.grazes[0].kind, EventKind::impact);
-    EXPECT_NEAR(next.grazes[0].time, 0.4, 1e-7);
+    const FirstEvent<double> event = first_in_step(0.4 - depth, 0.4 + depth);
+    ASSERT_EQ(event.grazes.size(), 1U) << depth;
+    EXPECT_EQ(event.grazes[0].kind, EventKind::impact);
+    EXPECT_NEAR(event.grazes[0].time, 0.4, 1e-7);
   }
   for (const double depth : {1e-6, 1e-3, 0.1}) {
     EXPECT_TRUE(first_in_step(0.4 - depth, 0.4 + depth).grazes.empty()) << depth;

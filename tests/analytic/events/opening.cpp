@@ -73,7 +73,7 @@ TEST(Opening, APatternIsFoundWhereverThereIsOne) {
     const Pattern closed = closed_pattern(size);
     const double slack = 500 * std::numeric_limits<double>::epsilon();
     const auto found = find_admissible(model.stack, closed, touching, slack, evaluate);
-    std::optional<Outcome<double>> first;
+    std::optional<PatternSolution<double>> first;
     for (const Pattern& candidate : candidates(closed, touching)) {
       first = evaluate(candidate);
       if (!first_violation(model.stack, *first, touching, slack)) break;

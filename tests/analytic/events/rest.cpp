@@ -11,14 +11,14 @@ namespace {
 
 using testing::Draw;
 
-/// Per interface the mass above it, kg, and the slenderness of what stands on it as one body.
-struct Standings {
-  std::vector<double> mass, slenderness;
+/// Per interface the mass above it, kg, and the critical tilt of what stands on it as one body.
+struct RestingParts {
+  std::vector<double> mass, critical_tilt;
 };
 
-Standings standings(const Scene& scene) {
+RestingParts resting_parts(const Scene& scene) {
   const std::size_t size = scene.blocks.size();
-  Standings result{std::vector<double>(size), std::vector<double>(size)};
+  RestingParts result{std::vector<double>(size), std::vector<double>(size)};
   for (std::size_t k = 0; k < size; ++k) {
     double bottom = 0;  // of a block, above interface k
     double moment = 0;
@@ -28,27 +28,28 @@ Standings standings(const Scene& scene) {
       bottom += 2 * scene.blocks[j].half_height;
     }
     const double half_width = interface_half_width(scene, static_cast<int>(k));
-    result.slenderness[k] = result.mass[k] * half_width / moment;
+    result.critical_tilt[k] = result.mass[k] * half_width / moment;
   }
   return result;
 }
 
 struct Extremes {
-  double least_pull, largest_tilt;
+  double least_gravity, largest_tilt;
 };
 
 /// Of g + ÿ and |ẍ| / (g + ÿ); straight lines between samples have both at samples.
 Extremes extremes(const Scene& scene) {
   Extremes result{1e9, 0};
   for (std::size_t i = 0; i < scene.horizontal.samples.size(); ++i) {
-    const double pull = scene.gravity + scene.vertical.samples[i];
-    result.least_pull = std::min(result.least_pull, pull);
-    result.largest_tilt = std::max(result.largest_tilt, std::abs(scene.horizontal.samples[i]) / pull);
+    const double effective_gravity = scene.gravity + scene.vertical.samples[i];
+    result.least_gravity = std::min(result.least_gravity, effective_gravity);
+    result.largest_tilt =
+        std::max(result.largest_tilt, std::abs(scene.horizontal.samples[i]) / effective_gravity);
   }
   return result;
 }
 
-/// A stack at rest on ground that shakes it to `tilt` times the least slenderness of any interface.
+/// A stack at rest on ground that shakes it to `tilt` times the least critical tilt of any interface.
 Scene shaken_to(Draw& draw, double tilt) {
   Scene scene = testing::random_stack(draw, 1 + draw.below(4));
   scene.duration = 1;
@@ -57,16 +58,16 @@ Scene shaken_to(Draw& draw, double tilt) {
     scene.horizontal.samples.push_back(draw.between(-1, 1));
     scene.vertical.samples.push_back(draw.between(-5, 5));
   }
-  const std::vector<double> slenderness = standings(scene).slenderness;
-  const double least = *std::min_element(slenderness.begin(), slenderness.end());
+  const std::vector<double> critical_tilt = resting_parts(scene).critical_tilt;
+  const double least = *std::min_element(critical_tilt.begin(), critical_tilt.end());
   const double factor = tilt * least / extremes(scene).largest_tilt;
   for (double& sample : scene.horizontal.samples) sample *= factor;
   return scene;
 }
 
 // West's condition on every interface: what stands above it stands while |ẍ| / (g + ÿ) is below its
-// slenderness.
-TEST(Standing, EndsWhereTheGroundPassesTheLeastSlenderness) {
+// critical tilt.
+TEST(Rest, EndsWhereTheGroundPassesTheLeastCriticalTilt) {
   Draw draw(51);
   for (int i = 0; i < 200; ++i) {
     EXPECT_TRUE(solve(shaken_to(draw, 1 - 1e-9)).events.empty()) << i;
@@ -78,17 +79,17 @@ TEST(Standing, EndsWhereTheGroundPassesTheLeastSlenderness) {
 
 // Newton's second law for all above an interface: N = m (g + ÿ), T = m ẍ. Demands are kept to 1024 roundings
 // of the stack's weight.
-TEST(Standing, BearsItsWeightAndInertia) {
+TEST(Rest, BearsItsWeightAndInertia) {
   Draw draw(52);
   for (int i = 0; i < 200; ++i) {
     const Scene scene = shaken_to(draw, draw.between(0.1, 0.9));
     const History history = solve(scene, {.validity = true});
-    const Standings stands = standings(scene);
-    const auto [least_pull, largest_tilt] = extremes(scene);
+    const RestingParts stands = resting_parts(scene);
+    const auto [least_gravity, largest_tilt] = extremes(scene);
     const double rounding =
         1024 * std::numeric_limits<double>::epsilon() * stands.mass[0] * scene.gravity * (1 + largest_tilt);
     for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-      const double normal = stands.mass[k] * least_pull;
+      const double normal = stands.mass[k] * least_gravity;
       EXPECT_NEAR(history.forces[k].least_normal, normal, rounding) << i;
       EXPECT_NEAR(history.forces[k].friction, largest_tilt, rounding / normal) << i;
     }
@@ -98,7 +99,7 @@ TEST(Standing, BearsItsWeightAndInertia) {
 // Samples make the solver look at every stretch of rest; what happens must not depend on whether it does.
 // Events part by the roundings of steps of other lengths, amplified: less than 10⁶-fold in these half
 // seconds.
-TEST(Standing, LeadsToTheSameMotionWhetherLookedAtOrNot) {
+TEST(Rest, LeadsToTheSameMotionWhetherLookedAtOrNot) {
   Draw draw(53);
   for (int i = 0; i < 100; ++i) {
     Scene scene = shaken_to(draw, draw.between(1.01, 1.5));
@@ -112,7 +113,7 @@ TEST(Standing, LeadsToTheSameMotionWhetherLookedAtOrNot) {
     }
     for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
       EXPECT_NEAR(passed.forces[k].least_normal, seen.forces[k].least_normal,
-                  1e-10 * standings(scene).mass[k] * scene.gravity)
+                  1e-10 * resting_parts(scene).mass[k] * scene.gravity)
           << i;
     }
   }

@@ -143,7 +143,7 @@ TEST(Extremes, WhatUnequalBlocksAddIsRoundingOfOperations) {
     const testing::QuadHistory expected = testing::reference(scene);
     const History history = solve(scene);
     const SolveOptions options{.resolution = std::numeric_limits<double>::epsilon()};
-    const History longer = rounded(Solver<long double>(scene, options).run());
+    const History longer = to_double(Solver<long double>(scene, options).run());
     const double by_double = largest_deviation(testing::compare(history, expected));
     const double by_long_double = largest_deviation(testing::compare(longer, expected));
     const double by_input = largest_deviation(testing::response_to_rounding(scene, expected, 16, 8));

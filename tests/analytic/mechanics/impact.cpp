@@ -56,8 +56,8 @@ TEST(Impact, AngularMomentumAboveEveryPivotIsKeptWhateverThePattern) {
         testing::place(model, impact.before.pattern, impact.before.angles), impact.before.velocities);
     for (const Pattern& pattern : candidates(impact.before.pattern, impact.touching())) {
       const auto place = testing::place(model, pattern, impact.before.angles);
-      const auto outcome = velocities_after(model, impact, pattern);
-      const auto after = testing::velocities(place, outcome.relative);
+      const auto solution = velocities_after(model, impact, pattern);
+      const auto after = testing::velocities(place, solution.relative);
       const Number energy = testing::kinetic_energy(model, before);
       const Number scale = std::sqrt(energy) * std::sqrt(model.stack.mass.sum()) * 10;
       for (int k = 0; k < size; ++k) {
@@ -83,14 +83,14 @@ TEST(Impact, VelocitiesAndImpulsesAreThoseOfConstraintsInMaximalCoordinates) {
                                impact.before.velocities.cast<Number>()};
     const auto all = candidates(impact.before.pattern, impact.touching());
     const Pattern pattern = all[static_cast<std::size_t>(draw.below(static_cast<int>(all.size())))];
-    const auto outcome = velocities_after(model, impact, pattern);
+    const auto solution = velocities_after(model, impact, pattern);
     const auto expected = testing::strike(make_model<Number>(scene), before, pattern);
     const double scale = 1 + static_cast<double>(expected.relative.cwiseAbs().maxCoeff());
     const double push = 1 + static_cast<double>(expected.force.cwiseAbs().maxCoeff());
     for (int k = 0; k < size; ++k) {
       // Double rounding with five digits lost to mass ratios of 10³.
-      EXPECT_NEAR(outcome.relative[k], static_cast<double>(expected.relative[k]), 1e-11 * scale);
-      EXPECT_NEAR(std::hypot(outcome.reactions.normal[k], outcome.reactions.tangential[k]),
+      EXPECT_NEAR(solution.relative[k], static_cast<double>(expected.relative[k]), 1e-11 * scale);
+      EXPECT_NEAR(std::hypot(solution.reactions.normal[k], solution.reactions.tangential[k]),
                   static_cast<double>(expected.force.col(k).norm()), 1e-9 * push);
     }
   }
@@ -122,12 +122,12 @@ TEST(Impact, TheConsistentPatternIsUniqueAndFound) {
     const auto impact = random_impact<double>(draw, size);
     std::vector<Pattern> admissible;
     for (const Pattern& pattern : candidates(impact.before.pattern, impact.touching())) {
-      const auto outcome = velocities_after(model, impact, pattern);
-      if (!first_violation(model.stack, outcome, impact.touching(), 0.0) && pushes(outcome)) {
+      const auto solution = velocities_after(model, impact, pattern);
+      if (!first_violation(model.stack, solution, impact.touching(), 0.0) && pushes(solution)) {
         admissible.push_back(pattern);
       }
     }
-    const auto found = consistent_outcome(model, impact);
+    const auto found = consistent_solution(model, impact);
     ASSERT_LE(admissible.size(), 1U);
     ASSERT_EQ(found.has_value(), !admissible.empty());
     if (found) {
@@ -171,11 +171,11 @@ TEST(Impact, ASquatTopThatFallsOnARestingBaseLiftsTheStack) {
   EXPECT_EQ(name(joined.pattern), "4b");
   const auto ground = margins(model.stack, joined.reactions, 0);
   EXPECT_LT(std::min(ground.left, ground.right), 0) << "the ground would have to pull";
-  const auto consistent = consistent_outcome(model, impact);
+  const auto consistent = consistent_solution(model, impact);
   ASSERT_TRUE(consistent);
   EXPECT_EQ(name(consistent->pattern), "3b");
   const auto paper = resolve(model, impact, Law::paper);
-  EXPECT_EQ(name(paper.outcome.pattern), "4b");
+  EXPECT_EQ(name(paper.solution.pattern), "4b");
   EXPECT_EQ(paper.consistency, Consistency::other);
   EXPECT_EQ(resolve(model, impact, Law::consistent).consistency, Consistency::consistent);
 }
@@ -198,7 +198,7 @@ TEST(Impact, ThePaperTriesOpenThenJoinedThenClosed) {
         two(Contact::left, Contact::left),
         upper ? two(Contact::closed, Contact::left) : two(Contact::left, Contact::closed),
         two(Contact::closed, Contact::closed)};
-    const auto chosen = paper_outcome(model, impact);
+    const auto chosen = paper_solution(model, impact);
     int expected = 0;
     while (expected < 2 &&
            !kinematically_admissible(velocities_after(model, impact, order[expected]), impact.touching())) {
@@ -224,8 +224,8 @@ TEST(Impact, TheMirrorImageOfAnImpactHasTheMirrorImageAfterIt) {
       const auto one = resolve(model, impact, law);
       const auto other = resolve(model, mirrored, law);
       EXPECT_EQ(one.consistency, other.consistency);
-      EXPECT_EQ(one.outcome.relative, -other.outcome.relative);  // to the bit
-      for (int k = 0; k < size; ++k) EXPECT_EQ(one.outcome.pattern[k], opposite(other.outcome.pattern[k]));
+      EXPECT_EQ(one.solution.relative, -other.solution.relative);  // to the bit
+      for (int k = 0; k < size; ++k) EXPECT_EQ(one.solution.pattern[k], opposite(other.solution.pattern[k]));
     }
   }
 }

@@ -88,7 +88,7 @@ TEST(SolverMotion, SatisfiesTheLinearEqs19To28) {
 /// The solver's distance of an interface from opening about one of its ends, N·m.
 double to_opening(const Geometry& q, const Motion& s, const Pattern& pattern, int interface, int corner) {
   const Model<double> model = model_of(q, s, Equations::nonlinear);
-  const Outcome<double> motion = accelerate(model, state_of(pattern, s), Point<double>(s.xg, s.yg));
+  const PatternSolution<double> motion = accelerate(model, state_of(pattern, s), Point<double>(s.xg, s.yg));
   const Margins<double> margin = margins(model.stack, motion.reactions, interface);
   return corner > 0 ? margin.right : margin.left;
 }

@@ -79,10 +79,10 @@ class Walk {
   /// True where no open interface has passed zero, and no closed one has its centre of pressure outside.
   bool open_wide() const {
     const State<Quad> now = state(values_);
-    const auto outcome = accelerate(model_, now, ground(reached_));
+    const auto solution = accelerate(model_, now, ground(reached_));
     for (int k = 0; k < pattern_.size; ++k) {
       if (pattern_[k] == Contact::closed) {
-        const Margins<Quad> margin = margins(model_.stack, outcome.reactions, k);
+        const Margins<Quad> margin = margins(model_.stack, solution.reactions, k);
         if (margin.right < 0 || margin.left < 0) return false;
       } else if (now.angles[k] * sign(pattern_[k]) < 0) {
         return false;
@@ -109,13 +109,13 @@ class Walk {
 
   void pass() {
     State<Quad> now = state(values_);
-    const auto outcome = accelerate(model_, now, ground(time_));
+    const auto solution = accelerate(model_, now, ground(time_));
     BasicEvent<Quad> event{time_, EventKind::opening,     0, pattern_, pattern_, {}, {},
                            {},    Consistency::consistent};
     Interfaces closing;
     for (int k = pattern_.size - 1; k >= 0; --k) {
       if (pattern_[k] == Contact::closed) {
-        const Margins<Quad> margin = margins(model_.stack, outcome.reactions, k);
+        const Margins<Quad> margin = margins(model_.stack, solution.reactions, k);
         if (margin.right >= 0 && margin.left >= 0) continue;
         event.to[k] = margin.right < 0 ? Contact::right : Contact::left;
       } else if (now.angles[k] * sign(pattern_[k]) < 0) {
@@ -132,9 +132,9 @@ class Walk {
     if (closing.any()) {
       const Resolution<Quad, Eigen::Dynamic> resolution =
           resolve(model_, Impact<Quad>{now, closing}, scene_.law);
-      event.to = resolution.outcome.pattern;
+      event.to = resolution.solution.pattern;
       event.consistency = resolution.consistency;
-      now.velocities = resolution.outcome.relative;
+      now.velocities = resolution.solution.relative;
     }
     event.after = list(now.velocities);
     pattern_ = event.to;

@@ -10,7 +10,6 @@ namespace rockstack {
 namespace {
 
 using testing::Column;
-using testing::Number;
 
 State<double> state_of(const History& history, std::size_t sample) {
   const auto relative_of = [](std::span<const double> row) {
@@ -93,17 +92,9 @@ double largest_kinetic_energy(const Scene& scene, const History& history) {
   return largest;
 }
 
-/// Without ground motion for one seed in four: then the energy stays.
-Scene seeded_scene(std::uint64_t seed) {
-  testing::Draw draw(8000 + seed);
-  Scene scene = testing::random_scene(draw, 1 + draw.below(4), false);
-  if (seed % 4 != 0) testing::shake(draw, scene);
-  return scene;
-}
-
 TEST(Balances, BetweenEventsEnergyChangesByTheWorkOfTheGround) {
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-    const Scene scene = seeded_scene(seed);
+    const Scene scene = testing::seeded_scene(8000 + seed);
     const Nodes nodes = gauss_nodes(kinks(scene, solve(scene)));
     const History history = solve(scene, {.sample_times = nodes.times});
     const double kinetic = largest_kinetic_energy(scene, history);
@@ -123,7 +114,7 @@ TEST(Balances, BetweenEventsEnergyChangesByTheWorkOfTheGround) {
 }
 
 Column velocities_of(const testing::Placement& placement, const std::vector<double>& absolute_velocities) {
-  Vector<Number> values(static_cast<Eigen::Index>(absolute_velocities.size()));
+  Vector<testing::Number> values(static_cast<Eigen::Index>(absolute_velocities.size()));
   std::copy(absolute_velocities.begin(), absolute_velocities.end(), values.begin());
   return testing::velocities(placement, relative(values));
 }
@@ -131,19 +122,20 @@ Column velocities_of(const testing::Placement& placement, const std::vector<doub
 TEST(Balances, EveryImpactKeepsTheAngularMomentumAboutEachNewPivot) {
   int impacts = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-    const Scene scene = seeded_scene(seed);
-    const auto model = make_model<Number>(scene);
+    const Scene scene = testing::seeded_scene(8000 + seed);
+    const auto model = make_model<testing::Number>(scene);
     for (const Event& event : solve(scene).events) {
       if (event.kind == EventKind::opening || event.kind == EventKind::topple) continue;
       ++impacts;
-      Vector<Number> angles(static_cast<Eigen::Index>(event.angles.size()));
+      Vector<testing::Number> angles(static_cast<Eigen::Index>(event.angles.size()));
       std::copy(event.angles.begin(), event.angles.end(), angles.begin());
       angles = relative(angles);
       const auto place = testing::place(model, event.to, angles);
       const auto before = velocities_of(testing::place(model, event.from, angles), event.before);
       const auto after = velocities_of(place, event.after);
       // Double rounding of the velocities, five digits lost to mass ratios.
-      const Number scale = std::sqrt(testing::kinetic_energy(model, before) * model.stack.mass.sum()) * 10;
+      const testing::Number scale =
+          std::sqrt(testing::kinetic_energy(model, before) * model.stack.mass.sum()) * 10;
       for (int k = 0; k < model.stack.size(); ++k) {
         if (event.to[k] == Contact::closed) continue;
         ASSERT_NEAR(static_cast<double>(testing::angular_momentum(model, place, before, k)),

@@ -5,14 +5,6 @@
 namespace rockstack {
 namespace {
 
-/// The first quarter of the seeds moves freely, the others under ground motion of any kind.
-Scene seeded_scene(std::uint64_t seed) {
-  testing::Draw draw(4000 + seed);
-  Scene scene = testing::random_scene(draw, 1 + draw.below(4), false);
-  if (seed % 4 != 0) testing::shake(draw, scene);
-  return scene;
-}
-
 Scene heavier_by_four(Scene scene) {
   for (Block& block : scene.blocks) {
     block.mass *= 4;
@@ -57,7 +49,7 @@ void expect_same_events(const History& one, const History& other, double time_sc
 // Powers of two change no rounding, so both scalings hold bit for bit.
 TEST(Invariants, ScaledMassesOrLengthsGiveTheSameMotionBitForBit) {
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-    const Scene scene = seeded_scene(seed);
+    const Scene scene = testing::seeded_scene(4000 + seed);
     std::vector<double> times = regular_times(0.01, scene.duration);
     const History one = solve(scene, {.sample_times = times});
     const History heavier = solve(heavier_by_four(scene), {.sample_times = times});

@@ -8,8 +8,8 @@ namespace {
 
 // The block of Zhang & Makris 2001 by a program of its own, which shares nothing with the solver: p = 2.14
 // rad/s, α = 0.25. Amplitudes a are in units of αg.
-constexpr double rate = 2.14;
-constexpr double slenderness = 0.25;
+constexpr double p = 2.14;
+constexpr double alpha = 0.25;
 
 /// One sine, and what an impact leaves of the velocity.
 struct Shaking {
@@ -17,7 +17,7 @@ struct Shaking {
   double frequency_ratio = 5;  // ω_p/p
   double kept = 0.9;
 
-  double frequency() const { return frequency_ratio * rate; }
+  double frequency() const { return frequency_ratio * p; }
 };
 
 /// A block that turns about its right (side 1) or left (side −1) corner.
@@ -36,16 +36,16 @@ struct PiecewiseLinear {
   Rocking after(const Rocking& start, double time, double span, bool shaken) const {
     const double frequency = shaking.frequency();
     const double dynamic = 1 + shaking.frequency_ratio * shaking.frequency_ratio;  // (p² + ω²)/p²
-    const double share = shaken ? slenderness * shaking.amplitude / dynamic : 0;
-    const double forced = slenderness * start.side + share * std::sin(frequency * time);
+    const double share = shaken ? alpha * shaking.amplitude / dynamic : 0;
+    const double forced = alpha * start.side + share * std::sin(frequency * time);
     const double forced_rate = share * frequency * std::cos(frequency * time);
     const double even = start.angle - forced;
-    const double odd = (start.velocity - forced_rate) / rate;
-    const double cosh = std::cosh(rate * span);
-    const double sinh = std::sinh(rate * span);
+    const double odd = (start.velocity - forced_rate) / p;
+    const double cosh = std::cosh(p * span);
+    const double sinh = std::sinh(p * span);
     const double end = frequency * (time + span);
-    return {slenderness * start.side + share * std::sin(end) + even * cosh + odd * sinh,
-            share * frequency * std::cos(end) + rate * (even * sinh + odd * cosh), start.side};
+    return {alpha * start.side + share * std::sin(end) + even * cosh + odd * sinh,
+            share * frequency * std::cos(end) + p * (even * sinh + odd * cosh), start.side};
   }
 };
 
@@ -55,15 +55,15 @@ struct Stepped {
   Shaking shaking;
 
   double opening() const {
-    const double least = linear ? slenderness : std::tan(slenderness);
-    return std::asin(least / (slenderness * shaking.amplitude)) / shaking.frequency();
+    const double least = linear ? alpha : std::tan(alpha);
+    return std::asin(least / (alpha * shaking.amplitude)) / shaking.frequency();
   }
 
   double acceleration(double angle, double side, double time, bool shaken) const {
-    const double ground = shaken ? slenderness * shaking.amplitude * std::sin(shaking.frequency() * time) : 0;
-    const double lever = slenderness * side - angle;
-    if (linear) return -rate * rate * (lever + ground);
-    return -rate * rate * (std::sin(lever) + ground * std::cos(lever));
+    const double ground = shaken ? alpha * shaking.amplitude * std::sin(shaking.frequency() * time) : 0;
+    const double lever = alpha * side - angle;
+    if (linear) return -p * p * (lever + ground);
+    return -p * p * (std::sin(lever) + ground * std::cos(lever));
   }
 
   Rocking after(const Rocking& start, double time, double span, bool shaken) const {
@@ -120,7 +120,7 @@ Fate fate(const Motion& motion) {
     }
     time += span;
     block = next;
-    if (std::abs(block.angle) > 6 * slenderness) return {true, impacts};
+    if (std::abs(block.angle) > 6 * alpha) return {true, impacts};
   }
   return {false, impacts};
 }

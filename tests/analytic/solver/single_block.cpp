@@ -5,7 +5,7 @@
 namespace rockstack {
 namespace {
 
-using Number = long double;
+using Precise = long double;
 
 /// A rectangle of slenderness α and half-diagonal 1 m: p² = 3g/(4R).
 Scene slab(double slenderness, double share, double duration) {
@@ -17,27 +17,27 @@ Scene slab(double slenderness, double share, double duration) {
 ///   θ̇² = 2p² (cos(α − θ₀) − cos(α − θ)) = 4p² sin(α − θ₀ + x/2) sin(x/2),   x = θ₀ − θ.
 /// With x = θ₀u² the integrand is smooth; Simpson's rule with 4000 intervals is exact to long double
 /// rounding.
-Number quarter_period(const Scene& scene) {
+Precise quarter_period(const Scene& scene) {
   const Block& block = scene.blocks[0];
-  const Number radius = std::hypot(Number(block.half_width), Number(block.half_height));
-  const Number inertia = Number(block.inertia) + Number(block.mass) * radius * radius;
-  const Number rate = std::sqrt(Number(block.mass) * Number(scene.gravity) * radius / inertia);
-  const Number slenderness = std::atan(Number(block.half_width) / Number(block.half_height));
-  const Number start = Number(scene.initial.angles[0]);
-  const auto integrand = [&](Number u) {
-    const Number half = start * u * u / 2;
-    const Number ratio = half > 0 ? std::sin(half) / half : 1;
+  const Precise radius = std::hypot(Precise(block.half_width), Precise(block.half_height));
+  const Precise inertia = Precise(block.inertia) + Precise(block.mass) * radius * radius;
+  const Precise rate = std::sqrt(Precise(block.mass) * Precise(scene.gravity) * radius / inertia);
+  const Precise slenderness = std::atan(Precise(block.half_width) / Precise(block.half_height));
+  const Precise start = Precise(scene.initial.angles[0]);
+  const auto integrand = [&](Precise u) {
+    const Precise half = start * u * u / 2;
+    const Precise ratio = half > 0 ? std::sin(half) / half : 1;
     return 2 * start / (2 * rate * std::sqrt(std::sin(slenderness - start + half) * ratio * start / 2));
   };
   const int intervals = 4000;
-  Number sum = integrand(0) + integrand(1);
-  for (int i = 1; i < intervals; ++i) sum += (i % 2 == 1 ? 4 : 2) * integrand(Number(i) / intervals);
+  Precise sum = integrand(0) + integrand(1);
+  for (int i = 1; i < intervals; ++i) sum += (i % 2 == 1 ? 4 : 2) * integrand(Precise(i) / intervals);
   return sum / (3 * intervals);
 }
 
-Number slender_quarter_period(const Scene& scene, double slenderness, double share) {
-  return std::acosh(1 / (1 - Number(share))) / std::sqrt(3 * Number(scene.gravity) / 4) +
-         0 * Number(slenderness);
+Precise slender_quarter_period(const Scene& scene, double slenderness, double share) {
+  return std::acosh(1 / (1 - Precise(share))) / std::sqrt(3 * Precise(scene.gravity) / 4) +
+         0 * Precise(slenderness);
 }
 
 TEST(SingleBlock, TheFirstImpactComesAfterTheNonlinearQuarterPeriod) {

@@ -93,4 +93,11 @@ std::string listing(const History& history) {
   return text.str();
 }
 
+Scene seeded_scene(std::uint64_t seed) {
+  Draw draw(seed);
+  Scene scene = random_scene(draw, 1 + draw.below(4), false);
+  if (seed % 4 != 0) shake(draw, scene);
+  return scene;
+}
+
 }  // namespace rockstack::testing

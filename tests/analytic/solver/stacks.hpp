@@ -42,6 +42,10 @@ Scene random_scene(Draw& draw, int size, bool shaken);
 /// or any pulse.
 void shake(Draw& draw, Scene& scene);
 
+/// A random stack of one to four blocks, by its seed: for one seed in four it moves freely, else its ground
+/// moves.
+Scene seeded_scene(std::uint64_t seed);
+
 /// A state of random contacts: closed, or open by up to 0.4 rad at up to 1 rad/s.
 template <class Real>
 State<Real> random_state(Draw& draw, int size) {

@@ -29,14 +29,14 @@ TEST(Forces, AlongAStepAreThoseThatTheAccelerationsCallFor) {
                                     {0.01, draw.between(-20, 20), draw.between(-900, 900)},
                                     {0.01, draw.between(-8, 8), draw.between(-300, 300)}};
     TaylorSteps<double, Eigen::Dynamic> steps(model, options);
-    const auto flow = steps(state, directions_at(model, state.angles),
-                            make_linkage(model.stack, state.pattern), piece, 0, 0.01, {});
+    const auto output = steps(state, directions_at(model, state.angles),
+                              make_linkage(model.stack, state.pattern), piece, 0, 0.01, {});
     for (const double s : {0.0, 0.37, 1.0}) {
-      const auto expected = accelerate(model, flow.at(s), piece.at(s * flow.length)).reactions;
+      const auto expected = accelerate(model, output.at(s), piece.at(s * output.length)).reactions;
       const double scale = 1e-8 * (1 + std::max(expected.normal.cwiseAbs().maxCoeff(),
                                                 expected.tangential.cwiseAbs().maxCoeff()));
       for (int k = 0; k < size; ++k) {
-        const auto& force = flow.forces[static_cast<std::size_t>(k)];
+        const auto& force = output.forces[static_cast<std::size_t>(k)];
         ASSERT_NEAR(value(force.normal, s), expected.normal[k], scale) << name(state.pattern) << " at " << s;
         ASSERT_NEAR(value(force.tangential, s), expected.tangential[k], scale);
       }
@@ -59,24 +59,24 @@ TEST(Forces, DemandsAlongAStepAreTheGreatestOfAScanAndAreMet) {
                                     {0.1, draw.between(-8, 8), draw.between(-90, 90)},
                                     {0.1, draw.between(-4, 4), draw.between(-30, 30)}};
     TaylorSteps<double, Eigen::Dynamic> steps(model, options);
-    const auto flow = steps(state, directions_at(model, state.angles),
-                            make_linkage(model.stack, state.pattern), piece, 0, 0.1, {});
+    const auto output = steps(state, directions_at(model, state.angles),
+                              make_linkage(model.stack, state.pattern), piece, 0, 0.1, {});
     const double weight = model.gravity * model.stack.mass.sum();
     const double end = draw.between(0.1, 1);
-    for (const ForceCourses<double>& force : flow.forces) {
+    for (const ForceCourses<double>& force : output.forces) {
       if (force.normal.terms == 0) continue;
       Demand found, scanned;
-      note_demand_along(found, force, end, 1e-12 * weight, 0.0, flow.length);
+      note_demand_along(found, force, end, 1e-12 * weight, 0.0, output.length);
       for (int j = 0; j <= 500; ++j) {
         const double s = end * j / 500;
         note_demand(scanned, value(force.normal, s), value(force.tangential, s), 1e-12 * weight, s);
       }
       EXPECT_LE(found.least_normal, scanned.least_normal + 3e-12 * weight);
-      const auto normal = [&](double time) { return value(force.normal, time / flow.length); };
+      const auto normal = [&](double time) { return value(force.normal, time / output.length); };
       EXPECT_NEAR(normal(found.least_normal_time), found.least_normal, 1e-12 * weight);
       if (scanned.least_normal <= 1e-3 * weight) continue;
       EXPECT_GE(found.friction, scanned.friction * (1 - 1e-8));
-      const double tangential = value(force.tangential, found.friction_time / flow.length);
+      const double tangential = value(force.tangential, found.friction_time / output.length);
       EXPECT_NEAR(std::abs(tangential) / normal(found.friction_time), found.friction, 1e-8 * found.friction);
     }
   }

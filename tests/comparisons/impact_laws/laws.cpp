@@ -89,9 +89,9 @@ TEST(ImpactLaws, NeverDifferWhereOnlyOneInterfaceTouches) {
 TEST(ImpactLaws, AgreeWhereASlenderTopFallsBackOntoAWiderBase) {
   ImpactDraws draws = small_draws();
   draws.blocks = {2};
-  draws.base_slenderness = {0.25, 1};
+  draws.base_aspect_ratio = {0.25, 1};
   draws.width_ratio = {0.3, 0.7};
-  draws.slenderness = {5, 20};  // 2 · 1 · 3 · 0.7 · 5/(4 · 25 + 1) = 0.21 < 0.3, with B = 1 and h = 5 b
+  draws.aspect_ratio = {5, 20};  // 2 · 1 · 3 · 0.7 · 5/(4 · 25 + 1) = 0.21 < 0.3, with B = 1 and h = 5 b
   int impacts = 0;
   for (const ImpactShare& share : study_impact_laws(draws).shares) {
     if (name(share.kind) != "4a-blocks") continue;
@@ -102,12 +102,13 @@ TEST(ImpactLaws, AgreeWhereASlenderTopFallsBackOntoAWiderBase) {
   EXPECT_GT(impacts, 100);
 }
 
-/// A base at rest and a top of that slenderness that falls back onto it.
-DrawnImpact falling_back(double width_ratio, double base_slenderness, double slenderness, double mass_ratio) {
+/// A base at rest and a top of that height over width that falls back onto it.
+DrawnImpact falling_back(double width_ratio, double base_aspect_ratio, double aspect_ratio,
+                         double mass_ratio) {
   DrawnImpact drawn;
   const double b = width_ratio;
-  const double h = b * slenderness;
-  drawn.scene.blocks = {{1, base_slenderness, 1, rectangle_inertia(1, 1, base_slenderness)},
+  const double h = b * aspect_ratio;
+  drawn.scene.blocks = {{1, base_aspect_ratio, 1, rectangle_inertia(1, 1, base_aspect_ratio)},
                         {b, h, mass_ratio, rectangle_inertia(mass_ratio, b, h)}};
   drawn.impact.before = {closed_pattern(2), Vector<double>::Zero(2), Vector<double>::Zero(2)};
   drawn.impact.before.pattern[1] = Contact::right;
@@ -158,7 +159,7 @@ TEST_P(ImpactLawsInEngine, ASquatTopThatFallsBackLiftsTheBase) {
   const auto cases = clear_cases({squat_top()}, 0.1);
   const EngineVerdict verdict = ask_engine(cases.at(0), make_series(*GetParam(), "tuned", {}), 1e-4);
   EXPECT_EQ(verdict.failure, "");
-  EXPECT_EQ(verdict.follows, "consistent") << name(verdict.pattern);
+  EXPECT_EQ(verdict.follows, Follows::consistent) << name(verdict.pattern);
   EXPECT_LT(verdict.from_consistent, 0.05);
   EXPECT_GT(verdict.from_paper, 0.1);
 }

@@ -24,10 +24,10 @@ TEST(Toppling, ReportedAndObservedInSamplesNameTheSameBlockAndTime) {
 }
 
 TEST(Toppling, VerdictNamesWhoTopples) {
-  EXPECT_EQ(toppling_verdict(false, false), "neither");
-  EXPECT_EQ(toppling_verdict(true, true), "both");
-  EXPECT_EQ(toppling_verdict(true, false), "exact alone");
-  EXPECT_EQ(toppling_verdict(false, true), "engine alone");
+  EXPECT_EQ(toppling_verdict(false, false), TopplingVerdict::neither);
+  EXPECT_EQ(toppling_verdict(true, true), TopplingVerdict::both);
+  EXPECT_EQ(toppling_verdict(true, false), TopplingVerdict::exact_alone);
+  EXPECT_EQ(toppling_verdict(false, true), TopplingVerdict::engine_alone);
 }
 
 }  // namespace

@@ -71,10 +71,10 @@ TEST(Results, EveryColumnHasANameOfItsOwnAndADefinition) {
 }
 
 TEST(Results, AFailedRunIsARowWithItsReasonAlone) {
-  Row row;
+  RunMetrics row;
   row.run = "a.b";
   row.engine = "bullet";
-  row.status = "failed";
+  row.status = RunStatus::failed;
   row.reason = "angle of block 1, and \"more\",\nis not finite";
   const auto lines = split(comparison_csv({row}), '\n');
   ASSERT_EQ(lines.size(), 2u);
@@ -102,13 +102,13 @@ TEST(Results, PatternSharesAreALinePerPair) {
 }
 
 TEST(Results, RowsReadBackFromTheirCells) {
-  Row row;
+  RunMetrics row;
   row.run = "a.b";
   row.dt = 0.1;
   row.impacts_extra = 3;
   row.slip = 1.0 / 3;
-  row.toppling_verdict = "both";
-  const Row read = row_from(nlohmann::ordered_json::parse(row_json(row).dump()));
+  row.toppling_verdict = TopplingVerdict::both;
+  const RunMetrics read = metrics_from(nlohmann::ordered_json::parse(metrics_json(row).dump()));
   EXPECT_EQ(comparison_csv({read}), comparison_csv({row}));
   EXPECT_EQ(read.slip, row.slip);
   EXPECT_FALSE(read.gap);

@@ -35,7 +35,7 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   suite.wanted.histories = false;
   suite.tolerance = 1e-3;
   const TemporaryFolder folder;
-  Row row;
+  RunMetrics row;
   compare_with_exact(scene, suite, {other, impacts, false, bodies}, folder.path(), row);
 
   double largest = 0;

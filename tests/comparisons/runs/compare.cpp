@@ -38,10 +38,12 @@ TEST(Compare, AFailingRunCostsItsOwnRow) {
   }
   const auto rows = compare({suite}, folder.path(), {}).rows;
   ASSERT_EQ(rows.size(), suite.series.size() + 1);
-  for (const Row& row : rows) {
-    EXPECT_EQ(row.status, row.engine == "faulty" ? expected.at(row.solver) : "done") << row.run << row.reason;
-    EXPECT_EQ(row.reason.empty(), row.status == "done") << row.run;
-    EXPECT_EQ(row.rms_angle_difference.has_value(), row.status == "done" && row.engine != "exact") << row.run;
+  for (const RunMetrics& row : rows) {
+    EXPECT_EQ(name(row.status), row.engine == "faulty" ? expected.at(row.solver) : "done")
+        << row.run << row.reason;
+    EXPECT_EQ(row.reason.empty(), row.status == RunStatus::done) << row.run;
+    EXPECT_EQ(row.rms_angle_difference.has_value(), row.status == RunStatus::done && row.engine != "exact")
+        << row.run;
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs" / row.run / "summary.json"));
   }
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "comparison.csv"));
@@ -55,10 +57,10 @@ TEST(Compare, ResultsNotAskedForAreNotComputed) {
   suite.series.resize(1);
   suite.series[0].steps = {1e-2};
   suite.wanted = {false, false, false, false, false};
-  const Row row = compare({suite}, folder.path(), {}).rows.at(1);
-  EXPECT_EQ(row.status, "done");
+  const RunMetrics row = compare({suite}, folder.path(), {}).rows.at(1);
+  EXPECT_EQ(row.status, RunStatus::done);
   for (const char* name : {"rms_angle_difference", "impacts_matched", "pattern_agreement", "slip"}) {
-    EXPECT_TRUE(row_json(row).at(name).is_null()) << name;
+    EXPECT_TRUE(metrics_json(row).at(name).is_null()) << name;
   }
   for (const char* name : {"history.csv", "difference.csv", "impacts.csv", "patterns.csv", "energy.csv"}) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "runs" / row.run / name)) << name;
@@ -77,13 +79,13 @@ Suite small_suite(const TemporaryFolder& folder) {
   suite.repeats = 1;
   if (suite.series.size() > 2) suite.series.resize(2);
   for (EngineSeries& series : suite.series) series.steps = {1e-2, 1e-3};
-  suite.variants = {{"linear"}};
+  suite.variants = {{Variant::Choice::linear}};
   return suite;
 }
 
 /// The cells of a row that the machine's speed has no part in.
-nlohmann::ordered_json lasting(const Row& row) {
-  auto cells = row_json(row);
+nlohmann::ordered_json lasting(const RunMetrics& row) {
+  auto cells = metrics_json(row);
   for (const Column& column : columns()) {
     if (column.measured) cells.erase(column.name);
   }
@@ -108,7 +110,7 @@ TEST(Compare, PerturbedScenesAreMadeOnEveryAnswerAndCompared) {
   Suite suite = small_suite(folder);
   suite.perturbations = {.runs = 4, .size = 1e-3, .seed = 1};
   const auto rows = compare({suite}, folder.path(), {}).rows;
-  for (const Row& row : rows)
+  for (const RunMetrics& row : rows)
     EXPECT_EQ(read_tallies(folder.path() / "runs" / row.run / "perturbed.csv").size(), 4U) << row.run;
   const Table table = read_table(folder.path() / "distributions.csv");
   EXPECT_EQ(table.rows.size(), 3 * (rows.size() - 1));  // peak_1, impacts and toppled
@@ -119,14 +121,14 @@ TEST(Compare, RunsThatAreDoneAreNotMadeAgain) {
   const Suite suite = small_suite(folder);
   const auto first = compare({suite}, folder.path(), {});
   std::size_t reports = 0;
-  const auto again = compare({suite}, folder.path(), {.progress = [&](const Standing& now) {
+  const auto again = compare({suite}, folder.path(), {.progress = [&](const Progress& now) {
                                EXPECT_EQ(now.done, reports++);
                                EXPECT_EQ(now.total, first.rows.size());
                              }});
   EXPECT_EQ(again.reused, first.rows.size());
   EXPECT_EQ(reports, first.rows.size() + 1);
   for (std::size_t i = 0; i < first.rows.size(); ++i)
-    EXPECT_EQ(row_json(first.rows[i]), row_json(again.rows[i])) << first.rows[i].run;
+    EXPECT_EQ(metrics_json(first.rows[i]), metrics_json(again.rows[i])) << first.rows[i].run;
 }
 
 TEST(Compare, RunsOfOtherInputsOrThatAreTornAreMadeAgain) {

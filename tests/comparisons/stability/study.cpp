@@ -21,11 +21,11 @@ Scene tower() {
   return scene;
 }
 
-Row clean() {
-  Row row;
+RunMetrics clean() {
+  RunMetrics row;
   row.energy_gain = row.penetration = row.gap = row.slip = row.out_of_plane = row.out_of_plane_tilt = 0;
   row.largest_angle_difference = 0;
-  row.toppling_verdict = "neither";
+  row.toppling_verdict = TopplingVerdict::neither;
   return row;
 }
 
@@ -33,7 +33,7 @@ const double tipping = std::hypot(1, 0.25) - 1;
 
 struct Measure {
   const char* name;
-  std::optional<double> Row::*field;
+  std::optional<double> RunMetrics::*field;
   double unit;   ///< of the tower
   double limit;  ///< share of it
   Soundness beyond;
@@ -43,7 +43,7 @@ class Verdicts : public ::testing::TestWithParam<Measure> {};
 
 TEST_P(Verdicts, ChangeAtTheLimitOfEachMeasure) {
   const Measure& measure = GetParam();
-  Row row = clean();
+  RunMetrics row = clean();
   row.*measure.field = 0.999 * measure.limit * measure.unit;
   EXPECT_LT(judge_stability(row, tower()).soundness, measure.beyond);
   row.*measure.field = 1.001 * measure.limit * measure.unit;
@@ -55,15 +55,15 @@ TEST_P(Verdicts, ChangeAtTheLimitOfEachMeasure) {
 INSTANTIATE_TEST_SUITE_P(
     Of, Verdicts,
     ::testing::Values(
-        Measure{"gain", &Row::energy_gain, tipping, 0.05, Soundness::inexact},
-        Measure{"blow_up", &Row::energy_gain, tipping, 0.5, Soundness::unstable},
-        Measure{"gap", &Row::gap, 4, 0.1, Soundness::unstable},
-        Measure{"tilt", &Row::out_of_plane_tilt, 1, 0.1, Soundness::unstable},
-        Measure{"penetration", &Row::penetration, 4, 0.01, Soundness::inexact},
-        Measure{"slip", &Row::slip, 1, 0.02, Soundness::inexact},
-        Measure{"out_of_plane", &Row::out_of_plane, 1, 0.01, Soundness::inexact},
-        Measure{"residual", &Row::residual_motion, std::sqrt(9.81 / 4), 1e-3, Soundness::inexact},
-        Measure{"angle", &Row::largest_angle_difference, std::atan(0.25), 0.05, Soundness::inexact}),
+        Measure{"gain", &RunMetrics::energy_gain, tipping, 0.05, Soundness::inexact},
+        Measure{"blow_up", &RunMetrics::energy_gain, tipping, 0.5, Soundness::unstable},
+        Measure{"gap", &RunMetrics::gap, 4, 0.1, Soundness::unstable},
+        Measure{"tilt", &RunMetrics::out_of_plane_tilt, 1, 0.1, Soundness::unstable},
+        Measure{"penetration", &RunMetrics::penetration, 4, 0.01, Soundness::inexact},
+        Measure{"slip", &RunMetrics::slip, 1, 0.02, Soundness::inexact},
+        Measure{"out_of_plane", &RunMetrics::out_of_plane, 1, 0.01, Soundness::inexact},
+        Measure{"residual", &RunMetrics::residual_motion, std::sqrt(9.81 / 4), 1e-3, Soundness::inexact},
+        Measure{"angle", &RunMetrics::largest_angle_difference, std::atan(0.25), 0.05, Soundness::inexact}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(Verdict, IsSoundWithoutReasonWhereNothingIsBroken) {
@@ -72,24 +72,24 @@ TEST(Verdict, IsSoundWithoutReasonWhereNothingIsBroken) {
 }
 
 TEST(Verdict, NumbersThatAreNoneAreNotSound) {
-  Row row = clean();
+  RunMetrics row = clean();
   row.energy_gain = std::nan("");
   EXPECT_EQ(judge_stability(row, tower()).soundness, Soundness::unstable);
 }
 
 TEST(Verdict, OfToppling) {
-  Row row = clean();
-  row.toppling_verdict = "engine alone";
+  RunMetrics row = clean();
+  row.toppling_verdict = TopplingVerdict::engine_alone;
   EXPECT_EQ(judge_stability(row, tower()).soundness, Soundness::unstable);
-  row.toppling_verdict = "exact alone";
+  row.toppling_verdict = TopplingVerdict::exact_alone;
   EXPECT_EQ(judge_stability(row, tower()).soundness, Soundness::inexact);
-  row.toppling_verdict = "both";
+  row.toppling_verdict = TopplingVerdict::both;
   EXPECT_EQ(judge_stability(row, tower()).soundness, Soundness::sound);
 }
 
 TEST(Verdict, ARunThatIsNotDoneHasFailedAndSaysWhy) {
-  Row row = clean();
-  row.status = "signal";
+  RunMetrics row = clean();
+  row.status = RunStatus::signal;
   row.reason = "SIGABRT";
   EXPECT_EQ(judge_stability(row, tower()).soundness, Soundness::failed);
   EXPECT_EQ(judge_stability(row, tower()).reason, "signal: SIGABRT");
@@ -99,17 +99,17 @@ TEST(Verdict, ARunThatIsNotDoneHasFailedAndSaysWhy) {
 TEST(Verdict, DoesNotDependOnSize) {
   Scene pebble = tower();
   pebble.blocks = {make_block(0.001, 0.004, 2500)};
-  Row row = clean();
+  RunMetrics row = clean();
   row.slip = 0.0199 * 0.001;
   EXPECT_EQ(judge_stability(row, pebble).soundness, Soundness::sound);
   row.slip = 0.0201 * 0.001;
   EXPECT_EQ(judge_stability(row, pebble).soundness, Soundness::inexact);
 }
 
-std::vector<StabilityRow> at_steps(const std::vector<std::pair<double, Soundness>>& verdicts) {
-  std::vector<StabilityRow> rows;
+std::vector<StabilityRun> at_steps(const std::vector<std::pair<double, Soundness>>& verdicts) {
+  std::vector<StabilityRun> rows;
   for (const auto& [dt, soundness] : verdicts) {
-    Row row;
+    RunMetrics row;
     row.engine = "e";
     row.dt = dt;
     rows.push_back({row, 1, {soundness, ""}});
@@ -134,8 +134,8 @@ TEST(LargestSteps, AreZeroWhereTheSmallestFails) {
   EXPECT_EQ(steps.at(0).stable, 0);
 }
 
-Row timed(double error, double seconds, const std::string& status = "done") {
-  Row row;
+RunMetrics timed(double error, double seconds, RunStatus status = RunStatus::done) {
+  RunMetrics row;
   row.status = status;
   row.largest_angle_difference = error;
   row.stepping_time_minimum = seconds;
@@ -144,15 +144,15 @@ Row timed(double error, double seconds, const std::string& status = "done") {
 
 TEST(Advice, IsTheCheapestOfThoseWithinTheError) {
   EXPECT_EQ(cheapest({timed(1e-1, 1), timed(1e-3, 3), timed(1e-4, 2), timed(1e-5, 4)}, 1e-3), 2);
-  EXPECT_EQ(cheapest({timed(1e-3, 1, "time limit"), timed(1e-3, 3)}, 1e-3), 1);
+  EXPECT_EQ(cheapest({timed(1e-3, 1, RunStatus::time_limit), timed(1e-3, 3)}, 1e-3), 1);
   EXPECT_EQ(cheapest({timed(1e-2, 1)}, 1e-3), -1);
 }
 
 TEST(Advice, PassesOverWhatTopplesOtherwise) {
-  Row row = timed(1e-4, 1);
-  row.toppling_verdict = "engine alone";
+  RunMetrics row = timed(1e-4, 1);
+  row.toppling_verdict = TopplingVerdict::engine_alone;
   EXPECT_EQ(cheapest({row}, 1e-3), -1);
-  row.toppling_verdict = "both";
+  row.toppling_verdict = TopplingVerdict::both;
   EXPECT_EQ(cheapest({row}, 1e-3), 0);
 }
 

@@ -8,8 +8,8 @@
 namespace rockstack {
 namespace {
 
-Row row_at(double dt, const std::string& settings) {
-  Row row;
+RunMetrics row_at(double dt, const std::string& settings) {
+  RunMetrics row;
   row.scene = "block";
   row.engine = "ode";
   row.solver = "step";
@@ -20,8 +20,8 @@ Row row_at(double dt, const std::string& settings) {
   return row;
 }
 
-std::vector<Row> rows() {
-  std::vector<Row> list(1);  // the exact run has no step
+std::vector<RunMetrics> rows() {
+  std::vector<RunMetrics> list(1);  // the exact run has no step
   for (const double dt : {1e-2, 4e-3, 1e-3, 4e-4, 1e-4}) {
     list.push_back(row_at(dt, "tuned"));
     if (dt > 2e-4) list.push_back(row_at(dt, "default"));
@@ -30,11 +30,11 @@ std::vector<Row> rows() {
 }
 
 TEST(Fits, AreMadeOfEverySeriesOfFiveStepsOrMore) {
-  const auto fits = fit_rows(rows());
+  const auto fits = fit_runs(rows());
   ASSERT_EQ(fits.size(), 2U);  // "default" has four steps
   EXPECT_EQ(fits[0].settings, "tuned");
   EXPECT_EQ(fits[0].quantity, "rms_angle_difference");
-  EXPECT_NEAR(fits[0].fit.gap.value, 1e-4, 1e-6);
+  EXPECT_NEAR(fits[0].fit.model_error.value, 1e-4, 1e-6);
   EXPECT_EQ(fits[1].quantity, "first_impact_time_difference");
   EXPECT_NEAR(fits[1].fit.order.value, 1, 1e-3);
   EXPECT_NEAR(fits[1].fit.coefficient, 0.5, 1e-3);
@@ -43,14 +43,14 @@ TEST(Fits, AreMadeOfEverySeriesOfFiveStepsOrMore) {
 TEST(Fits, RunsThatFailedAreLeftOut) {
   auto list = rows();
   list[1].rms_angle_difference.reset();
-  EXPECT_EQ(fit_rows(list)[0].fit.reason, "4 steps are fewer than 5");
-  const auto json = fits_json(fit_rows(list));
+  EXPECT_EQ(fit_runs(list)[0].fit.reason, "4 steps are fewer than 5");
+  const auto json = fits_json(fit_runs(list));
   EXPECT_TRUE(json[0]["gap"].is_null());
   EXPECT_FALSE(json[0]["holds"].get<bool>());
 }
 
 TEST(Fits, FileHasACellForEachName) {
-  const std::string text = fits_csv(fit_rows(rows()));
+  const std::string text = fits_csv(fit_runs(rows()));
   const auto commas = [&](std::size_t from) {
     return std::count(text.begin() + static_cast<long>(from),
                       text.begin() + static_cast<long>(text.find('\n', from)), ',');

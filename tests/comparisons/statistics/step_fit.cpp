@@ -30,7 +30,7 @@ TEST(StepFit, FindsGapCoefficientAndOrderOfErrorsOnTheCurve) {
     EXPECT_TRUE(fit.holds()) << fit.reason;
     // The search ends at 0.44^16 = 2e-6 of its range.
     EXPECT_NEAR(fit.order.value, order, 1e-4 * order);
-    EXPECT_NEAR(fit.gap.value, gap, 1e-3 * gap);
+    EXPECT_NEAR(fit.model_error.value, gap, 1e-3 * gap);
     EXPECT_NEAR(fit.coefficient, coefficient, 1e-3 * coefficient);
   }
 }
@@ -38,8 +38,8 @@ TEST(StepFit, FindsGapCoefficientAndOrderOfErrorsOnTheCurve) {
 TEST(StepFit, OfAPurePowerHasNoGap) {
   const StepFit fit = fit_steps(on_curve(0, 3, 1, 0.02, 2));
   EXPECT_TRUE(fit.holds()) << fit.reason;
-  EXPECT_EQ(fit.gap.low, 0);
-  EXPECT_LT(fit.gap.high, 3 * steps.back());
+  EXPECT_EQ(fit.model_error.low, 0);
+  EXPECT_LT(fit.model_error.high, 3 * steps.back());
   EXPECT_NEAR(fit.order.value, 1, 0.1);
 }
 
@@ -51,7 +51,7 @@ TEST(StepFit, BoundsHoldTheTruthAboutAsOftenAsTheySay) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     const StepFit fit = fit_steps(on_curve(gap, 2, order, 0.1, seed));
     if (fit.order.low <= order && order <= fit.order.high) ++orders;
-    if (fit.gap.low <= gap && gap <= fit.gap.high) ++gaps;
+    if (fit.model_error.low <= gap && gap <= fit.model_error.high) ++gaps;
   }
   EXPECT_GE(orders, 33);
   EXPECT_GE(gaps, 33);
@@ -62,7 +62,7 @@ TEST(StepFit, ScalesWithTheErrorsUnit) {
   auto scaled = errors;
   for (StepError& one : scaled) one.error *= 1000;
   const StepFit first = fit_steps(errors), second = fit_steps(scaled);
-  EXPECT_NEAR(second.gap.high, 1000 * first.gap.high, 1e-3 * second.gap.high);
+  EXPECT_NEAR(second.model_error.high, 1000 * first.model_error.high, 1e-3 * second.model_error.high);
   EXPECT_NEAR(second.order.low, first.order.low, 1e-4);
   EXPECT_NEAR(second.scatter, first.scatter, 1e-6);
 }

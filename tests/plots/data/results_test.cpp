@@ -94,11 +94,11 @@ TEST(Results, EverySolverHasALookOfItsOwn) {
   testing::Sample sample = tuned_and_default();
   sample.engines.push_back({"newton", "dynamics", "tuned", 1e-3});
   testing::write_sample(folder, sample);
-  const Looks looks = assign_looks(read_comparison(folder).runs);
+  const Styles styles = assign_styles(read_comparison(folder).runs);
   std::set<std::tuple<std::string, int, std::string>> seen;
-  for (const auto& [solver, look] : looks)
-    EXPECT_TRUE(seen.emplace(look.colour, look.mark, look.dash).second) << solver;
-  EXPECT_TRUE(looks.contains("newton:dynamics"));
+  for (const auto& [solver, style] : styles)
+    EXPECT_TRUE(seen.emplace(style.colour, style.mark, style.dash).second) << solver;
+  EXPECT_TRUE(styles.contains("newton:dynamics"));
 }
 
 TEST(Results, AMalformedDescriptionIsNamedByItsFile) {

@@ -220,7 +220,7 @@ TEST(LogarithmicTics, ArePowersOfTenAndWithinTwoDecadesTheirMultiplesToo) {
   EXPECT_EQ(logarithmic_tics("y", 0.2, 0.9), "set ytics ('10^{-1}' 0.1, '2·10^{-1}' 0.2, '5·10^{-1}' 0.5)\n");
 }
 
-TEST(Look, DefaultsASetAndThoseWithAChangedParameterAreToldApart) {
+TEST(Style, DefaultsASetAndThoseWithAChangedParameterAreToldApart) {
   const std::vector<std::string> all{"default", "tuned", "tuned+shaking=force", "tuned+shaking=ground"};
   std::vector<plots::Run> runs;
   for (const std::string& settings : all) {
@@ -229,14 +229,14 @@ TEST(Look, DefaultsASetAndThoseWithAChangedParameterAreToldApart) {
     runs.back().solver = "step";
     runs.back().settings = settings;
   }
-  const Looks looks = assign_looks(runs);
-  const Look& look = looks.at("ode:step");
+  const Styles styles = assign_styles(runs);
+  const Style& style = styles.at("ode:step");
   std::set<int> marks;
   std::set<std::string> dashes, curves;
   for (const plots::Run& run : runs) {
-    marks.insert(mark_of(look, run.settings));
-    dashes.insert(dash_of(look, run.settings, "solid"));
-    curves.insert(curve_style(looks, run, 0));
+    marks.insert(mark_of(style, run.settings));
+    dashes.insert(dash_of(style, run.settings, "solid"));
+    curves.insert(curve_style(styles, run, 0));
   }
   EXPECT_EQ(marks.size(), all.size());
   EXPECT_EQ(dashes.size(), all.size());

@@ -26,7 +26,7 @@ constexpr auto description = R"json({
 })json";
 
 constexpr auto cells =
-    "blocks,kind,slenderness_from,slenderness_to,mass_ratio_from,mass_ratio_to,impacts,differ,none\n"
+    "blocks,kind,aspect_ratio_from,aspect_ratio_to,mass_ratio_from,mass_ratio_to,impacts,differ,none\n"
     "2,4a-blocks,0.5,1,0.1,1,100,40,0\n2,4a-blocks,1,2,1,10,100,10,0\n"
     "2,1a-ground,0.5,1,0.1,1,100,0,0\n2,1a-ground,1,2,1,10,100,0,8\n";
 

@@ -10,20 +10,20 @@ namespace rockstack {
 namespace {
 
 /// A power of two as interval keeps times and fractions exact.
-const GroundMotion motion{0.25, {0.0, 4.0, -2.0, 6.0, 1.0}, "test"};
+const GroundMotion sampled{0.25, {0.0, 4.0, -2.0, 6.0, 1.0}, "test"};
 
 TEST(GroundMotion, IsLinearBetweenSamplesAndMeetsThem) {
-  for (std::size_t k = 0; k < motion.samples.size(); ++k) {
-    EXPECT_EQ(acceleration(motion, 0.25 * static_cast<double>(k)), motion.samples[k]);
+  for (std::size_t k = 0; k < sampled.samples.size(); ++k) {
+    EXPECT_EQ(acceleration(sampled, 0.25 * static_cast<double>(k)), sampled.samples[k]);
   }
-  EXPECT_EQ(acceleration(motion, 0.125), 2.0);
-  EXPECT_EQ(acceleration(motion, 0.3125), 2.5);
+  EXPECT_EQ(acceleration(sampled, 0.125), 2.0);
+  EXPECT_EQ(acceleration(sampled, 0.3125), 2.5);
 }
 
 TEST(GroundMotion, IsZeroAfterItsEndAndWithoutSamples) {
-  EXPECT_EQ(acceleration(motion, std::nextafter(motion.end(), 2.0)), 0.0);
-  EXPECT_EQ(acceleration(motion, 100.0), 0.0);
-  EXPECT_EQ(mean_acceleration(motion, 1.0, 2.0), 0.0);
+  EXPECT_EQ(acceleration(sampled, std::nextafter(sampled.end(), 2.0)), 0.0);
+  EXPECT_EQ(acceleration(sampled, 100.0), 0.0);
+  EXPECT_EQ(mean_acceleration(sampled, 1.0, 2.0), 0.0);
   EXPECT_EQ(acceleration(GroundMotion{}, 0.0), 0.0);
   EXPECT_EQ(mean_acceleration(GroundMotion{}, 0.0, 1.0), 0.0);
   EXPECT_EQ(peak(GroundMotion{}), 0.0);
@@ -31,16 +31,16 @@ TEST(GroundMotion, IsZeroAfterItsEndAndWithoutSamples) {
 
 TEST(GroundMotion, MeanOverWholeIntervalsIsTheTrapezoidRule) {
   // Every number here is a small multiple of a power of two, so all sums are exact.
-  for (std::size_t k = 0; k + 1 < motion.samples.size(); ++k) {
+  for (std::size_t k = 0; k + 1 < sampled.samples.size(); ++k) {
     const double from = 0.25 * static_cast<double>(k);
-    EXPECT_EQ(mean_acceleration(motion, from, from + 0.25),
-              0.5 * (motion.samples[k] + motion.samples[k + 1]));
+    EXPECT_EQ(mean_acceleration(sampled, from, from + 0.25),
+              0.5 * (sampled.samples[k] + sampled.samples[k + 1]));
   }
-  EXPECT_EQ(mean_acceleration(motion, 0.0, 1.0), (0.5 * 0.0 + 4.0 - 2.0 + 6.0 + 0.5 * 1.0) / 4);
+  EXPECT_EQ(mean_acceleration(sampled, 0.0, 1.0), (0.5 * 0.0 + 4.0 - 2.0 + 6.0 + 0.5 * 1.0) / 4);
 }
 
 TEST(GroundMotion, MeanAcrossTheEndCountsZeroThere) {
-  EXPECT_EQ(mean_acceleration(motion, 0.75, 1.25), 0.5 * 0.5 * (6.0 + 1.0));
+  EXPECT_EQ(mean_acceleration(sampled, 0.75, 1.25), 0.5 * 0.5 * (6.0 + 1.0));
 }
 
 TEST(GroundMotion, MeanEqualsFineQuadrature) {
@@ -52,10 +52,10 @@ TEST(GroundMotion, MeanEqualsFineQuadrature) {
        std::vector<std::pair<double, double>>{{0.0, 1.0}, {0.1, 0.13}, {0.07, 0.91}}) {
     const double cell = (to - from) / cells;
     double sum = 0;
-    for (int k = 0; k < cells; ++k) sum += acceleration(motion, from + (k + 0.5) * cell);
+    for (int k = 0; k < cells; ++k) sum += acceleration(sampled, from + (k + 0.5) * cell);
     // Plus the rounding of a sum of `cells` terms not above 6.
     const double tolerance = 4 * 56 * cell * cell / 8 / (to - from) + cells * 6 * 2.3e-16;
-    EXPECT_NEAR(mean_acceleration(motion, from, to), sum / cells, tolerance);
+    EXPECT_NEAR(mean_acceleration(sampled, from, to), sum / cells, tolerance);
   }
 }
 

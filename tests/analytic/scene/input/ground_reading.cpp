@@ -8,7 +8,7 @@ namespace rockstack {
 namespace {
 
 /// The horizontal motion of a scene with these lines under [ground.horizontal].
-GroundMotion read(const std::string& lines) {
+GroundMotion read_ground(const std::string& lines) {
   const TemporaryFolder folder;
   return read_scene(folder.write("scene.toml", two_blocks() + "[ground.horizontal]\n" + lines)).horizontal;
 }
@@ -19,13 +19,13 @@ std::string error_in(const std::string& lines) {
 }
 
 TEST(GroundReading, ScaleMultipliesEverySample) {
-  EXPECT_EQ(read("samples = [1, -2]\ninterval = 0.5\nscale = -0.5\n").samples,
+  EXPECT_EQ(read_ground("samples = [1, -2]\ninterval = 0.5\nscale = -0.5\n").samples,
             (std::vector<double>{-0.5, 1}));
 }
 
 TEST(GroundReading, PeakIsReachedToTheLastBit) {
   // With these two numbers, multiplying by the rounded factor peak / largest would miss the last bit.
-  const GroundMotion motion = read("samples = [0.1, -0.2, 0.2]\ninterval = 0.5\npeak = 6.97\n");
+  const GroundMotion motion = read_ground("samples = [0.1, -0.2, 0.2]\ninterval = 0.5\npeak = 6.97\n");
   EXPECT_EQ(peak(motion), 6.97);
   EXPECT_EQ(motion.samples[1], -6.97);
 }
@@ -89,9 +89,9 @@ TEST(GroundReading, OneSourceIsNeeded) {
 
 TEST(GroundReading, ASyntheticMotionIsMadeFromItsSeed) {
   const GroundMotion motion =
-      read("synthetic = 3\npeak = 2\nduration = 10\ninterval = 0.02\nfrequency = 2\ndamping = 0.4\n");
+      read_ground("synthetic = 3\npeak = 2\nduration = 10\ninterval = 0.02\nfrequency = 2\ndamping = 0.4\n");
   EXPECT_EQ(motion.samples, make_synthetic({3, 2, 10, 0.02, 2, 0.4}).samples);
-  EXPECT_EQ(read("synthetic = 3\npeak = 2\n").samples, make_synthetic({.seed = 3, .peak = 2}).samples);
+  EXPECT_EQ(read_ground("synthetic = 3\npeak = 2\n").samples, make_synthetic({.seed = 3, .peak = 2}).samples);
 }
 
 TEST(GroundReading, ASyntheticMotionHasItsOwnKeysAndRanges) {
@@ -114,22 +114,22 @@ TEST(GroundReading, ASyntheticMotionHasItsOwnKeysAndRanges) {
       "scene.toml:16: ground.horizontal.frequency = 30: must be from 0.05, one cycle in the duration, to "
       "25 Hz");
   EXPECT_EQ(error_in("synthetic = 1\npeak = -1\n"),
-            "scene.toml:15: ground.horizontal.peak = -1: must be a number from 1e-20 to 1e+20");
+            "scene.toml:15: ground.horizontal.peak = -1: must be a finite number > 0");
 }
 
 TEST(GroundReading, NumbersOutOfRangeAreRefused) {
   EXPECT_EQ(error_in("samples = [1]\ninterval = 0\n"),
-            "scene.toml:15: ground.horizontal.interval = 0: must be a number from 1e-20 to 1e+20");
+            "scene.toml:15: ground.horizontal.interval = 0: must be a finite number > 0");
   EXPECT_EQ(error_in("samples = [\n  1,\n  nan]\ninterval = 1\n"),
             "scene.toml:16: ground.horizontal.samples.2 = nan: must be a finite number");
   EXPECT_EQ(error_in("samples = [1]\ninterval = 1\nscale = inf\n"),
-            "scene.toml:16: ground.horizontal.scale = inf: must be a number from -1e+20 to 1e+20");
+            "scene.toml:16: ground.horizontal.scale = inf: must be a finite number");
   EXPECT_EQ(error_in("samples = [1]\ninterval = 1\npeak = -3\n"),
-            "scene.toml:16: ground.horizontal.peak = -3: must be a number from 1e-20 to 1e+20");
+            "scene.toml:16: ground.horizontal.peak = -3: must be a finite number > 0");
   EXPECT_EQ(error_in("samples = [0, 0]\ninterval = 1\npeak = 3\n"),
             "scene.toml:16: ground.horizontal.peak = 3: must be left out where every sample is zero");
-  EXPECT_EQ(error_in("samples = [1e10]\ninterval = 1\nscale = 1e20\n"),
-            "scene.toml:14: ground.horizontal.samples.1 = 1e+30: must be a number from -1e+20 to 1e+20");
+  EXPECT_EQ(error_in("samples = [1e300]\ninterval = 1\nscale = 1e300\n"),
+            "scene.toml:14: ground.horizontal.samples.1 = inf: must be a finite number");
 }
 
 }  // namespace

@@ -6,8 +6,6 @@
 namespace rockstack {
 namespace {
 
-constexpr double gal = 0.01;  // m/s²
-
 void expect_samples(const Record& record, const std::vector<double>& samples, double unit) {
   ASSERT_EQ(record.samples.size(), samples.size());
   for (std::size_t k = 0; k < samples.size(); ++k) EXPECT_DOUBLE_EQ(record.samples[k], samples[k] * unit);

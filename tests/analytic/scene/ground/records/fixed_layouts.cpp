@@ -5,8 +5,6 @@
 namespace rockstack {
 namespace {
 
-constexpr double gal = 0.01;  // m/s²
-
 TEST(SmcRecord, ReadsColumnsWithoutBlanksBetween) {
   const Record record = read_text(smc_text(made_up_samples()));
   EXPECT_EQ(record.format, "USGS SMC");

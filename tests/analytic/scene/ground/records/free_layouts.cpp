@@ -8,8 +8,6 @@
 namespace rockstack {
 namespace {
 
-constexpr double g = 9.80665;                                             // m/s², by definition
-constexpr double gal = 0.01;                                              // m/s²
 constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();  // one product or quotient each side
 
 void expect_record(const Record& record, const std::string& format, double interval, double unit,

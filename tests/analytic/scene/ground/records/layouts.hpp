@@ -7,6 +7,9 @@
 
 namespace rockstack {
 
+inline constexpr double g = 9.80665;  // m/s², by definition
+inline constexpr double gal = 0.01;   // m/s²
+
 /// Made-up samples with at most three decimals, from -0.9 to 0.9, so that each layout can write them exactly.
 std::vector<double> made_up_samples(std::size_t count = 19);
 

@@ -5,12 +5,10 @@
 
 #include "analytic/scene/ground/ground_motion.hpp"
 #include "analytic/scene/ground/records/record_file.hpp"
+#include "tests/analytic/scene/ground/records/layouts.hpp"
 
 namespace rockstack {
 namespace {
-
-constexpr double g = 9.80665;  // m/s²
-constexpr double gal = 0.01;   // m/s²
 
 /// Count, time step and peak as the header of a real record or its publisher's page gives them.
 struct RealRecord {
@@ -41,9 +39,9 @@ TEST_P(RealRecords, HaveTheCountStepAndPeakOfTheirHeader) {
   EXPECT_EQ(record.format, expected.format);
   EXPECT_EQ(record.samples.size(), expected.samples);
   EXPECT_DOUBLE_EQ(record.interval, expected.interval);
-  constexpr double round_off = 1e-12;
+  constexpr double digits_lost = 1e-12;
   EXPECT_NEAR(peak({record.interval, record.samples, ""}) / expected.unit, expected.peak,
-              expected.digits + round_off);
+              expected.digits + digits_lost);
 }
 
 // PEER files name no peak: those of the first three are their publisher's, the others the largest printed

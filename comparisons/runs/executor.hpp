@@ -15,14 +15,14 @@ struct Work {
   std::function<bool()> stopped;  ///< true: no further part is begun, those begun are finished
 };
 
-/// Those who work on the parts of some work: threads of this process, or processes on several machines of
-/// which one leads and the others only compute.
-class Workers {
+/// Executes some work part by part: in threads of this process, or in processes on several machines of which
+/// one leads and the others only compute.
+class Executor {
  public:
-  Workers() = default;
-  virtual ~Workers() = default;
-  Workers(const Workers&) = delete;
-  Workers& operator=(const Workers&) = delete;
+  Executor() = default;
+  virtual ~Executor() = default;
+  Executor(const Executor&) = delete;
+  Executor& operator=(const Executor&) = delete;
 
   /// How many compute at a time, for reports: "2 threads".
   virtual std::string description() const = 0;
@@ -38,6 +38,6 @@ class Workers {
 };
 
 /// Threads of this process. Precondition: count ≥ 1.
-std::unique_ptr<Workers> make_threads(std::size_t count);
+std::unique_ptr<Executor> make_threads(std::size_t count);
 
 }  // namespace rockstack

@@ -5,14 +5,26 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/metrics/toppling.hpp"
+
 namespace rockstack {
 
-/// One row of a comparison: what was run and how it differs from the exact solution. Empty where it does not
+/// How a run ended; columns() has what each means.
+enum class RunStatus { done, failed, not_finite, signal, time_limit, memory_limit };
+
+/// "done", "not finite", …
+std::string name(RunStatus status);
+
+/// The status of that name. @throws std::invalid_argument where there is none.
+RunStatus run_status(const std::string& name);
+
+/// What was run and how it differs from the exact solution: one row of a comparison. Empty where it does not
 /// apply, was not asked for, or the run failed. columns() holds what each field means, and its unit.
-struct Row {
+struct RunMetrics {
   std::string run, scene, engine, solver, settings;
   std::optional<double> dt;
-  std::string status = "done", reason;
+  RunStatus status = RunStatus::done;
+  std::string reason;
   std::optional<int> steps;
   std::optional<double> stepping_time_minimum, stepping_time_median, stepping_time_spread;
   std::optional<int> repeats, runs_at_a_time;
@@ -29,24 +41,25 @@ struct Row {
   std::optional<double> energy_gain, penetration, gap, slip, out_of_plane, out_of_plane_tilt;
   std::optional<double> residual_motion;
   std::optional<int> warnings;
-  std::string toppled, toppling_verdict;
+  std::string toppled;
+  TopplingVerdict toppling_verdict = TopplingVerdict::unknown;
 };
 
-/// A column of comparison.csv: its name, what it means, and how it is read from a row and put into one.
+/// A column of comparison.csv: its name, what it means, and how it is read from metrics and put into them.
 struct Column {
   const char* name;
   const char* definition;
-  nlohmann::ordered_json (*cell)(const Row&);
-  void (*set)(Row&, const nlohmann::ordered_json& cell);
+  nlohmann::ordered_json (*cell)(const RunMetrics&);
+  void (*set)(RunMetrics&, const nlohmann::ordered_json& cell);
   bool measured = false;  ///< time or memory that the machine took: another run gives another value
 };
 
 const std::vector<Column>& columns();
 
-/// All cells by the names of their columns.
-nlohmann::ordered_json row_json(const Row& row);
+/// All metrics by the names of their columns.
+nlohmann::ordered_json metrics_json(const RunMetrics& row);
 
-/// The row whose cells row_json() gave; a cell that is not there stays empty.
-Row row_from(const nlohmann::ordered_json& cells);
+/// The metrics whose cells metrics_json() gave; a cell that is not there stays empty.
+RunMetrics metrics_from(const nlohmann::ordered_json& cells);
 
 }  // namespace rockstack

@@ -1,0 +1,260 @@
+#include "comparisons/results/run_metrics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <type_traits>
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// In the order of RunStatus.
+constexpr std::array<const char*, 6> status_names{"done",   "failed",     "not finite",
+                                                  "signal", "time limit", "memory limit"};
+
+template <class Value>
+Json to_json(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json to_json(const std::string& value) {
+  return value;
+}
+
+template <class Enumeration>
+requires std::is_enum_v<Enumeration> Json to_json(Enumeration value) {
+  return name(value);
+}
+
+template <class Value>
+void from_json(const Json& cell, std::optional<Value>& value) {
+  if (!cell.is_null()) value = cell.get<Value>();
+}
+
+void from_json(const Json& cell, std::string& value) {
+  value = cell.get<std::string>();
+}
+
+void from_json(const Json& cell, RunStatus& value) {
+  value = run_status(cell.get<std::string>());
+}
+
+void from_json(const Json& cell, TopplingVerdict& value) {
+  value = named_verdict(cell.get<std::string>());
+}
+
+template <auto field>
+Column column(const char* name, const char* definition) {
+  return {name, definition, [](const RunMetrics& row) { return to_json(row.*field); },
+          [](RunMetrics& row, const Json& cell) { from_json(cell, row.*field); }};
+}
+
+template <auto field>
+Column measured(const char* name, const char* definition) {
+  Column result = column<field>(name, definition);
+  result.measured = true;
+  return result;
+}
+
+std::vector<Column> run_columns() {
+  return {
+      column<&RunMetrics::run>("run", "name of the run, and of its folder under runs/"),
+      column<&RunMetrics::scene>("scene", "name of the scene"),
+      column<&RunMetrics::engine>("engine", "\"exact\", or the engine's name"),
+      column<&RunMetrics::solver>("solver",
+                                  "integrator of the exact solver, or the engine's constraint solver"),
+      column<&RunMetrics::settings>(
+          "settings",
+          "the engine's parameter set: default is what a user gets who sets nothing but friction and "
+          "restitution; tuned suits this problem best"),
+      column<&RunMetrics::dt>("dt", "time step, s; for the exact solver the longest"),
+      column<&RunMetrics::status>(
+          "status",
+          "done; or what kept the run from it: failed (an error that the engine or the solver reports), not "
+          "finite (an angle or velocity), signal (the engine's process was ended, as by an assertion), time "
+          "limit or memory limit"),
+      column<&RunMetrics::reason>("reason", "why a run is not done"),
+      column<&RunMetrics::steps>(
+          "steps", "time steps that the engine made; fewer than the duration holds where a block toppled"),
+  };
+}
+
+std::vector<Column> cost_columns() {
+  return {
+      measured<&RunMetrics::stepping_time_minimum>(
+          "stepping_time_minimum",
+          "least wall time of stepping alone (for the exact solver: of solving), over the repeats, s"),
+      measured<&RunMetrics::stepping_time_median>("stepping_time_median", "median of the same times, s"),
+      measured<&RunMetrics::stepping_time_spread>("stepping_time_spread",
+                                                  "largest less smallest of the same times, s"),
+      column<&RunMetrics::repeats>("repeats", "timed runs, after a warm-up that is not counted"),
+      measured<&RunMetrics::runs_at_a_time>(
+          "runs_at_a_time",
+          "how many runs of the comparison shared the machine while this one was "
+          "timed; only with 1 are times to "
+          "be compared"),
+      measured<&RunMetrics::real_time_factor>(
+          "real_time_factor", "seconds of motion for one second of the least wall time of stepping"),
+      measured<&RunMetrics::processor_time>(
+          "processor_time",
+          "user and system time of the engine's process, as the operating system "
+          "accounts for it: the run that "
+          "gives the history, all timed runs, building and reading, s"),
+      measured<&RunMetrics::peak_memory>(
+          "peak_memory", "largest resident memory of the engine's process, the history included, bytes"),
+  };
+}
+
+std::vector<Column> motion_columns() {
+  return {
+      column<&RunMetrics::largest_angle_difference>(
+          "largest_angle_difference",
+          "largest absolute difference of any block's angle, at the engine's own times, rad"),
+      column<&RunMetrics::rms_angle_difference>(
+          "rms_angle_difference",
+          "root of the mean square of that difference over all times and blocks, rad"),
+      column<&RunMetrics::relative_angle_difference>(
+          "relative_angle_difference",
+          "the largest angle difference as a share of the largest exact angle of any block"),
+      column<&RunMetrics::magnitude_error>(
+          "magnitude_error",
+          "amplitude part of the difference, blind to delay: root of the engine's mean square angle over the "
+          "exact one, less 1 (Sprague & Geers 2003)"),
+      column<&RunMetrics::phase_error>(
+          "phase_error",
+          "phase part, blind to amplitude: angle between both histories as vectors of all samples and "
+          "blocks, "
+          "as a share of half a turn (Sprague & Geers 2003); 0 in step, 1 in opposition"),
+      column<&RunMetrics::second_peak_difference>(
+          "second_peak_difference",
+          "peak of the top block in its second swing, after its angle first "
+          "changed sign, less the exact one, "
+          "as a share of the exact one"),
+      column<&RunMetrics::agreement_time>(
+          "agreement_time",
+          "time until which no angle differs by more than the tolerance; the end where none ever does, s"),
+  };
+}
+
+std::vector<Column> impact_columns() {
+  return {
+      column<&RunMetrics::first_impact_time_difference>(
+          "first_impact_time_difference",
+          "time of the engine's first impact less that of the exact one's, s"),
+      column<&RunMetrics::impacts_matched>(
+          "impacts_matched",
+          "impacts above the chatter speed that both have, in order, at the same "
+          "interface, within the matching "
+          "window, and not leaving to opposite sides; an impact leaves to a side "
+          "where the interface's relative "
+          "angular velocity after it is at least the chatter speed"),
+      column<&RunMetrics::impacts_missed>(
+          "impacts_missed", "exact impacts above the chatter speed that the engine does not have"),
+      column<&RunMetrics::impacts_extra>(
+          "impacts_extra", "engine impacts above the chatter speed that the exact solution does not have"),
+      column<&RunMetrics::rms_impact_time_difference>(
+          "rms_impact_time_difference", "root of the mean square time difference of the matched impacts, s"),
+      column<&RunMetrics::largest_impact_time_difference>(
+          "largest_impact_time_difference", "largest absolute time difference of the matched impacts, s"),
+      column<&RunMetrics::settlings_matched>(
+          "settlings_matched",
+          "settlings that both have, within the matching window. All chatter of "
+          "an interface is one settling: "
+          "the interface comes to stay within 2 mrad of closed, slower than the "
+          "chatter speed, for at least the "
+          "matching window"),
+      column<&RunMetrics::settlings_missed>("settlings_missed",
+                                            "exact settlings that the engine does not have"),
+      column<&RunMetrics::settlings_extra>("settlings_extra",
+                                           "engine settlings that the exact solution does not have"),
+      column<&RunMetrics::pattern_agreement>(
+          "pattern_agreement",
+          "share of time in which the engine is in the exact pattern. An interface is closed while it stays "
+          "within 2 mrad for at least the matching window, and open to one side else; likewise for the exact "
+          "solution, at the same times. patterns.csv holds the share of time of each pair of patterns"),
+      column<&RunMetrics::pattern_sequence_time>(
+          "pattern_sequence_time",
+          "time until which both pass through the same patterns in the same order; the end where they always "
+          "do, s"),
+  };
+}
+
+std::vector<Column> body_columns() {
+  return {
+      column<&RunMetrics::energy_gain>(
+          "energy_gain",
+          "largest rise of the blocks' kinetic and potential energy, less the work of "
+          "the ground's motion, above "
+          "its least value before; as a share of the stack's weight times the height "
+          "of its centre of mass at "
+          "rest. The true motion never gains any"),
+      column<&RunMetrics::penetration>(
+          "penetration", "largest depth of a block's corner in the block or ground it meets, m"),
+      column<&RunMetrics::gap>("gap", "largest height of a block over what it stands on, m"),
+      column<&RunMetrics::slip>(
+          "slip",
+          "largest way of a pivot along the face that it stands on, from its place without slipping, m"),
+      column<&RunMetrics::out_of_plane>("out_of_plane",
+                                        "largest distance of a block's centre from the plane, m"),
+      column<&RunMetrics::out_of_plane_tilt>("out_of_plane_tilt",
+                                             "largest sine of a block's angle out of the plane"),
+      column<&RunMetrics::residual_motion>(
+          "residual_motion",
+          "root of the mean square angular velocity of all blocks over the last "
+          "tenth of the scene, where the "
+          "exact solution is at rest all that time, rad/s"),
+      column<&RunMetrics::warnings>(
+          "warnings",
+          "how often the engine said that its solver failed, and went on: ODE with what it had, Bullet with "
+          "sequential impulse in place of an mlcp solver"),
+      column<&RunMetrics::toppled>("toppled",
+                                   "block that passed its toppling angle and when, which ends the run"),
+      column<&RunMetrics::toppling_verdict>(
+          "toppling_verdict",
+          "which of both topple within the scene: neither, both, engine alone or exact alone"),
+  };
+}
+
+}  // namespace
+
+std::string name(RunStatus status) {
+  return status_names.at(static_cast<std::size_t>(status));
+}
+
+RunStatus run_status(const std::string& name) {
+  const auto found = std::find(status_names.begin(), status_names.end(), name);
+  if (found == status_names.end()) throw std::invalid_argument(fmt::format("{}: no status of a run", name));
+  return static_cast<RunStatus>(found - status_names.begin());
+}
+
+const std::vector<Column>& columns() {
+  static const std::vector<Column> list = [] {
+    std::vector<Column> all;
+    for (const auto part : {run_columns, cost_columns, motion_columns, impact_columns, body_columns}) {
+      for (const Column& one : part()) all.push_back(one);
+    }
+    return all;
+  }();
+  return list;
+}
+
+Json metrics_json(const RunMetrics& row) {
+  Json cells;
+  for (const Column& one : columns()) cells[one.name] = one.cell(row);
+  return cells;
+}
+
+RunMetrics metrics_from(const Json& cells) {
+  RunMetrics row;
+  for (const Column& one : columns()) {
+    if (cells.contains(one.name)) one.set(row, cells.at(one.name));
+  }
+  return row;
+}
+
+}  // namespace rockstack
