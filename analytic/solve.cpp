@@ -11,10 +11,22 @@ namespace rockstack {
 
 namespace {
 
+constexpr double most_steps = 1e8;  // and samples
+
+template <class Real, int N, template <class, int> class Steps>
+BasicHistory<Real> run(const Scene& scene, const SolveOptions& options) {
+  Solver<Real, N, Steps> solver(scene, options);
+  try {
+    return solver.run();
+  } catch (const std::runtime_error& failure) {
+    throw Unfinished(failure.what(), to_double(solver.recorder().so_far()));
+  }
+}
+
 template <class Real, int N>
 BasicHistory<Real> solve_stack_of(const Scene& scene, const SolveOptions& options) {
-  return options.integrator == Integrator::rk4 ? Solver<Real, N, Rk4Steps>(scene, options).run()
-                                               : Solver<Real, N, TaylorSteps>(scene, options).run();
+  return options.integrator == Integrator::rk4 ? run<Real, N, Rk4Steps>(scene, options)
+                                               : run<Real, N, TaylorSteps>(scene, options);
 }
 
 History solve_in_double(const Scene& scene, const SolveOptions& options) {
@@ -32,6 +44,9 @@ History solve_in_double(const Scene& scene, const SolveOptions& options) {
 
 History solve(const Scene& scene, const SolveOptions& options) {
   validate(scene);
+  if (options.integrator == Integrator::rk4 && scene.duration / options.step > most_steps)
+    throw std::invalid_argument("step = " + number_text(options.step) + ": must be at least " +
+                                number_text(scene.duration / most_steps) + " s, or there are too many");
   try {
     return solve_in_double(scene, options);
   } catch (const IllConditioned&) {
@@ -40,10 +55,9 @@ History solve(const Scene& scene, const SolveOptions& options) {
 }
 
 std::vector<double> regular_times(double interval, double duration) {
-  constexpr double most = 1e8;
-  if (!(interval > 0 && duration / interval <= most))
+  if (!(interval > 0 && duration / interval <= most_steps))
     throw std::invalid_argument("interval of samples = " + number_text(interval) +
-                                ": must be > 0 and at least " + number_text(duration / most) + " s");
+                                ": must be > 0 and at least " + number_text(duration / most_steps) + " s");
   const auto count = static_cast<std::size_t>(std::floor(duration / interval + 1e-6));
   std::vector<double> times(count + 1);
   for (std::size_t i = 0; i <= count; ++i) times[i] = std::min(static_cast<double>(i) * interval, duration);

@@ -1,15 +1,27 @@
 #pragma once
 
+#include <stdexcept>
+#include <string>
+#include <utility>
+
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
 #include "analytic/scene/solve_options.hpp"
 
 namespace rockstack {
 
+/// A motion that could not be followed to its end: why and when, and what is known of it.
+class Unfinished : public std::runtime_error {
+ public:
+  Unfinished(const std::string& reason, History known)
+      : std::runtime_error(reason), history(std::move(known)) {}
+  History history;  ///< up to there
+};
+
 /// The exact motion of a scene in double precision; where block masses or sizes lie too far apart for that,
 /// in long double, rounded. Other number types: Solver<Real> in solver.hpp.
 /// @throws FieldError for a scene out of range; std::invalid_argument for options out of range;
-/// std::runtime_error where the model cannot go on; IllConditioned where masses or sizes are too far apart
+/// Unfinished where the model cannot go on; IllConditioned where masses or sizes are too far apart
 /// for long double too.
 History solve(const Scene& scene, const SolveOptions& options = {});
 

@@ -15,12 +15,12 @@ struct Maximum {
   }
 };
 
-/// The maximum to within `slack`, > 0; nothing where the polynomial stays at or below `least`. It is at an
-/// end or at the zero of a slope that falls; else it is searched for where Bernstein coefficients may pass
-/// it.
+/// The maximum to within `slack`, or what rounding makes of it; nothing where the polynomial stays at or
+/// below `least`. It is at an end or at the zero of a slope that falls; else it is searched for where
+/// Bernstein coefficients may pass it.
 template <class Real>
 std::optional<Maximum<Real>> maximum(const Polynomial<Real>& polynomial, const Real& least,
-                                     const Real& slack) {
+                                     const Real& slack = 0) {
   struct Search {
     Maximum<Real> best;
     Real slack;
@@ -35,7 +35,9 @@ std::optional<Maximum<Real>> maximum(const Polynomial<Real>& polynomial, const R
     }
   };
   if (polynomial.terms == 0 || hull(polynomial).greatest <= least) return std::nullopt;
-  Search search{{0, polynomial[0]}, slack};
+  using std::abs;
+  const Real rounding = 4 * std::numeric_limits<Real>::epsilon() * (abs(polynomial[0]) + reach(polynomial));
+  Search search{{0, polynomial[0]}, std::max(slack, rounding)};
   search.best.raise({1, value(polynomial, Real(1))});
   if (!is_monotone(polynomial)) {
     const Polynomial<Real> slope = derivative(polynomial);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "analytic/scene/messages/number_text.hpp"
@@ -17,9 +18,10 @@ void validate_block(const Block& block, const std::string& key) {
   require_positive(key + ".inertia", block.inertia);
 }
 
-void require_all_finite(const std::string& key, const std::vector<double>& values) {
+void require_all_signed(const std::string& key, const std::vector<double>& values) {
   for (std::size_t k = 0; k < values.size(); ++k) {
-    if (!std::isfinite(values[k])) require_finite(key + "." + std::to_string(k + 1), values[k]);
+    if (!(std::abs(values[k]) <= largest_number))
+      require_signed(key + "." + std::to_string(k + 1), values[k]);
   }
 }
 
@@ -29,7 +31,7 @@ void validate_initial(const Scene& scene) {
       throw FieldError(key, "an array of " + std::to_string(values.size()),
                        "as long as there are blocks, " + std::to_string(scene.blocks.size()));
     }
-    require_all_finite(key, values);
+    require_all_signed(key, values);
   };
   check("initial.angles", scene.initial.angles);
   check("initial.velocities", scene.initial.velocities);
@@ -44,23 +46,35 @@ void validate_initial(const Scene& scene) {
 }
 
 void validate_pulse(const Pulse& pulse, const std::string& key) {
-  require_finite(key + ".amplitude", pulse.amplitude);
+  require_signed(key + ".amplitude", pulse.amplitude);
   require_positive(key + ".period", pulse.period);
-  if (!(pulse.start >= 0) || !std::isfinite(pulse.start)) {
-    throw FieldError(key + ".start", number_text(pulse.start), "a finite number >= 0");
+  require_between(key + ".start", pulse.start, 0);
+  if (!(pulse.cycles > 1 && pulse.cycles <= 1e6) && pulse.shape == PulseShape::mavroeidis_papageorgiou) {
+    throw FieldError(key + ".cycles", number_text(pulse.cycles), "a number > 1, up to 1e+06");
   }
-  if (!(pulse.cycles > 1) && pulse.shape == PulseShape::mavroeidis_papageorgiou) {
-    throw FieldError(key + ".cycles", number_text(pulse.cycles), "a number > 1");
-  }
-  require_finite(key + ".cycles", pulse.cycles);
-  require_finite(key + ".phase", pulse.phase);
+  require_signed(key + ".phase", pulse.phase);
 }
 
 void validate_motion(const GroundMotion& motion, const std::string& key) {
   if (motion.empty()) return;
   if (motion.pulse) return validate_pulse(*motion.pulse, key);
   require_positive(key + ".interval", motion.interval);
-  require_all_finite(key + ".samples", motion.samples);
+  require_all_signed(key + ".samples", motion.samples);
+}
+
+void validate_duration(const Scene& scene) {
+  double radius = std::numeric_limits<double>::infinity();
+  for (const Block& block : scene.blocks)
+    radius = std::min(radius, std::hypot(block.half_width, block.half_height));
+  const auto strongest = [](const GroundMotion& motion) {
+    return motion.pulse ? std::abs(motion.pulse->amplitude) : peak(motion);
+  };
+  const double acceleration = scene.gravity + strongest(scene.horizontal) + strongest(scene.vertical);
+  const double longest = 1e7 * std::sqrt(radius / acceleration);
+  if (scene.duration > longest)
+    throw FieldError("duration", number_text(scene.duration),
+                     "at most " + number_text(longest) +
+                         " s, 10⁷ √(half a diagonal of the smallest block / the largest acceleration)");
 }
 
 }  // namespace
@@ -102,6 +116,7 @@ void validate(const Scene& scene) {
   validate_initial(scene);
   validate_motion(scene.horizontal, "ground.horizontal");
   validate_motion(scene.vertical, "ground.vertical");
+  validate_duration(scene);
   require_positive("engine.friction", scene.engine.friction);
   require_positive("engine.depth", scene.engine.depth);
 }

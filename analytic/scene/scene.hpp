@@ -59,7 +59,7 @@ struct EngineSurface {
 /// One question: a stack of blocks, how it starts, how the ground moves, and for how long. SI units.
 struct Scene {
   std::string title;
-  double duration = 0;    ///< s, > 0
+  double duration = 0;    ///< s, > 0, at most 10⁷ √(R/a), see validate()
   double gravity = 9.81;  ///< m/s², > 0
   Law law = Law::paper;
   Equations equations = Equations::nonlinear;
@@ -82,7 +82,9 @@ double slenderness(const Scene& scene, int block);
 /// rad.
 double toppling_angle(const Scene& scene, int block);
 
-/// Checks every number of a scene against its range; scene files go through the same check.
+/// Checks every number of a scene against its range; scene files go through the same check. The duration is
+/// at most 10⁷ √(R/a), with R the least half diagonal of a block and a the largest acceleration that gravity
+/// and ground may add up to: blocks that do not come to rest would be followed for ever.
 /// @throws FieldError whose text is "key = value: must be …".
 void validate(const Scene& scene);
 

@@ -107,7 +107,6 @@ class Recorder {
     Polynomial<Real> angle;  // absolute
     for (std::size_t k = 0; k < history_.peaks.size(); ++k) {
       add(output.angles[k], Real(1), angle);
-      using std::abs;
       if (angle.terms == 0 || cleared.test(k) || hull(angle).size() <= history_.peaks[k]) continue;
       Polynomial<Real> part = angle;
       rescale(part, s);
@@ -116,8 +115,7 @@ class Recorder {
         if (side > 0) {
           for (Real& coefficient : part) coefficient = -coefficient;
         }
-        const Real slack = 4 * std::numeric_limits<Real>::epsilon() * (abs(part[0]) + reach(part));
-        if (const auto top = maximum(part, history_.peaks[k], slack)) history_.peaks[k] = top->height;
+        if (const auto top = maximum(part, history_.peaks[k])) history_.peaks[k] = top->height;
       }
     }
   }

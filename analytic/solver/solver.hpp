@@ -47,19 +47,16 @@ class Solver {
       toppling_angles_[static_cast<std::size_t>(k)] = Real(toppling_angle(scene, k));
   }
 
-  /// @throws std::runtime_error with the time where no pattern lets the motion go on, or events do not come
-  /// to an end (stall_guard.hpp, tie_breaker.hpp); IllConditioned for masses or sizes too far apart for the
-  /// number type.
+  /// @throws std::runtime_error with the time where no pattern lets the motion go on, events do not come to
+  /// an end (stall_guard.hpp, tie_breaker.hpp), or numbers leave the range of their type; IllConditioned for
+  /// masses or sizes too far apart for the number type.
   BasicHistory<Real> run() {
     start();
     while (!finished()) advance();
     return std::move(*this).history();
   }
-  /// Once finished(). @throws std::runtime_error where numbers have left the range of their type.
+  /// Once finished().
   BasicHistory<Real> history() && {
-    const Real size = state_.angles.template lpNorm<1>() + state_.velocities.template lpNorm<1>();
-    if (!(size <= std::numeric_limits<Real>::max()))
-      throw std::runtime_error("angles or velocities have become too large for numbers");
     if (!toppled_) recorder_.note_rest(state_, Real(scene_.duration));
     return std::move(recorder_).history();
   }
@@ -115,8 +112,9 @@ class Solver {
   void follow(DenseOutput<Real, N>& output, const Cleared& cleared = {}) {
     ties_.keep_fresh_open(output);
     const FirstEvent<Real> event = first_event(output, toppling_angles_, cleared);
-    recorder_.note_step(output, pieces_.current(), offset_, event, cleared);
     state_ = output.at(event.s);
+    require_numbers();
+    recorder_.note_step(output, pieces_.current(), offset_, event, cleared);
     if (event.closing.none()) update_directions();
     advance_time(event, output.length);
     if (event.happens()) handle(event);
@@ -189,6 +187,13 @@ class Solver {
     offset_ = 0;
   }
 
+  void require_numbers() const {
+    const Real size = state_.angles.template lpNorm<1>() + state_.velocities.template lpNorm<1>();
+    if (!(size <= std::numeric_limits<Real>::max()))
+      throw std::runtime_error("angles or velocities have become too large for numbers at t = " +
+                               std::to_string(static_cast<double>(time())) + " s");
+  }
+
   [[noreturn]] void no_way_on() const {
     throw std::runtime_error(
         "no pattern lets the motion go on at t = " + std::to_string(static_cast<double>(time())) +
@@ -238,9 +243,10 @@ class Solver {
       solution = velocities_after(model_, before, slow);
       settled = true;
     }
-    recorder_.note_impact(solution, time());
     state_.pattern = solution.pattern;
     state_.velocities = solution.relative;
+    require_numbers();
+    recorder_.note_impact(solution, time());
     const EventKind kind = !settled                      ? EventKind::impact
                            : is_closed(solution.pattern) ? EventKind::rest
                                                          : EventKind::closure;

@@ -68,7 +68,7 @@ class GroundPieces {
     if (motion.pulse) {
       course = pulse_course(*motion.pulse);
     } else if (!motion.samples.empty()) {
-      sample = course.end == piece_.start ? sample + 1 : last_sample(Real(motion.interval));
+      sample = course.end == piece_.start ? sample + 1 : last_sample(motion);
       course = line_course(motion, sample);
     }
   }
@@ -81,10 +81,12 @@ class GroundPieces {
                               : GroundCourse<Real>{};
   }
 
-  /// Before or at the start of the piece.
-  std::ptrdiff_t last_sample(const Real& interval) const {
+  /// Before or at the start of the piece; after the end of the samples any number beyond theirs.
+  std::ptrdiff_t last_sample(const GroundMotion& motion) const {
+    const Real interval(motion.interval);
     // The quotient of a sample's time by the interval may round to just below its number.
-    const auto sample = static_cast<std::ptrdiff_t>(piece_.start / interval);
+    const auto sample =
+        static_cast<std::ptrdiff_t>(std::min<Real>(piece_.start / interval, Real(motion.samples.size())));
     return Real(sample + 1) * interval <= piece_.start ? sample + 1 : sample;
   }
 

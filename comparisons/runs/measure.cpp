@@ -197,16 +197,28 @@ RunMetrics measure(const Job& job, const std::filesystem::path& folder, const st
 
 History solve_into(const NamedScene& scene, const SolveOptions& options, const std::filesystem::path& folder,
                    const std::string& command) {
-  History history = solve(scene.scene, options);
   const bool baseline = options.integrator == Integrator::rk4;
   RunMetrics row = describe({{}, scene, {}});
   row.solver = baseline ? "rk4" : "taylor";
-  row.toppled = reported_toppling(history);
-  write_history(folder, history);
-  Json json = summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, {}, command);
-  add_validity(scene.scene, history, json);
-  write_file(folder / "summary.json", json.dump(2) + "\n");
-  return history;
+  const auto write = [&](const History& history) {
+    row.toppled = reported_toppling(history);
+    write_history(folder, history);
+    Json json =
+        summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, {}, command);
+    add_validity(scene.scene, history, json);
+    write_file(folder / "summary.json", json.dump(2) + "\n");
+  };
+  try {
+    History history = solve(scene.scene, options);
+    write(history);
+    return history;
+  } catch (const Unfinished& unfinished) {
+    row.status = RunStatus::failed;
+    row.reason = unfinished.what();
+    write(unfinished.history);
+    throw std::runtime_error(
+        fmt::format("{}; the motion up to there is in {}", unfinished.what(), folder.string()));
+  }
 }
 
 History simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,

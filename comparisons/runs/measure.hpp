@@ -15,7 +15,9 @@ namespace rockstack {
 RunMetrics measure(const Job& job, const std::filesystem::path& folder, const std::string& command,
                    std::size_t runs_at_a_time);
 
-/// Solves a scene and writes history.csv, events.csv and summary.json into a folder.
+/// Solves a scene and writes history.csv, events.csv and summary.json into a folder. Where the motion could
+/// not be followed to its end, the files hold it up to there, and the summary's status is "failed".
+/// @throws as solve(), with the files written.
 History solve_into(const NamedScene& scene, const SolveOptions& options, const std::filesystem::path& folder,
                    const std::string& command);
 

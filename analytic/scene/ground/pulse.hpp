@@ -23,7 +23,7 @@ struct Pulse {
   double amplitude = 0;  ///< A, m/s²
   double period = 0;     ///< T, s, > 0
   double start = 0;      ///< s, ≥ 0
-  double cycles = 1;     ///< γ, > 1, of mavroeidis_papageorgiou alone
+  double cycles = 1;     ///< γ, > 1, up to 10⁶, of mavroeidis_papageorgiou alone
   double phase = 0;      ///< ν, rad, of mavroeidis_papageorgiou alone
 };
 

@@ -90,7 +90,7 @@ GroundMotion unscaled(const Node& table, const std::filesystem::path& folder, Mo
 
 void scale_by(GroundMotion& motion, const Node& node) {
   const double factor = number(node);
-  require_finite(node.key, factor);
+  require_signed(node.key, factor);
   for (double& sample : motion.samples) sample *= factor;
 }
 

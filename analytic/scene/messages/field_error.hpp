@@ -12,8 +12,14 @@ class FieldError : public std::invalid_argument {
   std::string key;
 };
 
-/// The two ranges that a scene's numbers have. @throws FieldError.
+/// The largest of a scene's numbers, in SI units, and one over the least that must be positive: far beyond
+/// what blocks are like, and such that products of several stay in the range of a double.
+inline constexpr double largest_number = 1e20;
+
+/// The ranges that a scene's numbers have: up to largest_number, from `least`, from 1/largest_number, or from
+/// −largest_number. @throws FieldError.
+void require_between(const std::string& key, double value, double least);
 void require_positive(const std::string& key, double value);
-void require_finite(const std::string& key, double value);
+void require_signed(const std::string& key, double value);
 
 }  // namespace rockstack

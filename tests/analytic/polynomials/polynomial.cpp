@@ -183,13 +183,28 @@ TEST(Polynomial, TheSummitIsThatOfAScanAndNoLess) {
     double scanned = value(polynomial, 0.0);
     for (int j = 1; j <= 1000; ++j) scanned = std::max(scanned, value(polynomial, j / 1000.0));
     // A parabola of curvature below 2·(1 + 3 + 6 + 10) falls by 5e-6 in half a step of the scan.
-    const auto top = maximum(polynomial, -10.0, 1e-14);
+    const auto top = maximum(polynomial, -10.0);
     ASSERT_TRUE(top);
     EXPECT_GE(top->height, scanned - 2e-14);
     EXPECT_LE(top->height, scanned + 40 * 0.5e-3 * 0.5e-3 / 2);
     EXPECT_NEAR(value(polynomial, top->s), top->height, 1e-14);
-    EXPECT_FALSE(maximum(polynomial, top->height + 1e-13, 1e-14));
-    EXPECT_FALSE(maximum(polynomial, 7.0, 1e-14));  // six coefficients of size 1
+    EXPECT_FALSE(maximum(polynomial, top->height + 1e-13));
+    EXPECT_FALSE(maximum(polynomial, 7.0));  // six coefficients of size 1
+  }
+}
+
+// A slack far below what rounding makes of the polynomial cannot be had.
+TEST(Polynomial, TheMaximumOfLargeCoefficientsIsFoundToTheirRounding) {
+  std::mt19937_64 generator(6);
+  std::uniform_real_distribution<double> coefficient(-1, 1);
+  for (int i = 0; i < 1000; ++i) {
+    Quintic polynomial{0, 0, 0, 0, 0, 0};
+    for (double& c : polynomial) c = coefficient(generator);
+    const auto top = maximum(polynomial, -10.0);
+    for (double& c : polynomial) c *= 1e130;
+    const auto large = maximum(polynomial, -1e131, 1e-14);
+    ASSERT_TRUE(top && large);
+    EXPECT_NEAR(large->height, 1e130 * top->height, 1e-14 * 1e130);
   }
 }
 

@@ -108,7 +108,7 @@ TEST(Ensemble, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
             "ensemble.toml:12: vary.1.values: missing, must be given, or range, uniform, normal or "
             "lognormal in its place");
   EXPECT_EQ(error(table + "values = [1, -2]\n"),
-            "ensemble.toml:14: blocks.1.height = -2: must be a finite number > 0");
+            "ensemble.toml:14: blocks.1.height = -2: must be a number from 1e-20 to 1e+20");
   EXPECT_EQ(error("[[vary]]\nkey = \"blocks.1.colour\"\nvalues = [1]\n"),
             "ensemble.toml:14: blocks.1.colour: unknown key, must be one of width, height, density, mass, "
             "inertia");

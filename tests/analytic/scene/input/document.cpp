@@ -41,7 +41,7 @@ TEST(Document, AValueOutOfRangeIsNamedByThePlaceThatSetIt) {
     make_scene(document, library);
     FAIL() << "no InputError";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "here: blocks.2.height = -1: must be a finite number > 0");
+    EXPECT_STREQ(error.what(), "here: blocks.2.height = -1: must be a number from 1e-20 to 1e+20");
   }
   EXPECT_THROW(set_value(document.root, "blocks.3.height", number_node(1)), InputError);
   EXPECT_THROW(set_value(document.root, "blocks..height", number_node(1)), InputError);

@@ -52,7 +52,7 @@ TEST(Overrides, TheLastOneWins) {
 
 TEST(Overrides, AreThePlaceOfTheirErrors) {
   EXPECT_EQ(error_with("blocks.1.height=-3"),
-            "--set blocks.1.height=-3: blocks.1.height = -3: must be a finite number > 0");
+            "--set blocks.1.height=-3: blocks.1.height = -3: must be a number from 1e-20 to 1e+20");
   EXPECT_EQ(error_with("initial.angles.2=nan"),
             "--set initial.angles.2=nan: initial.angles.2 = nan: must be a finite number");
   EXPECT_EQ(error_with("initial.angles=[0, 0, inf]"),
