@@ -55,9 +55,10 @@ History solve(const Scene& scene, const SolveOptions& options) {
 }
 
 std::vector<double> regular_times(double interval, double duration) {
-  if (!(interval > 0 && duration / interval <= most_steps))
+  constexpr double most = 1e7;
+  if (!(interval > 0 && duration / interval <= most))
     throw std::invalid_argument("interval of samples = " + number_text(interval) +
-                                ": must be > 0 and at least " + number_text(duration / most_steps) + " s");
+                                ": must be > 0 and at least " + number_text(duration / most) + " s");
   const auto count = static_cast<std::size_t>(std::floor(duration / interval + 1e-6));
   std::vector<double> times(count + 1);
   for (std::size_t i = 0; i <= count; ++i) times[i] = std::min(static_cast<double>(i) * interval, duration);

@@ -90,7 +90,7 @@ void read_drawing(Ensemble& ensemble, const Node& root) {
   }
   if (draws) {
     ensemble.samples = static_cast<std::size_t>(whole_number(*find(root, "samples"), 1, most_runs));
-    ensemble.seed = static_cast<std::uint64_t>(whole_number(*find(root, "seed"), 0, 0x1p53));
+    ensemble.seed = static_cast<std::uint64_t>(whole_number(*find(root, "seed"), 0, largest_seed));
   }
   double runs = static_cast<double>(ensemble.samples);
   for (const Axis& axis : ensemble.axes) runs *= static_cast<double>(axis.length);

@@ -111,15 +111,6 @@ const Node& way(const Node& table) {
 
 }  // namespace
 
-double whole_number(const Node& node, double least, double most) {
-  const double value = number(node);
-  if (!(value >= least && value <= most) || value != std::floor(value)) {
-    throw wrong_value(node,
-                      fmt::format("a whole number from {} to {}", number_text(least), number_text(most)));
-  }
-  return value;
-}
-
 Variation read_variation(const Node& table, const std::filesystem::path& folder) {
   require_table(table, {"key", "group", "values", "range", "uniform", "normal", "lognormal"});
   Variation variation;

@@ -8,10 +8,8 @@ namespace rockstack {
 
 inline constexpr double most_runs = 1e9;  ///< of an ensemble
 
-/// A whole number of a file. @throws InputError with place, key, value and range.
-double whole_number(const Node& node, double least, double most);
-
-/// One table [[vary]]; paths of records are relative to `folder`. @throws InputError likewise.
+/// One table [[vary]]; paths of records are relative to `folder`. @throws InputError with place, key, value
+/// and range.
 Variation read_variation(const Node& table, const std::filesystem::path& folder);
 
 /// The first value of a variation, or the median where values are drawn.

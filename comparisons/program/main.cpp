@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,8 +7,10 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "analytic/scene/input/document.hpp"
 #include "comparisons/program/commands.hpp"
@@ -189,18 +192,35 @@ int run(int count, char** words) {
   throw std::invalid_argument("a command must be given, one of" + names);
 }
 
+/// Where a standard stream is closed, the first file that is opened would take its number and get its text. A
+/// result that cannot be printed stays an error, a complaint that nobody wants does not.
+void open_standard_streams() {
+  for (const auto& [stream, mode] : {std::pair{0, O_WRONLY}, {1, O_RDONLY}, {2, O_WRONLY}}) {
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", mode);
+  }
+}
+
+/// One line, whatever the names in it hold.
+void complain(const char* reason) {
+  std::fputs(("rockstack: " + one_line(reason) + "\n").c_str(), stderr);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
+  open_standard_streams();
   try {
     const int code = run(count, words);
     if (std::fflush(stdout) != 0) throw std::runtime_error("standard output: cannot be written");
     return code;
   } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "rockstack: {}\n", error.what());
+    complain(error.what());
     return 2;
+  } catch (const std::bad_alloc&) {
+    complain("more memory was asked for than there is");
+    return 1;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "rockstack: {}\n", error.what());
+    complain(error.what());
     const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
     return file != nullptr && file->code() == std::errc::permission_denied ? 2 : 1;
   }

@@ -191,7 +191,8 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
       .angles = true, .impacts = false, .patterns = false, .bodies = true, .histories = false};
   study.suite.repeats = 1;
   study.suite.limits.time = 60;
-  if (const Node* repeats = find(root, "repeats")) study.suite.repeats = whole_number(*repeats, 1);
+  if (const Node* repeats = find(root, "repeats"))
+    study.suite.repeats = static_cast<int>(whole_number(*repeats, 1));
   if (const Node* limit = find(root, "time_limit")) study.suite.limits.time = number_above_zero(*limit);
   for (const EngineSeries& series : study.suite.series) {
     if (!study.axis.parameter.empty() && !series.parameters.contains(study.axis.parameter))

@@ -25,11 +25,11 @@ std::uint64_t mebibytes(const Node& node) {
 Perturbations read_perturbations(const Node& table) {
   require_table(table, {"runs", "size", "seed"});
   Perturbations perturbations;
-  perturbations.runs = whole_number(required(table, "runs", "a whole number ≥ 2"), 2);
+  perturbations.runs = static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 2"), 2));
   if (const Node* node = find(table, "size")) perturbations.size = number_above_zero(*node);
   if (perturbations.size > 0.1) throw wrong_value(*find(table, "size"), "a number > 0 and ≤ 0.1");
   if (const Node* node = find(table, "seed"))
-    perturbations.seed = static_cast<std::uint64_t>(whole_number(*node, 0));
+    perturbations.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
   return perturbations;
 }
 
@@ -132,7 +132,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   }
   if (const Node* node = find(root, "tolerance")) suite.tolerance = number_above_zero(*node);
   if (const Node* node = find(root, "repeats")) {
-    suite.repeats = whole_number(*node, 1);
+    suite.repeats = static_cast<int>(whole_number(*node, 1));
   }
   if (const Node* node = find(root, "results")) suite.wanted = read_wanted(*node);
   if (const Node* table = find(root, "perturbations")) suite.perturbations = read_perturbations(*table);

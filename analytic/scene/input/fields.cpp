@@ -6,6 +6,13 @@
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
+namespace {
+
+std::string whole_text(double value) {
+  return std::to_string(static_cast<long long>(value));
+}
+
+}  // namespace
 
 void require_table(const Node& node, std::initializer_list<std::string_view> allowed) {
   if (node.kind != Node::Kind::table) throw wrong_value(node, "a table");
@@ -33,11 +40,11 @@ double number_above_zero(const Node& node) {
   return node.number;
 }
 
-int whole_number(const Node& node, int least) {
+double whole_number(const Node& node, double least, double most) {
   const double value = number(node);
-  if (!(value >= least) || value > 1e9 || value != std::floor(value))
-    throw wrong_value(node, "a whole number ≥ " + std::to_string(least));
-  return static_cast<int>(value);
+  if (!(value >= least && value <= most) || value != std::floor(value))
+    throw wrong_value(node, "a whole number from " + whole_text(least) + " to " + whole_text(most));
+  return value;
 }
 
 double required_number(const Node& table, std::string_view name) {

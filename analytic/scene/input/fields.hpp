@@ -21,8 +21,11 @@ const Node& required(const Node& table, std::string_view name, const std::string
 
 double number(const Node& node);
 double number_above_zero(const Node& node);
-/// From `least` to 10⁹.
-int whole_number(const Node& node, int least);
+/// The largest seed of random numbers: up to here a double holds every whole number.
+inline constexpr double largest_seed = 0x1p53;
+
+/// A whole number from `least` to `most`. Precondition: both are whole and at most 2⁵³.
+double whole_number(const Node& node, double least, double most = 1e9);
 double required_number(const Node& table, std::string_view name);
 double number_or(const Node& table, std::string_view name, double otherwise);
 

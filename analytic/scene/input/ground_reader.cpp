@@ -1,6 +1,5 @@
 #include "analytic/scene/input/ground_reader.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "analytic/scene/ground/records/record_file.hpp"
@@ -55,14 +54,8 @@ GroundMotion from_pulse(const Node& table, const Node& shape) {
 
 GroundMotion from_synthetic(const Node& table, const Node& seed, MotionLibrary& library) {
   require_table(table, {"synthetic", "peak", "duration", "interval", "frequency", "damping"});
-  // Up to here a double holds every whole number.
-  constexpr double largest_seed = 0x1p53;
-  const double value = number(seed);
-  if (!(value >= 0 && value <= largest_seed) || value != std::floor(value)) {
-    throw wrong_value(seed, "a whole number from 0 to 9007199254740992");
-  }
   SyntheticMotion motion;
-  motion.seed = static_cast<std::uint64_t>(value);
+  motion.seed = static_cast<std::uint64_t>(whole_number(seed, 0, largest_seed));
   motion.peak = required_number(table, "peak");
   motion.duration = number_or(table, "duration", motion.duration);
   motion.interval = number_or(table, "interval", motion.interval);

@@ -58,8 +58,10 @@ Node& target(Node& root, const std::vector<std::string>& path, const std::string
   return *node;
 }
 
-bool has_empty_part(const std::vector<std::string>& path) {
-  return std::find(path.begin(), path.end(), "") != path.end();
+/// Whether a scene may have such a key; none has more than a few parts.
+bool is_key(const std::vector<std::string>& path) {
+  constexpr std::size_t most_parts = 32;
+  return path.size() <= most_parts && std::find(path.begin(), path.end(), "") == path.end();
 }
 
 }  // namespace
@@ -68,7 +70,7 @@ void apply_override(Node& root, const std::string& override_text) {
   const std::string place = "--set " + one_line(override_text);
   const auto equals = override_text.find('=');
   const auto path = parts(trimmed(override_text.substr(0, equals)));
-  if (equals == std::string::npos || has_empty_part(path)) {
+  if (equals == std::string::npos || !is_key(path)) {
     throw InputError(place + ": must be key=value, e.g. blocks.1.height=3 or law=consistent");
   }
   Node& node = target(root, path, place);
@@ -88,7 +90,7 @@ void apply_override(Node& root, const std::string& override_text) {
 
 void set_value(Node& root, const std::string& key, const Node& value) {
   const auto path = parts(key);
-  if (has_empty_part(path)) {
+  if (!is_key(path)) {
     throw InputError(value.place + ": key = " + one_line(key) +
                      ": must be a scene's key, e.g. blocks.1.height");
   }

@@ -1,14 +1,17 @@
 #include "analytic/scene/input/toml_reader.hpp"
 
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 #include <sstream>
 #include <utility>
+
+#include "analytic/scene/files/file_text.hpp"
 
 // The library's only use: compiled in whole here, so that nobody who links this library needs it.
 #define TOML_HEADER_ONLY 1
 // Its assertions end the process on malformed files that it reports as errors right after.
 #define TOML_ASSERT(expr) static_assert(true)
+// Tables inside tables are read, converted and freed by recursion.
+#define TOML_MAX_NESTED_VALUES 32
 // Its test for white space calls most letters beyond ASCII, such as é, unreachable: undefined behaviour in a
 // malformed file. They are no white space.
 #include <toml++/impl/preprocessor.h>
@@ -72,24 +75,52 @@ Node converted(const toml::node& value, Node target, const Places& places) {
   return target;
 }
 
-std::string contents(const std::filesystem::path& file, const std::string& name) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored))
-    throw InputError(name + ": must be a file, or a name from `rockstack list`; nothing is there");
-  if (std::filesystem::is_directory(file, ignored)) {
-    throw InputError(name + ": must be a file, this is a directory");
+/// The end of the string that begins at `start`; strings of one line end with it at the latest.
+std::size_t end_of_string(std::string_view text, std::size_t start) {
+  const char quote = text[start];
+  const std::string_view three = text.substr(start, 3);
+  const bool long_one = three == "\"\"\"" || three == "'''";
+  const std::string_view close = long_one ? three : three.substr(0, 1);
+  for (std::size_t i = start + close.size(); i < text.size(); ++i) {
+    if (quote == '"' && text[i] == '\\') {
+      ++i;
+    } else if (text.substr(i, close.size()) == close || (!long_one && text[i] == '\n')) {
+      return i + close.size();
+    }
   }
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw InputError(name + ": must be a file that can be read");
-  return text;
+  return text.size();
+}
+
+/// Refuses keys of many dotted parts, each a table in the one before. Between two dots of a key stand no
+/// other signs than strings, letters and blanks.
+void require_short_keys(std::string_view text, const std::string& name) {
+  constexpr int most_parts = 32;
+  int parts = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] == '"' || text[i] == '\'') {
+      i = end_of_string(text, i);
+      continue;
+    }
+    if (text[i] == '#') i = std::min(text.find('\n', i), text.size() - 1);
+    if (text[i] == '.' && ++parts > most_parts) {
+      const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i), '\n');
+      throw InputError(name + ":" + std::to_string(line) + ": must be TOML with keys of at most " +
+                       std::to_string(most_parts) + " parts");
+    }
+    if (std::string_view("\n,=[]{}").find(text[i]) != std::string_view::npos) parts = 1;
+    ++i;
+  }
 }
 
 }  // namespace
 
 Node read_toml(const std::filesystem::path& file) {
   const std::string name = one_line(file.string());
-  const std::string text = contents(file, name);
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    throw InputError(name + ": must be a file, or a name from `rockstack list`; nothing is there");
+  const std::string text = file_text(file);
+  require_short_keys(text, name);
   try {
     const toml::table table = toml::parse(text);
     Node root;
@@ -102,6 +133,7 @@ Node read_toml(const std::filesystem::path& file) {
 }
 
 std::optional<Node> parse_toml_value(const std::string& text, const Node& target) {
+  require_short_keys(text, target.place);
   try {
     const toml::table table = toml::parse("value = " + text);
     if (table.size() != 1) return std::nullopt;

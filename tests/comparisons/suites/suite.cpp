@@ -107,7 +107,7 @@ TEST(Suites, PerturbationsAreRead) {
   EXPECT_EQ(around.size, 1e-4);
   EXPECT_EQ(around.seed, 7U);
   EXPECT_TRUE(error_of(head + "[perturbations]\nruns = 1\n")
-                  .starts_with("suite.toml:4: perturbations.runs = 1: must be a whole number ≥ 2"));
+                  .starts_with("suite.toml:4: perturbations.runs = 1: must be a whole number from 2"));
   EXPECT_TRUE(error_of(head + "[perturbations]\nruns = 3\nsize = 0.5\n")
                   .starts_with("suite.toml:5: perturbations.size = 0.5: must be"));
 }

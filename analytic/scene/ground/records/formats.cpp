@@ -29,6 +29,32 @@ void check_text(std::string_view file, std::string_view text) {
   Cursor(file, text).fail_at(line, "byte " + std::to_string(static_cast<int>(*bad)) + ": not a text file");
 }
 
+bool ends_in_digit(std::string_view text) {
+  return !text.empty() && text.back() >= '0' && text.back() <= '9';
+}
+
+/// Whether a number of this line ends before `column`.
+bool ends_number(std::string_view line, std::size_t column) {
+  if (line.size() < column || !ends_in_digit(line.substr(0, column))) return false;
+  return line.size() == column || std::string_view(" -\r").find(line[column]) != std::string_view::npos;
+}
+
+/// Refuses a file that ends without a line end inside what may be the first part of a number: only where
+/// numbers are lined up by their ends does its own end show that it is whole.
+void check_last_line(std::string_view file, std::string_view text) {
+  const bool open = ends_in_digit(text) || text.ends_with('.');
+  const std::size_t start = text.rfind('\n') + 1;  // 0 in a file of one line
+  const std::string_view last = text.substr(start);
+  const bool numbers = last.find_first_not_of("0123456789+-.eEdD,; \t") == std::string_view::npos;
+  if (!open || !numbers) return;
+  const std::string_view before = start == 0 ? "" : text.substr(0, start - 1);
+  const std::string_view above = before.substr(before.rfind('\n') + 1);
+  const bool lined_up = last.starts_with(' ') || above.starts_with(' ');
+  if (lined_up && ends_number(last, last.size()) && ends_number(above, last.size())) return;
+  const auto line = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+  Cursor(file, text).fail_at(line, "this line has no end: its last number may be cut short");
+}
+
 }  // namespace
 
 std::vector<Record> read_series(std::string_view file, std::string_view text) {
@@ -41,6 +67,7 @@ std::vector<Record> read_series(std::string_view file, std::string_view text) {
   for (const Format* format : formats) {
     if (!format->recognises(cursor)) continue;
     std::vector<Record> series = format->read(cursor);
+    check_last_line(file, text);
     if (series.empty()) cursor.fail("holds no series of acceleration");
     return series;
   }

@@ -1,18 +1,15 @@
 #include "analytic/scene/ground/records/record_file.hpp"
 
 #include <charconv>
-#include <cstdint>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
+#include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/ground/records/formats.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 namespace {
-
-constexpr std::uintmax_t largest_file = 64U << 20U;  // bytes
 
 struct Place {
   std::filesystem::path file;
@@ -36,21 +33,6 @@ Place place_of(const std::filesystem::path& name) {
   return {text.substr(0, colon), channel};
 }
 
-std::string load(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!is_there(file)) throw InputError(file.string() + ": no such file");
-  if (!std::filesystem::is_regular_file(file, error)) throw InputError(file.string() + ": not a file");
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) throw InputError(file.string() + ": cannot be read");
-  if (size > largest_file) throw InputError(file.string() + ": larger than 64 MiB, more than any record");
-  std::string text(static_cast<std::size_t>(size), '\0');
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream.read(text.data(), static_cast<std::streamsize>(size))) {
-    throw InputError(file.string() + ": cannot be read");
-  }
-  return text;
-}
-
 }  // namespace
 
 std::filesystem::path record_file(const std::filesystem::path& name) {
@@ -59,7 +41,7 @@ std::filesystem::path record_file(const std::filesystem::path& name) {
 
 Record read_record(const std::filesystem::path& name) {
   const Place place = place_of(name);
-  std::vector<Record> series = records::read_series(place.file.string(), load(place.file));
+  std::vector<Record> series = records::read_series(place.file.string(), file_text(place.file));
   if (place.channel < 1 || place.channel > series.size()) {
     throw InputError(place.file.string() + ": no channel " + std::to_string(place.channel) +
                      ": must be 1 to " + std::to_string(series.size()));

@@ -13,8 +13,8 @@ std::filesystem::path record_file(const std::filesystem::path& name);
 /// Reads a ground-motion record; the format is recognised by content, units come from the file, 1 g = 9.80665
 /// m/s². A file may hold several channels: "FILE" is the first series of acceleration in it, "FILE:2" the
 /// second.
-/// @throws InputError with file and line: missing, empty, binary, truncated, wrong count, unknown format or
-/// units, a channel that is not there.
+/// @throws InputError with file and line: as file_text(), empty, binary, cut short, wrong count, unknown
+/// format or units, a channel that is not there.
 Record read_record(const std::filesystem::path& name);
 
 }  // namespace rockstack

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/messages/input_error.hpp"
@@ -161,7 +162,33 @@ TEST(SceneErrors, AFileThatIsNotThereOrADirectory) {
   };
   const std::string missing = (folder.path() / "none.toml").string();
   EXPECT_EQ(text(missing), missing + ": must be a file, or a name from `rockstack list`; nothing is there");
-  EXPECT_EQ(text(folder.path()), folder.path().string() + ": must be a file, this is a directory");
+  EXPECT_EQ(text(folder.path()),
+            folder.path().string() + ": must be a file, this is a folder, a pipe or a device");
+  EXPECT_EQ(text("/dev/zero"), "/dev/zero: must be a file, this is a folder, a pipe or a device");
+  const auto pipe = folder.path() / "pipe.toml";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(text(pipe), pipe.string() + ": must be a file, this is a folder, a pipe or a device");
+  const auto huge = folder.write("huge.toml", "");
+  std::filesystem::resize_file(huge, (std::uintmax_t{64} << 20U) + 1);
+  EXPECT_EQ(text(huge), huge.string() + ": must be a file, at most 64 MiB large");
+}
+
+TEST(SceneErrors, KeysAndValuesAreNestedAsDeepAsAnySceneNeedsAndNoDeeper) {
+  const auto parts = [](int count) {
+    std::string key = "a";
+    for (int k = 1; k < count; ++k) key += k % 2 == 0 ? ".'b=#'" : " . \"c\\\"\"";
+    return key;
+  };
+  const char* refusal = "must be TOML with keys of at most 32 parts";
+  for (const std::string& line :
+       {"[" + parts(20000) + "]", parts(33) + " = 1", "x = { " + parts(33) + " = 1 }"})
+    EXPECT_EQ(error_of(with_line(1, "duration = 1\n" + line)), std::string("scene.toml:2: ") + refusal);
+  EXPECT_NE(error_of(with_line(1, "duration = 1\n" + parts(32) + " = 1")).find("unknown key"),
+            std::string::npos);
+  const std::string dots(100, '.');
+  EXPECT_EQ(error_of(with_line(1, "# " + dots + "\ntitle = \"" + dots + "\"\nduration = 1")), "");
+  const std::string deep = "duration = 1\nx = " + std::string(40, '[') + std::string(40, ']');
+  EXPECT_TRUE(error_of(with_line(1, deep)).starts_with("scene.toml:2: must be TOML: "));
 }
 
 }  // namespace
