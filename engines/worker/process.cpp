@@ -102,8 +102,9 @@ struct Files {
 };
 
 /// Between fork and exec: system calls alone, since another thread may have held any lock.
-[[noreturn]] void become(const char* program, const Files& files, const Limits& limits) {
+[[noreturn]] void become(pid_t parent, const char* program, const Files& files, const Limits& limits) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(no_program);  // it was gone before it could be watched
   dup2(files.input, 0);
   dup2(files.nothing, 1);
   dup2(files.complaint, 2);
@@ -119,32 +120,60 @@ struct Files {
   _exit(no_program);
 }
 
+/// The time that a child may take. None passes while it is stopped, and little while this process is.
+class Allowance {
+ public:
+  Allowance(pid_t child, double seconds) : child_(child), left_(seconds) {}
+
+  /// Takes off the time since the last call, in which this process meant to wait for `wait` at most.
+  /// @return whether any is left.
+  bool lasts(std::chrono::microseconds wait) {
+    const auto now = Clock::now();
+    const auto passed = std::min<Clock::duration>(now - std::exchange(last_, now), 10 * wait);
+    siginfo_t change{};
+    while (waitid(P_PID, static_cast<id_t>(child_), &change, WSTOPPED | WCONTINUED | WNOHANG) == 0 &&
+           change.si_pid == child_) {
+      stopped_ = change.si_code == CLD_STOPPED;
+      change.si_pid = 0;
+    }
+    if (!stopped_) left_ -= std::chrono::duration<double>(passed).count();
+    return left_ > 0;
+  }
+
+ private:
+  pid_t child_;
+  double left_;
+  bool stopped_ = false;
+  Clock::time_point last_ = Clock::now();
+};
+
 /// Waits until the last writer of the pipe is gone, which is when the child ends. @return whether it did.
-bool wait_for_end(const Descriptor& pipe, Clock::time_point deadline) {
-  while (true) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left < 0) return false;
+bool wait_for_end(const Descriptor& pipe, Allowance& time) {
+  constexpr std::chrono::milliseconds tick{50};
+  while (time.lasts(tick)) {
     pollfd watched{pipe.get(), 0, 0};
-    const int count = poll(&watched, 1, static_cast<int>(std::min<long long>(left + 1, 1'000'000)));
+    const int count = poll(&watched, 1, tick.count());
     if (count > 0 && (watched.revents & POLLHUP) != 0) return true;
     if (count < 0 && errno != EINTR) fail("a worker cannot be waited for");
   }
+  return false;
 }
 
 double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Collects the child, and kills it where it is not done by the deadline.
-ProcessEnd collect(pid_t child, const Descriptor& pipe, Clock::time_point deadline) {
+/// Collects the child, and kills it where it is not done in time.
+ProcessEnd collect(pid_t child, const Descriptor& pipe, Allowance time) {
   ProcessEnd end;
   int status = 0;
   rusage usage{};
-  bool gone = wait_for_end(pipe, deadline);
+  bool gone = wait_for_end(pipe, time);
   // A child that has closed its standard error may live on.
   while (gone && wait4(child, &status, WNOHANG, &usage) == 0) {
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-    gone = Clock::now() < deadline;
+    constexpr std::chrono::microseconds tick{200};
+    std::this_thread::sleep_for(tick);
+    gone = time.lasts(tick);
   }
   if (!gone) {
     end.timed_out = true;
@@ -169,13 +198,13 @@ ProcessEnd run_process(const std::filesystem::path& program, std::string_view in
   const Descriptor read_end = high(ends[0]);
   Descriptor write_end = high(ends[1]);
   const std::string path = program.string();
-  const auto deadline =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.time));
+  const pid_t parent = getpid();
   const pid_t child = fork();
   if (child < 0) fail("a worker cannot be started");
-  if (child == 0) become(path.c_str(), {in.get(), reply.get(), write_end.get(), nothing.get()}, limits);
+  if (child == 0)
+    become(parent, path.c_str(), {in.get(), reply.get(), write_end.get(), nothing.get()}, limits);
   write_end.close();
-  ProcessEnd end = collect(child, read_end, deadline);
+  ProcessEnd end = collect(child, read_end, {child, limits.time});
   if (end.exit_code == no_program) {
     throw std::runtime_error(fmt::format("{}: cannot be started as a worker", path));
   }

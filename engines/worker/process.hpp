@@ -10,7 +10,7 @@ namespace rockstack {
 /// What a worker may take. The memory limit is one on address space; a program with address sanitizer runs
 /// without it, because that reserves terabytes.
 struct Limits {
-  double time = 600;                              ///< wall time, s
+  double time = 600;  ///< wall time in which nobody has stopped it, s; may be infinite
   std::uint64_t memory = std::uint64_t{4} << 30;  ///< bytes
 };
 

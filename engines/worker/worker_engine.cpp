@@ -10,6 +10,8 @@
 namespace rockstack {
 namespace {
 
+constexpr double answering_time = 30;  // of a worker that is asked what it has, s
+
 std::string with_last_words(const std::string& reason, const ProcessEnd& end) {
   return end.last_words.empty() ? reason : reason + ": " + end.last_words;
 }
@@ -29,6 +31,21 @@ void explain(const ProcessEnd& end, const Limits& limits, WorkerRun& result) {
   }
 }
 
+/// @throws std::runtime_error where a run that is said to be done has no history of the scene, or not all
+/// times.
+void require_whole(const RunReply& run, const Scene& scene, int repeats) {
+  if (run.status != "done") return;
+  const std::size_t blocks = scene.blocks.size();
+  const std::size_t samples = run.history.times.size();
+  const auto fits = [&](const std::vector<double>& values) { return values.size() == samples * blocks; };
+  const bool whole =
+      run.seconds.size() == static_cast<std::size_t>(repeats) && samples > 0 &&
+      run.history.blocks == static_cast<int>(blocks) && fits(run.history.angles) &&
+      fits(run.history.velocities) &&
+      (!run.bodies || (run.bodies->energy.size() == samples && run.bodies->input.size() == samples));
+  if (!whole) throw std::runtime_error("the message is not about this run");
+}
+
 }  // namespace
 
 WorkerEngine::WorkerEngine(std::filesystem::path program, EngineDescription description)
@@ -39,16 +56,22 @@ double WorkerEngine::friction(double asked) const {
 }
 
 std::vector<WorkerEngine> engines_of(const std::filesystem::path& program) {
-  const ProcessEnd end = run_process(program, to_bytes(Request{}), {});
-  if (end.timed_out || end.signal != 0 || end.exit_code != 0) {
-    throw std::runtime_error(
-        with_last_words(fmt::format("{}: does not say which engines it has", program.string()), end));
+  const ProcessEnd end = run_process(program, to_bytes(Request{}), {.time = answering_time});
+  const auto refuse = [&](const std::string& why) {
+    return std::runtime_error(
+        with_last_words(fmt::format("{}: does not say which engines it has{}", program.string(), why), end));
+  };
+  if (end.timed_out) throw refuse(fmt::format(" within {} s", answering_time));
+  if (end.signal != 0 || end.exit_code != 0) throw refuse("");
+  try {
+    std::vector<WorkerEngine> engines;
+    for (EngineDescription& engine : read_reply(end.reply).engines) {
+      engines.emplace_back(program, std::move(engine));
+    }
+    return engines;
+  } catch (const std::exception& error) {
+    throw refuse(fmt::format(": {}", error.what()));
   }
-  std::vector<WorkerEngine> engines;
-  for (EngineDescription& engine : read_reply(end.reply).engines) {
-    engines.emplace_back(program, std::move(engine));
-  }
-  return engines;
 }
 
 WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double dt,
@@ -62,8 +85,16 @@ WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double d
     explain(end, limits, result);
     return result;
   }
-  Reply reply = read_reply(end.reply);
-  RunReply& run = reply.run.value();
+  RunReply run;
+  try {
+    run = read_reply(end.reply).run.value();
+    require_whole(run, scene, repeats);
+  } catch (const std::exception& error) {
+    result.status = "failed";
+    result.reason =
+        fmt::format("{} gave a reply that cannot be read: {}", engine.program().string(), error.what());
+    return result;
+  }
   result.status = std::move(run.status);
   result.reason = std::move(run.reason);
   result.run = {std::move(run.history), run.warnings, std::move(run.bodies)};

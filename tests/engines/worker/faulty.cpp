@@ -76,6 +76,19 @@ void talk(double&) {
   }
 }
 
+/// Once, for longer than the time limit of the test.
+void be_stopped(double&) {
+  static bool done = false;
+  if (std::exchange(done, true)) return;
+  if (fork() != 0) {
+    std::raise(SIGSTOP);
+    return;
+  }
+  usleep(1'500'000);
+  kill(getppid(), SIGCONT);
+  _exit(0);
+}
+
 std::vector<std::unique_ptr<Engine>> make_faulty() {
   const std::vector<std::pair<const char*, Fault>> faults{
       {"fine", [](double&) {}},
@@ -88,9 +101,15 @@ std::vector<std::unique_ptr<Engine>> make_faulty() {
       {"loop", loop},
       {"memory", eat_memory},
       {"talk", talk},
-      {"deaf", [](double&) {
+      {"deaf",
+       [](double&) {
          close(STDERR_FILENO);
          for (;;) pause();
+       }},
+      {"stopped", be_stopped},
+      {"half", [](double&) {
+         [[maybe_unused]] const auto written = write(reply_descriptor, "half", 4);
+         std::_Exit(0);
        }}};
   std::vector<std::unique_ptr<Engine>> engines;
   engines.reserve(faults.size());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -113,6 +114,27 @@ TEST(Workers, TimeLimitHoldsForAWorkerThatHasClosedItsStandardError) {
   Limits limits;
   limits.time = 0.3;
   EXPECT_EQ(run("deaf", limits).status, "time limit");
+}
+
+TEST(Workers, TimeLimitMayBeBeyondAnyClock) {
+  for (const double time : {1e300, std::numeric_limits<double>::infinity()}) {
+    Limits limits;
+    limits.time = time;
+    EXPECT_EQ(run("fine", limits).status, "done");
+  }
+}
+
+TEST(Workers, TimeInWhichAWorkerIsStoppedDoesNotCount) {
+  Limits limits;
+  limits.time = 1;
+  EXPECT_EQ(run("stopped", limits).status, "done");
+}
+
+TEST(Workers, HalfAReplyIsAFailureThatNamesTheProgram) {
+  const WorkerRun made = run("half");
+  EXPECT_EQ(made.status, "failed");
+  EXPECT_EQ(made.reason,
+            std::string(FAULTY_WORKER) + " gave a reply that cannot be read: the message is cut short");
 }
 
 TEST(Workers, HungerMeetsTheMemoryLimit) {
