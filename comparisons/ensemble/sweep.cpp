@@ -78,9 +78,9 @@ Json description(const Ensemble& ensemble) {
 }
 
 void write_results(const Ensemble& ensemble, const Journal& journal, const std::filesystem::path& folder) {
-  write_file(folder / "runs.csv", [&](std::ostream& out) {
-    out << header_line(ensemble);
-    journal.copy_to(out);
+  write_file(folder / "runs.csv", [&](const Sink& put) {
+    put(header_line(ensemble));
+    journal.copy_to(put);
   });
   write_file(folder / "sweep.json", description(ensemble).dump(2) + "\n");
   write_summaries(folder, ensemble.summary);

@@ -185,7 +185,6 @@ void print_rows(const CompareResult& result, const std::filesystem::path& folder
   if (result.reused > 0) fmt::print("{} of {} runs were there already\n", result.reused, rows.size());
   for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
   fmt::print("results: {}\n", folder.string());
-  print_report(folder, common);
 }
 
 void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,
@@ -217,7 +216,6 @@ void print_impact_laws(const ImpactLawResults& results, const std::filesystem::p
       "pattern the\nengines show where the laws differ\n");
   for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
   fmt::print("results: {}\n", folder.string());
-  print_report(folder, common);
 }
 
 void print_report(const std::filesystem::path& folder, const Common& common) {

@@ -129,9 +129,6 @@ void write_results(const MeasuredRecord& record, Json json, const RecordArgument
   write_file(arguments.out / "record.csv", record_csv(record.motion));
   write_file(arguments.out / "spectrum.csv", spectrum_csv(record.motion));
   write_file(arguments.out / "record.json", json.dump(2) + "\n");
-#ifdef ROCKSTACK_WITH_PLOTS
-  plots::draw_record(arguments.out);
-#endif
 }
 
 }  // namespace
@@ -150,6 +147,9 @@ int record_command(const RecordArguments& arguments, const Common& common) {
     print_text(record, arguments.base_line);
     if (!arguments.out.empty()) fmt::print("{:<22}{}\n", "results", arguments.out.string());
   }
+#ifdef ROCKSTACK_WITH_PLOTS
+  if (!arguments.out.empty()) plots::draw_record(arguments.out);
+#endif
   return 0;
 }
 

@@ -15,30 +15,39 @@
 
 namespace rockstack {
 
-int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, std::size_t jobs,
-                      const Common& common) {
-  const StabilityStudy study = read_stability_study(file, common.overrides);
-  prepare_folder(out);
-  const FolderLock lock(out);
-  const std::vector<StabilityRun> rows = run_stability(study, out, {common.command, jobs, progress(common)});
-#ifdef ROCKSTACK_WITH_PLOTS
-  plots::draw_stability(out);
-#endif
-  const bool failed = std::any_of(rows.begin(), rows.end(),
-                                  [](const StabilityRun& row) { return row.row.status != RunStatus::done; });
-  const int code = failed ? 1 : 0;
-  if (common.quiet) return code;
+namespace {
+
+void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem::path& out,
+                    const Common& common) {
+  if (common.quiet) return;
   std::map<std::string, int> counts{{"sound", 0}, {"inexact", 0}, {"unstable", 0}, {"failed", 0}};
   for (const StabilityRun& row : rows) {
     if (row.row.dt) ++counts[name(row.verdict.soundness)];
   }
   if (common.json) {
     fmt::print("{}\n", nlohmann::ordered_json{{"verdicts", counts}, {"folder", out.string()}}.dump(2));
-    return code;
+    return;
   }
   for (const auto& [verdict, count] : counts) fmt::print("{:>6} runs {}\n", count, verdict);
   fmt::print("{}\n{}\n", (out / "stability.csv").string(), (out / "steps.csv").string());
-  return code;
+}
+
+}  // namespace
+
+int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, std::size_t jobs,
+                      const Common& common) {
+  const StabilityStudy study = read_stability_study(file, common.overrides);
+  prepare_folder(out);
+  const FolderLock lock(out);
+  const std::vector<StabilityRun> rows = run_stability(study, out, {common.command, jobs, progress(common)});
+  print_verdicts(rows, out, common);
+#ifdef ROCKSTACK_WITH_PLOTS
+  plots::draw_stability(out);
+#endif
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const StabilityRun& row) { return row.row.status != RunStatus::done; })
+             ? 1
+             : 0;
 }
 
 }  // namespace rockstack

@@ -5,15 +5,63 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
+#include <string>
 #include <system_error>
+#include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
+namespace {
+
+/// A file that grows beside its place, and goes away unless it is finished.
+class PartialFile {
+ public:
+  explicit PartialFile(const std::filesystem::path& file) : file_(file), own_(file.string() + ".partial") {
+    // Made new: what a killed run has left goes, and a link leads nowhere.
+    unlink(own_.c_str());
+    descriptor_ = open(own_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) fail();
+  }
+  ~PartialFile() {
+    if (descriptor_ < 0) return;
+    close(descriptor_);
+    unlink(own_.c_str());
+  }
+  PartialFile(const PartialFile&) = delete;
+  PartialFile& operator=(const PartialFile&) = delete;
+
+  void append(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t written = write(descriptor_, text.data(), text.size());
+      if (written < 0 && errno != EINTR) fail();
+      text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    }
+  }
+
+  /// On the disk first, then in its place: a machine that stops leaves it whole or not there.
+  void finish() {
+    const bool on_disk = fsync(descriptor_) == 0 || errno == EINVAL;  // where a file system cannot be asked
+    if (!on_disk || rename(own_.c_str(), file_.c_str()) != 0) fail();
+    close(std::exchange(descriptor_, -1));
+  }
+
+ private:
+  [[noreturn]] void fail() const {
+    throw std::runtime_error(fmt::format("{}: cannot be written: {}", file_.string(), std::strerror(errno)));
+  }
+
+  std::filesystem::path file_;
+  std::string own_;
+  int descriptor_ = -1;
+};
+
+}  // namespace
 
 void prepare_folder(const std::filesystem::path& folder) {
   std::error_code error;
@@ -46,25 +94,13 @@ FolderLock::~FolderLock() {
 }
 
 void write_file(const std::filesystem::path& file, std::string_view content) {
-  write_file(file, [content](std::ostream& stream) {
-    stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  });
+  write_file(file, [content](const Sink& put) { put(content); });
 }
 
-void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
-  auto partial = file;
-  partial += ".partial";
-  errno = 0;
-  std::ofstream stream(partial, std::ios::binary);
-  write(stream);
-  stream.close();
-  if (!stream) {
-    const std::string reason = std::strerror(errno);
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), reason));
-  }
-  std::filesystem::rename(partial, file);
+void write_file(const std::filesystem::path& file, const std::function<void(const Sink&)>& write) {
+  PartialFile partial(file);
+  write([&](std::string_view text) { partial.append(text); });
+  partial.finish();
 }
 
 }  // namespace rockstack

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <iosfwd>
 #include <string_view>
 
 namespace rockstack {
@@ -25,11 +24,15 @@ class FolderLock {
   int descriptor_;
 };
 
-/// Writes a file whole or not at all: beside its place first, then renamed.
+/// Takes text piece by piece.
+using Sink = std::function<void(std::string_view)>;
+
+/// Writes a file whole or not at all: beside its place first, onto the disk, then renamed. Nothing that lies
+/// at the temporary name, file or link, is written to.
 /// @throws std::runtime_error naming the file and the reason.
 void write_file(const std::filesystem::path& file, std::string_view content);
 
 /// The same, of what `write` puts out.
-void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
+void write_file(const std::filesystem::path& file, const std::function<void(const Sink&)>& write);
 
 }  // namespace rockstack

@@ -45,7 +45,7 @@ std::uint64_t checksum(std::string_view text) {
 
 Journal::Journal(const std::filesystem::path& folder, const std::string& identity)
     : file_(folder / "runs.journal") {
-  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor_ < 0) {
     throw std::runtime_error(fmt::format("{}: cannot be written: {}", file_.string(), std::strerror(errno)));
   }
@@ -107,14 +107,14 @@ void Journal::append(std::size_t part, const std::string& text) {
   entries_[part] = {end_ - text.size(), text.size()};
 }
 
-void Journal::copy_to(std::ostream& out) const {
+void Journal::copy_to(const Sink& put) const {
   std::ifstream in(file_, std::ios::binary);
   std::string text;
   for (const auto& [part, entry] : entries_) {
     text.resize(entry.length);
     in.seekg(static_cast<std::streamoff>(entry.begin));
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    put(text);
   }
   if (!in) throw std::runtime_error(file_.string() + ": cannot be read");
 }

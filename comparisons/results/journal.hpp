@@ -3,9 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <iosfwd>
 #include <map>
 #include <string>
+
+#include "comparisons/results/files.hpp"
 
 namespace rockstack {
 
@@ -32,7 +33,7 @@ class Journal {
   void append(std::size_t part, const std::string& text);
 
   /// Writes all parts in the order of their numbers.
-  void copy_to(std::ostream& out) const;
+  void copy_to(const Sink& put) const;
 
  private:
   struct Entry {

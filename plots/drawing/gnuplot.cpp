@@ -2,26 +2,28 @@
 
 #include <fmt/core.h>
 #include <gnuplot-iostream.h>
-#include <unistd.h>
+#include <stdlib.h>  // mkdtemp is POSIX, not in <cstdlib>
 
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 
+#include "comparisons/results/files.hpp"
+
 namespace rockstack::plots {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder beside the pictures that goes away with its contents.
+/// A folder for what gnuplot writes, away from results, that goes away with its contents.
 struct Scratch {
   fs::path folder;
 
-  explicit Scratch(const fs::path& stem)
-      : folder(fs::absolute(stem.parent_path()) /
-               fmt::format(".{}-{}", stem.filename().string(), static_cast<long>(::getpid()))) {
-    fs::create_directories(folder);
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "rockstack-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": no such folder can be made");
+    folder = name;
   }
   ~Scratch() {
     std::error_code ignored;
@@ -43,12 +45,13 @@ std::string contents(const fs::path& file) {
 }
 
 /// The shell outlives gnuplot and takes what gnuplot left unread: a pipe that breaks would end this process.
-std::string command(const fs::path& folder) {
+/// What the user's environment says about gnuplot's terminal does not count.
+std::string command(const fs::path& folder, double time_limit) {
   const std::string place = quoted_for_shell(folder.string());
   return fmt::format(
-      "cd {0}; LC_ALL=C.UTF-8 gnuplot -d - 2>{0}/errors >&2; echo $? >{0}/status; while read -r _; do :; "
-      "done",
-      place);
+      "cd {0}; unset GNUTERM; LC_ALL=C.UTF-8 /usr/bin/timeout -k 1 {1} gnuplot -d - 2>{0}/errors >&2; "
+      "echo $? >{0}/status; while read -r _; do :; done",
+      place, time_limit);
 }
 
 /// The formats draw marks of one size differently; `mark` evens that out.
@@ -107,13 +110,16 @@ void make_film(const Animation& animation, const fs::path& folder, const fs::pat
   if (std::system(line.c_str()) != 0)
     throw std::runtime_error(
         fmt::format("ffmpeg failed to make {}.mp4: {}", stem.string(), complaint(folder)));
-  fs::rename(folder / "picture.mp4", fs::path(stem).concat(".mp4"));
+  write_file(fs::path(stem).concat(".mp4"), contents(folder / "picture.mp4"));
 }
 
 /// Throws where gnuplot did not run, or failed.
-void check_status(const fs::path& folder, const fs::path& stem) {
+void check_status(const fs::path& folder, const fs::path& stem, double time_limit) {
   const std::string status = contents(folder / "status");
   constexpr auto not_found = "127\n";
+  constexpr auto out_of_time = "124\n";
+  if (status == out_of_time)
+    throw std::runtime_error(fmt::format("gnuplot has not drawn {} within {} s", stem.string(), time_limit));
   if (status == not_found)
     throw std::runtime_error(
         fmt::format("cannot draw {}: gnuplot is not installed, or not in PATH", stem.string()));
@@ -122,8 +128,8 @@ void check_status(const fs::path& folder, const fs::path& stem) {
                                          status.substr(0, status.find('\n')), complaint(folder)));
 }
 
-void check(const fs::path& folder, const fs::path& stem) {
-  check_status(folder, stem);
+void check(const fs::path& folder, const fs::path& stem, double time_limit) {
+  check_status(folder, stem, time_limit);
   const bool whole = contents(folder / "picture.png").find("IEND") != std::string::npos &&
                      contents(folder / "picture.svg").find("</svg>") != std::string::npos &&
                      contents(folder / "picture.pdf").find("%%EOF") != std::string::npos;
@@ -138,26 +144,28 @@ bool has_ffmpeg() {
 }
 
 void draw(const Animation& animation, const std::filesystem::path& stem) {
-  const Scratch scratch(stem);
+  const Scratch scratch;
   const bool film = has_ffmpeg();
   {
-    Gnuplot pipe(command(scratch.folder));
+    Gnuplot pipe(command(scratch.folder, animation.time_limit));
     pipe << script(animation, film);
   }
-  check_status(scratch.folder, stem);
+  check_status(scratch.folder, stem, animation.time_limit);
   if (film) make_film(animation, scratch.folder, stem);
-  fs::rename(scratch.folder / "picture.gif", fs::path(stem).concat(".gif"));
+  fs::create_directories(stem.parent_path());
+  write_file(fs::path(stem).concat(".gif"), contents(scratch.folder / "picture.gif"));
 }
 
 void draw(const Drawing& drawing, const std::filesystem::path& stem) {
-  const Scratch scratch(stem);
+  const Scratch scratch;
   {
-    Gnuplot pipe(command(scratch.folder));
+    Gnuplot pipe(command(scratch.folder, drawing.time_limit));
     pipe << script(drawing);
   }
-  check(scratch.folder, stem);
+  check(scratch.folder, stem, drawing.time_limit);
+  fs::create_directories(stem.parent_path());
   for (const std::string format : {".png", ".svg", ".pdf"})
-    fs::rename(scratch.folder / ("picture" + format), fs::path(stem).concat(format));
+    write_file(fs::path(stem).concat(format), contents(scratch.folder / ("picture" + format)));
 }
 
 }  // namespace rockstack::plots

@@ -9,14 +9,16 @@ namespace rockstack::plots {
 /// A picture in gnuplot's words. `commands` are run once a format; point sizes in them are multiples of
 /// `mark`.
 struct Drawing {
-  int width = 1200;      ///< pixels
-  int height = 600;      ///< pixels
-  std::string data;      ///< named data blocks
-  std::string commands;  ///< plot commands, without terminal and output
+  int width = 1200;         ///< pixels
+  int height = 600;         ///< pixels
+  std::string data;         ///< named data blocks
+  std::string commands;     ///< plot commands, without terminal and output
+  double time_limit = 300;  ///< of gnuplot, s
 };
 
 /// Draws `stem`.png, `stem`.svg and `stem`.pdf; all appear whole or none. Waits for gnuplot to finish.
-/// @throws std::runtime_error with gnuplot's own words where it fails, and where it is not installed.
+/// @throws std::runtime_error with gnuplot's own words where it fails, and where it is not installed or
+/// hangs.
 void draw(const Drawing& drawing, const std::filesystem::path& stem);
 
 /// A picture that moves: `settings` hold for all frames, each frame is plot commands of its own.
@@ -26,6 +28,7 @@ struct Animation {
   int interval = 40;  ///< between frames, ms, a multiple of 10
   std::string settings;
   std::vector<std::string> frames;
+  double time_limit = 3600;  ///< of gnuplot, s
 };
 
 /// True where ffmpeg is installed, which makes films.

@@ -65,8 +65,11 @@ int title_size(const std::string& title) {
 std::string in_quotes(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
-    if (c == '\'') result += '\'';
-    result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    if (c == '\'') {
+      result += R"('."'".')";
+    } else {
+      result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
   }
   return result + "'";
 }

@@ -9,7 +9,8 @@
 
 namespace rockstack::plots {
 
-/// Text as a gnuplot string in single quotes, to be drawn with `noenhanced`.
+/// Text as a gnuplot string, to be drawn with `noenhanced`: in single quotes, within which gnuplot runs no
+/// commands and expands no macros, joined by quotes in double ones, since it loses one doubled at the front.
 std::string in_quotes(const std::string& text);
 
 /// A number that gnuplot reads, eight digits.

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "comparisons/results/files.hpp"
 #include "plots/data/law_counts.hpp"
 #include "plots/data/law_results.hpp"
 #include "plots/data/selection.hpp"
@@ -228,7 +229,7 @@ std::string content(const fs::path& folder, const LawResults& results) {
 
 void write_impact_law_report(const std::filesystem::path& results) {
   const LawResults read = read_law_results(results);
-  write_page(results / "report.html", page({read.title, "report", content(results, read)}));
+  write_file(results / "report.html", page({read.title, "report", content(results, read)}));
 }
 
 }  // namespace rockstack::plots

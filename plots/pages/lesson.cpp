@@ -5,6 +5,7 @@
 #include <map>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/results/files.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
@@ -76,7 +77,7 @@ void write_lesson(const std::filesystem::path& results) {
   } catch (const nlohmann::json::exception& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }
-  write_page(results / "lesson.html", text);
+  write_file(results / "lesson.html", text);
 }
 
 }  // namespace rockstack::plots

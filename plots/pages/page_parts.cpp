@@ -106,13 +106,4 @@ std::string player_part(const Comparison& comparison, std::size_t scene) {
                 comparison.scenes.size(), fmt::format("player-{}", scene + 1));
 }
 
-void write_page(const fs::path& file, const std::string& text) {
-  const fs::path aside = file.parent_path() / ("." + file.filename().string() + ".part");
-  std::ofstream out(aside, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error(file.string() + ": cannot be written");
-  fs::rename(aside, file);
-}
-
 }  // namespace rockstack::plots

@@ -55,7 +55,4 @@ std::string figure_part(const std::filesystem::path& results, const Comparison& 
 /// The player of a scene. Precondition: has_motion().
 std::string player_part(const Comparison& comparison, std::size_t scene);
 
-/// Writes a page whole or not at all. @throws std::runtime_error naming the file.
-void write_page(const std::filesystem::path& file, const std::string& text);
-
 }  // namespace rockstack::plots

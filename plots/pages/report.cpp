@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "comparisons/results/files.hpp"
 #include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/figures/comparison/figures.hpp"
@@ -113,7 +114,7 @@ std::string content(const fs::path& results, const Comparison& comparison) {
 
 void write_report(const std::filesystem::path& results) {
   const Comparison comparison = read_comparison(results);
-  write_page(results / "report.html", page({comparison.title, "report", content(results, comparison)}));
+  write_file(results / "report.html", page({comparison.title, "report", content(results, comparison)}));
 }
 
 }  // namespace rockstack::plots

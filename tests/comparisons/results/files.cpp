@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/results/journal.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -22,6 +23,17 @@ TEST(Files, AreReplacedWhole) {
   write_file(folder.path() / "a", "second");
   EXPECT_EQ(content(folder.path() / "a"), "second");
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.partial"));
+}
+
+TEST(Files, NeverWriteThroughALinkAtTheTemporaryName) {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "kept", "kept");
+  std::filesystem::create_symlink("kept", folder.path() / "a.partial");
+  write_file(folder.path() / "a", "new");
+  EXPECT_EQ(content(folder.path() / "kept"), "kept");
+  EXPECT_EQ(content(folder.path() / "a"), "new");
+  std::filesystem::create_symlink("kept", folder.path() / "runs.journal");
+  EXPECT_THROW((Journal{folder.path(), "a sweep"}), std::runtime_error);
 }
 
 TEST(Files, ThatCannotBeWrittenAreNamedAndLeaveNothing) {

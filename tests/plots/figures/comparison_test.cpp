@@ -215,6 +215,38 @@ TEST(Figures, GnuplotThatSaysItIsDoneButIsNotLeavesNothing) {
   EXPECT_EQ(files_in(folder / "out"), 0u);
 }
 
+TEST(Figures, GnuplotThatHangsIsEnded) {
+  const fs::path folder = testing::fresh_folder();
+  const SearchPath path(false_gnuplot(folder / "programs", "exec /bin/sleep 1000").string());
+  try {
+    draw(Drawing{.data = "", .commands = std::string(200'000, '\n'), .time_limit = 0.1}, folder / "picture");
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("gnuplot has not drawn"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Figures, TheUsersTerminalDoesNotCount) {
+  const fs::path folder = testing::fresh_folder();
+  ::setenv("GNUTERM", "no-such-terminal", 1);
+  EXPECT_NO_THROW(draw(Drawing{.data = "", .commands = "plot x"}, folder / "picture"));
+  ::unsetenv("GNUTERM");
+}
+
+TEST(Figures, TextIsDrawnAsItStandsWhateverSignsItHas) {
+  const fs::path folder = testing::fresh_folder();
+  for (const std::string text : {"'quoted'", "''", "\"double\"", "back\\slash \\n", "`touch ran`",
+                                 "@macro $x %g", "Blöcke θ₁ {_^} & <b>"}) {
+    draw(Drawing{.data = "", .commands = "set title " + quoted(text) + " noenhanced\nplot x"},
+         folder / "picture");
+    std::string shown = text;
+    for (const auto& [sign, word] : {std::pair{"&", "&amp;"}, {"<", "&lt;"}})
+      if (const auto at = shown.find(sign); at != std::string::npos) shown.replace(at, 1, word);
+    EXPECT_NE(testing::bytes_of(folder / "picture.svg").find(shown), std::string::npos) << text;
+  }
+  EXPECT_FALSE(fs::exists("ran"));
+}
+
 TEST(LogarithmicTics, ArePowersOfTenAndWithinTwoDecadesTheirMultiplesToo) {
   EXPECT_EQ(logarithmic_tics("x", 1e-4, 1e-2), "set format x '10^{%T}'\n");
   EXPECT_EQ(logarithmic_tics("y", 0.2, 0.9), "set ytics ('10^{-1}' 0.1, '2·10^{-1}' 0.2, '5·10^{-1}' 0.5)\n");

@@ -77,7 +77,7 @@ TEST(Report, AMissingFigureIsNamedAndNoPageIsLeftBehind) {
     EXPECT_TRUE(shows(error.what(), "sample.histories.svg")) << error.what();
   }
   EXPECT_FALSE(fs::exists(folder / "report.html"));
-  EXPECT_FALSE(fs::exists(folder / ".report.html.part"));
+  EXPECT_FALSE(fs::exists(folder / "report.html.partial"));
 }
 
 TEST(Html, EscapesEveryCharacterThatCouldBecomeMarkup) {
