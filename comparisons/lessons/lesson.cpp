@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/results/build.hpp"
 #include "comparisons/results/files.hpp"
+#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 fs::path file_of(const Lesson& lesson, const char* ending) {
-  return fs::path(build::lessons) / (lesson.name + ending);
+  return shipped("lessons") / (lesson.name + ending);
 }
 
 std::string text_of(const Lesson& lesson) {

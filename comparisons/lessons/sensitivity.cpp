@@ -8,8 +8,8 @@
 #include "comparisons/lessons/answers.hpp"
 #include "comparisons/lessons/values.hpp"
 #include "comparisons/lessons/wording.hpp"
-#include "comparisons/results/build.hpp"
 #include "comparisons/statistics/kolmogorov_smirnov.hpp"
+#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -62,7 +62,7 @@ struct Peaks {
 
 Peaks peaks_over_seeds(const NamedScene& named) {
   Peaks peaks;
-  const auto file = std::filesystem::path(build::scenes) / (named.name + ".toml");
+  const auto file = shipped("scenes") / (named.name + ".toml");
   for (int seed = 1; seed <= seeds; ++seed) {
     const Scene scene = read_scene(file, {fmt::format("ground.horizontal.synthetic={}", seed)});
     peaks.exact.push_back(solve(scene, {.peaks = true}).peaks[1]);

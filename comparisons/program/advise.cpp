@@ -6,8 +6,8 @@
 
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
-#include "comparisons/results/build.hpp"
 #include "comparisons/results/files.hpp"
+#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -44,7 +44,7 @@ void print_advice(const Advice& advice, const AdviseArguments& arguments, const 
 int advise_command(const AdviseArguments& arguments, const Common& common) {
   require_positive_option("--error", arguments.error);
   require_positive_option("--time-limit", arguments.time_limit);
-  const NamedScene scene = read_named_scene(find_file(arguments.scene, build::scenes), common.overrides);
+  const NamedScene scene = read_named_scene(find_file(arguments.scene, "scenes"), common.overrides);
   prepare_folder(arguments.out);
   const FolderLock lock(arguments.out);
   Wish wish{.error = arguments.error};

@@ -11,11 +11,11 @@
 #include "comparisons/impact_laws/study.hpp"
 #include "comparisons/metrics/validity.hpp"
 #include "comparisons/program/output.hpp"
-#include "comparisons/results/build.hpp"
 #include "comparisons/results/files.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/runs/measure.hpp"
 #include "comparisons/stability/study.hpp"
+#include "comparisons/suites/shipped.hpp"
 #include "engines/parameters.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures/animation.hpp"
@@ -34,8 +34,9 @@ namespace {
 
 /// The suite or scene that an input of `compare` names.
 std::filesystem::path find_input(const std::string& input) {
-  const auto file = find_file(input, build::suites);
-  return std::filesystem::exists(file) ? file : find_file(input, build::scenes);
+  const auto file = find_file(input, "suites");
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored) ? file : find_file(input, "scenes");
 }
 
 Suite read_input(const std::string& input, const Common& common) {
@@ -80,10 +81,11 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   const FolderLock lock(out);
   const ImpactLawResults results = run_study(study);
   write_results(study, results, out, common.command);
+  print_impact_laws(results, out, common);
 #ifdef ROCKSTACK_WITH_PLOTS
   draw(out);
 #endif
-  print_impact_laws(results, out, common);
+  print_report(out, common);
   const bool failed = std::any_of(results.cases.begin(), results.cases.end(), [](const AskedCase& asked) {
     return std::any_of(asked.verdicts.begin(), asked.verdicts.end(),
                        [](const EngineVerdict& verdict) { return !verdict.failure.empty(); });
@@ -103,17 +105,10 @@ void refuse_overrides(const Common& common, const char* reason) {
     throw InputError(fmt::format("--set {}: must be left out, {}", common.overrides.front(), reason));
 }
 
-std::filesystem::path find_file(const std::string& input, const char* folder) {
-  const auto shipped = std::filesystem::path(folder) / (input + ".toml");
-  return !std::filesystem::is_regular_file(input) && std::filesystem::exists(shipped)
-             ? shipped
-             : std::filesystem::path(input);
-}
-
 int solve_command(const SolveArguments& arguments, const Common& common) {
   require_positive_option("--step", arguments.step);
   require_positive_option("--interval", arguments.interval);
-  const auto scene = read_named_scene(find_file(arguments.scene, build::scenes), common.overrides);
+  const auto scene = read_named_scene(find_file(arguments.scene, "scenes"), common.overrides);
   const SolveOptions options{
       .integrator = arguments.integrator == "rk4" ? Integrator::rk4 : Integrator::taylor,
       .sample_times = regular_times(arguments.interval, scene.scene.duration),
@@ -129,7 +124,7 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
 int simulate_command(const SimulateArguments& arguments, const Common& common) {
   require_positive_option("--dt", arguments.dt);
   const WorkerEngine& engine = find_engine(arguments.engine);
-  const auto scene = read_named_scene(find_file(arguments.scene, build::scenes), common.overrides);
+  const auto scene = read_named_scene(find_file(arguments.scene, "scenes"), common.overrides);
   check_step(arguments.dt, scene.scene.duration);
   prepare_folder(arguments.out);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt});
@@ -155,10 +150,11 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   const FolderLock lock(arguments.out);
   const CompareResult result =
       compare(suites, arguments.out, {common.command, arguments.jobs, progress(common)});
+  print_rows(result, arguments.out, common);
 #ifdef ROCKSTACK_WITH_PLOTS
   draw_few(suites, arguments.out, common);
 #endif
-  print_rows(result, arguments.out, common);
+  print_report(arguments.out, common);
   const auto failed = [](const RunMetrics& row) { return row.status != RunStatus::done; };
   return std::any_of(result.rows.begin(), result.rows.end(), failed) ? 1 : 0;
 }
@@ -206,10 +202,7 @@ int list_command(const std::string& what, const Common& common) {
     }
     for (const std::string& name : engines_left_out()) names.push_back(name + "  left out of this build");
   } else {
-    const char* folder = what == "scenes"   ? build::scenes
-                         : what == "suites" ? build::suites
-                                            : build::ensembles;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(shipped(what))) {
       if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
     }
     std::sort(names.begin(), names.end());

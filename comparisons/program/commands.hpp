@@ -29,7 +29,4 @@ void require_positive_option(const char* option, double value);
 /// @throws InputError with the reason where there are overrides.
 void refuse_overrides(const Common& common, const char* reason);
 
-/// The file itself, or the one of that name among those shipped in `folder`.
-std::filesystem::path find_file(const std::string& input, const char* folder);
-
 }  // namespace rockstack

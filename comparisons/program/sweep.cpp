@@ -7,10 +7,10 @@
 #include "comparisons/ensemble/sweep.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
-#include "comparisons/results/build.hpp"
 #include "comparisons/results/files.hpp"
 #ifdef ROCKSTACK_WITH_MPI
 #include "comparisons/runs/ranks.hpp"
+#include "comparisons/suites/shipped.hpp"
 #endif
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures/sweep/sweep.hpp"
@@ -35,7 +35,7 @@ std::unique_ptr<Executor> make_executor(std::size_t threads) {
 }
 
 Ensemble read_ensemble(const SweepArguments& arguments, const Common& common, MotionLibrary& library) {
-  return read_ensemble(find_file(arguments.ensemble, build::ensembles), common.overrides, library);
+  return read_ensemble(find_file(arguments.ensemble, "ensembles"), common.overrides, library);
 }
 
 /// What a process does that does not lead. It reads the ensemble only when it is given a block, so that of
@@ -68,10 +68,10 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
     print_stopped(result, common);
     return 1;
   }
+  print_sweep(result, arguments.out, common);
 #ifdef ROCKSTACK_WITH_PLOTS
   plots::draw_sweep(arguments.out);
 #endif
-  print_sweep(result, arguments.out, common);
   return result.failed > 0 ? 1 : 0;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "engines/worker/installation.hpp"
 
 namespace rockstack {
 namespace {
@@ -25,15 +26,11 @@ std::vector<std::string> worker_programs() {
   return names;
 }
 
-/// Beside this program, or where the build puts it.
 std::filesystem::path find_worker(const std::string& name) {
-  std::error_code error;
-  const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
-  for (const auto& folder : {own.parent_path(), std::filesystem::path(ROCKSTACK_WORKERS)}) {
-    if (std::filesystem::exists(folder / name, error)) return folder / name;
-  }
-  throw std::runtime_error(fmt::format("{}: must be in {} or {}", name, own.parent_path().string(),
-                                       std::string(ROCKSTACK_WORKERS)));
+  const std::filesystem::path file = worker_folder() / name;
+  std::error_code ignored;
+  if (std::filesystem::exists(file, ignored)) return file;
+  throw std::runtime_error(fmt::format("{}: must be there, it came with this program", file.string()));
 }
 
 std::vector<WorkerEngine> ask_workers() {

@@ -237,7 +237,7 @@ TEST(Figures, TextIsDrawnAsItStandsWhateverSignsItHas) {
   const fs::path folder = testing::fresh_folder();
   for (const std::string text : {"'quoted'", "''", "\"double\"", "back\\slash \\n", "`touch ran`",
                                  "@macro $x %g", "Blöcke θ₁ {_^} & <b>"}) {
-    draw(Drawing{.data = "", .commands = "set title " + quoted(text) + " noenhanced\nplot x"},
+    draw(Drawing{.data = "", .commands = "set title " + in_quotes(text) + " noenhanced\nplot x"},
          folder / "picture");
     std::string shown = text;
     for (const auto& [sign, word] : {std::pair{"&", "&amp;"}, {"<", "&lt;"}})

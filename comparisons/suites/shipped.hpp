@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace rockstack {
+
+/// The folder of the "scenes", "suites", "ensembles" or "lessons" that come with this program.
+std::filesystem::path shipped(const std::string& kind);
+
+/// The file that an input names: that very file, or one of a kind that comes with the program, by its name
+/// without ending. Where neither is there, the input as a file, for whoever reads it to refuse.
+std::filesystem::path find_file(const std::string& input, const std::string& kind);
+
+}  // namespace rockstack
