@@ -21,12 +21,15 @@ using Json = nlohmann::ordered_json;
 
 int read_count(const Node& root, const char* key, int otherwise, int most) {
   const Node* node = find(root, key);
+  return node == nullptr ? otherwise : static_cast<int>(whole_number(*node, 1, most));
+}
+
+/// Below the least angle at which any block has toppled, π/4.
+double read_largest_angle(const Node& root, double otherwise) {
+  const Node* node = find(root, "largest_angle");
   if (node == nullptr) return otherwise;
-  const double value = number(*node);
-  if (!(value >= 1 && value <= most) || value != static_cast<int>(value)) {
-    throw wrong_value(*node, fmt::format("a whole number from 1 to {}", most));
-  }
-  return static_cast<int>(value);
+  if (!(number(*node) > 0 && node->number <= 0.78)) throw wrong_value(*node, "a number > 0 and at most 0.78");
+  return node->number;
 }
 
 Range read_range(const Node& root, const char* key, const Range& otherwise) {
@@ -58,7 +61,8 @@ double read_positive(const Node& root, const char* key, double otherwise) {
 
 ImpactDraws read_draws(const Node& root) {
   ImpactDraws draws;
-  draws.seed = static_cast<std::uint64_t>(read_count(root, "seed", 1, 1'000'000'000));
+  if (const Node* seed = find(root, "seed"))
+    draws.seed = static_cast<std::uint64_t>(whole_number(*seed, 0, largest_seed));
   draws.samples = read_count(root, "samples", draws.samples, 1'000'000);
   draws.cells = read_count(root, "cells", draws.cells, 100);
   draws.blocks = read_blocks(root, draws.blocks);
@@ -66,7 +70,7 @@ ImpactDraws read_draws(const Node& root) {
   draws.mass_ratio = read_range(root, "mass_ratio", draws.mass_ratio);
   draws.base_aspect_ratio = read_range(root, "base_aspect_ratio", draws.base_aspect_ratio);
   draws.width_ratio = read_range(root, "width_ratio", draws.width_ratio);
-  draws.largest_angle = read_positive(root, "largest_angle", draws.largest_angle);
+  draws.largest_angle = read_largest_angle(root, draws.largest_angle);
   draws.speed = read_range(root, "speed", draws.speed);
   return draws;
 }

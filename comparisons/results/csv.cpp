@@ -6,6 +6,7 @@
 #include <charconv>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "analytic/scene/messages/input_error.hpp"
@@ -14,6 +15,12 @@ namespace rockstack {
 namespace {
 
 using Cells = std::vector<std::string>;
+
+std::optional<double> number_in(std::string_view cell) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return error == std::errc() && end == cell.data() + cell.size() ? std::optional(value) : std::nullopt;
+}
 
 std::string place(const std::filesystem::path& file, std::size_t line) {
   return fmt::format("{}:{}", file.string(), line);
@@ -45,6 +52,7 @@ void split(std::string_view rest, Cells& cells, const std::string& file, std::si
     const std::size_t end = std::min(rest.find(','), rest.size());
     if (is_quoted && end != 0) throw InputError(place(file, line) + ": text after a closing quote");
     cells.push_back(is_quoted ? std::move(quoted) : std::string(rest.substr(0, end)));
+    if (cells.back().starts_with('\'') && needs_guard(cells.back())) cells.back().erase(0, 1);
     more = end < rest.size();
     rest.remove_prefix(more ? end + 1 : end);
   }
@@ -98,10 +106,8 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
   const auto read_row = [&](const Cells& cells, std::size_t line) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       const std::string& cell = cells[indices[i]];
-      double value = 0;
-      const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-      const bool whole = error == std::errc() && end == cell.data() + cell.size();
-      columns[i].push_back(whole ? value : number(cell, place(file, line), names[i]));
+      const std::optional<double> value = number_in(cell);
+      columns[i].push_back(value ? *value : number(cell, place(file, line), names[i]));
     }
   };
   read_rows(file, read_header, read_row);
@@ -114,13 +120,17 @@ std::vector<std::string> numbered(const std::string& stem, int count) {
   return names;
 }
 
+bool needs_guard(std::string_view text) {
+  if (text.starts_with('\'')) return needs_guard(text.substr(1));
+  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
+         text.find_first_not_of("0123456789+-.eE ") != std::string_view::npos;
+}
+
 double number(std::string_view cell, const std::string& where, const std::string& column_name) {
   if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
-  double value = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size())
-    throw InputError(fmt::format("{}: {} = \"{}\": must be a number", where, column_name, cell));
-  return value;
+  const std::optional<double> value = number_in(cell);
+  if (!value) throw InputError(fmt::format("{}: {} = \"{}\": must be a number", where, column_name, cell));
+  return *value;
 }
 
 }  // namespace rockstack

@@ -36,6 +36,10 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 /// The names `stem`1 … `stem`count, e.g. theta_1, theta_2.
 std::vector<std::string> numbered(const std::string& stem, int count);
 
+/// Whether a spreadsheet would take a text, not numbers alone, for something to compute, or for one that is
+/// guarded against that: it is written behind a ', which reading takes off again.
+bool needs_guard(std::string_view text);
+
 /// A cell as a number, NaN where it is empty. `place` is file:line for the error.
 /// @throws InputError naming place, column and text.
 double number(std::string_view cell, const std::string& place, const std::string& column_name);

@@ -4,6 +4,8 @@
 
 #include <iterator>
 
+#include "comparisons/results/csv.hpp"
+
 namespace rockstack {
 
 void CsvWriter::end_line() {
@@ -28,11 +30,14 @@ void CsvWriter::write(std::ptrdiff_t number) {
 
 void CsvWriter::write(std::string_view text) {
   separate();
+  const char* guard = needs_guard(text) ? "'" : "";
   if (text.find_first_of(",\"\n") == std::string_view::npos) {
+    text_ += guard;
     text_ += text;
     return;
   }
   text_ += '"';
+  text_ += guard;
   for (const char letter : text) {
     if (letter == '"') text_ += '"';
     text_ += letter == '\n' ? ' ' : letter;

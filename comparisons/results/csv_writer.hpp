@@ -10,8 +10,8 @@
 namespace rockstack {
 
 /// Comma-separated values as text that grows cell by cell. Numbers read back to the same double; texts are
-/// quoted where they have to be, line breaks in them are blanks; an empty optional is an empty cell, and a
-/// range is a cell an element.
+/// quoted and guarded where they have to be, line breaks in them are blanks; an empty optional is an empty
+/// cell, and a range is a cell an element.
 class CsvWriter {
  public:
   /// Adds cells to the line under way.

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/input/document.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -33,6 +33,12 @@ Json read_json(const std::filesystem::path& file) {
   } catch (const Json::exception& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }
+}
+
+std::string file_name(const std::string& text, const std::string& place) {
+  if (text.empty() || text == "." || text == ".." || text.find('/') != std::string::npos)
+    throw InputError(fmt::format("{} = \"{}\": must be a name without a slash", place, one_line(text)));
+  return text;
 }
 
 Facts facts_of(const Json& object) {

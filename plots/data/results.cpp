@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/pattern.hpp"
 #include "comparisons/results/csv.hpp"
 #include "plots/data/json_file.hpp"
 
@@ -81,12 +82,14 @@ void read_description(const Json& json, Comparison& comparison) {
 }
 
 void check_description(const Comparison& comparison, const std::filesystem::path& file) {
+  for (const ComparedScene& scene : comparison.scenes)
+    file_name(scene.name, file.string() + ": name of a scene");
   if (!(comparison.tolerance > 0))
     throw InputError(fmt::format("{}: tolerance_rad = {}: must be > 0", file.string(), comparison.tolerance));
   for (const ComparedScene& scene : comparison.scenes)
-    if (scene.blocks < 1)
-      throw InputError(fmt::format("{}: scene {}: blocks = {}: must be at least 1", file.string(), scene.name,
-                                   scene.blocks));
+    if (scene.blocks < 1 || scene.blocks > max_blocks)
+      throw InputError(fmt::format("{}: scene {}: blocks = {}: must be 1 to {}", file.string(), scene.name,
+                                   scene.blocks, max_blocks));
   for (const ComparedScene& scene : comparison.scenes)
     if (!scene.stack.empty() && scene.stack.size() != static_cast<std::size_t>(scene.blocks))
       throw InputError(fmt::format("{}: scene {}: stack has {} blocks: must have {}", file.string(),
@@ -162,7 +165,7 @@ Comparison read_comparison(const std::filesystem::path& results) {
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     Run run = read_run(RowReader(table, i, file));
     run.cells = table.rows[i];
-    run.folder = results / "runs" / run.name;
+    run.folder = results / "runs" / file_name(run.name, fmt::format("{}:{}: run", file.string(), i + 2));
     for (ComparedScene& scene : comparison.scenes)
       if (scene.name == run.scene && run.done() && has_other_equations(run)) scene.both_equations = true;
     comparison.runs.push_back(std::move(run));

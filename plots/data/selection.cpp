@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -74,7 +75,10 @@ Shown shown_runs(const Comparison& comparison, const std::string& scene) {
 int iterations_of(const Run& run) {
   const auto [begin, length] = iterations_in(run.settings);
   if (begin == std::string::npos) return 0;
-  return std::stoi(run.settings.substr(run.settings.find('=', begin) + 1));
+  const char* const number = run.settings.c_str() + run.settings.find('=', begin) + 1;
+  int iterations = 0;
+  std::from_chars(number, run.settings.c_str() + run.settings.size(), iterations);
+  return iterations;
 }
 
 std::string line_label(const Run& run) {

@@ -11,6 +11,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/results/csv.hpp"
+#include "plots/data/json_file.hpp"
 #include "plots/drawing/layout.hpp"
 
 namespace rockstack::plots {
@@ -161,7 +162,9 @@ void draw_stability(const std::filesystem::path& results) {
   const nlohmann::json facts = study_facts(results / "stability.json");
   std::filesystem::create_directories(results / "figures");
   for (const auto& [solver, map] : read_maps(results)) {
-    if (!map.cells.empty()) draw(drawing(solver, map, facts), results / "figures" / ("stability." + solver));
+    const std::string name =
+        "stability." + file_name(solver, (results / "stability.csv").string() + ": solver");
+    if (!map.cells.empty()) draw(drawing(solver, map, facts), results / "figures" / name);
   }
 }
 

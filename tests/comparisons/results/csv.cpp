@@ -55,6 +55,18 @@ TEST(CsvWriter, TextsReadBackAsTheyWere) {
   EXPECT_EQ(csv.text(), "\"two lines\"\n");
 }
 
+TEST(CsvWriter, TextsThatASpreadsheetWouldComputeAreGuardedAndReadBackAsTheyWere) {
+  for (const std::string text : {"=1+1", "@SUM(A1)", "-x", "+x", "\tx", "'=1", "''=1", "=a,b"}) {
+    CsvWriter csv;
+    csv.line(text);
+    EXPECT_TRUE(csv.text().starts_with('\'') || csv.text().starts_with("\"'")) << csv.text();
+    EXPECT_EQ(read_table(file_with("a\n" + csv.text())).rows[0][0], text);
+  }
+  CsvWriter csv;
+  csv.line("-0.5", "-0.5 1e-3", "'quoted'");
+  EXPECT_EQ(csv.text(), "-0.5,-0.5 1e-3,'quoted'\n");
+}
+
 TEST(CsvWriter, ACellANumberATruthAnElementAndAnOptional) {
   CsvWriter csv;
   csv.add(0.1 + 0.2, -3, std::size_t{7}, true);

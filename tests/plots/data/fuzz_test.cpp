@@ -1,0 +1,79 @@
+// Damaged results are refused in one line that names their file; nothing else comes of them.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/results/csv.hpp"
+#include "plots/data/results.hpp"
+#include "plots/data/selection.hpp"
+#include "tests/analytic/records/mutations.hpp"
+#include "tests/plots/sample.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// All that pages and figures take from the results before they draw.
+void read_all(const fs::path& folder) {
+  const Comparison comparison = read_comparison(folder);
+  for (const ComparedScene& scene : comparison.scenes) {
+    for (const StepLine& line : step_lines(comparison, scene.name)) line_label(line);
+    for (const Run& run : shown_runs(comparison, scene.name).engines) {
+      EXPECT_EQ(run.folder.parent_path(), folder / "runs");
+      read_summary(run);
+      read_columns(run.folder / "history.csv", numbered("theta_", scene.blocks));
+    }
+  }
+}
+
+void expect_read_or_refused(const fs::path& folder, const fs::path& file) {
+  const std::string whole = testing::bytes_of(file);
+  std::mt19937_64 random(1983);
+  int refused = 0;
+  constexpr int rounds = 300;
+  for (int round = 0; round < rounds; ++round) {
+    const std::string wounded = mutated(whole, random);
+    std::ofstream(file, std::ios::binary) << wounded;
+    try {
+      read_all(folder);
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find(folder.string()), 0U) << error.what();
+      ++refused;
+    } catch (const std::exception& error) {
+      FAIL() << error.what() << "\n" << wounded;
+    }
+  }
+  EXPECT_GT(refused, rounds / 20) << "mutations must do harm";
+  std::ofstream(file, std::ios::binary) << whole;
+}
+
+TEST(ResultsMutations, GiveResultsOrAnInputErrorAndNothingElse) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, {.impacts = 2, .steps = {1e-2}});
+  ASSERT_NO_THROW(read_all(folder));
+  for (const char* name : {"comparison.json", "comparison.csv"})
+    expect_read_or_refused(folder, folder / name);
+  for (const auto& run : fs::directory_iterator(folder / "runs"))
+    for (const char* name : {"summary.json", "history.csv"})
+      if (fs::exists(run.path() / name)) expect_read_or_refused(folder, run.path() / name);
+}
+
+TEST(ResultsMutations, NamesThatAreNoNamesAreRefused) {
+  const fs::path folder = testing::fresh_folder();
+  for (const std::string name : {"../../x", "/x", "..", ""}) {
+    testing::write_sample(folder, {});
+    std::string text = testing::bytes_of(folder / "comparison.json");
+    const std::string key = "\"name\": \"sample\"";
+    ASSERT_NE(text.find(key), std::string::npos);
+    text.replace(text.find(key), key.size(), "\"name\": \"" + name + "\"");
+    std::ofstream(folder / "comparison.json") << text;
+    EXPECT_THROW(read_comparison(folder), InputError) << name;
+  }
+}
+
+}  // namespace
+}  // namespace rockstack::plots
