@@ -81,6 +81,9 @@ std::vector<Parameters> read_changes(const Node& table, const WorkerEngine& engi
         extended.push_back(std::move(changes));
       }
     }
+    constexpr std::size_t most = 10'000;
+    if (extended.size() > most)
+      throw wrong_value(*node, fmt::format("of at most {} combinations of values", most));
     list = std::move(extended);
   }
   return list;

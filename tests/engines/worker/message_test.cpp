@@ -5,10 +5,12 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 #include <set>
 #include <stdexcept>
 
 #include "engines/worker/request.hpp"
+#include "tests/analytic/records/mutations.hpp"
 
 namespace rockstack {
 namespace {
@@ -138,6 +140,30 @@ TEST(Messages, EveryShorterMessageIsRefused) {
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_THROW(read_request(std::string_view(bytes).substr(0, size)), std::runtime_error) << size;
   }
+}
+
+TEST(Messages, DamagedOnesAreReadOrRefusedAndNothingElse) {
+  RunReply reply{"done", "", {}, 4, {0.1, 0.2}, 1e6, BodyRecord{.energy = {1.5, 2}, .input = {0, 0.5}}};
+  reply.history.times = {0, 0.1};
+  reply.history.angles = reply.history.velocities = {0, 0};
+  const EngineDescription engine{"ode", "step", "0.16", 1e9, {{"erp", 0.1, 0.2, 0, 1}}};
+  const std::string asked = to_bytes(Request{RunRequest{"step", full_scene(), 1e-3, {{"erp", 0.2}}, 3}});
+  std::mt19937_64 random(1983);
+  int refused = 0;
+  const auto read = [&](const auto& reader, const std::string& bytes) {
+    try {
+      reader(mutated(bytes, random));
+    } catch (const std::runtime_error&) {
+      ++refused;
+    }
+  };
+  constexpr int rounds = 3000;
+  for (int round = 0; round < rounds; ++round) {
+    ASSERT_NO_THROW(read(read_request, asked));
+    ASSERT_NO_THROW(read(read_reply, to_bytes(Reply{{}, reply})));
+    ASSERT_NO_THROW(read(read_reply, to_bytes(Reply{{engine, engine}, {}})));
+  }
+  EXPECT_GT(refused, rounds) << "mutations must do harm";
 }
 
 TEST(Messages, OtherBytesAreRefused) {
