@@ -11,7 +11,7 @@ namespace rockstack {
 
 namespace {
 
-constexpr double most_steps = 1e8;  // and samples
+constexpr double most_steps = 1e8;
 
 template <class Real, int N, template <class, int> class Steps>
 BasicHistory<Real> run(const Scene& scene, const SolveOptions& options) {

@@ -6,7 +6,7 @@
 
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
-#include "comparisons/results/files.hpp"
+#include "comparisons/results/results_folder.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -45,8 +45,7 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
   require_positive_option("--error", arguments.error);
   require_positive_option("--time-limit", arguments.time_limit);
   const NamedScene scene = read_named_scene(find_file(arguments.scene, "scenes"), common.overrides);
-  prepare_folder(arguments.out);
-  const FolderLock lock(arguments.out);
+  const ResultsFolder folder(arguments.out, Results::advice);
   Wish wish{.error = arguments.error};
   wish.limits.time = arguments.time_limit;
   const Advice advice = advise(scene, wish, arguments.out, common.command);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,8 @@ struct SimulateArguments {
 };
 
 struct CompareArguments {
-  std::vector<std::string> inputs;  ///< scenes or suites
-  std::filesystem::path record;     ///< in the place of made-up motions; empty: none
+  std::vector<std::string> inputs;    ///< scenes or suites
+  std::optional<std::string> record;  ///< in the place of made-up motions
   std::filesystem::path out;
   std::size_t jobs = 1;  ///< runs at a time
 };

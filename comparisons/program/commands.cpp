@@ -11,7 +11,7 @@
 #include "comparisons/impact_laws/study.hpp"
 #include "comparisons/metrics/validity.hpp"
 #include "comparisons/program/output.hpp"
-#include "comparisons/results/files.hpp"
+#include "comparisons/results/results_folder.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/runs/measure.hpp"
 #include "comparisons/stability/study.hpp"
@@ -77,8 +77,7 @@ void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& res
 int study_command(const std::filesystem::path& file, const std::filesystem::path& out, const Common& common) {
   refuse_overrides(common, "a study of impact laws draws its own scenes");
   const ImpactLawStudy study = read_impact_law_study(file);
-  prepare_folder(out);
-  const FolderLock lock(out);
+  const ResultsFolder folder(out, Results::impact_laws);
   const ImpactLawResults results = run_study(study);
   write_results(study, results, out, common.command);
   print_impact_laws(results, out, common);
@@ -115,7 +114,7 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
       .validity = true,
       .peaks = true,
       .step = arguments.step};
-  prepare_folder(arguments.out);
+  const ResultsFolder folder(arguments.out, Results::motion);
   const History history = solve_into(scene, options, arguments.out, common.command);
   print_history(history, validity_warnings(scene.scene, history), arguments.out, common);
   return 0;
@@ -126,7 +125,7 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   const WorkerEngine& engine = find_engine(arguments.engine);
   const auto scene = read_named_scene(find_file(arguments.scene, "scenes"), common.overrides);
   check_step(arguments.dt, scene.scene.duration);
-  prepare_folder(arguments.out);
+  const ResultsFolder folder(arguments.out, Results::motion);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt});
   const History history = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
   print_history(history, {}, arguments.out, common);
@@ -138,16 +137,16 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
     const auto file = find_input(input);
     if (!is_study(file)) continue;
     if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
-    if (!arguments.record.empty())
-      throw InputError(fmt::format("--record {}: must be left out of a study", arguments.record.string()));
+    if (arguments.record)
+      throw InputError(fmt::format("--record {}: must be left out of a study", *arguments.record));
     if (is_stability_study(file)) return stability_command(file, arguments.out, arguments.jobs, common);
     return study_command(file, arguments.out, common);
   }
   std::vector<Suite> suites;
   for (const std::string& input : arguments.inputs) suites.push_back(read_input(input, common));
-  if (!arguments.record.empty()) replace_made_up_motion(suites, arguments.record);
-  prepare_folder(arguments.out);
-  const FolderLock lock(arguments.out);
+  if (arguments.record) replace_made_up_motion(suites, *arguments.record);
+  require_comparable(suites);
+  const ResultsFolder folder(arguments.out, Results::comparison);
   const CompareResult result =
       compare(suites, arguments.out, {common.command, arguments.jobs, progress(common)});
   print_rows(result, arguments.out, common);
@@ -162,6 +161,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
 int plot_command(const PlotArguments& arguments, const Common& common) {
   refuse_overrides(common, "figures are of results that are there");
   const std::filesystem::path& results = arguments.results;
+  const FolderLock lock(results);
 #ifdef ROCKSTACK_WITH_PLOTS
   const bool record = std::filesystem::exists(results / "record.json");
   const bool of_runs = !record && !plots::has_sweep(results) && !plots::has_impact_laws(results) &&

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/messages/input_error.hpp"
@@ -11,6 +12,7 @@
 #include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/environment.hpp"
 #include "comparisons/results/files.hpp"
+#include "comparisons/results/results_folder.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures/record.hpp"
 #endif
@@ -137,8 +139,9 @@ int record_command(const RecordArguments& arguments, const Common& common) {
   refuse_overrides(common, "a record has no scene keys");
   const MeasuredRecord record = measure_record(arguments);
   const Json json = to_json(record, arguments);
+  std::optional<ResultsFolder> folder;
   if (!arguments.out.empty()) {
-    prepare_folder(arguments.out);
+    folder.emplace(arguments.out, Results::record);
     write_results(record, json, arguments, common);
   }
   if (common.json) {

@@ -8,7 +8,7 @@
 
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
-#include "comparisons/results/files.hpp"
+#include "comparisons/results/results_folder.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures/stability.hpp"
 #endif
@@ -37,8 +37,8 @@ void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem
 int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, std::size_t jobs,
                       const Common& common) {
   const StabilityStudy study = read_stability_study(file, common.overrides);
-  prepare_folder(out);
-  const FolderLock lock(out);
+  require_comparable({study.suite});
+  const ResultsFolder folder(out, Results::stability);
   const std::vector<StabilityRun> rows = run_stability(study, out, {common.command, jobs, progress(common)});
   print_verdicts(rows, out, common);
 #ifdef ROCKSTACK_WITH_PLOTS

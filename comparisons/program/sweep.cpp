@@ -7,10 +7,10 @@
 #include "comparisons/ensemble/sweep.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
-#include "comparisons/results/files.hpp"
+#include "comparisons/results/results_folder.hpp"
+#include "comparisons/suites/shipped.hpp"
 #ifdef ROCKSTACK_WITH_MPI
 #include "comparisons/runs/ranks.hpp"
-#include "comparisons/suites/shipped.hpp"
 #endif
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures/sweep/sweep.hpp"
@@ -59,8 +59,7 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
   if (!executor->leads()) return serve(*executor, arguments, common);
   MotionLibrary library;
   const Ensemble ensemble = read_ensemble(arguments, common, library);
-  prepare_folder(arguments.out);
-  const FolderLock lock(arguments.out);
+  const ResultsFolder folder(arguments.out, Results::sweep);
   const SweepResult result =
       sweep(ensemble, library, *executor,
             {arguments.out, common.command, sweep_progress(common), [] { return interrupted.load(); }});

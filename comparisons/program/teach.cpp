@@ -7,7 +7,7 @@
 #include "comparisons/lessons/lesson.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
-#include "comparisons/results/files.hpp"
+#include "comparisons/results/results_folder.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures/comparison/figures.hpp"
 #include "plots/pages/lesson.hpp"
@@ -47,8 +47,7 @@ int teach_command(const TeachArguments& arguments, const Common& common) {
   }
   const Lesson& lesson = find_lesson(arguments.lesson);
   if (arguments.out.empty()) throw InputError("--out: missing, must be a folder for the lesson's page");
-  prepare_folder(arguments.out);
-  const FolderLock lock(arguments.out);
+  const ResultsFolder folder(arguments.out, Results::lesson);
   const std::vector<RunMetrics> rows =
       run_lesson(lesson, arguments.out, {.command = common.command, .progress = progress(common)});
 #ifdef ROCKSTACK_WITH_PLOTS

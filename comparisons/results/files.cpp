@@ -93,6 +93,23 @@ FolderLock::~FolderLock() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
+std::uint64_t checksum(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char letter : text) {
+    hash ^= static_cast<unsigned char>(letter);
+    hash *= 0x100000001b3;
+  }
+  return hash;
+}
+
+std::string folder_name(const std::string& text) {
+  constexpr std::size_t longest = 128, front = 100;
+  if (text.size() <= longest) return text;
+  std::size_t end = front;
+  while ((static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80) --end;  // not inside a letter of UTF-8
+  return fmt::format("{}-{:016x}", text.substr(0, end), checksum(text));
+}
+
 void write_file(const std::filesystem::path& file, std::string_view content) {
   write_file(file, [content](const Sink& put) { put(content); });
 }

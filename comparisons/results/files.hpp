@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace rockstack {
@@ -23,6 +25,13 @@ class FolderLock {
  private:
   int descriptor_;
 };
+
+/// The 64-bit checksum FNV-1a of Fowler, Noll & Vo.
+std::uint64_t checksum(std::string_view text);
+
+/// A text as the name of a file or folder, with room for an ending: itself where it is short, else its front
+/// and a checksum of the whole.
+std::string folder_name(const std::string& text);
 
 /// Takes text piece by piece.
 using Sink = std::function<void(std::string_view)>;

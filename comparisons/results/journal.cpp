@@ -34,15 +34,6 @@ bool read_entry(std::istream& in, std::uint64_t rest, std::size_t& part, std::st
 
 }  // namespace
 
-std::uint64_t checksum(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char letter : text) {
-    hash ^= static_cast<unsigned char>(letter);
-    hash *= 0x100000001b3;
-  }
-  return hash;
-}
-
 Journal::Journal(const std::filesystem::path& folder, const std::string& identity)
     : file_(folder / "runs.journal") {
   descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);

@@ -10,9 +10,6 @@
 
 namespace rockstack {
 
-/// The 64-bit checksum FNV-1a of Fowler, Noll & Vo.
-std::uint64_t checksum(std::string_view text);
-
 /// Finished parts of a job in a file that only grows, so that a job that was killed can go on: a head line
 /// that names the job, then one entry a part, with its length and checksum. An entry that is torn, and what
 /// follows it, is dropped when the file is opened again.

@@ -39,22 +39,6 @@ std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
   return jobs;
 }
 
-void require_compatible(const std::vector<Suite>& suites) {
-  std::set<std::string> names;
-  for (const Suite& suite : suites) {
-    if (suite.tolerance != suites.front().tolerance) {
-      throw InputError(fmt::format("tolerance = {}: must be the same in all suites of one comparison, {}",
-                                   suite.tolerance, suites.front().tolerance));
-    }
-    for (const NamedScene& scene : suite.scenes) {
-      if (!names.insert(scene.name).second) {
-        throw InputError(fmt::format(
-            "scene {}: must be in a comparison once; its results would share a folder", scene.name));
-      }
-    }
-  }
-}
-
 std::string ground_of(const Scene& scene) {
   std::string text = scene.horizontal.source;
   if (!scene.vertical.empty()) text += (text.empty() ? "" : "; ") + scene.vertical.source + ", vertical";
@@ -214,9 +198,32 @@ CompareResult make_runs(const std::vector<Job>& jobs, const std::filesystem::pat
 
 }  // namespace
 
+void require_comparable(const std::vector<Suite>& suites) {
+  std::set<std::string> names;
+  for (const Suite& suite : suites) {
+    if (suite.tolerance != suites.front().tolerance) {
+      throw InputError(fmt::format("tolerance = {}: must be the same in all suites of one comparison, {}",
+                                   suite.tolerance, suites.front().tolerance));
+    }
+    for (const NamedScene& scene : suite.scenes) {
+      constexpr double longest = 1e7 * sample_interval;
+      if (scene.scene.duration > longest) {
+        throw InputError(
+            fmt::format("scene {}: duration = {}: must be at most {} s in a comparison, which samples "
+                        "every {} s",
+                        scene.name, scene.scene.duration, longest, sample_interval));
+      }
+      if (!names.insert(scene.name).second) {
+        throw InputError(fmt::format(
+            "scene {}: must be in a comparison once; its results would share a folder", scene.name));
+      }
+    }
+  }
+}
+
 CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
                       const CompareOptions& options) {
-  require_compatible(suites);
+  require_comparable(suites);
   CompareResult result = make_runs(jobs_of(suites), folder, options);
   const std::vector<SeriesFit> fits = fit_runs(result.rows);
   const std::vector<DistributionDistance> apart = distances(result.rows, folder);

@@ -32,12 +32,15 @@ struct CompareResult {
   std::size_t reused = 0;  ///< rows of runs that were there already
 };
 
+/// @throws InputError where suites cannot be one comparison: two scenes share a name, tolerances differ, or a
+/// scene lasts too long to be sampled.
+void require_comparable(const std::vector<Suite>& suites);
+
 /// Runs suites and writes DIR/runs/, DIR/ground/ (where it moves), DIR/comparison.csv, DIR/comparison.json;
 /// where time steps were swept, DIR/fits.csv, and where perturbed scenes are asked for,
 /// DIR/distributions.csv. A run that fails costs its own row. A run that is in the folder, done and of the
 /// same identity, is not made again. The folder must be there (files.hpp).
-/// @throws InputError where two scenes share a name or suites differ in their tolerance; std::runtime_error
-/// where a file cannot be written.
+/// @throws InputError as require_comparable(); std::runtime_error where a file cannot be written.
 CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
                       const CompareOptions& options);
 

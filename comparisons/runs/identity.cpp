@@ -8,11 +8,16 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "comparisons/results/journal.hpp"
+#include "comparisons/results/files.hpp"
 #include "engines/worker/request.hpp"
 
 namespace rockstack {
 namespace {
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 /// The checksum of a file's bytes, read once.
 std::uint64_t file_checksum(const std::filesystem::path& file) {
@@ -21,9 +26,7 @@ std::uint64_t file_checksum(const std::filesystem::path& file) {
   const std::lock_guard lock(mutex);
   const auto found = known.find(file);
   if (found != known.end()) return found->second;
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  return known[file] = checksum(bytes);
+  return known[file] = checksum(bytes_of(file));
 }
 
 }  // namespace
@@ -43,12 +46,30 @@ std::string identity(const Job& job) {
   return fmt::format("{:016x}", checksum(text + to_bytes(Request{request})));
 }
 
+Checksums checksums(const std::filesystem::path& run_folder) {
+  Checksums sums;
+  for (const auto& entry : std::filesystem::directory_iterator(run_folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name != "summary.json") sums[name] = fmt::format("{:016x}", checksum(bytes_of(entry.path())));
+  }
+  return sums;
+}
+
 std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, const std::string& identity) {
   std::ifstream stream(run_folder / "summary.json");
-  const auto summary = nlohmann::ordered_json::parse(stream, nullptr, false);
-  if (!summary.is_object() || summary.value("identity", "") != identity) return {};
-  const RunMetrics row = metrics_from(summary);
-  return row.status == RunStatus::done ? std::optional(row) : std::nullopt;
+  try {
+    const auto summary = nlohmann::ordered_json::parse(stream);
+    const RunMetrics row = metrics_from(summary);
+    if (row.status != RunStatus::done || summary.at("identity") != identity) return {};
+    const Checksums found = checksums(run_folder);
+    for (const auto& [name, sum] : summary.at("files").get<Checksums>()) {
+      const auto file = found.find(name);
+      if (file == found.end() || file->second != sum) return {};
+    }
+    return row;
+  } catch (const nlohmann::json::exception&) {
+    return {};
+  }
 }
 
 }  // namespace rockstack

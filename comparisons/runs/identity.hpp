@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -12,7 +13,14 @@ namespace rockstack {
 /// numbers, the engine's parameters, what is wanted, and the bytes of this program and of the worker's.
 std::string identity(const Job& job);
 
-/// The row of a run that is done and whose results in its folder have that identity, or nothing.
+/// Names and checksums of files, in hexadecimal.
+using Checksums = std::map<std::string, std::string>;
+
+/// Of all files of a run but its summary, which keeps them: it is written last.
+Checksums checksums(const std::filesystem::path& run_folder);
+
+/// The row of a run that is done, of that identity, and whose files are all there as they were written; or
+/// nothing.
 std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, const std::string& identity);
 
 }  // namespace rockstack

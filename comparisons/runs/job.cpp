@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "comparisons/results/files.hpp"
+
 namespace rockstack {
 
 bool is_baseline(const Job& job) {
@@ -16,7 +18,8 @@ RunMetrics describe(const Job& job) {
     row.engine = job.series->engine->name();
     row.solver = job.series->engine->solver();
     row.settings = job.series->settings;
-    row.run = fmt::format("{}.{}-{}-{}-{}", row.scene, row.engine, row.solver, row.settings, job.dt);
+    row.run =
+        folder_name(fmt::format("{}.{}-{}-{}-{}", row.scene, row.engine, row.solver, row.settings, job.dt));
   } else if (is_baseline(job)) {
     row.dt = job.dt;
     row.engine = job.variant->name();

@@ -28,8 +28,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double sample_interval = 1e-3;  // of histories that have no step of their own, s
-
 Json summary(const RunMetrics& row, const NamedScene& scene, const Parameters& parameters,
              const std::vector<const WorkerEngine*>& engines, const std::string& command) {
   Json json = metrics_json(row);
@@ -191,6 +189,7 @@ RunMetrics measure(const Job& job, const std::filesystem::path& folder, const st
     json = summary(row, job.scene, {}, {}, command);
   }
   json["identity"] = identity(job);
+  json["files"] = checksums(own);
   write_file(own / "summary.json", json.dump(2) + "\n");
   return row;
 }

@@ -8,6 +8,9 @@
 
 namespace rockstack {
 
+/// Of histories that have no step of their own, s.
+inline constexpr double sample_interval = 1e-3;
+
 /// Makes one run of a comparison anew and writes FOLDER/runs/<run>/: for the exact solution its history and
 /// events, for others what compare_with_exact() writes, and at last summary.json. A failure ends up in the
 /// row. `runs_at_a_time`: how many share the machine with it, itself included.

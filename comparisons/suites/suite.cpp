@@ -13,6 +13,7 @@
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
+#include "comparisons/results/files.hpp"
 
 namespace rockstack {
 namespace {
@@ -38,12 +39,20 @@ std::vector<Variant> read_variants(const Node& array) {
   std::vector<Variant> variants;
   for (const Node& child : array.children) {
     using enum Variant::Choice;
-    variants.push_back({choice<Variant::Choice>(
+    const auto chosen = choice<Variant::Choice>(
         child,
-        {{"linear", linear}, {"nonlinear", nonlinear}, {"paper", paper}, {"consistent", consistent}})});
+        {{"linear", linear}, {"nonlinear", nonlinear}, {"paper", paper}, {"consistent", consistent}});
+    const auto same = [&](const Variant& variant) { return variant.choice == chosen; };
+    if (std::any_of(variants.begin(), variants.end(), same)) throw wrong_value(child, "named once");
+    variants.push_back({chosen});
   }
   return variants;
 }
+
+/// Keys that only suites have.
+constexpr std::initializer_list<const char*> suite_keys{
+    "scenes", "variants",      "engines",    "tolerance",  "repeats",     "results",
+    "set",    "perturbations", "statements", "time_limit", "memory_limit"};
 
 constexpr std::initializer_list<std::pair<const char*, bool Wanted::*>> result_names{
     {"angles", &Wanted::angles},
@@ -104,11 +113,13 @@ std::vector<std::string> names_of(const Wanted& wanted) {
 NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Scene scene = read_scene(file, overrides);
   std::ifstream stream(file, std::ios::binary);
-  return {file.stem().string(), {std::istreambuf_iterator<char>(stream), {}}, std::move(scene)};
+  return {folder_name(file.stem().string()), {std::istreambuf_iterator<char>(stream), {}}, std::move(scene)};
 }
 
 bool is_suite(const std::filesystem::path& file) {
-  return find(read_toml(file), "scenes") != nullptr;
+  const Node root = read_toml(file);
+  return std::any_of(suite_keys.begin(), suite_keys.end(),
+                     [&](const char* key) { return find(root, key) != nullptr; });
 }
 
 bool is_study(const std::filesystem::path& file) {

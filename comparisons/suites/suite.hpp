@@ -14,7 +14,7 @@ namespace rockstack {
 
 /// A scene with the name and text that its results go by.
 struct NamedScene {
-  std::string name;  ///< of the file, without folder and ending
+  std::string name;  ///< of the file, without folder and ending, as folder_name()
   std::string text;  ///< the file as it was read
   Scene scene;
 };
@@ -72,7 +72,8 @@ const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::s
 /// Reads a scene and keeps its text. @throws InputError as read_scene().
 NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// True where a file is a suite: it has the key `scenes`. @throws InputError for a file that is not TOML.
+/// True where a file is a suite: it has a key that only suites have. @throws InputError for a file that is
+/// not TOML.
 bool is_suite(const std::filesystem::path& file);
 
 /// True where a file asks for a study in place of scenes: it has the key `study`. @throws InputError

@@ -1,5 +1,5 @@
-// Preloaded into the program and its workers: a child asks to go with its parent only after that has gone, and
-// a worker that starts says so.
+// Preloaded into the program and its workers: a child asks to go with its parent only after that has gone,
+// and a worker that starts says so.
 
 #include <dlfcn.h>
 #include <unistd.h>

@@ -11,7 +11,8 @@ namespace rockstack {
 std::string file_text(const std::filesystem::path& file) {
   constexpr std::uintmax_t largest = 64U << 20U;  // bytes
   const auto refuse = [&](const char* reason) {
-    return InputError(file.string() + ": must be a file, " + reason);
+    const std::string name = file.empty() ? "\"\"" : file.string();
+    return InputError(name + ": must be a file, " + reason);
   };
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);

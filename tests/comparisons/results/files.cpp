@@ -7,6 +7,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/results/journal.hpp"
+#include "comparisons/results/results_folder.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -46,6 +47,44 @@ TEST(Files, ThatCannotBeWrittenAreNamedAndLeaveNothing) {
         << error.what();
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Files, NamesOfFoldersAreShortAndStillTellTextsApart) {
+  EXPECT_EQ(folder_name("scene.ode-step-tuned-0.001"), "scene.ode-step-tuned-0.001");
+  std::string one(200, 'x');
+  std::string other = one + "y";
+  EXPECT_LE(folder_name(one).size(), 128U);
+  EXPECT_NE(folder_name(one), folder_name(other));
+  std::string letters;
+  for (int k = 0; k < 100; ++k) letters += "ö";
+  for (const std::string& text : {letters, "x" + letters}) {
+    const std::string name = folder_name(text);
+    EXPECT_EQ(name.substr(0, name.rfind('-')).size() % 2, text.size() % 2) << name;
+  }
+}
+
+TEST(Files, AFolderHoldsResultsOfOneKindWithoutThoseOfBefore) {
+  const TemporaryFolder folder;
+  folder.write("fits.csv", "stale");
+  folder.write("kept.txt", "a user's own");
+  std::filesystem::create_directories(folder.path() / "runs" / "a");
+  std::filesystem::create_directories(folder.path() / "figures");
+  {
+    const ResultsFolder results(folder.path(), Results::comparison);
+    EXPECT_THROW((ResultsFolder{folder.path(), Results::comparison}), InputError) << "one at a time";
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "fits.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "figures"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "kept.txt"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs" / "a"));
+  EXPECT_NO_THROW((ResultsFolder{folder.path(), Results::comparison}));
+  try {
+    const ResultsFolder results(folder.path(), Results::sweep);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(),
+              "--out " + folder.path().string() + ": must be a folder of its own: it holds a comparison");
+  }
 }
 
 TEST(Files, FoldersAreMadeOrTakenAndLeftEmpty) {

@@ -7,6 +7,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/results/csv.hpp"
+#include "comparisons/runs/job.hpp"
 #include "comparisons/statistics/tally.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -131,11 +132,43 @@ TEST(Compare, RunsThatAreDoneAreNotMadeAgain) {
     EXPECT_EQ(metrics_json(first.rows[i]), metrics_json(again.rows[i])) << first.rows[i].run;
 }
 
+TEST(Compare, NamesOfRunsFitIntoAnyFileSystem) {
+  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  const TemporaryFolder folder;
+  const std::string stem(249, 's');
+  const NamedScene scene = read_named_scene(folder.write(stem + ".toml", block), {});
+  EXPECT_LE(scene.name.size(), 128U);
+  Suite suite;
+  suite.scenes = {scene};
+  EngineSeries series = make_series(engines().front(), "tuned", {1e-2});
+  series.settings = std::string(400, 'p');
+  EXPECT_LE(describe({suite, suite.scenes[0], 1e-2, &series}).run.size(), 128U);
+}
+
+TEST(Compare, ScenesTooLongToBeSampledAreNamed) {
+  const TemporaryFolder folder;
+  Suite suite = small_suite(folder);
+  suite.scenes[0].scene.duration = 1e12;
+  try {
+    require_comparable({suite});
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("duration = 1000000000000: must be at most 10000 s"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(Compare, RunsOfOtherInputsOrThatAreTornAreMadeAgain) {
   const TemporaryFolder folder;
   Suite suite = small_suite(folder);
   const auto rows = compare({suite}, folder.path(), {}).rows;
   std::filesystem::remove(folder.path() / "runs" / rows[0].run / "summary.json");
+  EXPECT_EQ(compare({suite}, folder.path(), {}).reused, rows.size() - 1);
+  const auto history = folder.path() / "runs" / rows[0].run / "history.csv";
+  std::filesystem::resize_file(history, std::filesystem::file_size(history) / 2);
+  EXPECT_EQ(compare({suite}, folder.path(), {}).reused, rows.size() - 1);
+  std::filesystem::remove(folder.path() / "runs" / rows[0].run / "reactions.csv");
   EXPECT_EQ(compare({suite}, folder.path(), {}).reused, rows.size() - 1);
   if (!suite.series.empty()) {
     suite.series[0].parameters.begin()->second += 1;

@@ -4,11 +4,11 @@
 #include <random>
 #include <stdexcept>
 
-#include "analytic/scene/input_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/ensemble/ensemble.hpp"
 #include "comparisons/suites/suite.hpp"
-#include "tests/analytic/records/mutations.hpp"
-#include "tests/analytic/scene/scene_mutations.hpp"
+#include "tests/analytic/scene/ground/records/mutations.hpp"
+#include "tests/analytic/scene/input/scene_mutations.hpp"
 
 namespace rockstack {
 namespace {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "engines/worker/request.hpp"
-#include "tests/analytic/records/mutations.hpp"
+#include "tests/analytic/scene/ground/records/mutations.hpp"
 
 namespace rockstack {
 namespace {

@@ -9,7 +9,7 @@
 #include "comparisons/results/csv.hpp"
 #include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
-#include "tests/analytic/records/mutations.hpp"
+#include "tests/analytic/scene/ground/records/mutations.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {
