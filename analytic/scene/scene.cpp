@@ -15,7 +15,13 @@ void validate_block(const Block& block, const std::string& key) {
   require_positive(key + ".width", 2 * block.half_width);
   require_positive(key + ".height", 2 * block.half_height);
   require_positive(key + ".mass", block.mass);
-  require_positive(key + ".inertia", block.inertia);
+  // The mass times the square of a length: of a grain below 0.1 mm it is beyond 10⁻²⁰ kg·m².
+  const double square = largest_number * largest_number;
+  if (!(block.inertia >= block.mass / square && block.inertia <= block.mass * square)) {
+    throw FieldError(
+        key + ".inertia", number_text(block.inertia),
+        "a number from " + number_text(block.mass / square) + " to " + number_text(block.mass * square));
+  }
 }
 
 void require_all_signed(const std::string& key, const std::vector<double>& values) {

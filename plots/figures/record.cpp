@@ -4,17 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/results/csv.hpp"
+#include "plots/data/json_file.hpp"
 #include "plots/drawing/layout.hpp"
 
 namespace rockstack::plots {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::size_t bins = 1500;
 constexpr auto line_style = "with lines lw 1.5 lc rgb '#0B4F8A' notitle";
@@ -39,10 +36,8 @@ Mark to_mark(const Json& json) {
 }
 
 RecordFacts read_facts(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw InputError(file.string() + ": cannot be read");
+  const Json json = read_json(file);
   try {
-    const Json json = Json::parse(stream);
     const auto& span = json.at("significant_5_95");
     const std::string record = std::filesystem::path(json.at("file").get<std::string>()).filename().string();
     const std::string channel = json.at("channel");

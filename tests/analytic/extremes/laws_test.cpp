@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "analytic/solve.hpp"
 #include "analytic/solver/solver.hpp"
 #include "analytic/solver/to_double.hpp"
@@ -82,14 +85,11 @@ TEST(Extremes, SizesTooFarApartForLongDoubleAreSaidToBe) {
   EXPECT_THROW(solve(small_below_large(1e-6)), IllConditioned);
 }
 
-TEST(Extremes, ChatterInsideChatterWithoutAnEndIsSaidToBe) {
-  try {
-    solve(extreme_scene(4995));
-    FAIL() << "came to an end";
-  } catch (const std::runtime_error& failure) {
-    EXPECT_NE(std::string(failure.what()).find("chatter inside each other"), std::string::npos)
-        << failure.what();
-  }
+// More than ten thousand events within a thousandth of √(H/g), and then the column topples.
+TEST(Extremes, ChatterInsideChatterComesToAnEnd) {
+  const History history = solve(extreme_scene(4995));
+  EXPECT_GT(history.events.size(), 10'000U);
+  EXPECT_EQ(history.events.back().kind, EventKind::topple);
 }
 
 /// The time to which a number of steps brings a scene, s.
@@ -134,22 +134,34 @@ double largest_deviation(const testing::Agreement& agreement) {
   return largest;
 }
 
+/// The middle one of an odd number of values.
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 // Of unequal blocks, events in double may be off by 10⁴ times and more what 16 roundings of the scene's own
 // numbers make of them at 113 bits. So that is not the scene's doing, but that of roundings of operations:
-// those of long double, 2⁻¹¹ of double's, bring it down by as much, give or take their luck of a decade.
+// those of long double, 2⁻¹¹ of double's, bring it down by as much. One scene's roundings are luck, by a
+// decade to either side; what holds is the median of scenes that differ in the sixth digit.
 TEST(Extremes, WhatUnequalBlocksAddIsRoundingOfOperations) {
+  const SolveOptions options{.resolution = std::numeric_limits<double>::epsilon()};
   for (const std::uint64_t seed : {121U, 922U}) {
-    const Scene scene = extreme_scene(seed);
-    const testing::QuadHistory expected = testing::reference(scene);
-    const History history = solve(scene);
-    const SolveOptions options{.resolution = std::numeric_limits<double>::epsilon()};
-    const History longer = to_double(Solver<long double>(scene, options).run());
-    const double by_double = largest_deviation(testing::compare(history, expected));
-    const double by_long_double = largest_deviation(testing::compare(longer, expected));
-    const double by_input = largest_deviation(testing::response_to_rounding(scene, expected, 16, 8));
-    EXPECT_GT(by_double, 1e4 * by_input) << seed;
-    EXPECT_LT(by_long_double, by_double / 200) << seed;
-    EXPECT_LT(by_double, 16 * by_input * testing::weight_of_rounding(scene, history)) << seed;
+    std::vector<double> by_double, by_long_double, by_input;
+    for (int draw = 0; draw < 7; ++draw) {
+      Scene scene = extreme_scene(seed);
+      for (Block& block : scene.blocks) block.half_height *= 1 + 1e-6 * draw;
+      const testing::QuadHistory expected = testing::reference(scene);
+      const History history = solve(scene);
+      const History longer = to_double(Solver<long double>(scene, options).run());
+      by_double.push_back(largest_deviation(testing::compare(history, expected)));
+      by_long_double.push_back(largest_deviation(testing::compare(longer, expected)));
+      by_input.push_back(largest_deviation(testing::response_to_rounding(scene, expected, 16, 8)));
+      EXPECT_LT(by_double.back(), 16 * by_input.back() * testing::weight_of_rounding(scene, history)) << seed;
+    }
+    EXPECT_GT(median(by_double), 1e4 * median(by_input)) << seed;
+    EXPECT_LT(median(by_long_double), median(by_double) / 200) << seed;
   }
 }
 

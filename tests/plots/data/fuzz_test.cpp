@@ -22,11 +22,13 @@ void read_all(const fs::path& folder) {
   const Comparison comparison = read_comparison(folder);
   for (const ComparedScene& scene : comparison.scenes) {
     for (const StepLine& line : step_lines(comparison, scene.name)) line_label(line);
-    for (const Run& run : shown_runs(comparison, scene.name).engines) {
-      EXPECT_EQ(run.folder.parent_path(), folder / "runs");
-      read_summary(run);
-      read_columns(run.folder / "history.csv", numbered("theta_", scene.blocks));
-    }
+    const Shown shown = shown_runs(comparison, scene.name);
+    for (const std::vector<Run>& runs : {shown.exact, shown.engines})
+      for (const Run& run : runs) {
+        EXPECT_EQ(run.folder.parent_path(), folder / "runs");
+        read_summary(run);
+        read_columns(run.folder / "history.csv", numbered("theta_", scene.blocks));
+      }
   }
 }
 
@@ -47,7 +49,7 @@ void expect_read_or_refused(const fs::path& folder, const fs::path& file) {
       FAIL() << error.what() << "\n" << wounded;
     }
   }
-  EXPECT_GT(refused, rounds / 20) << "mutations must do harm";
+  EXPECT_GT(refused, rounds / 20) << file << ": mutations must do harm";
   std::ofstream(file, std::ios::binary) << whole;
 }
 
