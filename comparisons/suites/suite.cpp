@@ -40,8 +40,7 @@ std::vector<Variant> read_variants(const Node& array) {
   for (const Node& child : array.children) {
     using enum Variant::Choice;
     const auto chosen = choice<Variant::Choice>(
-        child,
-        {{"linear", linear}, {"nonlinear", nonlinear}, {"paper", paper}, {"consistent", consistent}});
+        child, {{"linear", linear}, {"nonlinear", nonlinear}, {"paper", paper}, {"consistent", consistent}});
     const auto same = [&](const Variant& variant) { return variant.choice == chosen; };
     if (std::any_of(variants.begin(), variants.end(), same)) throw wrong_value(child, "named once");
     variants.push_back({chosen});
