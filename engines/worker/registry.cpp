@@ -27,7 +27,7 @@ std::vector<std::string> worker_programs() {
 }
 
 std::filesystem::path find_worker(const std::string& name) {
-  const std::filesystem::path file = worker_folder() / name;
+  std::filesystem::path file = worker_folder() / name;
   std::error_code ignored;
   if (std::filesystem::exists(file, ignored)) return file;
   throw std::runtime_error(fmt::format("{}: must be there, it came with this program", file.string()));
