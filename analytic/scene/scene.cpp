@@ -85,6 +85,10 @@ void validate_duration(const Scene& scene) {
 
 }  // namespace
 
+const char* name(Law law) {
+  return law == Law::paper ? "paper" : "consistent";
+}
+
 double rectangle_inertia(double mass, double half_width, double half_height) {
   return mass * (half_width * half_width + half_height * half_height) / 3;
 }

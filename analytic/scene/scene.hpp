@@ -41,6 +41,9 @@ Block make_block(double width, double height, double density);
 /// Which pattern follows an impact; see analytic/mechanics/impact.hpp.
 enum class Law { paper, consistent };
 
+/// As scene files have it.
+const char* name(Law law);
+
 /// The full equations of motion, or those with geometry frozen upright: Spanos et al. 2001, Eqs. (19)–(28).
 enum class Equations { nonlinear, linear };
 
@@ -59,9 +62,9 @@ struct EngineSurface {
 /// One question: a stack of blocks, how it starts, how the ground moves, and for how long. SI units.
 struct Scene {
   std::string title;
-  double duration = 0;    ///< s, > 0, at most 10⁷ √(R/a), see validate()
-  double gravity = 9.81;  ///< m/s², > 0
-  Law law = Law::paper;
+  double duration = 0;        ///< s, > 0, at most 10⁷ √(R/a), see validate()
+  double gravity = 9.81;      ///< m/s², > 0
+  Law law = Law::consistent;  ///< engines side with it; `paper` is that of Spanos et al. 2001
   Equations equations = Equations::nonlinear;
   std::vector<Block> blocks;  ///< bottom to top, 1 … max_blocks
   InitialState initial;

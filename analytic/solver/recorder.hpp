@@ -17,6 +17,9 @@ class Recorder {
   Recorder(const Model<Real, N>& model, const SolveOptions& options) : model_(model), options_(options) {
     const int size = model.stack.size();
     rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model.gravity * model.stack.mass.sum());
+    using std::sqrt;
+    negligible_impulse_ =
+        Real(1e-6) * model.stack.mass.sum() * sqrt(2 * model.gravity * model.stack.half_height.sum());
     history_.blocks = size;
     if (options.peaks) history_.peaks.assign(static_cast<std::size_t>(size), Real(0));
     if (options.validity) {
@@ -48,9 +51,10 @@ class Recorder {
     return false;
   }
 
-  /// The impulses of an impact.
+  /// The impulses of an impact. One of chatter that is a millionth of the momentum that the stack has after
+  /// falling its own size, or less, bears nothing.
   void note_impact(const PatternSolution<Real, N>& solution, const Real& time) {
-    if (options_.validity) note_demands(history_.impulses, solution, time);
+    if (options_.validity) note_demands(history_.impulses, solution, negligible_impulse_, time);
   }
 
   /// An event from pattern `from` and relative velocities `before` to the state `after`.
@@ -126,7 +130,8 @@ class Recorder {
     if (cleared.count() == history_.forces.size()) return;
     const Real start = piece.start + offset;
     if (output.forces[0].normal.terms == 0)
-      return note_demands(history_.forces, accelerate(model_, output.start, piece.at(offset)), start);
+      return note_demands(history_.forces, accelerate(model_, output.start, piece.at(offset)), rounding_,
+                          start);
     for (std::size_t k = 0; k < history_.forces.size(); ++k)
       if (!cleared.test(k))
         note_demand_along(history_.forces[k], output.forces[k], s, rounding_, start, output.length);
@@ -134,7 +139,8 @@ class Recorder {
 
   const Model<Real, N>& model_;
   const SolveOptions& options_;
-  Real rounding_{};  ///< of forces, N
+  Real rounding_{};            ///< of forces, N
+  Real negligible_impulse_{};  ///< N·s
   std::size_t next_sample_ = 0;
   BasicHistory<Real> history_;
 };

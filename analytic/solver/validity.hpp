@@ -29,13 +29,16 @@ void note_demand(BasicDemand<Real>& demand, const Real& raw, const Real& tangent
   }
 }
 
-/// Takes a solution into account.
+/// Takes a solution into account, but for interfaces that bear no more than is negligible.
 template <class Real, int N>
 void note_demands(std::vector<BasicDemand<Real>>& demands, const PatternSolution<Real, N>& solution,
-                  const Real& time) {
+                  const Real& negligible, const Real& time) {
+  using std::abs;
   for (int k = 0; k < solution.pattern.size; ++k) {
-    note_demand(demands[static_cast<std::size_t>(k)], solution.reactions.normal[k],
-                solution.reactions.tangential[k], solution.rounding[k], time);
+    const Real& normal = solution.reactions.normal[k];
+    const Real& tangential = solution.reactions.tangential[k];
+    if (abs(normal) <= negligible && abs(tangential) <= negligible) continue;
+    note_demand(demands[static_cast<std::size_t>(k)], normal, tangential, solution.rounding[k], time);
   }
 }
 
