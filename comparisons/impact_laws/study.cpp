@@ -59,7 +59,7 @@ double read_positive(const Node& root, const char* key, double otherwise) {
   return node == nullptr ? otherwise : number_above_zero(*node);
 }
 
-ImpactDraws read_draws(const Node& root) {
+ImpactDraws read_impact_draws(const Node& root) {
   ImpactDraws draws;
   if (const Node* seed = find(root, "seed"))
     draws.seed = static_cast<std::uint64_t>(whole_number(*seed, 0, largest_seed));
@@ -194,7 +194,7 @@ ImpactLawStudy read_impact_law_study(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   ImpactLawStudy study{text(required(root, "title", "text")),
                        {std::istreambuf_iterator<char>(stream), {}},
-                       read_draws(root),
+                       read_impact_draws(root),
                        0,
                        read_engines(root)};
   study.least_clearness = read_positive(root, "least_clearness", 0.1);

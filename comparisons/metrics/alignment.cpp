@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <set>
 
 namespace rockstack {
 namespace {
@@ -16,16 +18,20 @@ struct Score {
   }
 };
 
-class Tails {
+/// The impacts of one interface, by their numbers in both sequences.
+class InterfaceAlignment {
  public:
-  Tails(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine, double window)
+  InterfaceAlignment(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
+                     const std::vector<double>& windows, int interface)
       : exact_(exact),
         engine_(engine),
-        window_(window),
-        columns_(engine.size() + 1),
-        scores_((exact.size() + 1) * columns_) {
-    for (std::size_t i = exact.size(); i-- > 0;) {
-      for (std::size_t j = engine.size(); j-- > 0;) {
+        windows_(windows),
+        exact_numbers_(of_interface(exact, interface)),
+        engine_numbers_(of_interface(engine, interface)),
+        columns_(engine_numbers_.size() + 1),
+        scores_((exact_numbers_.size() + 1) * columns_) {
+    for (std::size_t i = exact_numbers_.size(); i-- > 0;) {
+      for (std::size_t j = engine_numbers_.size(); j-- > 0;) {
         Score best = at(i + 1, j);
         if (at(i, j + 1).better_than(best)) best = at(i, j + 1);
         if (fit(i, j) && paired(i, j).better_than(best)) best = paired(i, j);
@@ -34,6 +40,44 @@ class Tails {
     }
   }
 
+  void append_to(std::vector<AlignedImpact>& lines) const {
+    std::size_t i = 0, j = 0;
+    while (i < exact_numbers_.size() || j < engine_numbers_.size()) {
+      const bool both = i < exact_numbers_.size() && j < engine_numbers_.size();
+      const bool pair = both && starts_paired(i, j);
+      const bool takes_exact =
+          pair || j == engine_numbers_.size() || (both && !at(i, j + 1).better_than(at(i + 1, j)));
+      AlignedImpact line;
+      if (takes_exact) {
+        line.interface = exact_at(i).interface;
+        line.number = static_cast<int>(exact_numbers_[i]) + 1;
+        line.exact = exact_at(i).time;
+        line.exact_side = exact_at(i).side;
+      }
+      if (pair || !takes_exact) {
+        line.interface = engine_at(j).interface;
+        line.engine = engine_at(j).time;
+        line.engine_side = engine_at(j).side;
+        ++j;
+      }
+      if (takes_exact) ++i;
+      lines.push_back(line);
+    }
+  }
+
+ private:
+  static std::vector<std::size_t> of_interface(const std::vector<ImpactTime>& impacts, int interface) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < impacts.size(); ++i) {
+      if (impacts[i].interface == interface) numbers.push_back(i);
+    }
+    return numbers;
+  }
+
+  const ImpactTime& exact_at(std::size_t i) const { return exact_[exact_numbers_[i]]; }
+  const ImpactTime& engine_at(std::size_t j) const { return engine_[engine_numbers_[j]]; }
+
+  /// Of the tails from i and j.
   const Score& at(std::size_t i, std::size_t j) const { return scores_[i * columns_ + j]; }
 
   /// True where the best alignment of the tails from i and j starts with the pair (i, j).
@@ -41,48 +85,41 @@ class Tails {
     return fit(i, j) && !at(i + 1, j).better_than(paired(i, j)) && !at(i, j + 1).better_than(paired(i, j));
   }
 
- private:
   bool fit(std::size_t i, std::size_t j) const {
-    return exact_[i].interface == engine_[j].interface && sign(exact_[i].side) * sign(engine_[j].side) >= 0 &&
-           std::abs(exact_[i].time - engine_[j].time) <= window_;
+    return sign(exact_at(i).side) * sign(engine_at(j).side) >= 0 &&
+           std::abs(exact_at(i).time - engine_at(j).time) <= windows_[exact_numbers_[i]];
   }
 
   Score paired(std::size_t i, std::size_t j) const {
     const Score& rest = at(i + 1, j + 1);
-    return {rest.pairs + 1, rest.difference + std::abs(exact_[i].time - engine_[j].time)};
+    return {rest.pairs + 1, rest.difference + std::abs(exact_at(i).time - engine_at(j).time)};
   }
 
   const std::vector<ImpactTime>& exact_;
   const std::vector<ImpactTime>& engine_;
-  double window_;
+  const std::vector<double>& windows_;
+  std::vector<std::size_t> exact_numbers_, engine_numbers_;
   std::size_t columns_;
   std::vector<Score> scores_;
 };
 
+double time_of(const AlignedImpact& line) {
+  return line.exact ? *line.exact : *line.engine;
+}
+
 }  // namespace
 
 std::vector<AlignedImpact> align(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
-                                 double window) {
-  const Tails tails(exact, engine, window);
-  std::vector<AlignedImpact> lines;
-  std::size_t i = 0;
-  std::size_t j = 0;
-  while (i < exact.size() || j < engine.size()) {
-    const bool both = i < exact.size() && j < engine.size();
-    const auto number = static_cast<int>(i) + 1;
-    if (both && tails.starts_paired(i, j)) {
-      lines.push_back(
-          {exact[i].interface, number, exact[i].time, engine[j].time, exact[i].side, engine[j].side});
-      ++i;
-      ++j;
-    } else if (j == engine.size() || (both && !tails.at(i, j + 1).better_than(tails.at(i + 1, j)))) {
-      lines.push_back({exact[i].interface, number, exact[i].time, {}, exact[i].side, {}});
-      ++i;
-    } else {
-      lines.push_back({engine[j].interface, {}, {}, engine[j].time, {}, engine[j].side});
-      ++j;
-    }
+                                 const std::vector<double>& windows) {
+  std::set<int> interfaces;
+  for (const auto* impacts : {&exact, &engine}) {
+    for (const ImpactTime& impact : *impacts) interfaces.insert(impact.interface);
   }
+  std::vector<AlignedImpact> lines;
+  for (const int interface : interfaces)
+    InterfaceAlignment(exact, engine, windows, interface).append_to(lines);
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const AlignedImpact& a, const AlignedImpact& b) { return time_of(a) < time_of(b); });
   return lines;
 }
 

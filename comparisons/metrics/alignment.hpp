@@ -17,11 +17,12 @@ struct AlignedImpact {
   Contact exact_side{}, engine_side{};  ///< to which it leaves, where there is one
 };
 
-/// Sets two impact sequences side by side in their order: as many pairs as possible on the same interface,
-/// no more than `window` s apart, and not leaving to opposite sides (closed goes with either); among those
-/// alignments, one with the least sum of time differences.
+/// Sets two impact sequences side by side, each interface by itself: as many pairs as possible in their
+/// order, no further apart than the exact impact's window (s, one each), and not leaving to opposite sides
+/// (closed goes with either); among those alignments, one with the least sum of time differences. Lines are
+/// in order of time.
 std::vector<AlignedImpact> align(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
-                                 double window);
+                                 const std::vector<double>& windows);
 
 struct AlignmentCounts {
   int matched = 0;

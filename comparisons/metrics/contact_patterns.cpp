@@ -62,7 +62,7 @@ std::vector<Pattern> sampled_patterns(const Scene& scene, const History& history
       const auto absolute = history.angles_at(i);
       angles[i] = absolute[block] - (k == 0 ? 0 : absolute[block - 1]);
     }
-    const std::vector<Contact> list = contacts(history.times, angles, matching_window(scene));
+    const std::vector<Contact> list = contacts(history.times, angles, settling_duration(scene));
     for (std::size_t i = 0; i < list.size(); ++i) patterns[i][k] = list[i];
   }
   return patterns;

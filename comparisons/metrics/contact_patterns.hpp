@@ -15,7 +15,7 @@ namespace rockstack {
 inline constexpr double open_angle = 2e-3;
 
 /// The pattern at each sample. An interface is closed where it stays within open_angle for at least
-/// matching_window(scene), and at the history's ends; in shorter stretches it changes sides as its relative
+/// settling_duration(scene), and at the history's ends; in shorter stretches it changes sides as its relative
 /// angle reaches the other side, or stays on the one that it comes back to.
 std::vector<Pattern> sampled_patterns(const Scene& scene, const History& history);
 

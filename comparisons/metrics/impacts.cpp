@@ -26,7 +26,7 @@ double chatter_speed(const Scene& scene) {
   return 0.02 * std::sqrt(scene.gravity / stack_height(scene));
 }
 
-double matching_window(const Scene& scene) {
+double settling_duration(const Scene& scene) {
   return 0.1 * std::sqrt(stack_height(scene) / scene.gravity);
 }
 
@@ -36,8 +36,10 @@ std::vector<ImpactTime> reported_impacts(const History& history, double slowest)
     if (event.kind != EventKind::impact && event.kind != EventKind::closure && event.kind != EventKind::rest)
       continue;
     const auto interface = static_cast<std::size_t>(event.interface - 1);
-    if (std::abs(relative_at(event.before, interface)) >= slowest)
-      impacts.push_back({event.time, event.interface, side_of(relative_at(event.after, interface), slowest)});
+    const double approach = std::abs(relative_at(event.before, interface));
+    if (approach < slowest) continue;
+    impacts.push_back(
+        {event.time, event.interface, side_of(relative_at(event.after, interface), slowest), approach});
   }
   return impacts;
 }
@@ -59,7 +61,7 @@ std::vector<ImpactTime> observed_impacts(const History& history, double slowest)
       const double delay = passes ? step * gap / (gap - next_gap) : gap / approach;
       const std::size_t later = std::min(i + 2, history.size() - 1);
       impacts.push_back({history.times[i] + delay, static_cast<int>(k) + 1,
-                         side_of(relative_at(history.velocities_at(later), k), slowest)});
+                         side_of(relative_at(history.velocities_at(later), k), slowest), approach});
     }
   }
   std::stable_sort(impacts.begin(), impacts.end(),

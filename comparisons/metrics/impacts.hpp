@@ -16,14 +16,15 @@ struct ImpactTime {
   /// The side to which the interface leaves: that of its relative angular velocity after the impact, closed
   /// where that is too slow to count.
   Contact side = Contact::closed;
+  double approach = 0;  ///< relative angular speed before it, rad/s
 };
 
 /// Relative speed in rad/s below which an impact counts as chatter and is not compared: 0.02 √(g/H), H the
 /// height of the stack. A flight that starts at this speed stays below about 2e-4 rad.
 double chatter_speed(const Scene& scene);
 
-/// How far apart in time two impacts may be and still be the same one: 0.1 √(H/g), in s.
-double matching_window(const Scene& scene);
+/// How long an interface must stay closed to have settled: 0.1 √(H/g), in s.
+double settling_duration(const Scene& scene);
 
 /// Of an interface from 0, what its block has less what the block below has: of angles or of angular
 /// velocities.

@@ -8,7 +8,7 @@
 
 namespace rockstack {
 std::vector<ImpactTime> settlings(const Scene& scene, const History& history) {
-  const double slowest = chatter_speed(scene), least_time = matching_window(scene);
+  const double slowest = chatter_speed(scene), least_time = settling_duration(scene);
   std::vector<ImpactTime> list;
   for (std::size_t k = 0; k < static_cast<std::size_t>(history.blocks); ++k) {
     const auto is_quiet = [&](std::size_t i) {

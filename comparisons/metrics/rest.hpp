@@ -10,7 +10,7 @@
 namespace rockstack {
 
 /// When interfaces settle: an interface that has moved comes to stay within open_angle of closed, and slower
-/// than chatter_speed(scene), for at least matching_window(scene). All chatter of an interface is one
+/// than chatter_speed(scene), for at least settling_duration(scene). All chatter of an interface is one
 /// settling. In order of time.
 std::vector<ImpactTime> settlings(const Scene& scene, const History& history);
 

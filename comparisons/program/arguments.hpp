@@ -36,7 +36,8 @@ struct CompareArguments {
   std::vector<std::string> inputs;    ///< scenes or suites
   std::optional<std::string> record;  ///< in the place of made-up motions
   std::filesystem::path out;
-  std::size_t jobs = 1;  ///< runs at a time
+  std::size_t jobs = 1;  ///< runs at a time; without effect under mpirun
+  int draws = 0;         ///< behind each number of an engine; 0: as many as the suites say
 };
 
 struct PlotArguments {

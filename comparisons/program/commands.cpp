@@ -10,6 +10,7 @@
 #include "analytic/solve.hpp"
 #include "comparisons/impact_laws/study.hpp"
 #include "comparisons/metrics/validity.hpp"
+#include "comparisons/program/executor_choice.hpp"
 #include "comparisons/program/output.hpp"
 #include "comparisons/results/results_folder.hpp"
 #include "comparisons/runs/compare.hpp"
@@ -41,8 +42,19 @@ std::filesystem::path find_input(const std::string& input) {
 
 Suite read_input(const std::string& input, const Common& common) {
   const auto file = find_input(input);
+  if (is_stability_study(file)) return read_stability_study(file, common.overrides).suite;
   return is_suite(file) ? read_suite(file, common.overrides)
                         : suite_for(read_named_scene(file, common.overrides));
+}
+
+std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& common) {
+  std::vector<Suite> suites;
+  for (const std::string& input : arguments.inputs) {
+    suites.push_back(read_input(input, common));
+    if (arguments.draws > 0) suites.back().draws.runs = arguments.draws;
+  }
+  if (arguments.record) replace_made_up_motion(suites, *arguments.record);
+  return suites;
 }
 
 #ifdef ROCKSTACK_WITH_PLOTS
@@ -133,22 +145,27 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
 }
 
 int compare_command(const CompareArguments& arguments, const Common& common) {
+  const auto executor = make_executor(arguments.jobs);
+  if (!executor->leads()) {
+    serve_comparison(
+        *executor, [&] { return read_inputs(arguments, common); }, common.command);
+    return 0;
+  }
   for (const std::string& input : arguments.inputs) {
     const auto file = find_input(input);
     if (!is_study(file)) continue;
     if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
     if (arguments.record)
       throw InputError(fmt::format("--record {}: must be left out of a study", *arguments.record));
-    if (is_stability_study(file)) return stability_command(file, arguments.out, arguments.jobs, common);
+    if (is_stability_study(file))
+      return stability_command(file, arguments.out, *executor, arguments.draws, common);
     return study_command(file, arguments.out, common);
   }
-  std::vector<Suite> suites;
-  for (const std::string& input : arguments.inputs) suites.push_back(read_input(input, common));
-  if (arguments.record) replace_made_up_motion(suites, *arguments.record);
+  const std::vector<Suite> suites = read_inputs(arguments, common);
   require_comparable(suites);
   const ResultsFolder folder(arguments.out, Results::comparison);
   const CompareResult result =
-      compare(suites, arguments.out, {common.command, arguments.jobs, progress(common)});
+      compare(suites, arguments.out, *executor, {.command = common.command, .progress = progress(common)});
   print_rows(result, arguments.out, common);
 #ifdef ROCKSTACK_WITH_PLOTS
   draw_few(suites, arguments.out, common);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "comparisons/program/arguments.hpp"
+#include "comparisons/runs/executor.hpp"
 
 namespace rockstack {
 
@@ -20,8 +21,9 @@ int teach_command(const TeachArguments& arguments, const Common& common);
 int list_command(const std::string& what, const Common& common);
 
 /// Runs a study of stability, writes and draws its maps, and says how many runs have which verdict.
-int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, std::size_t jobs,
-                      const Common& common);
+/// `draws`: as CompareArguments::draws.
+int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, Executor& executor,
+                      int draws, const Common& common);
 
 /// @throws InputError where the value is not finite and > 0.
 void require_positive_option(const char* option, double value);

@@ -15,6 +15,7 @@
 #include "analytic/scene/input/document.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
+#include "comparisons/suites/perturbations.hpp"
 
 namespace {
 
@@ -87,6 +88,11 @@ Command add_compare(CLI::App& app, const Common& common) {
                    "runs at a time; with more than one, times are those of runs that share the machine")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command
+      ->add_option("--draws", arguments->draws,
+                   "runs at nearby steps of nearly the same scene behind each number of an engine; left out: "
+                   "as the suite says, 5 for a scene")
+      ->check(CLI::Range(1, most_draws));
   command
       ->add_option("--out", arguments->out,
                    "folder for results; a comparison that was stopped goes on there, runs that are done stay")

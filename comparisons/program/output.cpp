@@ -44,11 +44,21 @@ void print_row(const RunMetrics& row, const Widths& widths) {
   const std::string impacts = row.impacts_matched ? fmt::format("{}/{}/{}", *row.impacts_matched,
                                                                 *row.impacts_missed, *row.impacts_extra)
                                                   : "";
-  fmt::print("{:<{}} {:<{}} {:>7} {:>11} {:>9} {:>12} {:>9} {:>9} {:>10}\n", row.engine + ":" + row.solver,
-             widths.engine, row.settings, widths.settings, cell(row.dt, "{}"),
-             cell(row.first_impact_time_difference, "{:+.1e}"), impacts,
-             cell(row.rms_angle_difference, "{:.2e}"), cell(row.largest_angle_difference, "{:.2e}"),
-             cell(row.agreement_time, "{:.4g}"), cell(row.stepping_time_minimum, "{:.2e}"));
+  const std::string chance = row.impacts_matched_null
+                                 ? fmt::format("{}, {}", *row.impacts_matched_null,
+                                               std::max(row.impacts_matched_random.value_or(0),
+                                                        row.impacts_matched_shifted.value_or(0)))
+                                 : "";
+  const std::string quartiles =
+      row.rms_angle_difference_lower
+          ? fmt::format("{:.1e}…{:.1e}", *row.rms_angle_difference_lower, *row.rms_angle_difference_upper)
+          : "";
+  fmt::print("{:<{}} {:<{}} {:>7} {:>11} {:>9} {:>8} {:>9} {:>16} {:>9} {:>9} {:>10}\n",
+             row.engine + ":" + row.solver, widths.engine, row.settings, widths.settings, cell(row.dt, "{}"),
+             cell(row.first_impact_time_difference, "{:+.1e}"), impacts, chance,
+             cell(row.rms_angle_difference, "{:.2e}"), quartiles,
+             cell(row.largest_angle_difference, "{:.2e}"), cell(row.agreement_time, "{:.4g}"),
+             cell(row.stepping_time_minimum, "{:.2e}"));
 }
 
 bool shows_progress(const Common& common) {
@@ -167,18 +177,28 @@ void print_rows(const CompareResult& result, const std::filesystem::path& folder
   std::string scene;
   for (const RunMetrics& row : rows) {
     if (row.scene != scene) {
-      fmt::print("{}{}\n{:<{}} {:<{}} {:>7} {:>11} {:>9} {:>12} {:>9} {:>9} {:>10}\n",
-                 scene.empty() ? "" : "\n", row.scene, "engine:solver", widths.engine, "settings",
-                 widths.settings, "dt (s)", "first (s)", "impacts", "rms (rad)", "max (rad)", "agree (s)",
-                 "time (s)");
+      fmt::print("{}{}, law {}\n{:<{}} {:<{}} {:>7} {:>11} {:>9} {:>8} {:>9} {:>16} {:>9} {:>9} {:>10}\n",
+                 scene.empty() ? "" : "\n", row.scene, row.law, "engine:solver", widths.engine, "settings",
+                 widths.settings, "dt (s)", "first (s)", "impacts", "by none", "rms (rad)", "quartiles",
+                 "max (rad)", "agree (s)", "time (s)");
     }
     scene = row.scene;
     print_row(row, widths);
   }
   fmt::print(
-      "\nfirst: first impact, engine less exact; impacts: matched/missed/extra; agree: time until which "
-      "angles "
-      "stay\nwithin the tolerance; time: least wall time of stepping alone\n");
+      "\nfirst: first impact, engine less exact; impacts: matched/missed/extra; by none: how many match of "
+      "the "
+      "exact\nmotion itself, sampled at these steps, and by chance; agree: time until which angles stay "
+      "within "
+      "the tolerance;\ntime: least wall time of stepping alone\n");
+  const auto draws = std::max_element(rows.begin(), rows.end(), [](const RunMetrics& a, const RunMetrics& b) {
+    return a.draws.value_or(1) < b.draws.value_or(1);
+  });
+  if (draws != rows.end() && draws->draws)
+    fmt::print(
+        "numbers are medians of {} draws: steps within a few percent, scenes that differ in the sixth "
+        "digit\n",
+        *draws->draws);
   if (std::any_of(rows.begin(), rows.end(),
                   [](const RunMetrics& row) { return row.runs_at_a_time.value_or(1) > 1; }))
     fmt::print("times are those of runs that shared the machine\n");

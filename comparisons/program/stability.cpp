@@ -34,12 +34,14 @@ void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem
 
 }  // namespace
 
-int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, std::size_t jobs,
-                      const Common& common) {
-  const StabilityStudy study = read_stability_study(file, common.overrides);
+int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, Executor& executor,
+                      int draws, const Common& common) {
+  StabilityStudy study = read_stability_study(file, common.overrides);
+  if (draws > 0) study.suite.draws.runs = draws;
   require_comparable({study.suite});
   const ResultsFolder folder(out, Results::stability);
-  const std::vector<StabilityRun> rows = run_stability(study, out, {common.command, jobs, progress(common)});
+  const std::vector<StabilityRun> rows =
+      run_stability(study, out, executor, {.command = common.command, .progress = progress(common)});
   print_verdicts(rows, out, common);
 #ifdef ROCKSTACK_WITH_PLOTS
   plots::draw_stability(out);

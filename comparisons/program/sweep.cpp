@@ -2,16 +2,13 @@
 #include <csignal>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "comparisons/ensemble/sweep.hpp"
 #include "comparisons/program/commands.hpp"
+#include "comparisons/program/executor_choice.hpp"
 #include "comparisons/program/output.hpp"
 #include "comparisons/results/results_folder.hpp"
 #include "comparisons/suites/shipped.hpp"
-#ifdef ROCKSTACK_WITH_MPI
-#include "comparisons/runs/ranks.hpp"
-#endif
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures/sweep/sweep.hpp"
 #endif
@@ -24,14 +21,6 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set 
 
 extern "C" void interrupt(int /*signal*/) {
   interrupted = true;
-}
-
-/// The ranks that mpirun has started, or threads.
-std::unique_ptr<Executor> make_executor(std::size_t threads) {
-#ifdef ROCKSTACK_WITH_MPI
-  if (auto ranks = find_ranks()) return ranks;
-#endif
-  return make_threads(threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency()));
 }
 
 Ensemble read_ensemble(const SweepArguments& arguments, const Common& common, MotionLibrary& library) {
@@ -55,7 +44,7 @@ int serve(Executor& executor, const SweepArguments& arguments, const Common& com
 int sweep_command(const SweepArguments& arguments, const Common& common) {
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
-  const auto executor = make_executor(arguments.threads);
+  const auto executor = make_executor(arguments.threads > 0 ? arguments.threads : all_cores());
   if (!executor->leads()) return serve(*executor, arguments, common);
   MotionLibrary library;
   const Ensemble ensemble = read_ensemble(arguments, common, library);

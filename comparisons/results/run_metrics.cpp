@@ -61,10 +61,33 @@ Column measured(const char* name, const char* definition) {
   return result;
 }
 
+/// Of a number that every draw has its own of.
+template <auto field>
+Column drawn(const char* name, const char* definition) {
+  Column result = column<field>(name, definition);
+  result.drawn = true;
+  return result;
+}
+
+/// The same with its quartiles.
+template <auto field, auto lower, auto upper>
+Column drawn(const char* name, const char* definition) {
+  Column result = drawn<field>(name, definition);
+  result.set_quartiles = [](RunMetrics& row, const Json& low, const Json& high) {
+    from_json(low, row.*lower);
+    from_json(high, row.*upper);
+  };
+  return result;
+}
+
 std::vector<Column> run_columns() {
   return {
       column<&RunMetrics::run>("run", "name of the run, and of its folder under runs/"),
       column<&RunMetrics::scene>("scene", "name of the scene"),
+      column<&RunMetrics::law>(
+          "law",
+          "which pattern follows an impact, in the exact solution that the row is held against; of another "
+          "exact solution its own"),
       column<&RunMetrics::engine>("engine", "\"exact\", or the engine's name"),
       column<&RunMetrics::solver>("solver",
                                   "integrator of the exact solver, or the engine's constraint solver"),
@@ -81,6 +104,14 @@ std::vector<Column> run_columns() {
       column<&RunMetrics::reason>("reason", "why a run is not done"),
       column<&RunMetrics::steps>(
           "steps", "time steps that the engine made; fewer than the duration holds where a block toppled"),
+      column<&RunMetrics::draws>(
+          "draws",
+          "how many runs the numbers of the motion are medians of: the one at this step, and others at steps "
+          "and of scenes that hardly differ (draws.csv in the run's folder, spread.csv); empty where it is "
+          "one"),
+      column<&RunMetrics::draws_failed>("draws_failed", "how many of them failed"),
+      column<&RunMetrics::draws_other_verdict>(
+          "draws_other_verdict", "in how many of them one of both topples alone, engine or exact solution"),
   };
 }
 
@@ -100,6 +131,10 @@ std::vector<Column> cost_columns() {
           "be compared"),
       measured<&RunMetrics::real_time_factor>(
           "real_time_factor", "seconds of motion for one second of the least wall time of stepping"),
+      measured<&RunMetrics::exact_sampled_time>(
+          "exact_sampled_time",
+          "least wall time of the exact solver giving as many samples as the engine, over the same repeats, "
+          "s; the exact row's times are of solving without samples"),
       measured<&RunMetrics::processor_time>(
           "processor_time",
           "user and system time of the engine's process, as the operating system "
@@ -112,72 +147,97 @@ std::vector<Column> cost_columns() {
 
 std::vector<Column> motion_columns() {
   return {
-      column<&RunMetrics::largest_angle_difference>(
+      drawn<&RunMetrics::largest_angle_difference, &RunMetrics::largest_angle_difference_lower,
+            &RunMetrics::largest_angle_difference_upper>(
           "largest_angle_difference",
           "largest absolute difference of any block's angle, at the engine's own times, rad"),
-      column<&RunMetrics::rms_angle_difference>(
+      column<&RunMetrics::largest_angle_difference_lower>("largest_angle_difference_lower",
+                                                          "lower quartile of the same over draws"),
+      column<&RunMetrics::largest_angle_difference_upper>("largest_angle_difference_upper", "upper quartile"),
+      drawn<&RunMetrics::rms_angle_difference, &RunMetrics::rms_angle_difference_lower,
+            &RunMetrics::rms_angle_difference_upper>(
           "rms_angle_difference",
           "root of the mean square of that difference over all times and blocks, rad"),
-      column<&RunMetrics::relative_angle_difference>(
+      column<&RunMetrics::rms_angle_difference_lower>("rms_angle_difference_lower",
+                                                      "lower quartile of the same over draws"),
+      column<&RunMetrics::rms_angle_difference_upper>("rms_angle_difference_upper", "upper quartile"),
+      drawn<&RunMetrics::relative_angle_difference>(
           "relative_angle_difference",
           "the largest angle difference as a share of the largest exact angle of any block"),
-      column<&RunMetrics::magnitude_error>(
+      drawn<&RunMetrics::magnitude_error>(
           "magnitude_error",
           "amplitude part of the difference, blind to delay: root of the engine's mean square angle over the "
           "exact one, less 1 (Sprague & Geers 2003)"),
-      column<&RunMetrics::phase_error>(
+      drawn<&RunMetrics::phase_error>(
           "phase_error",
           "phase part, blind to amplitude: angle between both histories as vectors of all samples and "
           "blocks, "
           "as a share of half a turn (Sprague & Geers 2003); 0 in step, 1 in opposition"),
-      column<&RunMetrics::second_peak_difference>(
+      drawn<&RunMetrics::second_peak_difference>(
           "second_peak_difference",
           "peak of the top block in its second swing, after its angle first "
           "changed sign, less the exact one, "
           "as a share of the exact one"),
-      column<&RunMetrics::agreement_time>(
+      drawn<&RunMetrics::agreement_time, &RunMetrics::agreement_time_lower,
+            &RunMetrics::agreement_time_upper>(
           "agreement_time",
           "time until which no angle differs by more than the tolerance; the end where none ever does, s"),
+      column<&RunMetrics::agreement_time_lower>("agreement_time_lower",
+                                                "lower quartile of the same over draws"),
+      column<&RunMetrics::agreement_time_upper>("agreement_time_upper", "upper quartile"),
   };
 }
 
 std::vector<Column> impact_columns() {
   return {
-      column<&RunMetrics::first_impact_time_difference>(
+      drawn<&RunMetrics::first_impact_time_difference>(
           "first_impact_time_difference",
-          "time of the engine's first impact less that of the exact one's, s"),
-      column<&RunMetrics::impacts_matched>(
+          "time of the engine's first impact at the interface that impacts first, less the exact one's, s"),
+      drawn<&RunMetrics::impacts_matched>(
           "impacts_matched",
-          "impacts above the chatter speed that both have, in order, at the same "
-          "interface, within the matching "
-          "window, and not leaving to opposite sides; an impact leaves to a side "
-          "where the interface's relative "
-          "angular velocity after it is at least the chatter speed"),
-      column<&RunMetrics::impacts_missed>(
+          "impacts above the chatter speed that both have, in order at the same interface, not leaving to "
+          "opposite sides, and no further apart than the window: three steps and the drift, which is the "
+          "angle difference just before over the speed of closing, but never more than half way to the next "
+          "impact of the interface. An impact leaves to a side where the interface's relative angular "
+          "velocity after it is at least the chatter speed"),
+      drawn<&RunMetrics::impacts_missed>(
           "impacts_missed", "exact impacts above the chatter speed that the engine does not have"),
-      column<&RunMetrics::impacts_extra>(
+      drawn<&RunMetrics::impacts_extra>(
           "impacts_extra", "engine impacts above the chatter speed that the exact solution does not have"),
-      column<&RunMetrics::rms_impact_time_difference>(
+      drawn<&RunMetrics::impacts_matched_null>(
+          "impacts_matched_null",
+          "the null row: of the exact motion itself, sampled at the engine's steps and read as an engine's, "
+          "within three steps"),
+      drawn<&RunMetrics::impacts_missed_null>("impacts_missed_null", "likewise missed"),
+      drawn<&RunMetrics::impacts_extra_null>("impacts_extra_null", "likewise extra"),
+      drawn<&RunMetrics::impacts_matched_random>(
+          "impacts_matched_random",
+          "the chance level: how many match of as many impacts at times drawn at random, within the same "
+          "windows; median of 101"),
+      drawn<&RunMetrics::impacts_matched_shifted>(
+          "impacts_matched_shifted",
+          "likewise of the engine's own impacts, all shifted by the same time, a tenth of the duration to "
+          "nine tenths"),
+      drawn<&RunMetrics::rms_impact_time_difference>(
           "rms_impact_time_difference", "root of the mean square time difference of the matched impacts, s"),
-      column<&RunMetrics::largest_impact_time_difference>(
+      drawn<&RunMetrics::largest_impact_time_difference>(
           "largest_impact_time_difference", "largest absolute time difference of the matched impacts, s"),
-      column<&RunMetrics::settlings_matched>(
+      drawn<&RunMetrics::settlings_matched>(
           "settlings_matched",
-          "settlings that both have, within the matching window. All chatter of "
-          "an interface is one settling: "
-          "the interface comes to stay within 2 mrad of closed, slower than the "
-          "chatter speed, for at least the "
-          "matching window"),
-      column<&RunMetrics::settlings_missed>("settlings_missed",
-                                            "exact settlings that the engine does not have"),
-      column<&RunMetrics::settlings_extra>("settlings_extra",
-                                           "engine settlings that the exact solution does not have"),
-      column<&RunMetrics::pattern_agreement>(
+          "settlings that both have, within the settling duration, 0.1 sqrt(H/g). All chatter "
+          "of an interface is one settling: the interface comes to stay within 2 mrad of closed, slower "
+          "than the chatter speed, for at least the settling duration"),
+      drawn<&RunMetrics::settlings_missed>("settlings_missed",
+                                           "exact settlings that the engine does not have"),
+      drawn<&RunMetrics::settlings_extra>("settlings_extra",
+                                          "engine settlings that the exact solution does not have"),
+      drawn<&RunMetrics::pattern_agreement>(
           "pattern_agreement",
           "share of time in which the engine is in the exact pattern. An interface is closed while it stays "
-          "within 2 mrad for at least the matching window, and open to one side else; likewise for the exact "
+          "within 2 mrad for at least the settling duration, and open to one side else; likewise for the "
+          "exact "
           "solution, at the same times. patterns.csv holds the share of time of each pair of patterns"),
-      column<&RunMetrics::pattern_sequence_time>(
+      drawn<&RunMetrics::pattern_sequence_time>(
           "pattern_sequence_time",
           "time until which both pass through the same patterns in the same order; the end where they always "
           "do, s"),
@@ -186,29 +246,29 @@ std::vector<Column> impact_columns() {
 
 std::vector<Column> body_columns() {
   return {
-      column<&RunMetrics::energy_gain>(
+      drawn<&RunMetrics::energy_gain>(
           "energy_gain",
           "largest rise of the blocks' kinetic and potential energy, less the work of "
           "the ground's motion, above "
           "its least value before; as a share of the stack's weight times the height "
           "of its centre of mass at "
           "rest. The true motion never gains any"),
-      column<&RunMetrics::penetration>(
-          "penetration", "largest depth of a block's corner in the block or ground it meets, m"),
-      column<&RunMetrics::gap>("gap", "largest height of a block over what it stands on, m"),
-      column<&RunMetrics::slip>(
+      drawn<&RunMetrics::penetration>("penetration",
+                                      "largest depth of a block's corner in the block or ground it meets, m"),
+      drawn<&RunMetrics::gap>("gap", "largest height of a block over what it stands on, m"),
+      drawn<&RunMetrics::slip>(
           "slip",
           "largest way of a pivot along the face that it stands on, from its place without slipping, m"),
-      column<&RunMetrics::out_of_plane>("out_of_plane",
-                                        "largest distance of a block's centre from the plane, m"),
-      column<&RunMetrics::out_of_plane_tilt>("out_of_plane_tilt",
-                                             "largest sine of a block's angle out of the plane"),
-      column<&RunMetrics::residual_motion>(
+      drawn<&RunMetrics::out_of_plane>("out_of_plane",
+                                       "largest distance of a block's centre from the plane, m"),
+      drawn<&RunMetrics::out_of_plane_tilt>("out_of_plane_tilt",
+                                            "largest sine of a block's angle out of the plane"),
+      drawn<&RunMetrics::residual_motion>(
           "residual_motion",
           "root of the mean square angular velocity of all blocks over the last "
           "tenth of the scene, where the "
           "exact solution is at rest all that time, rad/s"),
-      column<&RunMetrics::warnings>(
+      drawn<&RunMetrics::warnings>(
           "warnings",
           "how often the engine said that its solver failed, and went on: ODE with what it had, Bullet with "
           "sequential impulse in place of an mlcp solver"),

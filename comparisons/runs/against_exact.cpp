@@ -8,11 +8,12 @@
 #include "comparisons/metrics/difference.hpp"
 #include "comparisons/metrics/energy.hpp"
 #include "comparisons/metrics/magnitude_phase.hpp"
+#include "comparisons/metrics/matching.hpp"
 #include "comparisons/metrics/rest.hpp"
 #include "comparisons/metrics/swings.hpp"
 #include "comparisons/metrics/toppling.hpp"
-#include "comparisons/results/files.hpp"
 #include "comparisons/results/tables.hpp"
+#include "comparisons/statistics/chance_matches.hpp"
 
 namespace rockstack {
 namespace {
@@ -46,37 +47,62 @@ void add_angles(const History& exact, const History& other, const Difference& ap
   row.residual_motion = residual_motion(exact, other);
 }
 
-void add_impacts(const Scene& scene, const History& exact, const OtherAnswer& answer,
-                 const std::filesystem::path& folder, RunMetrics& row) {
+/// What the exact motion itself scores when it is read from samples as an engine's is.
+void add_null_matches(const Scene& scene, const History& exact, const std::vector<ImpactTime>& expected,
+                      double interval, RunMetrics& row) {
+  const auto observed = observed_impacts(exact, chatter_speed(scene));
+  const AlignmentCounts counts = count(align(expected, observed, still_windows(expected, interval)));
+  row.impacts_matched_null = counts.matched;
+  row.impacts_missed_null = counts.missed;
+  row.impacts_extra_null = counts.extra;
+}
+
+/// The first impact of the interface that impacts first; nothing where the other never does there.
+std::optional<double> first_difference(const std::vector<ImpactTime>& expected,
+                                       const std::vector<ImpactTime>& found) {
+  if (expected.empty()) return {};
+  for (const ImpactTime& impact : found) {
+    if (impact.interface == expected.front().interface) return impact.time - expected.front().time;
+  }
+  return {};
+}
+
+void add_impacts(const Scene& scene, const History& exact, const OtherAnswer& answer, const Difference& apart,
+                 RunMetrics& row, RunFiles& files) {
   const auto expected = reported_impacts(exact, chatter_speed(scene));
-  const auto alignment = align(expected, answer.impacts, matching_window(scene));
+  const auto windows = matching_windows(expected, apart, answer.interval);
+  const auto alignment = align(expected, answer.impacts, windows);
   const AlignmentCounts counts = count(alignment);
   row.impacts_matched = counts.matched;
   row.impacts_missed = counts.missed;
   row.impacts_extra = counts.extra;
-  if (!expected.empty() && !answer.impacts.empty()) {
-    row.first_impact_time_difference = answer.impacts.front().time - expected.front().time;
-  }
+  row.first_impact_time_difference = first_difference(expected, answer.impacts);
   if (counts.matched > 0) {
-    const TimeDifferences apart = time_differences(alignment);
-    row.rms_impact_time_difference = apart.root_mean_square;
-    row.largest_impact_time_difference = apart.largest;
+    const TimeDifferences times = time_differences(alignment);
+    row.rms_impact_time_difference = times.root_mean_square;
+    row.largest_impact_time_difference = times.largest;
   }
-  const AlignmentCounts settled =
-      count(align(settlings(scene, exact), settlings(scene, answer.history), matching_window(scene)));
-  row.settlings_matched = settled.matched;
-  row.settlings_missed = settled.missed;
-  row.settlings_extra = settled.extra;
-  write_file(folder / "impacts.csv", impacts_csv(alignment));
+  add_null_matches(scene, exact, expected, answer.interval, row);
+  const ChanceMatches chance = chance_matches(expected, answer.impacts, windows, scene.duration);
+  row.impacts_matched_random = chance.random;
+  row.impacts_matched_shifted = chance.shifted;
+  const auto settled = settlings(scene, exact);
+  const std::vector<double> settling_windows(settled.size(), settling_duration(scene));
+  const AlignmentCounts settlings_apart =
+      count(align(settled, settlings(scene, answer.history), settling_windows));
+  row.settlings_matched = settlings_apart.matched;
+  row.settlings_missed = settlings_apart.missed;
+  row.settlings_extra = settlings_apart.extra;
+  files["impacts.csv"] = impacts_csv(alignment);
 }
 
 void add_patterns(const Scene& scene, const std::vector<double>& times, const History& exact,
-                  const History& other, const std::filesystem::path& folder, RunMetrics& row) {
+                  const History& other, RunMetrics& row, RunFiles& files) {
   const auto expected = sampled_patterns(scene, exact), found = sampled_patterns(scene, other);
   const auto shares = pattern_shares(times, expected, found);
   row.pattern_agreement = agreement(shares);
   row.pattern_sequence_time = sequence_time(times, expected, found);
-  write_file(folder / "patterns.csv", patterns_csv(shares));
+  files["patterns.csv"] = patterns_csv(shares);
 }
 
 void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
@@ -90,24 +116,23 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
 
 }  // namespace
 
-void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswer& answer,
-                        const std::filesystem::path& folder, RunMetrics& row) {
+void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswer& answer, RunMetrics& row,
+                        RunFiles& files) {
   const Wanted& wanted = suite.wanted;
   const History& history = answer.history;
   const History exact = solve(scene, {.sample_times = history.times});
   const Difference apart = difference(exact, history);
   row.toppling_verdict = toppling_verdict(!reported_toppling(exact).empty(), answer.topples);
   if (wanted.angles) add_angles(exact, history, apart, suite.tolerance, row);
-  if (wanted.impacts) add_impacts(scene, exact, answer, folder, row);
-  if (wanted.patterns) add_patterns(scene, apart.times, exact, history, folder, row);
+  if (wanted.impacts) add_impacts(scene, exact, answer, apart, row, files);
+  if (wanted.patterns) add_patterns(scene, apart.times, exact, history, row, files);
   if (answer.bodies) add_bodies(scene, *answer.bodies, row);
   if (!wanted.histories) return;
-  write_file(folder / "history.csv", history_csv(history));
-  write_file(folder / "difference.csv", difference_csv(apart));
-  if (answer.bodies) {
-    write_file(folder / "energy.csv",
-               energy_csv(apart.times, energies(scene, exact), answer.bodies->energy, answer.bodies->input));
-  }
+  files["history.csv"] = history_csv(history);
+  files["difference.csv"] = difference_csv(apart);
+  if (answer.bodies)
+    files["energy.csv"] =
+        energy_csv(apart.times, energies(scene, exact), answer.bodies->energy, answer.bodies->input);
 }
 
 }  // namespace rockstack

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
 #include "comparisons/metrics/impacts.hpp"
 #include "comparisons/results/run_metrics.hpp"
+#include "comparisons/runs/run_files.hpp"
 #include "comparisons/suites/suite.hpp"
 #include "engines/body_record.hpp"
 
@@ -15,15 +15,16 @@ namespace rockstack {
 /// Another answer to a scene than the exact one.
 struct OtherAnswer {
   const History& history;
+  double interval = 0;               ///< between its samples, s
   std::vector<ImpactTime> impacts;   ///< at the chatter speed or more
   bool topples = false;              ///< within the scene
   std::optional<BodyRecord> bodies;  ///< of an engine
 };
 
 /// Sets an answer beside the exact solution at its own times: fills in the columns that the suite wants, and
-/// writes history.csv, difference.csv, impacts.csv, patterns.csv and energy.csv as far as it wants them.
-/// @throws std::runtime_error where the scene cannot be solved or a file cannot be written.
-void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswer& answer,
-                        const std::filesystem::path& folder, RunMetrics& row);
+/// adds history.csv, difference.csv, impacts.csv, patterns.csv and energy.csv as far as it wants them.
+/// @throws std::runtime_error where the scene cannot be solved.
+void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswer& answer, RunMetrics& row,
+                        RunFiles& files);
 
 }  // namespace rockstack

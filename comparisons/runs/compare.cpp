@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
+#include <thread>
+#include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/metrics/impacts.hpp"
@@ -13,11 +19,13 @@
 #include "comparisons/results/environment.hpp"
 #include "comparisons/results/files.hpp"
 #include "comparisons/results/tables.hpp"
-#include "comparisons/runs/executor.hpp"
+#include "comparisons/runs/draws.hpp"
 #include "comparisons/runs/identity.hpp"
 #include "comparisons/runs/measure.hpp"
+#include "comparisons/runs/predictability.hpp"
 #include "comparisons/statistics/distributions.hpp"
 #include "comparisons/statistics/fits.hpp"
+#include "comparisons/statistics/ranking.hpp"
 
 namespace rockstack {
 namespace {
@@ -55,6 +63,16 @@ Json stack_json(const Scene& scene) {
                     {"inertia", block.inertia}});
   }
   return list;
+}
+
+/// Empty where the suite asks for no draws, or the scene cannot be solved.
+Json predictable_json(const Suite& suite, const Scene& scene) {
+  if (suite.draws.runs < 2) return {};
+  try {
+    return predictable_time(scene, suite.draws, suite.tolerance);
+  } catch (const std::runtime_error&) {
+    return {};
+  }
 }
 
 Json statements_json(const std::vector<Suite>& suites) {
@@ -97,7 +115,13 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<RunMetr
                                 {"duration", scene.scene.duration},
                                 {"ground", ground_of(scene.scene)},
                                 {"chatter_speed", chatter_speed(scene.scene)},
-                                {"matching_window", matching_window(scene.scene)},
+                                {"settling_duration", settling_duration(scene.scene)},
+                                {"law", name(scene.scene.law)},
+                                {"draws", suite.draws.runs},
+                                {"draw_steps", suite.draws.steps},
+                                {"draw_scene", suite.draws.scene},
+                                {"draw_seed", suite.draws.seed},
+                                {"predictable_time", predictable_json(suite, scene.scene)},
                                 {"results", names_of(suite.wanted)},
                                 {"perturbations", suite.perturbations.runs},
                                 {"perturbation_size", suite.perturbations.size},
@@ -131,30 +155,40 @@ void write_ground(const std::vector<Suite>& suites, const std::filesystem::path&
   }
 }
 
-/// Work that a run is expected to be, in engine steps; an exact run has about as much as 2000 of them.
-double expected_work(const Job& job) {
+/// What is computed in one go: the nominal run of a job, or all its draws.
+struct Part {
+  std::size_t job;
+  bool draws;
+};
+
+Part part_of(std::size_t number, std::size_t jobs) {
+  return {number % jobs, number >= jobs};
+}
+
+/// Work that a part is expected to be, in engine steps; an exact run has about as much as 2000 of them.
+double expected_work(const Job& job, bool draws) {
   constexpr double fixed = 2000;
   if (job.series == nullptr) return fixed;
-  const int runs = 1 + job.suite.repeats + job.suite.perturbations.runs;
+  const int runs = draws ? job.suite.draws.runs : 1 + job.suite.repeats + job.suite.perturbations.runs;
   return fixed + runs * job.scene.scene.duration / job.dt;
 }
 
-/// Counts runs, and the work that is left.
+/// Counts parts, and the work that is left.
 class ProgressCounter {
  public:
-  ProgressCounter(const std::vector<Job>& jobs, const CompareOptions& options) : options_(options) {
-    for (const Job& job : jobs) work_.push_back(expected_work(job));
+  ProgressCounter(std::vector<double> work, const CompareOptions& options)
+      : options_(options), work_(std::move(work)) {
     left_ = std::accumulate(work_.begin(), work_.end(), 0.0);
-    report_.total = jobs.size();
+    for (const double one : work_) report_.total += one > 0 ? 1 : 0;
     options_.progress(report_);
   }
 
-  /// A run that was there, or was made since.
-  void finish(std::size_t job, const std::string& run, bool made) {
+  /// A part that was there, or was made since.
+  void finish(std::size_t part, const std::string& run, bool made) {
     ++report_.done;
     report_.last = run;
-    left_ -= work_[job];
-    if (made) done_ += work_[job];
+    left_ -= work_[part];
+    if (made) done_ += work_[part];
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
     if (done_ > 0) report_.remaining = passed.count() * left_ / done_;
     options_.progress(report_);
@@ -165,35 +199,134 @@ class ProgressCounter {
 
   const CompareOptions& options_;
   Clock::time_point start_ = Clock::now();
-  std::vector<double> work_;
+  std::vector<double> work_;  ///< of each part, 0 where there is none to do
   double left_ = 0, done_ = 0;
   Progress report_;
 };
 
-CompareResult make_runs(const std::vector<Job>& jobs, const std::filesystem::path& folder,
-                        const CompareOptions& options) {
-  CompareResult result{std::vector<RunMetrics>(jobs.size()), 0};
-  ProgressCounter progress(jobs, options);
-  std::vector<std::size_t> parts;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    const std::string run = describe(jobs[i]).run;
-    if (const auto row = finished_run(folder / "runs" / run, identity(jobs[i]))) {
-      result.rows[i] = *row;
-      ++result.reused;
-      progress.finish(i, run, false);
+/// The text of a part, to be delivered.
+std::string compute_part(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
+                         std::size_t at_a_time) {
+  const Part part = part_of(number, jobs.size());
+  const Job& job = jobs[part.job];
+  if (!part.draws) return pack(measure(job, command, at_a_time));
+  const std::size_t threads = std::max<std::size_t>(1, std::thread::hardware_concurrency() / at_a_time);
+  return pack_draws(make_draws(job, threads), draws_identity(job));
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// All runs of a comparison, in a results folder.
+class Runs {
+ public:
+  Runs(const std::vector<Job>& jobs, const std::filesystem::path& folder)
+      : jobs_(jobs), folder_(folder), rows_(jobs.size()) {}
+
+  /// Takes what is there already: true where a part is.
+  bool find(std::size_t number) {
+    const Part part = part_of(number, jobs_.size());
+    const Job& job = jobs_[part.job];
+    DrawnRow& row = rows_[part.job];
+    if (!part.draws) {
+      const auto found = finished_run(run_folder(part.job), identity(job));
+      if (found) row.nominal = *found;
+      return found.has_value();
+    }
+    const std::string text = text_of(run_folder(part.job) / "draws.json");
+    const auto found = unpack_draws(text, draws_identity(job));
+    // Draws go with the files of the nominal run.
+    if (!found || row.nominal.run.empty()) return false;
+    row.draws = *found;
+    return true;
+  }
+
+  void deliver(std::size_t number, const std::string& text) {
+    const Part part = part_of(number, jobs_.size());
+    DrawnRow& row = rows_[part.job];
+    if (part.draws) {
+      row.draws = unpack_draws(text, draws_identity(jobs_[part.job])).value();
+      texts_[part.job] = text;
     } else {
-      parts.push_back(i);
+      const RunFiles files = unpack(text);
+      write_files(files, run_folder(part.job));
+      row.nominal = metrics_in(files.at(summary_name));
+    }
+    if (const auto drawn = texts_.find(part.job); drawn != texts_.end() && !row.nominal.run.empty()) {
+      write_draws(drawn->second, row.nominal, run_folder(part.job));
+      texts_.erase(drawn);
     }
   }
+
+  /// True for draws of a run that has failed.
+  bool is_needless(std::size_t number) const {
+    const Part part = part_of(number, jobs_.size());
+    return part.draws && rows_[part.job].nominal.status != RunStatus::done;
+  }
+
+  /// With their draws.
+  const std::vector<DrawnRow>& drawn_rows() const { return rows_; }
+
+  /// Medians where there are draws.
+  std::vector<RunMetrics> rows() const {
+    std::vector<RunMetrics> list;
+    for (const auto& [nominal, draws] : rows_) {
+      list.push_back(nominal);
+      if (!draws.empty() && nominal.status == RunStatus::done) summarise(draws, list.back());
+    }
+    return list;
+  }
+
+  std::string name(std::size_t number) const {
+    return describe(jobs_[part_of(number, jobs_.size()).job]).run;
+  }
+
+ private:
+  std::filesystem::path run_folder(std::size_t job) const {
+    return folder_ / "runs" / describe(jobs_[job]).run;
+  }
+
+  const std::vector<Job>& jobs_;
+  std::filesystem::path folder_;
+  std::vector<DrawnRow> rows_;                ///< a nominal row without a name is not there yet
+  std::map<std::size_t, std::string> texts_;  ///< draws that came before their nominal run
+};
+
+/// Makes what is not there: nominal runs first, then draws. Returns how many nominal runs were there.
+std::size_t make_parts(const std::vector<Job>& jobs, Runs& runs, Executor& executor,
+                       const CompareOptions& options) {
+  std::vector<double> work;
+  for (const bool draws : {false, true}) {
+    for (const Job& job : jobs) work.push_back(draws && !is_drawn(job) ? 0 : expected_work(job, draws));
+  }
+  ProgressCounter progress(work, options);
+  std::vector<std::size_t> parts;
+  std::size_t reused = 0;
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    if (work[i] == 0) continue;
+    if (!runs.find(i)) {
+      parts.push_back(i);
+      continue;
+    }
+    if (i < jobs.size()) ++reused;
+    progress.finish(i, runs.name(i), false);
+  }
   const auto compute = [&](std::size_t i) {
-    result.rows[i] = measure(jobs[i], folder, options.command, options.jobs);
-    return std::string();
+    return compute_part(jobs, i, options.command, executor.count());
   };
-  const auto deliver = [&](std::size_t i, const std::string& /*text*/) {
-    progress.finish(i, result.rows[i].run, true);
+  const auto deliver = [&](std::size_t i, const std::string& text) {
+    runs.deliver(i, text);
+    progress.finish(i, runs.name(i), true);
   };
-  make_threads(options.jobs)->run(parts, {compute, deliver, [] { return false; }});
-  return result;
+  const auto needless = [&](std::size_t i) {
+    if (!runs.is_needless(i)) return false;
+    progress.finish(i, runs.name(i), false);
+    return true;
+  };
+  executor.run(parts, {compute, deliver, [] { return false; }, needless});
+  return reused;
 }
 
 }  // namespace
@@ -221,15 +354,40 @@ void require_comparable(const std::vector<Suite>& suites) {
   }
 }
 
+void serve_comparison(Executor& executor, const std::function<std::vector<Suite>()>& suites,
+                      const std::string& command) {
+  std::vector<Suite> read;
+  std::vector<Job> jobs;
+  executor.serve([&](std::size_t part) {
+    if (jobs.empty()) {
+      read = suites();
+      jobs = jobs_of(read);
+    }
+    return compute_part(jobs, part, command, executor.count());
+  });
+}
+
 CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
                       const CompareOptions& options) {
+  return compare(suites, folder, *make_threads(options.jobs), options);
+}
+
+CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
+                      Executor& executor, const CompareOptions& options) {
   require_comparable(suites);
-  CompareResult result = make_runs(jobs_of(suites), folder, options);
+  const std::vector<Job> jobs = jobs_of(suites);
+  Runs runs(jobs, folder);
+  const std::size_t reused = make_parts(jobs, runs, executor, options);
+  CompareResult result{runs.rows(), reused};
   const std::vector<SeriesFit> fits = fit_runs(result.rows);
   const std::vector<DistributionDistance> apart = distances(result.rows, folder);
   write_ground(suites, folder);
   if (!apart.empty()) write_file(folder / "distributions.csv", distributions_csv(apart));
   if (!fits.empty()) write_file(folder / "fits.csv", fits_csv(fits));
+  if (std::any_of(jobs.begin(), jobs.end(), is_drawn))
+    write_file(folder / "spread.csv", spread_csv(runs.drawn_rows()));
+  if (const auto ranking = rank_sets(result.rows); !ranking.empty())
+    write_file(folder / "ranking.csv", ranking_csv(ranking));
   write_file(folder / "comparison.csv", comparison_csv(result.rows));
   write_file(folder / "comparison.json",
              comparison_json(suites, result.rows, fits, apart, options.command).dump(2) + "\n");

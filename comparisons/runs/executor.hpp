@@ -13,6 +13,8 @@ struct Work {
   std::function<std::string(std::size_t part)> compute;               ///< from any thread
   std::function<void(std::size_t part, const std::string&)> deliver;  ///< from one thread at a time
   std::function<bool()> stopped;  ///< true: no further part is begun, those begun are finished
+  /// True for a part that need not be made after all, by what was delivered so far.
+  std::function<bool(std::size_t part)> needless = [](std::size_t) { return false; };
 };
 
 /// Executes some work part by part: in threads of this process, or in processes on several machines of which
@@ -26,6 +28,9 @@ class Executor {
 
   /// How many compute at a time, for reports: "2 threads".
   virtual std::string description() const = 0;
+
+  /// How many.
+  virtual std::size_t count() const = 0;
 
   /// True where this process gives out the parts and keeps what is delivered.
   virtual bool leads() const = 0;

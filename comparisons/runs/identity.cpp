@@ -46,25 +46,28 @@ std::string identity(const Job& job) {
   return fmt::format("{:016x}", checksum(text + to_bytes(Request{request})));
 }
 
-Checksums checksums(const std::filesystem::path& run_folder) {
+std::string draws_identity(const Job& job) {
+  const Draws& draws = job.suite.draws;
+  return fmt::format("{:016x}", checksum(fmt::format("{} {} {} {} {}", identity(job), draws.runs, draws.steps,
+                                                     draws.scene, draws.seed)));
+}
+
+Checksums checksums(const RunFiles& files) {
   Checksums sums;
-  for (const auto& entry : std::filesystem::directory_iterator(run_folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name != "summary.json") sums[name] = fmt::format("{:016x}", checksum(bytes_of(entry.path())));
+  for (const auto& [name, text] : files) {
+    if (name != summary_name) sums[name] = fmt::format("{:016x}", checksum(text));
   }
   return sums;
 }
 
 std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, const std::string& identity) {
-  std::ifstream stream(run_folder / "summary.json");
+  std::ifstream stream(run_folder / summary_name);
   try {
     const auto summary = nlohmann::ordered_json::parse(stream);
     const RunMetrics row = metrics_from(summary);
     if (row.status != RunStatus::done || summary.at("identity") != identity) return {};
-    const Checksums found = checksums(run_folder);
     for (const auto& [name, sum] : summary.at("files").get<Checksums>()) {
-      const auto file = found.find(name);
-      if (file == found.end() || file->second != sum) return {};
+      if (fmt::format("{:016x}", checksum(bytes_of(run_folder / name))) != sum) return {};
     }
     return row;
   } catch (const nlohmann::json::exception&) {

@@ -13,6 +13,7 @@ bool is_baseline(const Job& job) {
 RunMetrics describe(const Job& job) {
   RunMetrics row;
   row.scene = job.scene.name;
+  row.law = name((job.variant != nullptr ? job.variant->apply(job.scene.scene) : job.scene.scene).law);
   if (job.series != nullptr) {
     row.dt = job.dt;
     row.engine = job.series->engine->name();

@@ -77,9 +77,15 @@ void set_time(const SteppingTime& time, double motion, RunMetrics& row) {
   row.real_time_factor = motion / time.minimum;
 }
 
-void write_history(const std::filesystem::path& folder, const History& history) {
-  write_file(folder / "history.csv", history_csv(history));
-  write_file(folder / "events.csv", events_csv(history));
+void add_history(const History& history, RunFiles& files) {
+  files["history.csv"] = history_csv(history);
+  files["events.csv"] = events_csv(history);
+}
+
+void write_history(const History& history, const std::filesystem::path& folder) {
+  RunFiles files;
+  add_history(history, files);
+  for (const auto& [name, text] : files) write_file(folder / name, text);
 }
 
 SolveOptions options_for(const Job& job) {
@@ -92,8 +98,7 @@ SolveOptions sampled(const Scene& scene) {
 }
 
 /// Makes the runs of perturbed scenes, where they are asked for; one that fails leaves an empty tally.
-void run_perturbed(const Job& job, const std::filesystem::path& folder,
-                   const std::function<MotionTally(const Scene&)>& run) {
+void run_perturbed(const Job& job, const std::function<MotionTally(const Scene&)>& run, RunFiles& files) {
   const Perturbations& around = job.suite.perturbations;
   std::vector<MotionTally> tallies;
   for (int i = 0; i < around.runs; ++i) {
@@ -105,93 +110,110 @@ void run_perturbed(const Job& job, const std::filesystem::path& folder,
   }
   if (tallies.empty()) return;
   const auto blocks = static_cast<int>(job.scene.scene.blocks.size());
-  write_file(folder / "perturbed.csv", tallies_csv(tallies, blocks));
+  files["perturbed.csv"] = tallies_csv(tallies, blocks);
 }
 
-Json run_exact(const Job& job, const std::filesystem::path& folder, RunMetrics& row,
-               const std::string& command) {
+Json run_exact(const Job& job, RunMetrics& row, const std::string& command, RunFiles& files) {
   const Scene& scene = job.scene.scene;
   const History history = solve(scene, sampled(scene));
   row.toppled = reported_toppling(history);
   set_time(time_solving(scene, job.suite.repeats), motion_time(scene, history), row);
-  write_history(folder, history);
-  write_file(folder / "reactions.csv", reactions_csv(scene, history));
-  run_perturbed(job, folder, exact_tally);
+  add_history(history, files);
+  files["reactions.csv"] = reactions_csv(scene, history);
+  run_perturbed(job, exact_tally, files);
   Json json = summary(row, job.scene, {}, {}, command);
   add_validity(scene, history, json);
   return json;
 }
 
-Json run_variant(const Job& job, const std::filesystem::path& folder, RunMetrics& row,
-                 const std::string& command) {
+Json run_variant(const Job& job, RunMetrics& row, const std::string& command, RunFiles& files) {
   const Scene scene = job.variant->apply(job.scene.scene);
   SolveOptions options = options_for(job);
   options.sample_times = sampled(scene).sample_times;
   options.validity = true;
   const History history = solve(scene, options);
   row.toppled = reported_toppling(history);
-  compare_with_exact(job.scene.scene, job.suite,
-                     {history, reported_impacts(history, chatter_speed(scene)), !row.toppled.empty(), {}},
-                     folder, row);
-  write_file(folder / "events.csv", events_csv(history));
-  run_perturbed(job, folder, [&](const Scene& other) { return exact_tally(job.variant->apply(other)); });
+  compare_with_exact(
+      job.scene.scene, job.suite,
+      {history, sample_interval, reported_impacts(history, chatter_speed(scene)), !row.toppled.empty(), {}},
+      row, files);
+  files["events.csv"] = events_csv(history);
+  run_perturbed(
+      job, [&](const Scene& other) { return exact_tally(job.variant->apply(other)); }, files);
   set_time(time_solving(scene, job.suite.repeats, options_for(job)), motion_time(scene, history), row);
   Json json = summary(row, job.scene, {}, {}, command);
   add_validity(scene, history, json);
   return json;
 }
 
-Json run_engine(const Job& job, const std::filesystem::path& folder, RunMetrics& row,
-                const std::string& command) {
+Json run_engine(const Job& job, RunMetrics& row, const std::string& command, RunFiles& files) {
   const Scene& scene = job.scene.scene;
   const EngineSeries& series = *job.series;
-  const WorkerRun made = run_in_worker(*series.engine, scene, job.dt, series.parameters, job.suite.repeats,
-                                       job.suite.limits, job.suite.wanted.bodies);
-  row.processor_time = made.processor_time;
-  if (made.peak_memory > 0) row.peak_memory = made.peak_memory;
-  row.status = run_status(made.status);
-  row.reason = made.reason;
+  const int sharing = *row.runs_at_a_time;
+  row = engine_metrics(job, scene, job.dt, job.suite.repeats, files);
+  row.runs_at_a_time = sharing;
   if (row.status == RunStatus::done) {
-    const auto& [history, warnings, bodies] = made.run;
-    row.steps = static_cast<int>(history.size() - 1);
-    row.warnings = static_cast<int>(warnings);
-    row.toppled = observed_toppling(scene, history);
-    compare_with_exact(
-        scene, job.suite,
-        {history, observed_impacts(history, chatter_speed(scene)), !row.toppled.empty(), bodies}, folder,
-        row);
-    set_time(stepping_time(made.seconds), history.times.back(), row);
-    run_perturbed(job, folder, [&](const Scene& other) {
-      return observed_tally(
-          other, simulate(*series.engine, other, job.dt, series.parameters, job.suite.limits).history);
-    });
+    const auto times = regular_times(job.dt, scene.duration);
+    row.exact_sampled_time = time_solving(scene, job.suite.repeats, {.sample_times = times}).minimum;
+    run_perturbed(
+        job,
+        [&](const Scene& other) {
+          return observed_tally(
+              other, simulate(*series.engine, other, job.dt, series.parameters, job.suite.limits).history);
+        },
+        files);
   }
   return summary(row, job.scene, all_parameters(series, scene), {series.engine}, command);
 }
 
 }  // namespace
 
-RunMetrics measure(const Job& job, const std::filesystem::path& folder, const std::string& command,
-                   std::size_t runs_at_a_time) {
+RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int repeats, RunFiles& files) {
+  const EngineSeries& series = *job.series;
+  const WorkerRun made = run_in_worker(*series.engine, scene, dt, series.parameters, repeats,
+                                       job.suite.limits, job.suite.wanted.bodies);
+  RunMetrics row = describe(job);
+  row.dt = dt;
+  row.processor_time = made.processor_time;
+  if (made.peak_memory > 0) row.peak_memory = made.peak_memory;
+  row.status = run_status(made.status);
+  row.reason = made.reason;
+  if (row.status != RunStatus::done) return row;
+  const auto& [history, warnings, bodies] = made.run;
+  row.steps = static_cast<int>(history.size() - 1);
+  row.warnings = static_cast<int>(warnings);
+  row.toppled = observed_toppling(scene, history);
+  compare_with_exact(
+      scene, job.suite,
+      {history, dt, observed_impacts(history, chatter_speed(scene)), !row.toppled.empty(), bodies}, row,
+      files);
+  if (repeats > 0) set_time(stepping_time(made.seconds), history.times.back(), row);
+  return row;
+}
+
+RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at_a_time) {
   RunMetrics row = describe(job);
   row.runs_at_a_time = static_cast<int>(runs_at_a_time);
-  const auto own = folder / "runs" / row.run;
-  std::filesystem::remove_all(own);
-  std::filesystem::create_directories(own);
   const auto make = job.series != nullptr ? run_engine : job.variant != nullptr ? run_variant : run_exact;
+  RunFiles files;
   Json json;
   try {
-    json = make(job, own, row, command);
+    json = make(job, row, command, files);
   } catch (const std::exception& failure) {
     row = describe(job);
     row.status = RunStatus::failed;
     row.reason = failure.what();
     json = summary(row, job.scene, {}, {}, command);
+    files.clear();
   }
   json["identity"] = identity(job);
-  json["files"] = checksums(own);
-  write_file(own / "summary.json", json.dump(2) + "\n");
-  return row;
+  json["files"] = checksums(files);
+  files[summary_name] = json.dump(2) + "\n";
+  return files;
+}
+
+RunMetrics metrics_in(const std::string& summary) {
+  return metrics_from(Json::parse(summary));
 }
 
 History solve_into(const NamedScene& scene, const SolveOptions& options, const std::filesystem::path& folder,
@@ -201,7 +223,7 @@ History solve_into(const NamedScene& scene, const SolveOptions& options, const s
   row.solver = baseline ? "rk4" : "taylor";
   const auto write = [&](const History& history) {
     row.toppled = reported_toppling(history);
-    write_history(folder, history);
+    write_history(history, folder);
     Json json =
         summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, {}, command);
     add_validity(scene.scene, history, json);
@@ -228,7 +250,7 @@ History simulate_into(const NamedScene& scene, const EngineSeries& series, doubl
   row.warnings = static_cast<int>(warnings);
   row.toppled = observed_toppling(scene.scene, history);
   history.patterns = sampled_patterns(scene.scene, history);
-  write_history(folder, history);
+  write_history(history, folder);
   const Parameters parameters = all_parameters(series, scene.scene);
   write_file(folder / "summary.json",
              summary(row, scene, parameters, {series.engine}, command).dump(2) + "\n");

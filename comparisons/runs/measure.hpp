@@ -5,18 +5,25 @@
 
 #include "analytic/scene/solve_options.hpp"
 #include "comparisons/runs/job.hpp"
+#include "comparisons/runs/run_files.hpp"
 
 namespace rockstack {
 
 /// Of histories that have no step of their own, s.
 inline constexpr double sample_interval = 1e-3;
 
-/// Makes one run of a comparison anew and writes FOLDER/runs/<run>/: for the exact solution its history and
-/// events, for others what compare_with_exact() writes, and at last summary.json. A failure ends up in the
-/// row. `runs_at_a_time`: how many share the machine with it, itself included.
-/// @throws std::runtime_error where a file cannot be written.
-RunMetrics measure(const Job& job, const std::filesystem::path& folder, const std::string& command,
-                   std::size_t runs_at_a_time);
+/// Makes one run of a comparison: for the exact solution its history and events, for others what
+/// compare_with_exact() adds, and its summary.json. A failure ends up in the summary. `runs_at_a_time`: how
+/// many share the machine with it, itself included.
+RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at_a_time);
+
+/// Runs an engine once for a job and sets it beside the exact solution; `repeats`: how often its stepping is
+/// timed. The series' parameters and the suite's wishes are the job's, scene and step may be other ones.
+/// @throws std::runtime_error where the scene cannot be solved or the worker not be started.
+RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int repeats, RunFiles& files);
+
+/// The metrics in a summary. @throws nlohmann::json::exception where it is none.
+RunMetrics metrics_in(const std::string& summary);
 
 /// Solves a scene and writes history.csv, events.csv and summary.json into a folder. Where the motion could
 /// not be followed to its end, the files hold it up to there, and the summary's status is "failed".

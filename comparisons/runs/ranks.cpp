@@ -63,6 +63,7 @@ class Ranks : public Executor {
   std::string description() const override {
     return std::to_string(size_ - 1) + " MPI ranks and one that leads";
   }
+  std::size_t count() const override { return static_cast<std::size_t>(size_ - 1); }
   bool leads() const override { return rank_ == leader; }
 
   void run(const std::vector<std::size_t>& parts, const Work& work) override {
@@ -76,6 +77,7 @@ class Ranks : public Executor {
         throw std::runtime_error("rank " + std::to_string(message.rank) + ": " + message.text);
       }
       if (message.tag == finished) work.deliver(static_cast<std::size_t>(part), message.text);
+      while (next < parts.size() && work.needless(parts[next])) ++next;
       if (next == parts.size() || work.stopped()) {
         dismiss(message.rank);
       } else {

@@ -33,6 +33,7 @@ class Queue {
  private:
   bool next(std::size_t& part) {
     const std::lock_guard lock(mutex_);
+    while (next_ < parts_.size() && work_.needless(parts_[next_])) ++next_;
     if (failure_ || next_ == parts_.size() || work_.stopped()) return false;
     part = parts_[next_++];
     return true;
@@ -52,6 +53,7 @@ class Threads : public Executor {
   std::string description() const override {
     return std::to_string(count_) + (count_ == 1 ? " thread" : " threads");
   }
+  std::size_t count() const override { return count_; }
   bool leads() const override { return true; }
 
   void run(const std::vector<std::size_t>& parts, const Work& work) override {

@@ -166,7 +166,8 @@ bool is_stability_study(const std::filesystem::path& file) {
 StabilityStudy read_stability_study(const std::filesystem::path& file,
                                     const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
-  require_table(root, {"study", "title", "scene", "set", "axis", "engines", "rk4", "repeats", "time_limit"});
+  require_table(
+      root, {"study", "title", "scene", "set", "axis", "engines", "rk4", "repeats", "time_limit", "draws"});
   StabilityStudy study;
   std::ifstream stream(file, std::ios::binary);
   study.text = {std::istreambuf_iterator<char>(stream), {}};
@@ -193,6 +194,7 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
   study.suite.limits.time = 60;
   if (const Node* repeats = find(root, "repeats"))
     study.suite.repeats = static_cast<int>(whole_number(*repeats, 1));
+  if (const Node* draws = find(root, "draws")) study.suite.draws = read_draws(*draws);
   if (const Node* limit = find(root, "time_limit")) study.suite.limits.time = number_above_zero(*limit);
   for (const EngineSeries& series : study.suite.series) {
     if (!study.axis.parameter.empty() && !series.parameters.contains(study.axis.parameter))
@@ -228,9 +230,9 @@ std::vector<LargestSteps> largest_steps(const std::vector<StabilityRun>& rows) {
 }
 
 std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::filesystem::path& folder,
-                                        const CompareOptions& options) {
+                                        Executor& executor, const CompareOptions& options) {
   std::vector<StabilityRun> rows;
-  for (const RunMetrics& row : compare({study.suite}, folder, options).rows) {
+  for (const RunMetrics& row : compare({study.suite}, folder, executor, options).rows) {
     rows.push_back({row, place(study, row),
                     judge_stability(row, find_scene(study.suite.scenes, row.scene).scene, study.limits)});
     rows.back().row.settings = settings_of(study, row.settings);

@@ -54,6 +54,6 @@ std::vector<LargestSteps> largest_steps(const std::vector<StabilityRun>& rows);
 /// Makes the runs that are not there yet, as compare(), and writes besides stability.csv, steps.csv and
 /// stability.json. @throws as compare().
 std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::filesystem::path& folder,
-                                        const CompareOptions& options);
+                                        Executor& executor, const CompareOptions& options);
 
 }  // namespace rockstack

@@ -35,4 +35,14 @@ Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run)
   return result;
 }
 
+Scene drawn_scene(const Scene& scene, const Draws& draws, int draw) {
+  return draw == 0 ? scene : perturbed(scene, {draws.runs, draws.scene, draws.seed}, draw);
+}
+
+double drawn_step(double dt, const Draws& draws, int draw) {
+  if (draw == 0) return dt;
+  const double place = (2.0 * draw - 1) / (draws.runs - 1) - 1;
+  return dt * (1 + draws.steps * place);
+}
+
 }  // namespace rockstack

@@ -50,8 +50,8 @@ std::vector<Variant> read_variants(const Node& array) {
 
 /// Keys that only suites have.
 constexpr std::initializer_list<const char*> suite_keys{
-    "scenes", "variants",      "engines",    "tolerance",  "repeats",     "results",
-    "set",    "perturbations", "statements", "time_limit", "memory_limit"};
+    "scenes", "variants",      "engines",    "tolerance",  "repeats",      "results",
+    "set",    "perturbations", "statements", "time_limit", "memory_limit", "draws"};
 
 constexpr std::initializer_list<std::pair<const char*, bool Wanted::*>> result_names{
     {"angles", &Wanted::angles},
@@ -125,10 +125,28 @@ bool is_study(const std::filesystem::path& file) {
   return find(read_toml(file), "study") != nullptr;
 }
 
+Draws read_draws(const Node& table) {
+  require_table(table, {"runs", "steps", "scene", "seed"});
+  const auto share = [&](const char* key, double& value, double most) {
+    const Node* node = find(table, key);
+    if (node == nullptr) return;
+    if (!(number(*node) >= 0 && node->number <= most))
+      throw wrong_value(*node, fmt::format("a number from 0 to {}", most));
+    value = node->number;
+  };
+  Draws draws;
+  draws.runs = static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 1"), 1, most_draws));
+  share("steps", draws.steps, 0.5);
+  share("scene", draws.scene, 0.1);
+  if (const Node* node = find(table, "seed"))
+    draws.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
+  return draws;
+}
+
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
   require_table(root, {"title", "scenes", "variants", "engines", "tolerance", "repeats", "results", "set",
-                       "perturbations", "statements", "time_limit", "memory_limit"});
+                       "perturbations", "statements", "time_limit", "memory_limit", "draws"});
   Suite suite;
   suite.title = text(required(root, "title", "a text"));
   std::vector<std::string> changes;
@@ -146,6 +164,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   }
   if (const Node* node = find(root, "results")) suite.wanted = read_wanted(*node);
   if (const Node* table = find(root, "perturbations")) suite.perturbations = read_perturbations(*table);
+  if (const Node* table = find(root, "draws")) suite.draws = read_draws(*table);
   if (const Node* node = find(root, "time_limit")) suite.limits.time = number_above_zero(*node);
   if (const Node* node = find(root, "memory_limit")) suite.limits.memory = mebibytes(*node);
   if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);
@@ -181,6 +200,7 @@ void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::p
 Suite suite_for(NamedScene scene) {
   Suite suite;
   suite.title = scene.scene.title;
+  suite.draws.runs = quick_draws;
   suite.scenes.push_back(std::move(scene));
   const WorkerEngine* last = nullptr;
   for (const WorkerEngine& engine : engines()) {

@@ -62,6 +62,7 @@ struct Suite {
   double tolerance = 0.01;                ///< up to which histories agree, rad
   Wanted wanted;
   Perturbations perturbations;  ///< none unless asked for
+  Draws draws;                  ///< behind each number of an engine
   int repeats = 5;              ///< timed runs after the warm-up
   Limits limits;                ///< of each engine run
 };
@@ -79,6 +80,10 @@ bool is_suite(const std::filesystem::path& file);
 /// True where a file asks for a study in place of scenes: it has the key `study`. @throws InputError
 /// likewise.
 bool is_study(const std::filesystem::path& file);
+
+/// Reads the table [draws] of a suite or study. @throws InputError with file:line, key, value and what is
+/// allowed.
+Draws read_draws(const Node& table);
 
 /// Reads a suite file; paths in it are relative to it, `overrides` go to each of its scenes. Engines that
 /// this build leaves out are passed over (engines_left_out() names them).

@@ -7,7 +7,6 @@
 
 #include "analytic/solve.hpp"
 #include "tests/free_rocking.hpp"
-#include "tests/temporary_folder.hpp"
 
 namespace rockstack {
 namespace {
@@ -23,7 +22,7 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   const auto count = static_cast<int>(impacts.size());
   ASSERT_GT(count, 3);
   for (ImpactTime& impact : impacts) impact.time += 2e-3;
-  impacts.back().time += 2 * matching_window(scene);
+  impacts.back().time += 2 * settling_duration(scene);
   const BodyRecord bodies{.energy = {0, 300, 100},
                           .input = {0, 50, 50},
                           .penetration = 1,
@@ -34,9 +33,9 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   Suite suite;
   suite.wanted.histories = false;
   suite.tolerance = 1e-3;
-  const TemporaryFolder folder;
   RunMetrics row;
-  compare_with_exact(scene, suite, {other, impacts, false, bodies}, folder.path(), row);
+  RunFiles files;
+  compare_with_exact(scene, suite, {other, 1e-3, impacts, false, bodies}, row, files);
 
   double largest = 0;
   double squares = 0;

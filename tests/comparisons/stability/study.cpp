@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "comparisons/results/csv.hpp"
-#include "comparisons/runs/advise.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -134,28 +133,6 @@ TEST(LargestSteps, AreZeroWhereTheSmallestFails) {
   EXPECT_EQ(steps.at(0).stable, 0);
 }
 
-RunMetrics timed(double error, double seconds, RunStatus status = RunStatus::done) {
-  RunMetrics row;
-  row.status = status;
-  row.largest_angle_difference = error;
-  row.stepping_time_minimum = seconds;
-  return row;
-}
-
-TEST(Advice, IsTheCheapestOfThoseWithinTheError) {
-  EXPECT_EQ(cheapest({timed(1e-1, 1), timed(1e-3, 3), timed(1e-4, 2), timed(1e-5, 4)}, 1e-3), 2);
-  EXPECT_EQ(cheapest({timed(1e-3, 1, RunStatus::time_limit), timed(1e-3, 3)}, 1e-3), 1);
-  EXPECT_EQ(cheapest({timed(1e-2, 1)}, 1e-3), -1);
-}
-
-TEST(Advice, PassesOverWhatTopplesOtherwise) {
-  RunMetrics row = timed(1e-4, 1);
-  row.toppling_verdict = TopplingVerdict::engine_alone;
-  EXPECT_EQ(cheapest({row}, 1e-3), -1);
-  row.toppling_verdict = TopplingVerdict::both;
-  EXPECT_EQ(cheapest({row}, 1e-3), 0);
-}
-
 const std::string block_toml = R"(title = "A block"
 duration = 0.2
 [[blocks]]
@@ -178,7 +155,7 @@ TEST(StabilityStudies, VaryKeysOfASceneAndGiveEachRunAVerdict) {
   const StabilityStudy study = read_stability_study(folder.write("study.toml", study_toml("[0.5, 1]")), {});
   ASSERT_EQ(study.suite.scenes.size(), 2U);
   EXPECT_EQ(study.suite.scenes[1].scene.blocks[0].half_width, 0.5);
-  const auto rows = run_stability(study, folder.path(), {});
+  const auto rows = run_stability(study, folder.path(), *make_threads(1), {});
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[1].value, 1);
   EXPECT_EQ(read_table(folder.path() / "stability.csv").rows.size(), 2U);
@@ -214,7 +191,7 @@ TEST(StabilityStudies, HoldTheRungeKuttaBaselineAgainstTheSeries) {
   const TemporaryFolder folder;
   folder.write("block.toml", block_toml);
   const auto file = folder.write("study.toml", "rk4 = [1e-2]\n" + study_toml("[0.5, 1]"));
-  const auto rows = run_stability(read_stability_study(file, {}), folder.path(), {});
+  const auto rows = run_stability(read_stability_study(file, {}), folder.path(), *make_threads(1), {});
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[1].row.engine, "rk4");
   EXPECT_EQ(rows[1].row.dt, 1e-2);

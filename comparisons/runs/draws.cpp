@@ -1,0 +1,159 @@
+#include "comparisons/runs/draws.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "comparisons/results/csv_writer.hpp"
+#include "comparisons/results/files.hpp"
+#include "comparisons/results/tables.hpp"
+#include "comparisons/runs/executor.hpp"
+#include "comparisons/runs/measure.hpp"
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What draws are asked for of a suite: no sample is kept.
+Suite without_histories(const Suite& suite) {
+  Suite lean;
+  lean.tolerance = suite.tolerance;
+  lean.wanted = suite.wanted;
+  lean.wanted.histories = false;
+  lean.limits = suite.limits;
+  lean.draws = suite.draws;
+  return lean;
+}
+
+RunMetrics make_draw(const Job& job, int number) {
+  const Draws& draws = job.suite.draws;
+  RunMetrics row;
+  try {
+    RunFiles files;
+    row = engine_metrics(job, drawn_scene(job.scene.scene, draws, number), drawn_step(job.dt, draws, number),
+                         0, files);
+  } catch (const std::exception& failure) {
+    row = describe(job);
+    row.status = RunStatus::failed;
+    row.reason = failure.what();
+  }
+  row.run += fmt::format("#{}", number);
+  return row;
+}
+
+bool out_of_bounds(const RunMetrics& row) {
+  return row.status == RunStatus::time_limit || row.status == RunStatus::memory_limit;
+}
+
+/// The values of a column, sorted.
+std::vector<Json> values_of(const Column& column, const RunMetrics& nominal,
+                            const std::vector<RunMetrics>& draws) {
+  std::vector<Json> values;
+  const auto add = [&](const RunMetrics& row) {
+    if (row.status != RunStatus::done) return;
+    if (Json cell = column.cell(row); cell.is_number()) values.push_back(std::move(cell));
+  };
+  add(nominal);
+  std::for_each(draws.begin(), draws.end(), add);
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+const Json& quantile(const std::vector<Json>& sorted, double share) {
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  return sorted[std::max<std::size_t>(rank, 1) - 1];
+}
+
+constexpr double lower = 0.25, middle = 0.5, upper = 0.75;
+
+}  // namespace
+
+bool is_drawn(const Job& job) {
+  return job.series != nullptr && job.suite.draws.runs > 1;
+}
+
+std::vector<RunMetrics> make_draws(const Job& job, std::size_t threads) {
+  const Suite suite = without_histories(job.suite);
+  const Job lean{suite, job.scene, job.dt, job.series};
+  std::vector<RunMetrics> rows(static_cast<std::size_t>(suite.draws.runs) - 1);
+  std::vector<std::size_t> parts(rows.size());
+  std::iota(parts.begin(), parts.end(), 0);
+  std::optional<RunMetrics> end;
+  const auto compute = [&](std::size_t i) {
+    rows[i] = make_draw(lean, static_cast<int>(i) + 1);
+    return std::string();
+  };
+  const auto deliver = [&](std::size_t i, const std::string& /*text*/) {
+    if (out_of_bounds(rows[i])) end = rows[i];
+  };
+  make_threads(threads)->run(parts, {compute, deliver, [&] { return end.has_value(); }});
+  for (RunMetrics& row : rows) {
+    if (row.run.empty()) row = *end;
+  }
+  return rows;
+}
+
+std::string pack_draws(const std::vector<RunMetrics>& draws, const std::string& identity) {
+  Json json{{"identity", identity}, {"draws", Json::array()}};
+  for (const RunMetrics& row : draws) json["draws"].push_back(metrics_json(row));
+  return json.dump() + "\n";
+}
+
+std::optional<std::vector<RunMetrics>> unpack_draws(const std::string& text, const std::string& identity) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded() || json.value("identity", "") != identity) return {};
+  std::vector<RunMetrics> draws;
+  for (const Json& cells : json.at("draws")) draws.push_back(metrics_from(cells));
+  return draws;
+}
+
+void write_draws(const std::string& packed, const RunMetrics& nominal, const std::filesystem::path& folder) {
+  std::vector<RunMetrics> rows{nominal};
+  const Json json = Json::parse(packed);
+  for (const Json& cells : json.at("draws")) rows.push_back(metrics_from(cells));
+  write_file(folder / "draws.csv", comparison_csv(rows));
+  write_file(folder / "draws.json", packed);
+}
+
+void summarise(const std::vector<RunMetrics>& draws, RunMetrics& nominal) {
+  const RunMetrics first = nominal;
+  const auto count = [&](const auto& counts) {
+    return static_cast<int>(std::count_if(draws.begin(), draws.end(), counts));
+  };
+  nominal.draws = static_cast<int>(draws.size()) + 1;
+  nominal.draws_failed = count([](const RunMetrics& row) { return row.status != RunStatus::done; });
+  nominal.draws_other_verdict = (differ(first.toppling_verdict) ? 1 : 0) + count([](const RunMetrics& row) {
+                                  return row.status == RunStatus::done && differ(row.toppling_verdict);
+                                });
+  for (const Column& column : columns()) {
+    if (!column.drawn) continue;
+    const std::vector<Json> values = values_of(column, first, draws);
+    if (values.empty()) continue;
+    column.set(nominal, quantile(values, middle));
+    if (column.set_quartiles != nullptr)
+      column.set_quartiles(nominal, quantile(values, lower), quantile(values, upper));
+  }
+}
+
+std::string spread_csv(const std::vector<DrawnRow>& rows) {
+  CsvWriter csv;
+  csv.line("run", "quantity", "draws", "least", "lower_quartile", "median", "upper_quartile", "greatest");
+  for (const auto& [nominal, draws] : rows) {
+    for (const Column& column : columns()) {
+      if (!column.drawn) continue;
+      const std::vector<Json> values = values_of(column, nominal, draws);
+      if (values.empty()) continue;
+      const auto number = [](const Json& value) { return value.get<double>(); };
+      csv.line(nominal.run, column.name, values.size(), number(values.front()),
+               number(quantile(values, lower)), number(quantile(values, middle)),
+               number(quantile(values, upper)), number(values.back()));
+    }
+  }
+  return csv.text();
+}
+
+}  // namespace rockstack

@@ -1,0 +1,22 @@
+#include "comparisons/runs/predictability.hpp"
+
+#include <algorithm>
+
+#include "analytic/solve.hpp"
+#include "comparisons/metrics/difference.hpp"
+#include "comparisons/runs/measure.hpp"
+
+namespace rockstack {
+
+double predictable_time(const Scene& scene, const Draws& draws, double tolerance) {
+  const SolveOptions options{.sample_times = regular_times(sample_interval, scene.duration)};
+  const History own = solve(scene, options);
+  double time = scene.duration;
+  for (int i = 1; i < draws.runs; ++i) {
+    const Difference apart = difference(own, solve(drawn_scene(scene, draws, i), options));
+    if (largest(apart) > tolerance) time = std::min(time, agreement_time(apart, tolerance));
+  }
+  return time;
+}
+
+}  // namespace rockstack

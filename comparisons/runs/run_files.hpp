@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace rockstack {
+
+/// The files of one run by their names, before they are written: so a run can be made in another process, or
+/// on another machine, than the one that keeps the results.
+using RunFiles = std::map<std::string, std::string>;
+
+/// The one that is written last: a run with it is whole.
+inline constexpr const char* summary_name = "summary.json";
+
+/// Makes the folder anew and writes all files. @throws std::runtime_error where one cannot be written.
+void write_files(const RunFiles& files, const std::filesystem::path& folder);
+
+/// Between files and one text, for a message. unpack() throws std::runtime_error for anything else than what
+/// pack() gave.
+std::string pack(const RunFiles& files);
+RunFiles unpack(const std::string& message);
+
+}  // namespace rockstack

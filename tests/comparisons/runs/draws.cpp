@@ -1,0 +1,122 @@
+#include "comparisons/runs/draws.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "comparisons/results/csv.hpp"
+#include "comparisons/runs/compare.hpp"
+#include "comparisons/runs/predictability.hpp"
+#include "tests/free_rocking.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr const char* rocking_block = R"(duration = 1
+[[blocks]]
+width = 0.5
+height = 2
+density = 2500
+[initial]
+angles = [0.05]
+)";
+
+Suite suite_of(const TemporaryFolder& folder, const WorkerEngine& engine) {
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", rocking_block), {}));
+  suite.repeats = 1;
+  suite.limits.time = 5;
+  suite.draws.runs = 5;
+  suite.series = {make_series(engine, "default", {1e-2})};
+  return suite;
+}
+
+TEST(Draws, StepsLieEvenlyAroundTheNominalOne) {
+  const Draws draws{.runs = 21, .steps = 0.03};
+  double sum = 0;
+  for (int i = 1; i < draws.runs; ++i) {
+    const double step = drawn_step(1e-3, draws, i);
+    EXPECT_LE(std::abs(step / 1e-3 - 1), 0.03);
+    EXPECT_NE(step, 1e-3);
+    sum += step;
+  }
+  EXPECT_EQ(drawn_step(1e-3, draws, 0), 1e-3);
+  EXPECT_NEAR(sum, 20 * 1e-3, 1e-15);
+}
+
+RunMetrics row_with(double difference) {
+  RunMetrics row;
+  row.rms_angle_difference = difference;
+  row.impacts_matched = static_cast<int>(difference);
+  return row;
+}
+
+// Of 1 … 21 the ranks ⌈21/4⌉, ⌈21/2⌉ and ⌈63/4⌉ are 6, 11 and 16.
+TEST(Draws, ARowGetsMediansAndQuartiles) {
+  RunMetrics nominal = row_with(21);
+  std::vector<RunMetrics> draws;
+  for (int i = 1; i <= 20; ++i) draws.push_back(row_with(i));
+  draws.push_back(row_with(0));
+  draws.back().status = RunStatus::failed;
+  summarise(draws, nominal);
+  EXPECT_EQ(nominal.rms_angle_difference, 11);
+  EXPECT_EQ(nominal.rms_angle_difference_lower, 6);
+  EXPECT_EQ(nominal.rms_angle_difference_upper, 16);
+  EXPECT_EQ(nominal.impacts_matched, 11);
+  EXPECT_EQ(nominal.draws, 22);
+  EXPECT_EQ(nominal.draws_failed, 1);
+}
+
+TEST(Draws, StandBehindARowAndAreNotMadeAgain) {
+  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  const TemporaryFolder folder;
+  Suite suite = suite_of(folder, engines().front());
+  const RunMetrics row = compare({suite}, folder.path(), {}).rows.at(1);
+  EXPECT_EQ(row.draws, 5);
+  const auto file = folder.path() / "runs" / row.run / "draws.csv";
+  const auto read = [&] { return read_columns(file, {"dt", "rms_angle_difference"}); };
+  auto errors = read().at(1);
+  ASSERT_EQ(errors.size(), 5U);
+  std::sort(errors.begin(), errors.end());
+  EXPECT_EQ(row.rms_angle_difference, errors[2]);
+  EXPECT_LT(errors.front(), errors.back());
+  EXPECT_EQ(read_table(folder.path() / "spread.csv").rows.front().front(), row.run);
+
+  const auto written = std::filesystem::last_write_time(file);
+  const CompareResult again = compare({suite}, folder.path(), {});
+  EXPECT_EQ(again.reused, 2U);
+  EXPECT_EQ(again.rows.at(1).rms_angle_difference, row.rms_angle_difference);
+  EXPECT_EQ(std::filesystem::last_write_time(file), written);
+
+  suite.draws.runs = 7;
+  EXPECT_EQ(compare({suite}, folder.path(), {}).reused, 2U);
+  EXPECT_EQ(read().at(0).size(), 7U);
+}
+
+TEST(Draws, ThatFailAreCountedAndOneThatRunsOutOfTimeEndsTheSet) {
+  for (const WorkerEngine& engine : engines_of(FAULTY_WORKER)) {
+    if (engine.solver() != "throw" && engine.solver() != "loop") continue;
+    const TemporaryFolder folder;
+    Suite suite = suite_of(folder, engine);
+    suite.limits.time = 1;
+    const Job job{suite, suite.scenes.front(), 1e-2, &suite.series.front()};
+    const auto draws = make_draws(job, 1);
+    ASSERT_EQ(draws.size(), 4U);
+    for (const RunMetrics& row : draws)
+      EXPECT_EQ(row.status, engine.solver() == "loop" ? RunStatus::time_limit : RunStatus::failed);
+    const std::string names = draws[0].run + " " + draws[1].run;
+    EXPECT_EQ(draws[0].run == draws[1].run, engine.solver() == "loop") << names;
+  }
+}
+
+// Free rocking is predictable: it dies away. One disturbance is 1e-6 of the motion, the tolerance 1e-2 rad.
+TEST(Draws, PredictableTimeIsTheDurationUnlessHistoriesPart) {
+  const Scene scene = free_rocking(3);
+  EXPECT_EQ(predictable_time(scene, {.runs = 5}, 1e-2), scene.duration);
+  EXPECT_LT(predictable_time(scene, {.runs = 5, .scene = 1e-2}, 1e-6), 0.1);
+}
+
+}  // namespace
+}  // namespace rockstack
