@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/pattern.hpp"
@@ -61,6 +62,8 @@ void read_description(const Json& json, Comparison& comparison) {
                                  scene.at("blocks").get<int>(),
                                  scene.at("toml").get<std::string>(),
                                  scene.value("ground", ""),
+                                 scene.value("law", ""),
+                                 number_of(scene.value("predictable_time", Json())),
                                  stack_of(scene),
                                  scene.value("gravity", 0.0),
                                  scene.value("chatter_speed", 0.0),
@@ -103,6 +106,14 @@ class RowReader {
       : table_(table), row_(row), file_(file) {}
 
   void read(const std::string& name, std::string& field) const { field = cell(name); }
+  /// A column that results without draws do not have.
+  void read_if_there(const std::string& name, double& field) const {
+    const auto& columns = table_.columns;
+    if (std::find(columns.begin(), columns.end(), name) == columns.end())
+      field = std::nan("");
+    else
+      read(name, field);
+  }
   void read(const std::string& name, double& field) const {
     field = number(cell(name), fmt::format("{}:{}", file_.string(), row_ + 2), name);
   }
@@ -135,6 +146,15 @@ Run read_run(const RowReader& row) {
   row.read("impacts_matched", run.impacts_matched);
   row.read("impacts_missed", run.impacts_missed);
   row.read("impacts_extra", run.impacts_extra);
+  for (const auto& [name, field] : {std::pair{"rms_angle_difference_lower", &run.rms_angle_difference_lower},
+                                    {"rms_angle_difference_upper", &run.rms_angle_difference_upper},
+                                    {"draws", &run.draws},
+                                    {"impacts_matched_null", &run.impacts_matched_null},
+                                    {"impacts_missed_null", &run.impacts_missed_null},
+                                    {"impacts_extra_null", &run.impacts_extra_null},
+                                    {"impacts_matched_random", &run.impacts_matched_random},
+                                    {"impacts_matched_shifted", &run.impacts_matched_shifted}})
+    row.read_if_there(name, *field);
   row.read("agreement_time", run.agreement_time);
   row.read("toppled", run.toppled);
   return run;
@@ -144,6 +164,10 @@ Run read_run(const RowReader& row) {
 
 bool ComparedScene::has(const std::string& result) const {
   return std::find(results.begin(), results.end(), result) != results.end();
+}
+
+std::string heading(const ComparedScene& scene) {
+  return scene.law.empty() ? scene.title : fmt::format("{}, law {}", scene.title, scene.law);
 }
 
 Comparison read_comparison(const std::filesystem::path& results) {

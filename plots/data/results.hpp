@@ -17,8 +17,14 @@ struct Run {
   double largest_angle_difference = 0;      ///< rad
   double rms_angle_difference = 0;          ///< rad
   double first_impact_time_difference = 0;  ///< s
+  /// Quartiles of the same over draws, where there are some; else NaN.
+  double rms_angle_difference_lower = 0, rms_angle_difference_upper = 0;
+  double draws = 0;  ///< how many runs the numbers are medians of; NaN: one
   double impacts_matched = 0, impacts_missed = 0, impacts_extra = 0;
-  double agreement_time = 0;  ///< s
+  /// Of the exact motion read from samples at the same steps.
+  double impacts_matched_null = 0, impacts_missed_null = 0, impacts_extra_null = 0;
+  double impacts_matched_random = 0, impacts_matched_shifted = 0;  ///< by chance
+  double agreement_time = 0;                                       ///< s
   std::string toppled;
   std::vector<std::string> cells;  ///< the whole row as text, for Comparison::columns
   std::filesystem::path folder;    ///< where its files are
@@ -37,6 +43,8 @@ struct ComparedScene {
   int blocks = 0;
   std::string toml;                          ///< the scene as text
   std::string ground;                        ///< what moves the ground, empty where nothing does
+  std::string law = {};                      ///< of the exact motion; empty where the results do not say
+  double predictable_time = 0;               ///< until when histories can be compared, s; NaN: not known
   std::vector<StackBlock> stack = {};        ///< bottom to top; empty where the results do not say
   double gravity = 0;                        ///< m/s²
   double chatter_speed = 0;                  ///< relative speed under which impacts are not compared, rad/s
@@ -87,6 +95,9 @@ struct Comparison {
   std::vector<std::string> columns;
   std::vector<Run> runs;
 };
+
+/// A scene's title with the law of its exact motion.
+std::string heading(const ComparedScene& scene);
 
 /// Reads comparison.json and comparison.csv.
 /// @throws InputError naming the file (and line) that is missing or malformed.

@@ -125,4 +125,15 @@ std::string duration_text(double seconds) {
   return size >= 1e-6 ? fmt::format("{:.4g} µs", seconds * 1e6) : fmt::format("{:.4g} ns", seconds * 1e9);
 }
 
+double quartile_or(double quartile, double value) {
+  return std::isnan(quartile) ? value : quartile;
+}
+
+std::string draws_note(const Comparison& comparison, const std::string& scene) {
+  double draws = 1;
+  for (const Run& run : comparison.runs)
+    if (run.scene == scene && run.draws > draws) draws = run.draws;
+  return draws > 1 ? fmt::format("marks: medians of {} draws at nearby steps; bars: quartiles", draws) : "";
+}
+
 }  // namespace rockstack::plots

@@ -41,6 +41,13 @@ std::string run_label(const Run& run);
 /// The same inside a sentence, "bullet sequential-impulse (tuned, 0.1 ms)".
 std::string run_phrase(const Run& run);
 
+/// A quartile, or the value itself where there are no draws.
+double quartile_or(double quartile, double value);
+
+/// What the marks of a scene's figures stand for: "marks: medians of 21 draws; bars: quartiles"; empty where
+/// its rows are single runs.
+std::string draws_note(const Comparison& comparison, const std::string& scene);
+
 /// A duration with a unit that suits it: "0.1 ms", "12 µs", "3.5 s".
 std::string duration_text(double seconds);
 

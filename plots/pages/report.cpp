@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "comparisons/results/files.hpp"
 #include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
@@ -30,6 +32,33 @@ std::string runs_table(const Comparison& comparison) {
   return table(comparison.columns, rows);
 }
 
+/// Matched, missed and extra impacts.
+std::string counts(double matched, double missed, double extra) {
+  if (std::isnan(matched)) return "";
+  return fmt::format("{} / {} / {}", matched, missed, extra);
+}
+
+/// The impacts that each engine run has, beside the null row (the exact motion read from samples at the same
+/// steps) and the chance level; nothing where no run counted them.
+std::string impacts_table(const Comparison& comparison, const std::string& scene) {
+  const std::vector<std::string> columns{"run", "matched / missed / extra",
+                                         "null: the exact motion at these steps",
+                                         "matched by chance: random times", "matched by chance: shifted"};
+  std::string rows;
+  for (const Run& run : done_runs(comparison, scene)) {
+    if (std::isnan(run.impacts_matched) || std::isnan(run.impacts_matched_null) || std::isnan(run.dt))
+      continue;
+    rows += table_row(
+        columns,
+        {run_label(run), counts(run.impacts_matched, run.impacts_missed, run.impacts_extra),
+         counts(run.impacts_matched_null, run.impacts_missed_null, run.impacts_extra_null),
+         fmt::format("{}", run.impacts_matched_random), fmt::format("{}", run.impacts_matched_shifted)});
+  }
+  if (rows.empty()) return "";
+  return element("h3", "Impacts, and what reading and chance alone would give") +
+         element("div", table(columns, rows), " class=\"statements\"") + "\n";
+}
+
 /// What the paper says beside what was computed; nothing where no statements were asked for.
 std::string statements_section(const Comparison& comparison) {
   if (comparison.statements.empty()) return "";
@@ -50,7 +79,7 @@ std::string scene_anchor(std::size_t scene) {
 
 std::string scene_section(const fs::path& results, const Comparison& comparison, std::size_t scene) {
   const ComparedScene& compared = comparison.scenes[scene];
-  std::string body = element("h2", escaped(compared.title)) + "\n";
+  std::string body = element("h2", escaped(heading(compared))) + "\n";
   if (!compared.ground.empty())
     body += element("p", escaped("The ground moves by: " + compared.ground)) + "\n";
   if (has_motion(comparison, compared))
@@ -58,6 +87,7 @@ std::string scene_section(const fs::path& results, const Comparison& comparison,
   for (const FigureKind& kind : figure_kinds())
     if (has_figure(compared, kind))
       body += element("h3", escaped(kind.title)) + figure_part(results, comparison, scene, kind) + "\n";
+  body += impacts_table(comparison, compared.name);
   body += element("details", element("summary", fmt::format("The scene file of {}", escaped(compared.name))) +
                                  element("pre", element("code", escaped(compared.toml))));
   return element("section", "\n" + body, fmt::format(" id=\"{}\"", scene_anchor(scene))) + "\n";

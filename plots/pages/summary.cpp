@@ -34,6 +34,22 @@ std::string exact_sentence(const Run& exact, int blocks) {
                      end, counted(events.impacts, "impact"), first);
 }
 
+/// What stands behind the numbers, and how long they mean something.
+void add_draws(const std::vector<Run>& runs, const ComparedScene& scene,
+               std::vector<std::string>& sentences) {
+  double draws = 1;
+  for (const Run& run : runs)
+    if (run.draws > draws) draws = run.draws;
+  if (draws > 1)
+    sentences.push_back(fmt::format(
+        "Numbers of engines are medians of up to {} draws: steps and scenes that hardly differ.", draws));
+  if (std::isnan(scene.predictable_time) || runs.empty()) return;
+  sentences.push_back(
+      fmt::format("Two exact motions that differ in the sixth digit stay together until {:.4g} s: "
+                  "later differences say nothing about an engine.",
+                  scene.predictable_time));
+}
+
 void add_nearest(const std::vector<Run>& runs, std::vector<std::string>& sentences) {
   const auto rms = [](const Run& run) { return run.rms_angle_difference; };
   const auto reversed_rms = [](const Run& run) { return -run.rms_angle_difference; };
@@ -135,6 +151,7 @@ std::vector<std::string> summary(const Comparison& comparison, const ComparedSce
   } else {
     sentences.push_back("There is no exact run to compare with.");
   }
+  add_draws(runs, scene, sentences);
   add_nearest(runs, sentences);
   add_agreement(comparison, runs, sentences);
   add_first_impact(runs, sentences);

@@ -87,17 +87,17 @@ Legend legend_of(const std::vector<Departure>& departures, const Styles& styles)
 
 Drawing differences(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   const std::vector<Run> runs = shown_runs(comparison, scene.name).engines;
-  if (runs.empty()) return empty_sheet(scene.title, "No engine run of this scene to compare.");
+  if (runs.empty()) return empty_sheet(heading(scene), "No engine run of this scene to compare.");
   const auto blocks = static_cast<std::size_t>(scene.blocks);
   const double floor = std::min(comparison.tolerance * 1e-4, 1e-6);
   std::vector<Departure> departures;
   for (const Run& run : runs)
     if (std::filesystem::exists(run.folder / "difference.csv"))
       departures.push_back(read_departure(run, scene.blocks, bins_for(2 * runs.size() * blocks), floor));
-  if (departures.empty()) return empty_sheet(scene.title, "No exact run of this scene to compare with.");
+  if (departures.empty()) return empty_sheet(heading(scene), "No exact run of this scene to compare with.");
   const LogRange range = range_of(departures, comparison.tolerance, floor);
 
-  Sheet sheet(scene.title, legend_of(departures, styles));
+  Sheet sheet(heading(scene), legend_of(departures, styles));
   for (std::size_t i = 0; i < departures.size(); ++i)
     for (std::size_t k = 0; k < blocks; ++k)
       sheet.data(data_block(difference_name(i, k), departures[i].sizes[k]));

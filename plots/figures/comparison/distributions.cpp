@@ -104,7 +104,7 @@ Drawing distributions(const Comparison& comparison, const ComparedScene& scene, 
   Legend legend;
   for (const Sample& sample : samples_of(shown, "impacts"))
     legend.emplace_back(style(sample.run, styles), run_label(sample.run));
-  Sheet sheet(scene.title, legend);
+  Sheet sheet(heading(scene), legend);
   for (const auto& [name, axis] : quantities_of(scene)) {
     const std::vector<Sample> samples = samples_of(shown, name);
     if (samples.empty()) continue;

@@ -75,11 +75,11 @@ Drawing energy(const Comparison& comparison, const ComparedScene& scene, const S
   for (const Run& run : runs)
     if (std::filesystem::exists(run.folder / "energy.csv"))
       all.push_back(read_energies(run, bins_for(3 * runs.size())));
-  if (all.empty()) return empty_sheet(scene.title, "No engine run of this scene tells its energy.");
+  if (all.empty()) return empty_sheet(heading(scene), "No engine run of this scene tells its energy.");
   const Curve& exact = longest_exact(all);
   const double end = exact.times.empty() ? 1 : std::max(exact.times.back(), 1e-9);
   std::vector<const Curve*> levels{&exact}, differences;
-  Sheet sheet(scene.title, legend_of(all, styles));
+  Sheet sheet(heading(scene), legend_of(all, styles));
   sheet.data(data_block("exact", exact));
   for (std::size_t i = 0; i < all.size(); ++i) {
     levels.push_back(&all[i].engine);

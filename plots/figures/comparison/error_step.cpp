@@ -14,14 +14,17 @@ namespace {
 struct Errors {
   std::string column, axis;
   double (*of)(const Run&);
+  double Run::*lower = nullptr;  ///< quartiles over draws, where the file has them
+  double Run::*upper = nullptr;
 };
 
 /// The errors of one series, and their fit.
 struct ErrorLine {
   Run run;  ///< any of the line
   std::string label;
-  Curve errors;              ///< by ascending time step
-  const Fit* fit = nullptr;  ///< null where there is none
+  Curve errors;                      ///< by ascending time step
+  std::vector<double> lower, upper;  ///< quartiles over draws; the error itself where there are none
+  const Fit* fit = nullptr;          ///< null where there is none
 
   bool fits() const { return fit != nullptr && fit->holds; }
 };
@@ -40,16 +43,27 @@ std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::stri
                                    const Errors& errors) {
   std::vector<ErrorLine> lines;
   for (const StepLine& runs : step_lines(comparison, scene)) {
-    ErrorLine line{runs.front(), line_label(runs), {}, fit_of(comparison, runs, errors.column)};
+    ErrorLine line{runs.front(), line_label(runs), {}, {}, {}, fit_of(comparison, runs, errors.column)};
     for (const Run& run : runs) {
       const double error = errors.of(run);
       if (!(error > 0) || !std::isfinite(error)) continue;
       line.errors.times.push_back(run.dt);
       line.errors.values.push_back(error);
+      const bool drawn = errors.lower != nullptr && !std::isnan(run.*errors.lower);
+      line.lower.push_back(drawn ? run.*errors.lower : error);
+      line.upper.push_back(drawn ? run.*errors.upper : error);
     }
     if (line.errors.size() > 0) lines.push_back(line);
   }
   return lines;
+}
+
+std::string errors_block(std::size_t index, const ErrorLine& line) {
+  std::string text = fmt::format("$errors_{} << EOD\n", index);
+  for (std::size_t i = 0; i < line.errors.size(); ++i)
+    text += fmt::format("{} {} {} {}\n", plain(line.errors.times[i]), plain(line.errors.values[i]),
+                        plain(line.lower[i]), plain(line.upper[i]));
+  return text + "EOD\n";
 }
 
 /// The fitted curve between the smallest and the largest step.
@@ -75,7 +89,8 @@ std::string mark(const ErrorLine& line, const Styles& styles) {
 std::string ranges(const std::vector<ErrorLine>& lines) {
   double shortest = 1e300, longest = 0, small = 1e300, large = 0;
   for (const ErrorLine& line : lines) {
-    const auto [low, high] = std::minmax_element(line.errors.values.begin(), line.errors.values.end());
+    const auto low = std::min_element(line.lower.begin(), line.lower.end());
+    const auto high = std::max_element(line.upper.begin(), line.upper.end());
     shortest = std::min(shortest, line.errors.times.front());
     longest = std::max(longest, line.errors.times.back());
     small = std::min(small, *low);
@@ -98,7 +113,7 @@ std::string floors(const std::vector<ErrorLine>& lines, const Styles& styles) {
 Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, const Styles& styles,
                     const Errors& errors) {
   const std::vector<ErrorLine> lines = error_lines(comparison, scene.name, errors);
-  if (lines.empty()) return empty_sheet(scene.title, "No engine run of this scene with an error.");
+  if (lines.empty()) return empty_sheet(heading(scene), "No engine run of this scene with an error.");
   Legend legend;
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -107,11 +122,13 @@ Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, co
     if (lines[i].fits())
       plots.push_back(fmt::format("$fitted_{} using 1:2 with lines lw 2 lc rgb '{}' dt {} notitle", i,
                                   style.colour, dash_of(style, lines[i].run.settings, "solid")));
+    plots.push_back(fmt::format("$errors_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i,
+                                style.colour));
     plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark(lines[i], styles)));
   }
-  Sheet sheet(scene.title, legend);
+  Sheet sheet(heading(scene), legend);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    sheet.data(data_block(fmt::format("errors_{}", i), lines[i].errors));
+    sheet.data(errors_block(i, lines[i]));
     if (lines[i].fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted(lines[i])));
   }
   sheet.panel(560, 0,
@@ -122,6 +139,7 @@ Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, co
   for (const ErrorLine& line : lines)
     if (line.fit != nullptr)
       sheet.note(line.label + ": " + fit_label(*line.fit), styles.at(solver_name(line.run)).colour);
+  if (const std::string note = draws_note(comparison, scene.name); !note.empty()) sheet.note(note, "#000000");
   return sheet.finish();
 }
 
@@ -130,7 +148,8 @@ Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, co
 Drawing error_step(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   return draw_errors(comparison, scene, styles,
                      {"rms_angle_difference", "RMS angle difference (rad)",
-                      [](const Run& run) { return run.rms_angle_difference; }});
+                      [](const Run& run) { return run.rms_angle_difference; },
+                      &Run::rms_angle_difference_lower, &Run::rms_angle_difference_upper});
 }
 
 Drawing first_impact_step(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {

@@ -16,6 +16,7 @@ namespace {
 struct Cost {
   double time, error;
   std::string label;
+  double lower, upper;  ///< quartiles over draws; the error itself where there are none
 };
 
 constexpr double panel_across = 1056, panel_up = 520;  ///< pixels
@@ -37,8 +38,9 @@ std::vector<CostLine> cost_lines(const Comparison& comparison, const std::string
   for (const StepLine& runs : step_lines(comparison, scene)) {
     CostLine line{runs.front(), line_label(runs), fit_of(comparison, runs, "rms_angle_difference"), {}};
     for (const Run& run : runs) {
-      const Cost cost{run.stepping_time / (run.steps * run.dt), run.rms_angle_difference,
-                      words_of(run, runs)};
+      const Cost cost{run.stepping_time / (run.steps * run.dt), run.rms_angle_difference, words_of(run, runs),
+                      quartile_or(run.rms_angle_difference_lower, run.rms_angle_difference),
+                      quartile_or(run.rms_angle_difference_upper, run.rms_angle_difference)};
       if (std::isfinite(cost.time) && cost.time > 0 && cost.error > 0 && std::isfinite(cost.error))
         line.costs.push_back(cost);
     }
@@ -56,12 +58,11 @@ double exact_cost(const std::vector<Run>& exact) {
 }
 
 std::string line_data(std::size_t index, const CostLine& line) {
-  Curve curve;
-  for (const Cost& cost : line.costs) {
-    curve.times.push_back(cost.time);
-    curve.values.push_back(cost.error);
-  }
-  return data_block(fmt::format("line_{}", index), curve);
+  std::string text = fmt::format("$line_{} << EOD\n", index);
+  for (const Cost& cost : line.costs)
+    text += fmt::format("{} {} {} {}\n", plain(cost.time), plain(cost.error), plain(cost.lower),
+                        plain(cost.upper));
+  return text + "EOD\n";
 }
 
 std::string line_style(const CostLine& line, const Styles& styles) {
@@ -90,8 +91,8 @@ Frame frame_of(const std::vector<CostLine>& lines, double exact) {
   for (const CostLine& line : lines)
     for (const Cost& cost : line.costs) {
       frame.add(cost.time);
-      frame.small = std::min(frame.small, cost.error);
-      frame.large = std::max(frame.large, cost.error);
+      frame.small = std::min(frame.small, cost.lower);
+      frame.large = std::max(frame.large, cost.upper);
     }
   constexpr double room = 2;
   return {frame.fast / room, frame.slow * room, frame.small / room, frame.large * room};
@@ -184,8 +185,11 @@ std::string labels(const std::vector<CostLine>& lines, const Frame& frame, const
 
 std::vector<std::string> plots_of(const std::vector<CostLine>& lines, const Styles& styles) {
   std::vector<std::string> plots;
-  for (std::size_t i = 0; i < lines.size(); ++i)
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    plots.push_back(fmt::format("$line_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i,
+                                styles.at(solver_name(lines[i].run)).colour));
     plots.push_back(fmt::format("$line_{} using 1:2 {} notitle", i, line_style(lines[i], styles)));
+  }
   return plots;
 }
 
@@ -211,12 +215,12 @@ std::string exact_line(double cost) {
 Drawing error_time(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
   const std::vector<CostLine> lines = cost_lines(comparison, scene.name);
   if (lines.empty())
-    return empty_sheet(scene.title, "No engine run of this scene with both an error and a time.");
+    return empty_sheet(heading(scene), "No engine run of this scene with both an error and a time.");
   const double exact = exact_cost(shown_runs(comparison, scene.name).exact);
   const Frame frame = frame_of(lines, exact);
   Legend legend;
   for (const CostLine& line : lines) legend.emplace_back(line_style(line, styles), line.label);
-  Sheet sheet(scene.title, legend);
+  Sheet sheet(heading(scene), legend);
   for (std::size_t i = 0; i < lines.size(); ++i) sheet.data(line_data(i, lines[i]));
   sheet.panel(panel_up, 0,
               "set logscale xy\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
@@ -225,6 +229,7 @@ Drawing error_time(const Comparison& comparison, const ComparedScene& scene, con
                   frame.ranges() + labels(lines, frame, styles) + floors(lines, frame, styles) +
                   exact_line(exact),
               plots_of(lines, styles));
+  if (const std::string note = draws_note(comparison, scene.name); !note.empty()) sheet.note(note, "#000000");
   return sheet.finish();
 }
 

@@ -47,8 +47,8 @@ Drawing ground_motion(const Comparison&, const ComparedScene& scene, const Style
   const auto moves = [](const std::vector<double>& values) {
     return std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });
   };
-  if (!moves(columns[1]) && !moves(columns[2])) return empty_sheet(scene.title, "the ground stands still");
-  Sheet sheet(scene.title, {});
+  if (!moves(columns[1]) && !moves(columns[2])) return empty_sheet(heading(scene), "the ground stands still");
+  Sheet sheet(heading(scene), {});
   const bool vertical = moves(columns[2]);
   if (moves(columns[1])) add_axis(sheet, "horizontal", {columns[0], columns[1]}, !vertical);
   if (vertical) add_axis(sheet, "vertical", {columns[0], columns[2]}, true);

@@ -177,11 +177,11 @@ std::string panel_settings(const std::vector<Motion>& motions, const ExactEvents
 }
 
 Drawing draw_runs(const std::vector<Run>& runs, const ComparedScene& scene, const Styles& styles) {
-  if (runs.empty()) return empty_sheet(scene.title, "No run of this scene was done.");
+  if (runs.empty()) return empty_sheet(heading(scene), "No run of this scene was done.");
   const std::vector<Motion> motions = read_motions(runs, scene.blocks);
   const ExactEvents events = events_of(motions, scene.blocks);
   const double end = last_time(motions);
-  Sheet sheet(scene.title, legend_of(motions, styles));
+  Sheet sheet(heading(scene), legend_of(motions, styles));
   constexpr double gap = 16;
   for (std::size_t k = 0; k < events.impact_times.size(); ++k) {
     for (std::size_t i = 0; i < motions.size(); ++i)

@@ -128,12 +128,12 @@ Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, c
   std::vector<Verdicts> all;
   for (const Run& run : shown_runs(comparison, scene.name).engines)
     if (std::filesystem::exists(run.folder / "impacts.csv")) all.push_back({run, read_impacts(run)});
-  if (all.empty()) return empty_sheet(scene.title, "No engine run of this scene to compare.");
+  if (all.empty()) return empty_sheet(heading(scene), "No engine run of this scene to compare.");
   const bool any = std::any_of(all.begin(), all.end(), [](const Verdicts& verdicts) {
     const Impacts& impacts = verdicts.impacts;
     return !impacts.matched.empty() || !impacts.missed.empty() || !impacts.extra.empty();
   });
-  if (!any) return empty_sheet(scene.title, "No impacts, neither in the exact motion nor in an engine.");
+  if (!any) return empty_sheet(heading(scene), "No impacts, neither in the exact motion nor in an engine.");
 
   const SignedLog scale = scale_of(all);
   const double last = last_number(all);
@@ -143,7 +143,7 @@ Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, c
   for (const Verdicts& verdicts : all)
     legend.emplace_back(mark_style(styles.at(solver_name(verdicts.run)), false, 1.6),
                         run_label(verdicts.run));
-  Sheet sheet(scene.title, legend);
+  Sheet sheet(heading(scene), legend);
   add_data(sheet, all, scale);
   sheet.panel(
       380, 0,

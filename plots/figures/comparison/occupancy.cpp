@@ -113,7 +113,7 @@ Drawing occupancy(const Comparison& comparison, const ComparedScene& scene, cons
   std::vector<Occupancy> all;
   for (const Run& run : shown_runs(comparison, scene.name).engines)
     if (std::filesystem::exists(run.folder / "patterns.csv")) all.push_back(read_occupancy(run));
-  if (all.empty()) return empty_sheet(scene.title, "No engine run of this scene tells its patterns.");
+  if (all.empty()) return empty_sheet(heading(scene), "No engine run of this scene tells its patterns.");
   const std::vector<std::string> patterns = patterns_of(all);
   const std::size_t solvers = all.size() + 1;
   Legend legend{{"with boxes " + fill("#000000", 0), "exact"}};
@@ -123,7 +123,7 @@ Drawing occupancy(const Comparison& comparison, const ComparedScene& scene, cons
     legend.emplace_back("with boxes " + fill(colour, plots.size()), run_label(one.run));
     plots.push_back(bar_plot(colour, plots.size(), solvers));
   }
-  Sheet sheet(scene.title, legend);
+  Sheet sheet(heading(scene), legend);
   sheet.data(data_block("bars_0", bars(patterns, all.front().exact, 0, solvers)));
   for (std::size_t i = 0; i < all.size(); ++i)
     sheet.data(data_block(fmt::format("bars_{}", i + 1), bars(patterns, all[i].engine, i + 1, solvers)));

@@ -71,7 +71,7 @@ Drawing phase(const Comparison& comparison, const ComparedScene& scene, const St
   const Shown shown = shown_runs(comparison, scene.name);
   std::vector<Run> runs = shown.exact;
   runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
-  if (runs.empty()) return empty_sheet(scene.title, "No run of this scene was done.");
+  if (runs.empty()) return empty_sheet(heading(scene), "No run of this scene was done.");
   const auto blocks = static_cast<std::size_t>(scene.blocks);
   std::vector<Orbit> orbits;
   Legend legend;
@@ -79,7 +79,7 @@ Drawing phase(const Comparison& comparison, const ComparedScene& scene, const St
     legend.emplace_back(curve_style(styles, run, orbits.size()), run_label(run));
     orbits.push_back(read_orbit(run, scene.blocks));
   }
-  Sheet sheet(scene.title, legend);
+  Sheet sheet(heading(scene), legend);
   constexpr double gap = 78;
   for (std::size_t k = 0; k < blocks; ++k) {
     for (std::size_t i = 0; i < orbits.size(); ++i)
