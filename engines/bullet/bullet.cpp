@@ -2,9 +2,16 @@
 //
 // The same in both sets, as the question asks for it: motion held to the plane by linear and angular factors,
 // no sleeping, no damping, no restitution, one step of dt each stepSimulation(dt, 0). The ground is a box:
-// against a plane Bullet finds one corner a step. Bullet multiplies the two bodies' friction and clamps the
-// product at 10. Bullet's erp, frictionERP and frictionCFM are not here: with neither joints nor friction
-// anchors they change no digit.
+// against a plane (ground = "plane", btStaticPlaneShape) Bullet finds one corner a step and keeps those of
+// steps before. Blocks are boxes, which Bullet clips against each other; shape = "hull" makes them convex
+// hulls of their corners without a margin, which meet by GJK, one point a step. Bullet multiplies the two
+// bodies' friction and clamps the product at 10. Bullet's erp and frictionCFM are not here: without joints
+// they change no digit; frictionERP acts with frictionAnchor = 1 alone.
+//
+// contactStiffness k in N/m and contactDamping c in N s/m make each contact point a spring and a dashpot,
+// through Bullet's own erp = h k/(h k + c) and cfm = 1/(h k + c) with the step h; where both are zero, erp2
+// and globalCfm act. Only an overlap that goes through the velocities is a spring: splitImpulse = 0, or above
+// its threshold.
 //
 // What was measured of every setting: engines/README.md.
 //
@@ -43,6 +50,9 @@ constexpr bool single_precision = sizeof(btScalar) == sizeof(float);
 
 /// SOLVER_USE_WARMSTARTING | SOLVER_SIMD
 constexpr int usual_mode = 4 | 256;
+
+/// N/m and N s/m: what the library gives a body that has no stiffness of its own.
+constexpr double stiffest = 1e18;
 
 /// The library clamps a pair's coefficient of friction here (btManifoldResult.cpp).
 constexpr double largest_friction = 10;
@@ -98,6 +108,12 @@ std::vector<Setting> settings_of(BulletSolver solver) {
       {"restitution", 0, 0, 0, 1},
       {"restitutionVelocityThreshold", 0.2F, 0.2F, 0, endless},
       {"unitMass", 0, tuned.unit_mass, 0, 1, true},
+      {"ground", 0, 0, 0, 1, true, {"box", "plane"}},
+      {"shape", 0, 0, 0, 1, true, {"box", "hull"}},
+      {"contactStiffness", 0, 0, 0, stiffest},
+      {"contactDamping", 0, 0, 0, stiffest},
+      {"frictionAnchor", 0, 0, 0, 1, true},
+      {"frictionERP", 0.2F, 0.2F, 0, 1},
       shaking_setting(),
   };
   if (solver == BulletSolver::mlcp_lemke) {

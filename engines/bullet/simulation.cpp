@@ -22,18 +22,36 @@ btVector3 vector(double x, double y, double z) {
   return {scalar(x), scalar(y), scalar(z)};
 }
 
-/// A box that carries its own contact breaking threshold, so that no global of the library has to be written.
-class Box : public btBoxShape {
+/// A shape that carries its own contact breaking threshold, so that no global of the library has to be
+/// written.
+template <class Shape>
+class Threshold : public Shape {
  public:
-  Box(const btVector3& half_extents, double breaking_factor)
-      : btBoxShape(half_extents), breaking_factor_(breaking_factor) {}
+  template <class... Arguments>
+  explicit Threshold(double breaking_factor, const Arguments&... arguments)
+      : Shape(arguments...), breaking_factor_(breaking_factor) {}
   btScalar getContactBreakingThreshold(btScalar /*library_factor*/) const override {
-    return scalar(breaking_factor_) * getAngularMotionDisc();
+    return scalar(breaking_factor_) * this->getAngularMotionDisc();
   }
 
  private:
   double breaking_factor_;
 };
+
+std::unique_ptr<btCollisionShape> make_box(const btVector3& half, double breaking_factor) {
+  return std::make_unique<Threshold<btBoxShape>>(breaking_factor, half);
+}
+
+/// Without a margin, as that would round the corners.
+std::unique_ptr<btCollisionShape> make_hull(const btVector3& half, double breaking_factor) {
+  auto hull = std::make_unique<Threshold<btConvexHullShape>>(breaking_factor);
+  hull->setMargin(0);
+  for (int corner = 0; corner < 8; ++corner) {
+    const btVector3 side((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
+    hull->addPoint(side * half);
+  }
+  return hull;
+}
 
 void apply(const Parameters& parameters, btContactSolverInfo& info) {
   info.m_numIterations = static_cast<int>(parameters.at("numIterations"));
@@ -47,7 +65,34 @@ void apply(const Parameters& parameters, btContactSolverInfo& info) {
   info.m_warmstartingFactor = scalar(parameters.at("warmstartingFactor"));
   info.m_solverMode = static_cast<int>(parameters.at("solverMode"));
   info.m_restitutionVelocityThreshold = scalar(parameters.at("restitutionVelocityThreshold"));
+  info.m_frictionERP = scalar(parameters.at("frictionERP"));
   info.m_leastSquaresResidualThreshold = scalar(parameters.at("leastSquaresResidualThreshold"));
+}
+
+/// What each body has for a pair of them to have what was asked for: Bullet multiplies friction and
+/// restitution, takes stiffnesses in series and adds dampings.
+struct Surface {
+  btScalar friction, restitution;
+  btScalar stiffness, damping;  ///< N/m, N·s/m; both zero: none of its own
+  int flags;
+};
+
+Surface surface_of(double friction, double mass_factor, const Parameters& parameters) {
+  return {scalar(std::sqrt(friction)), scalar(std::sqrt(parameters.at("restitution"))),
+          scalar(2 * mass_factor * parameters.at("contactStiffness")),
+          scalar(0.5 * mass_factor * parameters.at("contactDamping")),
+          parameters.at("frictionAnchor") != 0 ? btCollisionObject::CF_HAS_FRICTION_ANCHOR : 0};
+}
+
+/// Ten times as far as all blocks in a row.
+double ground_reach(const Scene& scene) {
+  double reach = scene.engine.depth;
+  for (const Block& block : scene.blocks) reach += 2 * (block.half_width + block.half_height);
+  return 10 * reach;
+}
+
+btVector3 half_extents(const Placement& placement) {
+  return vector(0.5 * placement.width, 0.5 * placement.height, 0.5 * placement.depth);
 }
 
 double angle_of(const btRigidBody& body) {
@@ -62,14 +107,22 @@ class BulletSimulation : public Simulation {
         dt_(dt),
         shaking_(scene_, dt, parameters),
         mass_factor_(parameters.at("unitMass") != 0 ? 1 / scene_.blocks.front().mass : 1),
-        restitution_(scalar(std::sqrt(parameters.at("restitution")))),
+        surface_(surface_of(scene_.engine.friction, mass_factor_, parameters)),
         dispatcher_(&configuration_),
         solver_(solver, parameters) {
     apply(parameters, world_.getSolverInfo());
     set_gravity({0, -scene_.gravity});
     const double breaking_factor = scalar(parameters.at("contactBreakingThreshold"));
-    add_ground(breaking_factor);
-    for (const Placement& placement : place(scene_)) add_block(placement, breaking_factor);
+    const auto shape = parameters.at("shape") != 0 ? make_hull : make_box;
+    if (parameters.at("ground") != 0) {
+      add_ground(std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), scalar(0)), {0, 0, 0});
+    } else {
+      const double reach = ground_reach(scene_);
+      add_ground(make_box(vector(reach, reach, reach), breaking_factor), vector(0, -reach, 0));
+    }
+    for (const Placement& placement : place(scene_)) {
+      add_block(placement, shape(half_extents(placement), breaking_factor));
+    }
   }
 
   void step() override {
@@ -109,14 +162,11 @@ class BulletSimulation : public Simulation {
     world_.setGravity(vector(acceleration.x, acceleration.y, 0));
   }
 
-  /// A box rather than a plane: against a plane Bullet finds one corner a step.
-  void add_ground(double breaking_factor) {
-    double reach = scene_.engine.depth;
-    for (const Block& block : scene_.blocks) reach += 2 * (block.half_width + block.half_height);
-    reach *= 10;
-    shapes_.push_back(std::make_unique<Box>(vector(reach, reach, reach), breaking_factor));
+  /// Its middle is at `start`, its face at y = 0.
+  void add_ground(std::unique_ptr<btCollisionShape> shape, const btVector3& start) {
+    shapes_.push_back(std::move(shape));
     btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shapes_.back().get());
-    ground_start_ = vector(0, -reach, 0);
+    ground_start_ = start;
     info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), ground_start_);
     const bool moves = shaking_.moves_ground();
     btRigidBody& ground = add(info, moves ? btCollisionObject::CF_KINEMATIC_OBJECT : 0);
@@ -136,9 +186,8 @@ class BulletSimulation : public Simulation {
     ground_velocity_ = vector(step.velocity_x, step.velocity_y, 0);
   }
 
-  void add_block(const Placement& placement, double breaking_factor) {
-    const btVector3 half = vector(0.5 * placement.width, 0.5 * placement.height, 0.5 * placement.depth);
-    shapes_.push_back(std::make_unique<Box>(half, breaking_factor));
+  void add_block(const Placement& placement, std::unique_ptr<btCollisionShape> shape) {
+    shapes_.push_back(std::move(shape));
     btRigidBody::btRigidBodyConstructionInfo info(
         scalar(mass_factor_ * placement.mass), nullptr, shapes_.back().get(),
         mass_factor_ * vector(placement.inertia_about_x, placement.inertia_about_y, placement.inertia));
@@ -154,13 +203,15 @@ class BulletSimulation : public Simulation {
   }
 
   btRigidBody& add(btRigidBody::btRigidBodyConstructionInfo& info, int flags = 0) {
-    // Bullet multiplies the coefficients of the two bodies that touch.
-    info.m_friction = scalar(std::sqrt(scene_.engine.friction));
-    info.m_restitution = restitution_;
+    info.m_friction = surface_.friction;
+    info.m_restitution = surface_.restitution;
     bodies_.push_back(std::make_unique<btRigidBody>(info));
-    if (flags != 0) bodies_.back()->setCollisionFlags(flags);
-    world_.addRigidBody(bodies_.back().get());
-    return *bodies_.back();
+    btRigidBody& body = *bodies_.back();
+    body.setCollisionFlags((flags != 0 ? flags : body.getCollisionFlags()) | surface_.flags);
+    if (surface_.stiffness != 0 || surface_.damping != 0)
+      body.setContactStiffnessAndDamping(surface_.stiffness, surface_.damping);
+    world_.addRigidBody(&body);
+    return body;
   }
 
   Scene scene_;
@@ -170,7 +221,7 @@ class BulletSimulation : public Simulation {
   std::vector<double> angles_;
   btVector3 ground_start_{0, 0, 0};
   btVector3 ground_velocity_{0, 0, 0};
-  btScalar restitution_;  ///< of each body: Bullet multiplies those too
+  Surface surface_;
   // The world comes last: it is the first to go and still needs the others then.
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;

@@ -12,6 +12,11 @@
 // of 1 m × 1 m, from two on, never to at every step. In rocking columns of eight: in 9 steps of 30000 at
 // most.
 //
+// contactStiffness k in N/m and contactDamping c in N s/m make each contact point a spring and a dashpot,
+// through ODE's own erp = h k/(h k + c) and cfm = 1/(h k + c) of that point with the step h; where both are
+// zero, the world's erp and cfm act. A box's edge on a face has two points: they share a load. slip1 in m/(N
+// s) lets a point in the plane slip at that speed for each newton of friction.
+//
 // What was measured of every setting: engines/README.md.
 //
 // Tuned: erp = 0.01, because ODE corrects overlap through the velocities, which feeds energy in as erp grows,
@@ -49,6 +54,10 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
+/// N/m and N s/m: far beyond what a step resolves, and finite, as quotients of stiffness and damping are
+/// taken.
+constexpr double stiffest = 1e18;
+
 std::vector<Setting> settings_of(OdeSolver solver) {
   std::vector<Setting> settings{
       {"erp", 0.2, 0.01, 0, 1},
@@ -61,6 +70,9 @@ std::vector<Setting> settings_of(OdeSolver solver) {
       {"finiteRotationMode", 0, 0, 0, 1, true},
       {"bounce", 0, 0, 0, 1},
       {"bounce_vel", 0, 0, 0, endless},
+      {"contactStiffness", 0, 0, 0, stiffest},
+      {"contactDamping", 0, 0, 0, stiffest},
+      {"slip1", 0, 0, 0, endless},
       {"realign", 1, 1, 0, 1, true},
       shaking_setting(),
   };

@@ -125,7 +125,19 @@ class OdeSimulation : public Simulation {
       contact.surface.bounce = parameters.at("bounce");
       contact.surface.bounce_vel = parameters.at("bounce_vel");
       if (parameters.at("contactMu2") != 0) contact.surface.mode |= dContactFDir1 | dContactMu2;
+      if (parameters.at("slip1") != 0) contact.surface.mode |= dContactSlip1;
+      contact.surface.slip1 = parameters.at("slip1");
+      soften(contact.surface, parameters.at("contactStiffness"), parameters.at("contactDamping"));
     }
+  }
+
+  /// A spring and a dashpot at each contact point, in N/m and N s/m; both zero: the world's erp and cfm act.
+  void soften(dSurfaceParameters& surface, double stiffness, double damping) const {
+    if (stiffness == 0 && damping == 0) return;
+    const double impulse = dt_ * stiffness + damping;
+    surface.mode |= dContactSoftERP | dContactSoftCFM;
+    surface.soft_erp = dt_ * stiffness / impulse;
+    surface.soft_cfm = 1 / impulse;
   }
 
   /// A plane has no body of its own in ODE: contacts with it are those of a kinematic body that moves along.
