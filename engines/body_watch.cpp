@@ -8,24 +8,31 @@
 
 namespace rockstack {
 
-BodyWatch::BodyWatch(const Scene& scene, double dt, bool ground_moves) : scene_(scene), dt_(dt) {
+BodyWatch::BodyWatch(const Scene& scene, double dt, bool ground_moves, double friction,
+                     Simulation& simulation)
+    : scene_(scene), simulation_(simulation), dt_(dt) {
   if (ground_moves && is_shaken(scene)) path_.emplace(scene, dt);
+  if (simulation.watch_contacts()) contacts_.emplace(scene, dt, friction);
 }
 
-void BodyWatch::observe(const Simulation& simulation, std::span<const double> angles,
-                        std::span<const double> velocities) {
+void BodyWatch::observe(std::span<const double> angles, std::span<const double> velocities) {
   if (samples_ > 0) follow_ground();
   std::vector<BodyState> bodies;
   last_places_ = std::move(places_);
   places_.clear();
   for (std::size_t k = 0; k < scene_.blocks.size(); ++k) {
-    const BodyState& body = bodies.emplace_back(simulation.body(k));
+    const BodyState& body = bodies.emplace_back(simulation_.body(k));
     places_.push_back({body.x - ground_.x, body.y - ground_.y});
     record_.out_of_plane = std::max(record_.out_of_plane, std::abs(body.z));
     record_.out_of_plane_tilt = std::max(record_.out_of_plane_tilt, body.tilt);
   }
   add_energy(bodies, velocities);
-  add_contacts(angles);
+  add_interfaces(angles);
+  if (contacts_) {
+    contacts_->observe(simulation_.contacts(), angles, velocities, record_);
+  } else {
+    record_.elastic.push_back(0);
+  }
   ++samples_;
 }
 
@@ -59,7 +66,8 @@ void BodyWatch::add_energy(const std::vector<BodyState>& bodies, std::span<const
   record_.input.push_back(work + (record_.input.empty() ? 0 : record_.input.back()));
 }
 
-void BodyWatch::add_contacts(std::span<const double> angles) {
+void BodyWatch::add_interfaces(std::span<const double> angles) {
+  double penetration = 0;
   const auto pose = [&](std::size_t k) { return BlockPose{places_[k].x, places_[k].y, angles[k]}; };
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const Block& block = scene_.blocks[k];
@@ -67,9 +75,10 @@ void BodyWatch::add_contacts(std::span<const double> angles) {
         k == 0 ? on_ground(block, pose(0)) : on_block(scene_.blocks[k - 1], pose(k - 1), block, pose(k));
     record_.slip = std::max(record_.slip, std::abs(state.slip));
     if (!std::isfinite(state.depth)) continue;
-    record_.penetration = std::max(record_.penetration, state.depth);
+    penetration = std::max(penetration, state.depth);
     record_.gap = std::max(record_.gap, -state.depth);
   }
+  record_.penetration.push_back(penetration);
 }
 
 }  // namespace rockstack

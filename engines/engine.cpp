@@ -69,10 +69,11 @@ EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Pa
   history.angles.reserve((steps + 1) * scene.blocks.size());
   history.velocities.reserve((steps + 1) * scene.blocks.size());
   std::optional<BodyWatch> watch;
-  if (bodies) watch.emplace(scene, dt, moves_ground(parameters));
+  if (bodies)
+    watch.emplace(scene, dt, moves_ground(parameters), engine.friction(scene.engine.friction), *simulation);
   const auto observe = [&](std::size_t step) {
     append(history, static_cast<double>(step) * dt, *simulation);
-    if (watch) watch->observe(*simulation, history.angles_at(step), history.velocities_at(step));
+    if (watch) watch->observe(history.angles_at(step), history.velocities_at(step));
   };
   observe(0);
   for (std::size_t step = 1; step <= steps; ++step) {

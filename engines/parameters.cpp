@@ -45,6 +45,13 @@ double choice_value(const std::string& engine, const Setting& setting, const std
   return static_cast<double>(found - setting.choices.begin());
 }
 
+double mass_factor(const Scene& scene, const Parameters& parameters) {
+  if (parameters.at("unitMass") == 0) return 1;
+  double mass = 0;
+  for (const Block& block : scene.blocks) mass += block.mass;
+  return 1 / mass;
+}
+
 Parameters standard_values(const std::vector<Setting>& settings) {
   Parameters values;
   for (const Setting& setting : settings) values[setting.name] = setting.standard;

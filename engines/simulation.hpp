@@ -2,6 +2,9 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
+
+#include "engines/contact_point.hpp"
 
 namespace rockstack {
 
@@ -27,6 +30,13 @@ class Simulation {
   virtual void read(std::span<double> angles, std::span<double> velocities) const = 0;
 
   virtual BodyState body(std::size_t block) const = 0;
+
+  /// Lets contacts() tell what every step from now on makes of its contacts, at some cost.
+  /// @return whether the engine can.
+  virtual bool watch_contacts() { return false; }
+
+  /// The contacts of the last step; none before the first, or where they are not watched.
+  virtual std::vector<ContactPoint> contacts() const { return {}; }
 
   /// How often the engine has said that its solver failed in a step that it then went on from.
   virtual std::size_t warnings() const { return 0; }

@@ -37,12 +37,25 @@ double energy_scale(const Scene& scene) {
   return sum;
 }
 
-double largest_gain(const std::vector<double>& energy, const std::vector<double>& input) {
-  double gain = 0, least = energy.front() - input.front();
+std::vector<double> energy_balance(const std::vector<double>& energy, const std::vector<double>& input,
+                                   const std::vector<double>& elastic) {
+  std::vector<double> balance;
+  balance.reserve(energy.size());
+  double stored = elastic.front(), last = energy.front() - input.front();
   for (std::size_t i = 0; i < energy.size(); ++i) {
     const double own = energy[i] - input[i];
-    least = std::min(least, own);
-    gain = std::max(gain, own - least);
+    stored = std::clamp(stored + last - own, 0.0, elastic[i]);
+    balance.push_back(own + stored);
+    last = own;
+  }
+  return balance;
+}
+
+double largest_gain(const std::vector<double>& energy) {
+  double gain = 0, least = energy.front();
+  for (const double now : energy) {
+    least = std::min(least, now);
+    gain = std::max(gain, now - least);
   }
   return gain;
 }

@@ -248,21 +248,34 @@ std::vector<Column> body_columns() {
   return {
       drawn<&RunMetrics::energy_gain>(
           "energy_gain",
-          "largest rise of the blocks' kinetic and potential energy, less the work of "
-          "the ground's motion, above "
-          "its least value before; as a share of the stack's weight times the height "
-          "of its centre of mass at "
-          "rest. The true motion never gains any"),
-      drawn<&RunMetrics::penetration>("penetration",
-                                      "largest depth of a block's corner in the block or ground it meets, m"),
+          "largest rise of the blocks' kinetic and potential energy and of what their contacts have stored, "
+          "less "
+          "the work of the ground's motion, above its least value before; as a share of the stack's weight "
+          "times "
+          "the height of its centre of mass at rest. Contacts that are springs store at most half of "
+          "stiffness "
+          "times overlap squared, and at most what the blocks have lost. The true motion never gains any"),
+      drawn<&RunMetrics::penetration>(
+          "penetration", "largest depth of a block's corner in the block or ground it meets, m"),
       drawn<&RunMetrics::gap>("gap", "largest height of a block over what it stands on, m"),
       drawn<&RunMetrics::slip>(
           "slip",
           "largest way of a pivot along the face that it stands on, from its place without slipping, m"),
       drawn<&RunMetrics::out_of_plane>("out_of_plane",
-                                       "largest distance of a block's centre from the plane, m"),
+                                        "largest distance of a block's centre from the plane, m"),
       drawn<&RunMetrics::out_of_plane_tilt>("out_of_plane_tilt",
-                                            "largest sine of a block's angle out of the plane"),
+                                             "largest sine of a block's angle out of the plane"),
+      drawn<&RunMetrics::complementarity_residual>(
+          "complementarity_residual",
+          "largest product of gap and normal force of a contact that pushes across a gap; as a share of the "
+          "stack's weight times the height of its centre of mass. The gap is that at the step's end, the "
+          "force "
+          "the step's impulse over its length. Empty where the engine tells no contacts"),
+      drawn<&RunMetrics::friction_cone_violation>(
+          "friction_cone_violation",
+          "impulse along the faces above friction coefficient times normal impulse, added up over all "
+          "contacts "
+          "and steps, as a share of all normal impulse; whatever law of friction the engine itself has"),
       drawn<&RunMetrics::residual_motion>(
           "residual_motion",
           "root of the mean square angular velocity of all blocks over the last "

@@ -45,6 +45,7 @@ struct RunMetrics {
   std::optional<double> agreement_time, agreement_time_lower, agreement_time_upper;
   std::optional<double> pattern_agreement, pattern_sequence_time;
   std::optional<double> energy_gain, penetration, gap, slip, out_of_plane, out_of_plane_tilt;
+  std::optional<double> complementarity_residual, friction_cone_violation;
   std::optional<double> residual_motion;
   std::optional<int> warnings;
   std::string toppled;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "comparisons/metrics/energy.hpp"
 #include "comparisons/results/csv.hpp"
 #include "comparisons/results/csv_writer.hpp"
 
@@ -128,10 +129,14 @@ std::string patterns_csv(const std::vector<PatternShare>& shares) {
 }
 
 std::string energy_csv(const std::vector<double>& times, const std::vector<double>& exact,
-                       const std::vector<double>& engine, const std::vector<double>& input) {
+                       const BodyRecord& engine) {
+  const auto balance = energy_balance(engine.energy, engine.input, engine.elastic);
   CsvWriter csv;
-  csv.line("time", "exact", "engine", "input");
-  for (std::size_t i = 0; i < times.size(); ++i) csv.line(times[i], exact[i], engine[i], input[i]);
+  csv.line("time", "exact", "engine", "input", "elastic", "balance", "penetration");
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    csv.line(times[i], exact[i], engine.energy[i], engine.input[i], engine.elastic[i], balance[i],
+             engine.penetration[i]);
+  }
   return csv.text();
 }
 

@@ -10,6 +10,7 @@
 #include "comparisons/metrics/contact_patterns.hpp"
 #include "comparisons/metrics/difference.hpp"
 #include "comparisons/results/run_metrics.hpp"
+#include "engines/body_record.hpp"
 
 namespace rockstack {
 
@@ -38,9 +39,10 @@ std::string impacts_csv(const std::vector<AlignedImpact>& alignment);
 /// exact,engine,share: the share of time that both spend in a pair of patterns.
 std::string patterns_csv(const std::vector<PatternShare>& shares);
 
-/// time,exact,engine,input: energies and the work of the ground's motion, J. Precondition: all as long as
-/// times, or longer.
+/// time,exact,engine,input,elastic,balance,penetration: kinetic and potential energies, the work of the
+/// ground's motion, ½kd² of the engine's contacts and energy_balance() of these, J; largest overlap, m.
+/// Precondition: all as long as times, or longer.
 std::string energy_csv(const std::vector<double>& times, const std::vector<double>& exact,
-                       const std::vector<double>& engine, const std::vector<double>& input);
+                       const BodyRecord& engine);
 
 }  // namespace rockstack

@@ -106,12 +106,16 @@ void add_patterns(const Scene& scene, const std::vector<double>& times, const Hi
 }
 
 void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
-  row.energy_gain = largest_gain(bodies.energy, bodies.input) / energy_scale(scene);
-  row.penetration = bodies.penetration;
+  const double scale = energy_scale(scene);
+  row.energy_gain = largest_gain(energy_balance(bodies.energy, bodies.input, bodies.elastic)) / scale;
+  row.penetration = *std::max_element(bodies.penetration.begin(), bodies.penetration.end());
   row.gap = bodies.gap;
   row.slip = bodies.slip;
   row.out_of_plane = bodies.out_of_plane;
   row.out_of_plane_tilt = bodies.out_of_plane_tilt;
+  if (!bodies.complementarity) return;
+  row.complementarity_residual = *bodies.complementarity / scale;
+  row.friction_cone_violation = bodies.friction_excess;
 }
 
 }  // namespace
@@ -132,7 +136,7 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswe
   files["difference.csv"] = difference_csv(apart);
   if (answer.bodies)
     files["energy.csv"] =
-        energy_csv(apart.times, energies(scene, exact), answer.bodies->energy, answer.bodies->input);
+        energy_csv(apart.times, energies(scene, exact), *answer.bodies);
 }
 
 }  // namespace rockstack

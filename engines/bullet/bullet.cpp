@@ -25,7 +25,7 @@
 // impulses, stays degenerate, so overlaps go through the velocities, gently (erp2 = 0.005). Lemke holds
 // friction by its coefficient as if that were an impulse, whether or not a point is pressed: at once too
 // little for tonnes and enough to glue an open corner that is still among the contacts. unitMass (every mass
-// over the lowest block's, on which no angle depends) mends the first, a narrow breaking threshold the
+// over the stack's, on which no angle depends) mends the first, a narrow breaking threshold the
 // second. In single precision sequential impulse and NNCG start anew each step: what they would take over
 // from the last one costs 6 mrad at the second peak at 1e-4 s. The shortest useful step is 1e-4 s: below,
 // gravity's share of a step is lost in rounding.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -100,13 +101,21 @@ double angle_of(const btRigidBody& body) {
   return std::atan2(-turn[1][0], turn[0][0]);
 }
 
+/// Of each contact point, N/m in the library's own masses: a spring where overlap is corrected through
+/// velocities, and all of it.
+double stiffness_of(const btContactSolverInfo& info, double dt, double penetration) {
+  const bool split = info.m_splitImpulse != 0 && penetration <= info.m_splitImpulsePenetrationThreshold;
+  if (split || info.m_linearSlop != 0) return std::numeric_limits<double>::infinity();
+  return contact_stiffness(info.m_erp2, info.m_globalCfm, dt);
+}
+
 class BulletSimulation : public Simulation {
  public:
   BulletSimulation(BulletSolver solver, Scene scene, double dt, const Parameters& parameters)
       : scene_(std::move(scene)),
         dt_(dt),
         shaking_(scene_, dt, parameters),
-        mass_factor_(parameters.at("unitMass") != 0 ? 1 / scene_.blocks.front().mass : 1),
+        mass_factor_(mass_factor(scene_, parameters)),
         surface_(surface_of(scene_.engine.friction, mass_factor_, parameters)),
         dispatcher_(&configuration_),
         solver_(solver, parameters) {
@@ -155,7 +164,48 @@ class BulletSimulation : public Simulation {
 
   std::size_t warnings() const override { return solver_.fallbacks(); }
 
+  /// Bullet keeps a contact's impulses for a warm start alone.
+  bool watch_contacts() override { return tells_impulses(); }
+
+  std::vector<ContactPoint> contacts() const override {
+    std::vector<ContactPoint> points;
+    if (!tells_impulses()) return points;
+    for (int pair = 0; pair < dispatcher_.getNumManifolds(); ++pair) {
+      const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(pair);
+      for (int i = 0; i < manifold.getNumContacts(); ++i) points.push_back(point_of(manifold, i));
+    }
+    return points;
+  }
+
  private:
+  bool tells_impulses() const { return (world_.getSolverInfo().m_solverMode & SOLVER_USE_WARMSTARTING) != 0; }
+
+  /// Where a point of a body is at the step's end. The library leaves a moving ground where the step starts.
+  btVector3 place_of(const btCollisionObject& body, const btVector3& point) const {
+    const btVector3 place = body.getWorldTransform() * point;
+    return &body == bodies_.front().get() ? place + scalar(dt_) * ground_velocity_ : place;
+  }
+
+  ContactPoint point_of(const btPersistentManifold& manifold, int i) const {
+    const btManifoldPoint& found = manifold.getContactPoint(i);
+    const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+    const int number_a = a.getUserIndex(), number_b = b.getUserIndex();
+    ContactPoint point;
+    point.interface = static_cast<std::size_t>(std::max(number_a, number_b) - 1);
+    point.along = (number_a > number_b ? found.m_localPointA : found.m_localPointB).x();
+    point.gap_before = found.getDistance();
+    point.gap =
+        found.m_normalWorldOnB.dot(place_of(a, found.m_localPointA) - place_of(b, found.m_localPointB));
+    point.normal = found.getAppliedImpulse() / mass_factor_;
+    point.tangential =
+        std::hypot(found.m_appliedImpulseLateral1, found.m_appliedImpulseLateral2) / mass_factor_;
+    const bool spring = (found.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING) != 0;
+    point.stiffness = (spring ? double{found.m_combinedContactStiffness1}
+                              : stiffness_of(world_.getSolverInfo(), dt_, point.gap_before)) /
+                      mass_factor_;
+    return point;
+  }
+
   const btRigidBody& block(std::size_t k) const { return *bodies_[k + 1]; }
 
   void set_gravity(const BodyAcceleration& acceleration) {
@@ -210,6 +260,7 @@ class BulletSimulation : public Simulation {
     body.setCollisionFlags((flags != 0 ? flags : body.getCollisionFlags()) | surface_.flags);
     if (surface_.stiffness != 0 || surface_.damping != 0)
       body.setContactStiffnessAndDamping(surface_.stiffness, surface_.damping);
+    body.setUserIndex(static_cast<int>(bodies_.size()) - 1);
     world_.addRigidBody(&body);
     return body;
   }

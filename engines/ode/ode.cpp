@@ -73,6 +73,7 @@ std::vector<Setting> settings_of(OdeSolver solver) {
       {"contactStiffness", 0, 0, 0, stiffest},
       {"contactDamping", 0, 0, 0, stiffest},
       {"slip1", 0, 0, 0, endless},
+      {"unitMass", 0, 0, 0, 1, true},
       {"realign", 1, 1, 0, 1, true},
       shaking_setting(),
   };

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -21,9 +24,32 @@ struct Destroy {
   void operator()(dJointGroupID group) const { dJointGroupDestroy(group); }
 };
 
+/// A contact of the step under way, where they are watched.
+struct Touch {
+  dContactGeom geom{};
+  dBodyID first = nullptr, second = nullptr;  ///< the normal points from the second to the first
+  dVector3 on_first{}, on_second{};           ///< the point in their axes
+  dJointFeedback feedback{};
+};
+
+/// A point of a body in the world; one that has no body does not move.
+double height_along(const dReal* normal, dBodyID body, const dReal* point, const dReal* start) {
+  dVector3 place{start[0], start[1], start[2]};
+  if (body != nullptr) dBodyGetRelPointPos(body, point[0], point[1], point[2], place);
+  return dCalcVectorDot3(normal, place);
+}
+
 double angle_of(dBodyID body) {
   const dReal* turn = dBodyGetRotation(body);
   return std::atan2(-turn[4], turn[0]);
+}
+
+/// A contact is a spring only where all of its overlap counts, and at any speed. In the library's own masses.
+double stiffness_of(const Parameters& parameters, double mass_factor, double dt) {
+  if (parameters.at("contactSurfaceLayer") > 0 || std::isfinite(parameters.at("contactMaxCorrectingVel")))
+    return std::numeric_limits<double>::infinity();
+  if (parameters.at("contactStiffness") != 0) return mass_factor * parameters.at("contactStiffness");
+  return contact_stiffness(parameters.at("erp"), parameters.at("cfm"), dt);
 }
 
 class OdeSimulation : public Simulation {
@@ -35,6 +61,8 @@ class OdeSimulation : public Simulation {
         shaking_(scene_, dt, parameters),
         contacts_(static_cast<std::size_t>(parameters.at("maxContacts"))),
         realign_(parameters.at("realign") != 0),
+        mass_factor_(mass_factor(scene_, parameters)),
+        stiffness_(stiffness_of(parameters, mass_factor_, dt)),
         world_(dWorldCreate()),
         space_(dSimpleSpaceCreate(nullptr)),
         group_(dJointGroupCreate(0)) {
@@ -58,6 +86,7 @@ class OdeSimulation : public Simulation {
     const auto advance = solver_ == OdeSolver::step ? dWorldStep : dWorldQuickStep;
     const std::size_t before = ode_messages();
     dJointGroupEmpty(group_.get());
+    touches_.clear();
     dSpaceCollide(space_.get(), this, &OdeSimulation::touch);
     if (advance(world_.get(), dt_) == 0) throw std::runtime_error("ode: a step ran out of memory");
     warnings_ += ode_messages() - before;
@@ -89,6 +118,14 @@ class OdeSimulation : public Simulation {
 
   std::size_t warnings() const override { return warnings_; }
 
+  bool watch_contacts() override { return watched_ = true; }
+
+  std::vector<ContactPoint> contacts() const override {
+    std::vector<ContactPoint> points;
+    for (const Touch& touch : touches_) points.push_back(point_of(touch));
+    return points;
+  }
+
  private:
   static void touch(void* data, dGeomID one, dGeomID other) {
     static_cast<OdeSimulation*>(data)->add_contacts(one, other);
@@ -103,7 +140,45 @@ class OdeSimulation : public Simulation {
       contact.fdir1[1] = -contact.geom.normal[0];
       const dJointID joint = dJointCreateContact(world_.get(), group_.get(), &contact);
       dJointAttach(joint, body_of(one), body_of(other));
+      if (watched_) watch(joint, contact.geom, body_of(one), body_of(other));
     }
+  }
+
+  void watch(dJointID joint, const dContactGeom& geom, dBodyID first, dBodyID second) {
+    Touch& touch = touches_.emplace_back();
+    touch.geom = geom;
+    touch.first = first;
+    touch.second = second;
+    const dReal* place = geom.pos;
+    if (first != nullptr) dBodyGetPosRelPoint(first, place[0], place[1], place[2], touch.on_first);
+    if (second != nullptr) dBodyGetPosRelPoint(second, place[0], place[1], place[2], touch.on_second);
+    dJointSetFeedback(joint, &touch.feedback);
+  }
+
+  /// From 0, bottom to top; nothing where it is the ground.
+  std::optional<std::size_t> number_of(dBodyID body) const {
+    const auto found = std::find(bodies_.begin(), bodies_.end(), body);
+    if (found == bodies_.end()) return {};
+    return static_cast<std::size_t>(found - bodies_.begin());
+  }
+
+  ContactPoint point_of(const Touch& touch) const {
+    const auto first = number_of(touch.first), second = number_of(touch.second);
+    const dReal* normal = touch.geom.normal;
+    const dReal* force = touch.feedback.f1;
+    const double push = dCalcVectorDot3(force, normal);
+    ContactPoint point;
+    point.interface = std::max(first, second).value();
+    point.along = (first > second ? touch.on_first : touch.on_second)[0];
+    point.gap_before = -touch.geom.depth;
+    point.gap = point.gap_before + height_along(normal, touch.first, touch.on_first, touch.geom.pos) -
+                height_along(normal, touch.second, touch.on_second, touch.geom.pos);
+    const double impulse = dt_ / mass_factor_;
+    point.normal = impulse * std::abs(push);
+    point.tangential = impulse * std::hypot(force[0] - push * normal[0], force[1] - push * normal[1],
+                                        force[2] - push * normal[2]);
+    point.stiffness = stiffness_ / mass_factor_;
+    return point;
   }
 
   void set_iterations(const Parameters& parameters) {
@@ -117,7 +192,7 @@ class OdeSimulation : public Simulation {
   void set_surface(const Parameters& parameters) {
     const bool coefficient = parameters.at("contactApprox1") != 0;
     double weight = 0;
-    for (const Placement& placement : place(scene_)) weight += placement.mass * scene_.gravity;
+    for (const Placement& placement : place(scene_)) weight += mass_factor_ * placement.mass * scene_.gravity;
     for (dContact& contact : contacts_) {
       contact.surface.mu = scene_.engine.friction * (coefficient ? 1 : weight);
       if (coefficient) contact.surface.mode |= dContactApprox1;
@@ -126,8 +201,9 @@ class OdeSimulation : public Simulation {
       contact.surface.bounce_vel = parameters.at("bounce_vel");
       if (parameters.at("contactMu2") != 0) contact.surface.mode |= dContactFDir1 | dContactMu2;
       if (parameters.at("slip1") != 0) contact.surface.mode |= dContactSlip1;
-      contact.surface.slip1 = parameters.at("slip1");
-      soften(contact.surface, parameters.at("contactStiffness"), parameters.at("contactDamping"));
+      contact.surface.slip1 = parameters.at("slip1") / mass_factor_;
+      soften(contact.surface, mass_factor_ * parameters.at("contactStiffness"),
+             mass_factor_ * parameters.at("contactDamping"));
     }
   }
 
@@ -162,8 +238,9 @@ class OdeSimulation : public Simulation {
   void add_block(const Placement& placement, bool finite) {
     const dBodyID body = dBodyCreate(world_.get());
     dMass mass;
-    dMassSetParameters(&mass, placement.mass, 0, 0, 0, placement.inertia_about_x, placement.inertia_about_y,
-                       placement.inertia, 0, 0, 0);
+    dMassSetParameters(&mass, mass_factor_ * placement.mass, 0, 0, 0,
+                       mass_factor_ * placement.inertia_about_x, mass_factor_ * placement.inertia_about_y,
+                       mass_factor_ * placement.inertia, 0, 0, 0);
     dBodySetMass(body, &mass);
     const dGeomID box = dCreateBox(space_.get(), placement.width, placement.height, placement.depth);
     dGeomSetBody(box, body);
@@ -197,6 +274,10 @@ class OdeSimulation : public Simulation {
   std::vector<double> angles_;
   std::vector<dContact> contacts_;
   bool realign_;
+  bool watched_ = false;
+  double mass_factor_;         ///< of every mass; no angle depends on it
+  double stiffness_;           ///< of each contact point, in those masses
+  std::deque<Touch> touches_;  ///< ODE writes into them while it steps
   dGeomID plane_ = nullptr;
   dBodyID ground_ = nullptr;  ///< where it really moves
   std::vector<dBodyID> bodies_;

@@ -10,7 +10,7 @@ namespace rockstack {
 namespace {
 
 /// Begins every message: "rockstk" and the version of the form.
-constexpr std::int64_t mark = 0x726f636b73746b02;
+constexpr std::int64_t mark = 0x726f636b73746b03;
 
 }  // namespace
 
@@ -60,9 +60,14 @@ auto fields(Is<History> auto& history) {
   return std::tie(history.blocks, history.times, history.angles, history.velocities);
 }
 
+auto fields(Is<ContactImpact> auto& impact) {
+  return std::tie(impact.time, impact.interface, impact.speed);
+}
+
 auto fields(Is<BodyRecord> auto& record) {
-  return std::tie(record.energy, record.input, record.penetration, record.gap, record.slip,
-                  record.out_of_plane, record.out_of_plane_tilt);
+  return std::tie(record.energy, record.input, record.penetration, record.elastic, record.complementarity,
+                  record.friction_excess, record.impacts, record.gap, record.slip, record.out_of_plane,
+                  record.out_of_plane_tilt);
 }
 
 auto fields(Is<RunReply> auto& run) {

@@ -38,11 +38,13 @@ void require_whole(const RunReply& run, const Scene& scene, int repeats) {
   const std::size_t blocks = scene.blocks.size();
   const std::size_t samples = run.history.times.size();
   const auto fits = [&](const std::vector<double>& values) { return values.size() == samples * blocks; };
-  const bool whole =
-      run.seconds.size() == static_cast<std::size_t>(repeats) && samples > 0 &&
-      run.history.blocks == static_cast<int>(blocks) && fits(run.history.angles) &&
-      fits(run.history.velocities) &&
-      (!run.bodies || (run.bodies->energy.size() == samples && run.bodies->input.size() == samples));
+  const auto samples_of = [&](const BodyRecord& bodies) {
+    return bodies.energy.size() == samples && bodies.input.size() == samples &&
+           bodies.penetration.size() == samples && bodies.elastic.size() == samples;
+  };
+  const bool whole = run.seconds.size() == static_cast<std::size_t>(repeats) && samples > 0 &&
+                     run.history.blocks == static_cast<int>(blocks) && fits(run.history.angles) &&
+                     fits(run.history.velocities) && (!run.bodies || samples_of(*run.bodies));
   if (!whole) throw std::runtime_error("the message is not about this run");
 }
 

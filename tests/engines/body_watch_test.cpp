@@ -110,10 +110,10 @@ TEST(BodyWatch, EnergyOfFreeFlightIsConstantAndDriftOutOfThePlaneIsSeen) {
   scene.initial = {{0}, {0.5}};
   constexpr double dt = 0.125;
   Stone stone(dt);
-  BodyWatch watch(scene, dt, false);
+  BodyWatch watch(scene, dt, false, 1, stone);
   for (int step = 0; step <= 8; ++step) {
     if (step > 0) stone.step();
-    watch.observe(stone, std::vector<double>{0}, std::vector<double>{0.5});
+    watch.observe(std::vector<double>{0}, std::vector<double>{0.5});
   }
   const Block& block = scene.blocks[0];
   const double expected = 0.5 * block.mass * (2 * 2 + 3 * 3) + 0.5 * block.inertia * 0.25 +

@@ -98,11 +98,11 @@ void write_difference(const fs::path& folder, const Sample& sample, double dt, d
 /// A staircase, and another that is a little late.
 void write_energy(const fs::path& folder, double dt, double lag) {
   std::ofstream energy = create(folder / "energy.csv");
-  energy << "time,exact,engine,input\n";
+  energy << "time,exact,engine,input,elastic,balance,penetration\n";
   for (int i = 0; i <= std::lround(duration / dt); ++i) {
     const double t = i * dt;
     const auto level = [](double time) { return 1000 * std::exp(-std::floor(time / period)); };
-    fmt::print(energy, "{},{},{},0\n", t, level(t), level(t * (1 - lag)));
+    fmt::print(energy, "{0},{1},{2},0,0,{2},0\n", t, level(t), level(t * (1 - lag)));
   }
 }
 

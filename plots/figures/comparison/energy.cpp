@@ -11,16 +11,19 @@
 namespace rockstack::plots {
 namespace {
 
-/// The energy of one engine run beside the exact one at the same times, J.
+/// The energy of one engine run beside the exact one at the same times, and how far it is from that with what
+/// its contacts have stored, J.
 struct Energies {
   Run run;
   Curve exact, engine, apart;
 };
 
 Energies read_energies(const Run& run, std::size_t bins) {
-  const auto columns = read_columns(run.folder / "energy.csv", {"time", "exact", "engine"});
+  const auto columns =
+      read_columns(run.folder / "energy.csv", {"time", "exact", "engine", "input", "balance"});
   std::vector<double> apart;
-  for (std::size_t i = 0; i < columns[0].size(); ++i) apart.push_back(columns[2][i] - columns[1][i]);
+  for (std::size_t i = 0; i < columns[0].size(); ++i)
+    apart.push_back(columns[4][i] + columns[3][i] - columns[1][i]);
   return {run, thin({columns[0], columns[1]}, bins), thin({columns[0], columns[2]}, bins),
           thin({columns[0], apart}, bins)};
 }
@@ -96,7 +99,7 @@ Drawing energy(const Comparison& comparison, const ComparedScene& scene, const S
   sheet.panel(low, gap,
               across + range_of(differences) + grid +
                   "set format y '%.5g'\nset format x '%g'\nset xlabel 'time (s)'\n"
-                  "set ylabel 'engine − exact (J)' offset 0\n",
+                  "set ylabel 'engine with contacts − exact (J)' offset 0\n",
               apart_plots(all, styles));
   return sheet.finish();
 }

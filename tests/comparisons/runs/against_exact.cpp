@@ -25,7 +25,11 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   impacts.back().time += 2 * settling_duration(scene);
   const BodyRecord bodies{.energy = {0, 300, 100},
                           .input = {0, 50, 50},
-                          .penetration = 1,
+                          .penetration = {0, 1, 0.5},
+                          .elastic = {0, 0, 100},
+                          .complementarity = 6,
+                          .friction_excess = 7,
+                          .impacts = {},
                           .gap = 2,
                           .slip = 3,
                           .out_of_plane = 4,
@@ -76,6 +80,8 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   EXPECT_EQ(row.slip, 3);
   EXPECT_EQ(row.out_of_plane, 4);
   EXPECT_EQ(row.out_of_plane_tilt, 5);
+  EXPECT_NEAR(*row.complementarity_residual, 6 / weight_height, rounding);
+  EXPECT_EQ(row.friction_cone_violation, 7);
 }
 
 }  // namespace

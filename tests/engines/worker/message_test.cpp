@@ -30,6 +30,20 @@ Scene full_scene() {
   return scene;
 }
 
+BodyRecord full_record() {
+  return {.energy = {1.5, 2},
+          .input = {0, 0.5},
+          .penetration = {0, 1e-3},
+          .elastic = {0, 0.1},
+          .complementarity = 1,
+          .friction_excess = 2,
+          .impacts = {{0.05, 1, 0.3}},
+          .gap = 0.125,
+          .slip = 0.25,
+          .out_of_plane = 0,
+          .out_of_plane_tilt = 0};
+}
+
 TEST(Messages, SceneComesBackAsItWas) {
   const Request sent{RunRequest{"step", full_scene(), 1e-3, {{"erp", 0.2}, {"limit", HUGE_VAL}}, 3}};
   const std::string bytes = to_bytes(sent);
@@ -89,7 +103,7 @@ TEST(Messages, EveryFieldOfARequestIsInIt) {
 }
 
 TEST(Messages, EveryFieldOfAReplyIsInIt) {
-  RunReply given{"done", "", {}, 4, {0.1, 0.2}, 1e6, BodyRecord{.energy = {1.5, 2}, .input = {0, 0.5}}};
+  RunReply given{"done", "", {}, 4, {0.1, 0.2}, 1e6, full_record()};
   given.history.blocks = 1;
   given.history.times = {0, 0.1};
   given.history.angles = given.history.velocities = {0, 0};
@@ -104,7 +118,15 @@ TEST(Messages, EveryFieldOfAReplyIsInIt) {
                                               [](RunReply& run) { run.peak_memory = 7; },
                                               [](RunReply& run) { run.bodies->energy[1] = 7; },
                                               [](RunReply& run) { run.bodies->input[1] = 7; },
-                                              [](RunReply& run) { run.bodies->penetration = 7; },
+                                              [](RunReply& run) { run.bodies->penetration[1] = 7; },
+                                              [](RunReply& run) { run.bodies->elastic[1] = 7; },
+                                              [](RunReply& run) { run.bodies->complementarity = 7; },
+                                              [](RunReply& run) { run.bodies->complementarity.reset(); },
+                                              [](RunReply& run) { run.bodies->friction_excess = 7; },
+                                              [](RunReply& run) { run.bodies->impacts.clear(); },
+                                              [](RunReply& run) { run.bodies->impacts[0].time = 7; },
+                                              [](RunReply& run) { run.bodies->impacts[0].interface = 7; },
+                                              [](RunReply& run) { run.bodies->impacts[0].speed = 7; },
                                               [](RunReply& run) { run.bodies->gap = 7; },
                                               [](RunReply& run) { run.bodies->slip = 7; },
                                               [](RunReply& run) { run.bodies->out_of_plane = 7; },
@@ -125,7 +147,7 @@ TEST(Messages, HistoryComesBackWithItsNumbersThatAreNone) {
   sent.run->history.times = {0, 0.1};
   sent.run->history.angles = {0.2, std::nan("")};
   sent.run->history.velocities = {0, -HUGE_VAL};
-  sent.run->bodies = BodyRecord{.energy = {1.5, 2}, .input = {0, 0.5}, .slip = 0.25};
+  sent.run->bodies = full_record();
   const Reply read = read_reply(to_bytes(sent));
   ASSERT_TRUE(read.run);
   EXPECT_EQ(to_bytes(read), to_bytes(sent));
@@ -133,6 +155,7 @@ TEST(Messages, HistoryComesBackWithItsNumbersThatAreNone) {
   EXPECT_EQ(read.run->warnings, 4U);
   EXPECT_EQ(read.run->bodies->energy, sent.run->bodies->energy);
   EXPECT_EQ(read.run->bodies->slip, 0.25);
+  EXPECT_EQ(read.run->bodies->impacts.at(0).speed, 0.3);
 }
 
 TEST(Messages, EveryShorterMessageIsRefused) {
@@ -143,7 +166,7 @@ TEST(Messages, EveryShorterMessageIsRefused) {
 }
 
 TEST(Messages, DamagedOnesAreReadOrRefusedAndNothingElse) {
-  RunReply reply{"done", "", {}, 4, {0.1, 0.2}, 1e6, BodyRecord{.energy = {1.5, 2}, .input = {0, 0.5}}};
+  RunReply reply{"done", "", {}, 4, {0.1, 0.2}, 1e6, full_record()};
   reply.history.times = {0, 0.1};
   reply.history.angles = reply.history.velocities = {0, 0};
   const EngineDescription engine{"ode", "step", "0.16", 1e9, {{"erp", 0.1, 0.2, 0, 1}}};
