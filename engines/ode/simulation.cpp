@@ -176,7 +176,7 @@ class OdeSimulation : public Simulation {
     const double impulse = dt_ / mass_factor_;
     point.normal = impulse * std::abs(push);
     point.tangential = impulse * std::hypot(force[0] - push * normal[0], force[1] - push * normal[1],
-                                        force[2] - push * normal[2]);
+                                            force[2] - push * normal[2]);
     point.stiffness = stiffness_ / mass_factor_;
     return point;
   }

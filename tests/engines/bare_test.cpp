@@ -5,8 +5,8 @@
 // multiplies rounding. What differs is known. Angles are read from other elements of the rotation: by the
 // rounding of those, at most two units in the last place of 1. In ODE each step's rotation is put back into
 // the plane by other operations, and the motion may multiply that rounding: 1e-13 rad was measured, 1e-9 rad
-// is allowed. Bullet with unitMass divides masses by the lowest block's, which is a power of two here, so
-// that nothing is rounded.
+// is allowed. With unitMass adapters divide masses by the stack's, which is a power of two here, so that
+// nothing is rounded.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -23,6 +23,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engines/placement.hpp"
@@ -34,30 +35,34 @@ namespace {
 
 constexpr double step = 1e-3;  // s
 
-/// A block of the lowest one's material, whose mass is 4096 kg.
-Block block_of(double width, double height, const Block& lowest) {
-  return make_block(width, height, lowest.mass / (4 * lowest.half_width * lowest.half_height));
-}
-
-Block lowest_block(double width, double height) {
-  Block block = make_block(width, height, 1);
-  block.inertia *= 4096 / block.mass;
-  block.mass = 4096;
-  return block;
+/// Blocks of one material that together have 4096 kg.
+std::vector<Block> stack_of(const std::vector<std::pair<double, double>>& sizes) {
+  constexpr double whole = 4096;
+  double area = 0, left = whole;
+  for (const auto& [width, height] : sizes) area += width * height;
+  std::vector<Block> blocks;
+  for (const auto& [width, height] : sizes) {
+    Block block = make_block(width, height, whole / area);
+    const double mass = blocks.size() + 1 == sizes.size() ? left : block.mass;
+    block.inertia *= mass / block.mass;
+    block.mass = mass;
+    left -= mass;
+    blocks.push_back(block);
+  }
+  return blocks;
 }
 
 /// Spanos et al. 2001's two blocks, a slender block, and one that a sine of the ground lifts.
 std::vector<Scene> scenes() {
   std::vector<Scene> list(3);
   list[0].duration = 1.5;
-  list[0].blocks = {lowest_block(1.25, 1.25)};
-  list[0].blocks.push_back(block_of(1, 2.5, list[0].blocks[0]));
+  list[0].blocks = stack_of({{1.25, 1.25}, {1, 2.5}});
   list[0].initial = {{0.15, 0.15}, {0, 0}};
   list[1].duration = 2;
-  list[1].blocks = {lowest_block(0.5, 2.5)};
+  list[1].blocks = stack_of({{0.5, 2.5}});
   list[1].initial = {{0.1}, {0}};
   list[2].duration = 0.9;
-  list[2].blocks = {lowest_block(0.4, 2)};
+  list[2].blocks = stack_of({{0.4, 2}});
   list[2].initial = {{0}, {0}};
   list[2].horizontal.pulse = Pulse{PulseShape::sine, 5, 0.8, 0, 1, 0};
   return list;
@@ -65,8 +70,7 @@ std::vector<Scene> scenes() {
 
 /// What a bare program reads: the scene in plain numbers, and those settings that are not the library's own.
 std::string question(const WorkerEngine& engine, const Scene& scene, const Parameters& parameters) {
-  const bool unit = parameters.count("unitMass") != 0 && parameters.at("unitMass") != 0;
-  const double mass = unit ? 1 / scene.blocks.front().mass : 1;
+  const double mass = mass_factor(scene, parameters);
   double reach = scene.engine.depth;
   for (const Block& block : scene.blocks) reach += 2 * (block.half_width + block.half_height);
   const double steps = std::floor(scene.duration / step + 1e-9);
@@ -82,6 +86,7 @@ std::string question(const WorkerEngine& engine, const Scene& scene, const Param
     double value = parameters.at(setting.name);
     if (value == setting.standard || setting.name == "unitMass") continue;
     if (setting.name == "contactStiffness" || setting.name == "contactDamping") value *= mass;
+    if (setting.name == "slip1") value /= mass;
     text += fmt::format("set {} {}\n", setting.name, value);
   }
   for (double k = 0; k < steps && is_shaken(scene); ++k) {
