@@ -39,7 +39,8 @@ double window_of(const std::vector<ImpactTime>& exact, std::size_t number, const
   const double least = window_steps * dt, widest = std::max(least, widest_window(exact, number));
   double window = least;
   while (window < widest) {
-    const double drift = largest_relative(apart, static_cast<std::size_t>(impact.interface - 1),
+    const double drift = 2 *
+                         largest_relative(apart, static_cast<std::size_t>(impact.interface - 1),
                                           impact.time - window, impact.time) /
                          impact.approach;
     const double wider = least + drift;

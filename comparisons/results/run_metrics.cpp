@@ -196,8 +196,9 @@ std::vector<Column> impact_columns() {
       drawn<&RunMetrics::impacts_matched>(
           "impacts_matched",
           "impacts above the chatter speed that both have, in order at the same interface, not leaving to "
-          "opposite sides, and no further apart than the window: three steps and the drift, which is the "
-          "angle difference just before over the speed of closing, but never more than half way to the next "
+          "opposite sides, and no further apart than the window: three steps and the drift, which is "
+          "twice the angle difference just before over the speed of closing, but never more than half way to "
+          "the next "
           "impact of the interface. An impact leaves to a side where the interface's relative angular "
           "velocity after it is at least the chatter speed"),
       drawn<&RunMetrics::impacts_missed>(
@@ -255,16 +256,16 @@ std::vector<Column> body_columns() {
           "the height of its centre of mass at rest. Contacts that are springs store at most half of "
           "stiffness "
           "times overlap squared, and at most what the blocks have lost. The true motion never gains any"),
-      drawn<&RunMetrics::penetration>(
-          "penetration", "largest depth of a block's corner in the block or ground it meets, m"),
+      drawn<&RunMetrics::penetration>("penetration",
+                                      "largest depth of a block's corner in the block or ground it meets, m"),
       drawn<&RunMetrics::gap>("gap", "largest height of a block over what it stands on, m"),
       drawn<&RunMetrics::slip>(
           "slip",
           "largest way of a pivot along the face that it stands on, from its place without slipping, m"),
       drawn<&RunMetrics::out_of_plane>("out_of_plane",
-                                        "largest distance of a block's centre from the plane, m"),
+                                       "largest distance of a block's centre from the plane, m"),
       drawn<&RunMetrics::out_of_plane_tilt>("out_of_plane_tilt",
-                                             "largest sine of a block's angle out of the plane"),
+                                            "largest sine of a block's angle out of the plane"),
       drawn<&RunMetrics::complementarity_residual>(
           "complementarity_residual",
           "largest product of gap and normal force of a contact that pushes across a gap; as a share of the "
