@@ -10,8 +10,6 @@
 namespace rockstack {
 namespace {
 
-constexpr double answering_time = 30;  // of a worker that is asked what it has, s
-
 std::string with_last_words(const std::string& reason, const ProcessEnd& end) {
   return end.last_words.empty() ? reason : reason + ": " + end.last_words;
 }
@@ -57,7 +55,7 @@ double WorkerEngine::friction(double asked) const {
   return std::min(asked, description_.largest_friction);
 }
 
-std::vector<WorkerEngine> engines_of(const std::filesystem::path& program) {
+std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, double answering_time) {
   const ProcessEnd end = run_process(program, to_bytes(Request{}), {.time = answering_time});
   const auto refuse = [&](const std::string& why) {
     return std::runtime_error(

@@ -32,8 +32,8 @@ class WorkerEngine {
 };
 
 /// All engines of a worker program, in its order. @throws std::runtime_error naming the program where it does
-/// not answer.
-std::vector<WorkerEngine> engines_of(const std::filesystem::path& program);
+/// not answer within `answering_time` s.
+std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, double answering_time = 30);
 
 /// What became of a run in a worker.
 struct WorkerRun {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "engines/worker/registry.hpp"
 #include "tests/engines/linked_engines.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace rockstack {
 namespace {
@@ -169,6 +171,18 @@ TEST(Workers, ProgramThatIsNotThereIsNamed) {
     FAIL() << "no error";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "/nowhere/rockstack-newton: cannot be started as a worker");
+  }
+}
+
+TEST(Workers, ProgramThatDoesNotAnswerIsNamedInTime) {
+  const TemporaryFolder folder;
+  const auto silent = folder.write("silent", "#!/bin/sh\nexec sleep 600\n");
+  std::filesystem::permissions(silent, std::filesystem::perms::owner_all);
+  try {
+    engines_of(silent, 0.25);
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(), silent.string() + ": does not say which engines it has within 0.25 s");
   }
 }
 
