@@ -342,9 +342,8 @@ void require_comparable(const std::vector<Suite>& suites) {
       constexpr double longest = 1e7 * sample_interval;
       if (scene.scene.duration > longest) {
         throw InputError(
-            fmt::format("scene {}: duration = {}: must be at most {} s in a comparison, which samples "
-                        "every {} s",
-                        scene.name, scene.scene.duration, longest, sample_interval));
+            fmt::format("{}: duration = {}: must be at most {} s in a comparison, which samples every {} s",
+                        scene.duration_place, scene.scene.duration, longest, sample_interval));
       }
       if (!names.insert(scene.name).second) {
         throw InputError(fmt::format(

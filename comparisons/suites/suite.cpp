@@ -110,9 +110,14 @@ std::vector<std::string> names_of(const Wanted& wanted) {
 }
 
 NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  Scene scene = read_scene(file, overrides);
+  const SceneDocument document = read_document(file, overrides);
+  MotionLibrary library;
+  Scene scene = make_scene(document, library);
   std::ifstream stream(file, std::ios::binary);
-  return {folder_name(file.stem().string()), {std::istreambuf_iterator<char>(stream), {}}, std::move(scene)};
+  return {folder_name(file.stem().string()),
+          {std::istreambuf_iterator<char>(stream), {}},
+          std::move(scene),
+          nearest(document.root, "duration").place};
 }
 
 bool is_suite(const std::filesystem::path& file) {

@@ -17,6 +17,7 @@ struct NamedScene {
   std::string name;  ///< of the file, without folder and ending, as folder_name()
   std::string text;  ///< the file as it was read
   Scene scene;
+  std::string duration_place = {};  ///< where its duration is given: file and line, or the override
 };
 
 /// The exact solver with one choice changed, to be compared as if it were another engine: linear against
