@@ -88,6 +88,17 @@ void write_history(const History& history, const std::filesystem::path& folder) 
   for (const auto& [name, text] : files) write_file(folder / name, text);
 }
 
+/// Where the motion is not followed to its end, what is known of it is written first.
+History solve_keeping_known(const Scene& scene, const SolveOptions& options,
+                            const std::filesystem::path& folder) {
+  try {
+    return solve(scene, options);
+  } catch (const Unfinished& unfinished) {
+    write_history(folder, unfinished.history);
+    throw;
+  }
+}
+
 SolveOptions options_for(const Job& job) {
   if (!is_baseline(job)) return {};
   return {.integrator = Integrator::rk4, .step = job.dt};
@@ -115,7 +126,7 @@ void run_perturbed(const Job& job, const std::function<MotionTally(const Scene&)
 
 Json run_exact(const Job& job, RunMetrics& row, const std::string& command, RunFiles& files) {
   const Scene& scene = job.scene.scene;
-  const History history = solve(scene, sampled(scene));
+  const History history = solve_keeping_known(scene, sampled(scene), folder);
   row.toppled = reported_toppling(history);
   set_time(time_solving(scene, job.suite.repeats), motion_time(scene, history), row);
   add_history(history, files);
@@ -131,7 +142,7 @@ Json run_variant(const Job& job, RunMetrics& row, const std::string& command, Ru
   SolveOptions options = options_for(job);
   options.sample_times = sampled(scene).sample_times;
   options.validity = true;
-  const History history = solve(scene, options);
+  const History history = solve_keeping_known(scene, options, folder);
   row.toppled = reported_toppling(history);
   compare_with_exact(
       job.scene.scene, job.suite,
