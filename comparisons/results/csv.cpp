@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -131,6 +132,15 @@ double number(std::string_view cell, const std::string& where, const std::string
   const std::optional<double> value = number_in(cell);
   if (!value) throw InputError(fmt::format("{}: {} = \"{}\": must be a number", where, column_name, cell));
   return *value;
+}
+
+int whole_number(std::string_view cell, const std::string& where, const std::string& column_name, int least,
+                 int most) {
+  const double value = number(cell, where, column_name);
+  if (!(value >= least && value <= most) || value != std::floor(value))
+    throw InputError(fmt::format("{}: {} = \"{}\": must be a whole number from {} to {}", where, column_name,
+                                 cell, least, most));
+  return static_cast<int>(value);
 }
 
 }  // namespace rockstack

@@ -44,4 +44,8 @@ bool needs_guard(std::string_view text);
 /// @throws InputError naming place, column and text.
 double number(std::string_view cell, const std::string& place, const std::string& column_name);
 
+/// A cell as a whole number from `least` to `most`. @throws InputError likewise.
+int whole_number(std::string_view cell, const std::string& place, const std::string& column_name, int least,
+                 int most);
+
 }  // namespace rockstack

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analytic/solve.hpp"
 #include "comparisons/metrics/impacts.hpp"
@@ -53,13 +54,15 @@ std::vector<MotionTally> read_tallies(const std::filesystem::path& file) {
                                      [](const std::string& name) { return name.starts_with("peak_"); }));
   std::vector<MotionTally> tallies;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const auto value = [&](const std::string& name) {
-      const std::string place = fmt::format("{}:{}", file.string(), i + 2);
-      return number(table.rows[i][column(table, name, file)], place, name);
+    const std::string place = fmt::format("{}:{}", file.string(), i + 2);
+    const auto cell = [&](const std::string& name) -> const std::string& {
+      return table.rows[i][column(table, name, file)];
     };
-    const double impacts = value("impacts");
-    if (std::isnan(impacts)) continue;
-    MotionTally tally{{}, static_cast<int>(impacts), value("toppled") != 0};
+    const auto value = [&](const std::string& name) { return number(cell(name), place, name); };
+    if (cell("impacts").empty()) continue;
+    MotionTally tally{{},
+                      whole_number(cell("impacts"), place, "impacts", 0, std::numeric_limits<int>::max()),
+                      value("toppled") != 0};
     for (const std::string& name : numbered("peak_", blocks)) tally.peaks.push_back(value(name));
     tallies.push_back(std::move(tally));
   }

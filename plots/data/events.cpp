@@ -50,9 +50,7 @@ ExactEvents read_events(const Run& exact, int blocks, double end, const std::str
     if (events.spans.empty()) change_pattern(events.spans, 0, cells.text(i, "from"));
     change_pattern(events.spans, time, cells.text(i, "to"));
     if (cells.text(i, "kind") != "impact") continue;
-    const double interface = cells.value(i, "interface");
-    if (!(interface >= 1 && interface <= blocks))
-      throw InputError(fmt::format("{}: interface = {}: must be 1 to {}", cells.place(i), interface, blocks));
+    const int interface = whole_number(cells.text(i, "interface"), cells.place(i), "interface", 1, blocks);
     events.impact_times[static_cast<std::size_t>(interface) - 1].push_back(time);
     ++events.impacts;
   }
@@ -72,9 +70,7 @@ std::vector<PatternChange> read_impact_changes(const Run& exact, int blocks) {
   std::vector<PatternChange> changes;
   for (std::size_t i = 0; i < cells.table.rows.size(); ++i) {
     if (cells.text(i, "kind") != "impact") continue;
-    const auto interface = static_cast<int>(cells.value(i, "interface"));
-    if (interface < 1 || interface > blocks)
-      throw InputError(fmt::format("{}: interface = {}: must be 1 to {}", cells.place(i), interface, blocks));
+    const int interface = whole_number(cells.text(i, "interface"), cells.place(i), "interface", 1, blocks);
     const auto speed = [&](int block) {
       return block == 0 ? 0 : cells.value(i, fmt::format("omega_before_{}", block));
     };

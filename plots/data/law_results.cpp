@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/pattern.hpp"
 #include "comparisons/results/csv.hpp"
 #include "plots/data/json_file.hpp"
 
@@ -18,11 +19,12 @@ class Row {
       : table_(table), index_(index), file_(file) {}
 
   std::string text(const char* name) const { return table_.rows[index_][column(table_, name, file_)]; }
-  double value(const char* name) const {
-    return number(text(name), fmt::format("{}:{}", file_.string(), index_ + 2), name);
-  }
+  double value(const char* name) const { return number(text(name), place(), name); }
+  int blocks() const { return whole_number(text("blocks"), place(), "blocks", 1, max_blocks); }
 
  private:
+  std::string place() const { return fmt::format("{}:{}", file_.string(), index_ + 2); }
+
   const Table& table_;
   std::size_t index_;
   const fs::path& file_;
@@ -32,10 +34,10 @@ void read_cells(const fs::path& file, LawResults& results) {
   const Table table = read_table(file);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Row row(table, i, file);
-    results.cells.push_back({static_cast<int>(row.value("blocks")), row.text("kind"),
-                             row.value("aspect_ratio_from"), row.value("aspect_ratio_to"),
-                             row.value("mass_ratio_from"), row.value("mass_ratio_to"), row.value("impacts"),
-                             row.value("differ"), row.value("none")});
+    results.cells.push_back({row.blocks(), row.text("kind"), row.value("aspect_ratio_from"),
+                             row.value("aspect_ratio_to"), row.value("mass_ratio_from"),
+                             row.value("mass_ratio_to"), row.value("impacts"), row.value("differ"),
+                             row.value("none")});
   }
 }
 

@@ -17,6 +17,12 @@ namespace {
 /// Of files that do not say.
 const std::vector<std::string> all_results{"angles", "impacts", "patterns", "bodies", "histories"};
 
+/// Zero where it is no number of blocks.
+int block_count(const Json& value) {
+  const double count = value.get<double>();
+  return count >= 1 && count <= max_blocks && count == std::floor(count) ? static_cast<int>(count) : 0;
+}
+
 double number_of(const Json& value) {
   return value.is_null() ? std::nan("") : value.get<double>();
 }
@@ -59,7 +65,7 @@ void read_description(const Json& json, Comparison& comparison) {
   for (const Json& scene : json.at("scenes"))
     comparison.scenes.push_back({scene.at("name").get<std::string>(),
                                  scene.at("title").get<std::string>(),
-                                 scene.at("blocks").get<int>(),
+                                 block_count(scene.at("blocks")),
                                  scene.at("toml").get<std::string>(),
                                  scene.value("ground", ""),
                                  scene.value("law", ""),

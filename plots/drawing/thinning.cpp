@@ -26,7 +26,7 @@ std::vector<std::size_t> bin_starts(const std::vector<double>& times, std::size_
   std::size_t current = bins;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double place = span > 0 ? (times[i] - times.front()) / span * static_cast<double>(bins) : 0;
-    const std::size_t bin = std::min(static_cast<std::size_t>(place), bins - 1);
+    const auto bin = place > 0 ? static_cast<std::size_t>(std::min(place, static_cast<double>(bins - 1))) : 0;
     if (bin != current) starts.push_back(i);
     current = bin;
   }

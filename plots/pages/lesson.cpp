@@ -56,8 +56,8 @@ std::string lesson_page(const fs::path& results, const Json& lesson) {
   const std::string text = lesson.at("text").get<std::string>();
   return page({title, "lesson",
                filled_in(lesson_html, {{"title", escaped(title)},
-                                       {"number", std::to_string(lesson.at("number").get<int>())},
-                                       {"count", std::to_string(lesson.at("count").get<int>())},
+                                       {"number", escaped(lesson.at("number").dump())},
+                                       {"count", escaped(lesson.at("count").dump())},
                                        {"text", filled_in(text, values_of(results, comparison, lesson))},
                                        {"command", escaped(comparison.command)},
                                        {"environment", definition_list(comparison.environment)}})});

@@ -104,6 +104,13 @@ TEST(Table, AWordInPlaceOfANumberIsNamedByFileLineAndColumn) {
               file.string() + ":3: x = \"two\": must be a number");
 }
 
+TEST(Table, AWholeNumberIsWithinItsRangeOrNamed) {
+  EXPECT_EQ(whole_number("3", "runs.csv:2", "interface", 1, 3), 3);
+  for (const char* cell : {"0", "4", "1.5", "1e300", "-1e300", "inf", "nan", ""})
+    expect_part(error_of([&] { whole_number(cell, "runs.csv:2", "interface", 1, 3); }),
+                "runs.csv:2: interface = ");
+}
+
 TEST(Table, AMissingColumnIsNamed) {
   const auto file = file_with("time\n0\n");
   expect_part(error_of([&] { read_columns(file, {"theta_1"}); }), file.string() + ":1: no column theta_1");

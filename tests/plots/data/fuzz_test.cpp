@@ -64,6 +64,18 @@ TEST(ResultsMutations, GiveResultsOrAnInputErrorAndNothingElse) {
       if (fs::exists(run.path() / name)) expect_read_or_refused(folder, run.path() / name);
 }
 
+TEST(ResultsMutations, NumbersOfBlocksThatAreNoneAreRefused) {
+  const fs::path folder = testing::fresh_folder();
+  for (const std::string count : {"0", "1e300", "4294967298", "1.5"}) {
+    testing::write_sample(folder, {});
+    std::string text = testing::bytes_of(folder / "comparison.json");
+    const auto found = text.find("\"blocks\": ") + 10;
+    text.replace(found, text.find_first_of(",\n", found) - found, count);
+    std::ofstream(folder / "comparison.json") << text;
+    EXPECT_THROW(read_comparison(folder), InputError) << count;
+  }
+}
+
 TEST(ResultsMutations, NamesThatAreNoNamesAreRefused) {
   const fs::path folder = testing::fresh_folder();
   for (const std::string name : {"../../x", "/x", "..", ""}) {

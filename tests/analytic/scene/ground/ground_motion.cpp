@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,22 @@ TEST(GroundMotion, MeanEqualsFineQuadrature) {
     // Plus the rounding of a sum of `cells` terms not above 6.
     const double tolerance = 4 * 56 * cell * cell / 8 / (to - from) + cells * 6 * 2.3e-16;
     EXPECT_NEAR(mean_acceleration(sampled, from, to), sum / cells, tolerance);
+  }
+}
+
+// Times and intervals as far apart as scenes and steps may be: a piece is looked for within the samples
+// alone.
+TEST(GroundMotion, IsZeroAtAnyTimeBeyondItsSamplesHoweverShortTheyAre) {
+  const double most = std::numeric_limits<double>::max();
+  for (const double interval : {1e-20, 1e-3, 1e20}) {
+    const GroundMotion motion{interval, sampled.samples, "test"};
+    for (const double share : {0.0, 0.5, 1 - 1e-15, 1.0}) {
+      EXPECT_LE(std::abs(acceleration(motion, share * motion.end())), 6) << interval;
+      EXPECT_LE(std::abs(mean_acceleration(motion, share * motion.end(), most)), 6) << interval;
+    }
+    for (const double time : {2 * motion.end(), 1e21, most, std::numeric_limits<double>::infinity()})
+      EXPECT_EQ(acceleration(motion, time), 0) << interval;
+    EXPECT_EQ(mean_acceleration(motion, 1e21, most), 0) << interval;
   }
 }
 
