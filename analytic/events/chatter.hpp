@@ -24,8 +24,8 @@ class EndOfChatter {
     using std::sqrt;
     rate_ = model.gravity / (2 * model.stack.half_height.sum());
     settling_speed_ = 500 * std::min(resolution, Real(std::numeric_limits<double>::epsilon())) * sqrt(rate_);
-    yield_ = 2 * sqrt(model.stack.mass.sum() / model.stack.inertia.minCoeff());
-    reach_ = 2 * (model.stack.half_width + model.stack.half_height).sum();
+    acceleration_gain_ = 2 * sqrt(model.stack.mass.sum() / model.stack.inertia.minCoeff());
+    links_length_ = 2 * (model.stack.half_width + model.stack.half_height).sum();
   }
 
   /// No relative angle accelerates more, rad/s². By Gauss's principle a motion has no more energy than that
@@ -34,7 +34,7 @@ class EndOfChatter {
   Real fastest_return(const State<Real, N>& state, const Point<Real>& ground) const {
     const Real effective_gravity = ground.template lpNorm<1>() + model_.gravity;
     const Real rotation_rate = state.velocities.template lpNorm<1>();
-    return yield_ * (effective_gravity + rotation_rate * rotation_rate * reach_);
+    return acceleration_gain_ * (effective_gravity + rotation_rate * rotation_rate * links_length_);
   }
 
   /// Open by what rounding makes of angles and speeds: such interfaces close with the next that does, or two
@@ -67,11 +67,11 @@ class EndOfChatter {
 
  private:
   const Model<Real, N>& model_;
-  Real resolution_;        ///< rad
-  Real rate_{};            ///< g/H, 1/s²
-  Real settling_speed_{};  ///< rad/s
-  Real yield_{};           ///< relative angular acceleration to that of free blocks, at most, 1/m
-  Real reach_{};           ///< of all links together, at most, m
+  Real resolution_;           ///< rad
+  Real rate_{};               ///< g/H, 1/s²
+  Real settling_speed_{};     ///< rad/s
+  Real acceleration_gain_{};  ///< relative angular acceleration to that of free blocks, at most, 1/m
+  Real links_length_{};       ///< of all links together, at most, m
 };
 
 }  // namespace rockstack

@@ -65,7 +65,7 @@ class Solver {
   void start() {
     // For the IllConditioned that it may throw: steps do not look.
     accelerations(model_, state_, directions_, pieces_.current().at(offset_));
-    settle(state_.pattern);
+    make_admissible(state_.pattern);
   }
   bool finished() const { return pieces_.finished() || toppled_; }
   Real time() const { return pieces_.current().start + offset_; }
@@ -208,7 +208,7 @@ class Solver {
     } else if (event.closing.any()) {
       ties_.note_closing(event.closing);
       collide(event.closing);
-      settle(state_.pattern);
+      make_admissible(state_.pattern);
     } else if (ties_.undecided()) {
       ties_.hold(event.opening);
     } else {
@@ -216,7 +216,7 @@ class Solver {
         if (event.opening.test(static_cast<std::size_t>(k))) state_.pattern[k] = event.opened[k];
       }
       ties_.note_opening(event.opening);
-      settle(from);
+      make_admissible(from);
     }
   }
 
@@ -238,23 +238,23 @@ class Solver {
       return end_of_chatter_.without_slow({solution.pattern, state_.angles, solution.relative},
                                           impact.touching(), directions_, pieces_.current().at(offset_));
     };
-    bool settled = false;
+    bool closes = false;
     for (Pattern slow = without_slow(); !(slow == solution.pattern); slow = without_slow()) {
       solution = velocities_after(model_, before, slow);
-      settled = true;
+      closes = true;
     }
     state_.pattern = solution.pattern;
     state_.velocities = solution.relative;
     require_numbers();
     recorder_.note_impact(solution, time());
-    const EventKind kind = !settled                      ? EventKind::impact
+    const EventKind kind = !closes                       ? EventKind::impact
                            : is_closed(solution.pattern) ? EventKind::rest
                                                          : EventKind::closure;
     record_event(kind, first, impact.before.pattern, impact.before.velocities, resolution.consistency);
   }
 
   /// Rule 2 at an instant: opens the closed interfaces whose centre of pressure would lie outside.
-  void settle(Pattern from) {
+  void make_admissible(Pattern from) {
     const Interfaces touching = ties_.touching(state_);
     const Point<Real> ground = pieces_.current().at(offset_);
     const auto evaluate = [&](const Pattern& pattern) {

@@ -59,16 +59,16 @@ class ChainSeries {
   void shorten(const Real& ratio) {
     const Real square = ratio * ratio;
     for (std::size_t k = 0; k < size(); ++k) {
-      Row& row = rows_[k];
-      row.weighted[1] *= ratio;
-      row.weighted[2] *= square;
-      row.direction[1] = ratio * row.direction[1];
-      row.direction[2] = square * row.direction[2];
-      row.coupling[0] = square * row.coupling[0];
-      row.relative[0] *= square;
+      BlockSeries& block = blocks_[k];
+      block.weighted[1] *= ratio;
+      block.weighted[2] *= square;
+      block.direction[1] = ratio * block.direction[1];
+      block.direction[2] = square * block.direction[2];
+      block.coupling[0] = square * block.coupling[0];
+      block.relative[0] *= square;
       if (!forces_) continue;
-      row.reaction[0] *= square;
-      row.force[0] = square * row.force[0];
+      block.reaction[0] *= square;
+      block.force[0] = square * block.force[0];
     }
   }
 
@@ -82,7 +82,7 @@ class ChainSeries {
   }
 
   /// (φ'')ₙ of an interface.
-  const Real& relative(std::size_t k, std::size_t n) const { return rows_[k].relative[n]; }
+  const Real& relative(std::size_t k, std::size_t n) const { return blocks_[k].relative[n]; }
 
   /// φₙ₊₂ of an interface.
   Real angle(std::size_t k, std::size_t n) const {
@@ -91,8 +91,8 @@ class ChainSeries {
 
   /// Normal force at interface k, order n, in kg·m of s-time.
   Real push(std::size_t k, std::size_t n) const {
-    if (k == 0 || linear_) return rows_[k].force[n].y;
-    return force(k, rows_[k - 1].direction, n).normal;
+    if (k == 0 || linear_) return blocks_[k].force[n].y;
+    return force(k, blocks_[k - 1].direction, n).normal;
   }
 
   /// Forces at interface k along the normal and the direction of a block's face (the ground's: −1); order n,
@@ -101,26 +101,26 @@ class ChainSeries {
     Real normal, tangential;
   };
   Force force(std::size_t k, int face, std::size_t n) const {
-    const Point2& own = rows_[k].force[n];
+    const Point2& own = blocks_[k].force[n];
     if (face < 0 || linear_) return {own.y, own.x};
     return force(k, direction(static_cast<std::size_t>(face)), n);
   }
   /// Likewise, along a face of this direction.
   Force force(std::size_t k, const PlaneSeries& direction, std::size_t n) const {
-    const Row& row = rows_[k];
+    const BlockSeries& block = blocks_[k];
     Force sum{Real(0), Real(0)};
     for (std::size_t i = 0; i <= n; ++i) {
-      sum.normal += direction[i].y * row.force[n - i].x + direction[i].x * row.force[n - i].y;
-      sum.tangential += direction[i].x * row.force[n - i].x - direction[i].y * row.force[n - i].y;
+      sum.normal += direction[i].y * block.force[n - i].x + direction[i].x * block.force[n - i].y;
+      sum.tangential += direction[i].x * block.force[n - i].x - direction[i].y * block.force[n - i].y;
     }
     return sum;
   }
 
   /// The cosine and the sine of a block's angle.
-  const PlaneSeries& direction(std::size_t block) const { return rows_[block].direction; }
+  const PlaneSeries& direction(std::size_t block) const { return blocks_[block].direction; }
 
   /// Moment about the pivot of interface k, about its middle where it is closed; order n.
-  const Real& reaction(std::size_t k, std::size_t n) const { return rows_[k].reaction[n]; }
+  const Real& reaction(std::size_t k, std::size_t n) const { return blocks_[k].reaction[n]; }
 
   /// How far the centre of pressure of a closed interface stays from either end, times the normal force;
   /// order n, in kg·m² of s-time.
@@ -136,7 +136,7 @@ class ChainSeries {
   /// Short stacks in the processor's own numbers have each order compiled by itself.
   static constexpr bool unrolled = N != Eigen::Dynamic && std::is_arithmetic_v<Number<Real>>;
 
-  struct Row {
+  struct BlockSeries {
     Series weighted;        // i times coefficient i of ψ
     PlaneSeries direction;  // cosine and sine of ψ
     PlaneSeries coupling;   // what they are multiplied by in the block's equation
@@ -148,11 +148,11 @@ class ChainSeries {
   void start(const Directions& directions, const PerBlock<Real, N>& advances) {
     Real advance = 0;
     for (std::size_t k = 0; k < size(); ++k) {
-      Row& row = rows_[k];
+      BlockSeries& block = blocks_[k];
       advance += advances[k];
-      row.weighted[1] = advance;
-      row.direction[0] = directions[k];
-      row.direction[1] = linear_ ? none() : advance * ahead(directions[k]);
+      block.weighted[1] = advance;
+      block.direction[0] = directions[k];
+      block.direction[1] = linear_ ? none() : advance * ahead(directions[k]);
     }
     mass_.factorise(linkage_, directions);
   }
@@ -160,35 +160,35 @@ class ChainSeries {
   /// Order n, a number or the constant of one.
   template <class Order>
   void extend_by(Order n, const ScaledBodyForce<Real>& body_force) {
-    const Point2 lift{n < body_force.x.terms ? -body_force.x[n] : Real(0),
-                      n < body_force.y.terms ? -body_force.y[n] : Real(0)};
+    const Point2 base_acceleration{n < body_force.x.terms ? -body_force.x[n] : Real(0),
+                                   n < body_force.y.terms ? -body_force.y[n] : Real(0)};
     PerBlock<Point2, N> second_derivatives;  // of directions, as far as they are known, then all
     for (std::size_t k = 0; k < size(); ++k)
-      second_derivatives[k] = linear_ ? none() : known_second_derivative(rows_[k], n);
+      second_derivatives[k] = linear_ ? none() : known_second_derivative(blocks_[k], n);
     // A block alone is coupled to nothing but the body force.
     const std::size_t couplings =
         size() > 1 ? n : std::min<std::size_t>(n, std::max(body_force.x.terms, body_force.y.terms));
-    const PerBlock<Real, N> known = known_moments(n, couplings, second_derivatives, lift);
+    const PerBlock<Real, N> known = known_moments(n, couplings, second_derivatives, base_acceleration);
     PerBlock<Real, N> opposed;
     for (std::size_t k = 0; k < size(); ++k) opposed[k] = -known[k];
     const PerBlock<Real, N> relative = mass_.constrained.solve(opposed);
     if (forces_) {
       for (std::size_t k = 0; k < size(); ++k) {
-        rows_[k].reaction[n] = known[k];
-        for (std::size_t j = 0; j < size(); ++j) rows_[k].reaction[n] += mass_.matrix[k][j] * relative[j];
+        blocks_[k].reaction[n] = known[k];
+        for (std::size_t j = 0; j < size(); ++j) blocks_[k].reaction[n] += mass_.matrix[k][j] * relative[j];
       }
     }
     Real angular_acceleration = 0;
     for (std::size_t k = 0; k < size(); ++k) {
-      Row& row = rows_[k];
-      row.relative[n] = relative[k];
+      BlockSeries& block = blocks_[k];
+      block.relative[n] = relative[k];
       angular_acceleration = k == 0 ? relative[0] : angular_acceleration + relative[k];
-      row.weighted[n + 2] = angular_acceleration * reciprocals<Number<Real>>[n + 1];
+      block.weighted[n + 2] = angular_acceleration * reciprocals<Number<Real>>[n + 1];
       const Real twice = reciprocals<Number<Real>>[n + 1] * reciprocals<Number<Real>>[n + 2];
-      second_derivatives[k] = second_derivatives[k] + angular_acceleration * ahead(row.direction[0]);
-      row.direction[n + 2] = linear_ ? none() : twice * second_derivatives[k];
+      second_derivatives[k] = second_derivatives[k] + angular_acceleration * ahead(block.direction[0]);
+      block.direction[n + 2] = linear_ ? none() : twice * second_derivatives[k];
     }
-    couple(n, second_derivatives, lift);
+    couple(n, second_derivatives, base_acceleration);
   }
 
   template <std::size_t n>
@@ -205,21 +205,22 @@ class ChainSeries {
 
   /// The known parts of (c'')ₙ and (s'')ₙ.
   template <class Order>
-  static Point2 known_second_derivative(const Row& row, Order n) {
-    Point2 sum = row.weighted[1] * row.direction[n + 1];
-    for (std::size_t j = 2; j < n + 2; ++j) sum = sum + row.weighted[j] * row.direction[n + 2 - j];
+  static Point2 known_second_derivative(const BlockSeries& block, Order n) {
+    Point2 sum = block.weighted[1] * block.direction[n + 1];
+    for (std::size_t j = 2; j < n + 2; ++j) sum = sum + block.weighted[j] * block.direction[n + 2 - j];
     return {-Real(n + 1) * sum.y, Real(n + 1) * sum.x};
   }
 
   /// Order n of the moments about all pivots, but for what the blocks' accelerations (ψ'')ₙ will add.
   template <class Order>
   PerBlock<Real, N> known_moments(Order n, std::size_t couplings,
-                                  const PerBlock<Point2, N>& second_derivatives, const Point2& lift) const {
+                                  const PerBlock<Point2, N>& second_derivatives,
+                                  const Point2& base_acceleration) const {
     PerBlock<Real, N> moments;
-    Point2 below = lift;
+    Point2 below = base_acceleration;
     for (std::size_t k = 0; k < size(); ++k) {
       moments[k] = across(mass_.moments[k], below);
-      if (!linear_) moments[k] += past_moment(rows_[k], n, couplings);
+      if (!linear_) moments[k] += past_moment(blocks_[k], n, couplings);
       if (k + 1 < size())
         below = below + turned(second_derivatives[k], linkage_.link_x[k], linkage_.link_y[k]);
     }
@@ -234,33 +235,33 @@ class ChainSeries {
   /// Order n of Sₖ⊥ · (…) + Lₖ⊥ · (…), but for order n of the coupling: products of lower orders alone, of
   /// which the first `couplings` of the coupling are not zero.
   template <class Order>
-  static Real past_moment(const Row& row, Order n, std::size_t couplings) {
+  static Real past_moment(const BlockSeries& block, Order n, std::size_t couplings) {
     Point2 sum = none();
     for (std::size_t i = couplings; i-- > 0;)
-      sum = {sum.x + row.direction[n - i].x * row.coupling[i].x,
-             sum.y + row.direction[n - i].y * row.coupling[i].y};
+      sum = {sum.x + block.direction[n - i].x * block.coupling[i].x,
+             sum.y + block.direction[n - i].y * block.coupling[i].y};
     return sum.x + sum.y;
   }
 
-  /// Order n of what each block feels of the others and of the lift, and of the forces.
+  /// Order n of what each block feels of the others and of the base's acceleration, and of the forces.
   template <class Order>
-  void couple(Order n, const PerBlock<Point2, N>& second_derivatives, const Point2& lift) {
-    Point2 below = lift;
+  void couple(Order n, const PerBlock<Point2, N>& second_derivatives, const Point2& base_acceleration) {
+    Point2 below = base_acceleration;
     for (std::size_t k = 0; k < size(); ++k) {
-      Row& row = rows_[k];
-      row.coupling[n] = coupling_of(below, linkage_.moment_x[k], linkage_.moment_y[k]);
-      if (forces_) row.force[n] = linkage_.mass[k] * below;
+      BlockSeries& block = blocks_[k];
+      block.coupling[n] = coupling_of(below, linkage_.moment_x[k], linkage_.moment_y[k]);
+      if (forces_) block.force[n] = linkage_.mass[k] * below;
       if (k + 1 < size())
         below = below + turned(second_derivatives[k], linkage_.link_x[k], linkage_.link_y[k]);
     }
     Point2 above = none();
     for (std::size_t k = size(); k-- > 0;) {
-      Row& row = rows_[k];
+      BlockSeries& block = blocks_[k];
       if (k + 1 < size())
-        row.coupling[n] = row.coupling[n] + coupling_of(above, linkage_.link_x[k], linkage_.link_y[k]);
+        block.coupling[n] = block.coupling[n] + coupling_of(above, linkage_.link_x[k], linkage_.link_y[k]);
       if (k == 0 && !forces_) break;
       above = above + turned(second_derivatives[k], linkage_.moment_x[k], linkage_.moment_y[k]);
-      if (forces_) row.force[n] = row.force[n] + above;
+      if (forces_) block.force[n] = block.force[n] + above;
     }
   }
 
@@ -276,7 +277,7 @@ class ChainSeries {
   const Linkage<Real, N>& linkage_;
   bool linear_;
   bool forces_;
-  std::array<Row, capacity(N)> rows_;
+  std::array<BlockSeries, capacity(N)> blocks_;
   ChainMass<Real, N> mass_;  ///< at the start of the step
 };
 

@@ -32,13 +32,13 @@ double parting(const History& a, const History& b, double size) {
 
 /// One column of partings.
 struct Other {
-  const char* words;
+  const char* label;
   const History& history;
 };
 
 Table partings(const History& exact, const std::vector<Other>& others) {
   Table table{{"difference of θ₂ (rad)"}, {}};
-  for (const Other& other : others) table.columns.emplace_back(other.words);
+  for (const Other& other : others) table.columns.emplace_back(other.label);
   for (const double size : {1e-8, 1e-6, 1e-4, 1e-3, 1e-2}) {
     table.rows.push_back({cell(size)});
     for (const Other& other : others) {

@@ -32,9 +32,9 @@ double angle_after(Scene scene, const Event& landed, const Landing& landing) {
 
 Table readings(const Scene& scene) {
   Table table{{"equations", "θ̇₁ after / before", "θ̇₂ after / before", "kinetic energy after / before"}, {}};
-  const auto add = [&](const char* words, const Misprints& misprints) {
+  const auto add = [&](const char* label, const Misprints& misprints) {
     const Landing landing = land(scene, misprints);
-    table.rows.push_back({words, cell(landing.base), cell(landing.top), cell(landing.energy)});
+    table.rows.push_back({label, cell(landing.base), cell(landing.top), cell(landing.energy)});
   };
   add("put right", {});
   add("(137) as printed", {.eq137 = true});
@@ -57,9 +57,9 @@ Table first_events(const History& history) {
 
 Table solvers(const Scene& scene, const History& exact) {
   Table table{{"solver", "gap of 0.001 rad between the blocks at (s)", "θ₂ at 1 s (rad)"}, {}};
-  const auto add = [&](const char* words, const History& history) {
+  const auto add = [&](const char* label, const History& history) {
     table.rows.push_back(
-        {words, cell(first_gap(history, 2, visible_gap)), cell(angle_at(history, 1, quoted_time))});
+        {label, cell(first_gap(history, 2, visible_gap)), cell(angle_at(history, 1, quoted_time))});
   };
   add("exact", exact);
   add("Bullet, tuned, 0.1 ms", answer("bullet", "tuned", scene, 1e-4));

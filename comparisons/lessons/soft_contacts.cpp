@@ -22,7 +22,7 @@ double rebound(const History& history, const Event& landing) {
 struct Choice {
   const char* engine;
   const char* settings;
-  const char* words;
+  const char* label;
   Parameters changes;
 };
 
@@ -42,7 +42,7 @@ std::vector<Choice> choices() {
 Table rebounds(const Scene& scene, const Event& landing) {
   Table table{{"engine and parameters", "speed after landing / before"}, {}};
   for (const Choice& choice : choices())
-    table.rows.push_back({choice.words, cell(rebound(answer(choice.engine, choice.settings, scene,
+    table.rows.push_back({choice.label, cell(rebound(answer(choice.engine, choice.settings, scene,
                                                             contact_step, choice.changes),
                                                      landing))});
   return table;

@@ -30,11 +30,11 @@ void require_utf8(const std::string& word) {
   }
 }
 
-std::string command_line(int count, char** words) {
+std::string command_line(int count, char** arguments) {
   std::string line = "rockstack";
   for (int i = 1; i < count; ++i) {
-    require_utf8(words[i]);
-    line += " " + shell_word(words[i]);
+    require_utf8(arguments[i]);
+    line += " " + shell_word(arguments[i]);
   }
   return line;
 }
@@ -168,12 +168,12 @@ Command add_list(CLI::App& app, const Common& common) {
   return {command, [what, &common] { return list_command(*what, common); }};
 }
 
-int run(int count, char** words) {
+int run(int count, char** arguments) {
   CLI::App app{"Stacked rocking blocks: the exact theory beside physics engines", "rockstack"};
   app.require_subcommand(0, 1);
   app.fallthrough();
   Common common;
-  common.command = command_line(count, words);
+  common.command = command_line(count, arguments);
   app.add_option("--set", common.overrides, "override a scene key: key=value, e.g. blocks.1.height=3")
       ->allow_extra_args(false);
   app.add_flag("--quiet", common.quiet, "print nothing but errors");
@@ -184,7 +184,7 @@ int run(int count, char** words) {
     commands.push_back(add(app, common));
   }
   try {
-    app.parse(count, words);
+    app.parse(count, arguments);
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
@@ -213,10 +213,10 @@ void complain(const char* reason) {
 
 }  // namespace
 
-int main(int count, char** words) {
+int main(int count, char** arguments) {
   open_standard_streams();
   try {
-    const int code = run(count, words);
+    const int code = run(count, arguments);
     if (std::fflush(stdout) != 0) throw std::runtime_error("standard output: cannot be written");
     return code;
   } catch (const std::invalid_argument& error) {

@@ -42,13 +42,13 @@ Scale scale_of(const Scene& scene) {
 /// The first measure beyond its limit, in words.
 class Findings {
  public:
-  void check(const char* words, const std::optional<double>& value, double unit, double limit) {
+  void check(const char* label, const std::optional<double>& value, double unit, double limit) {
     if (!value || !reason_.empty()) return;
     const double share = std::abs(*value) / unit;
-    if (!(share <= limit)) reason_ = fmt::format("{} {:.3g}, limit {:g}", words, share, limit);
+    if (!(share <= limit)) reason_ = fmt::format("{} {:.3g}, limit {:g}", label, share, limit);
   }
-  void check(bool broken, const char* words) {
-    if (broken && reason_.empty()) reason_ = words;
+  void check(bool broken, const char* label) {
+    if (broken && reason_.empty()) reason_ = label;
   }
   const std::string& reason() const { return reason_; }
 

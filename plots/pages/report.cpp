@@ -102,8 +102,8 @@ std::string parameters_of(const Run& run) {
 }
 
 std::string contents_list(const Comparison& comparison) {
-  const auto item = [](const std::string& anchor, const std::string& words) {
-    return element("li", fmt::format("<a href=\"#{}\">{}</a>", anchor, escaped(words)));
+  const auto item = [](const std::string& anchor, const std::string& label) {
+    return element("li", fmt::format("<a href=\"#{}\">{}</a>", anchor, escaped(label)));
   };
   std::string items = item("summary", "Summary");
   if (!comparison.statements.empty()) items += item("statements", "What the paper says");

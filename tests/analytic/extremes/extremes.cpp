@@ -46,10 +46,10 @@ void note(Shared& shared, const Scene& scene) {
   shared.events += found.events;
   shared.impact_gain = std::max(shared.impact_gain, found.impact_gain);
   shared.flight_drift = std::max(shared.flight_drift, found.flight_drift);
-  if (found.words.empty() && found.impact_gain <= few && found.flight_drift <= few) return;
+  if (found.fault.empty() && found.impact_gain <= few && found.flight_drift <= few) return;
   ++shared.broken;
   std::printf("%llu broken: %s gain %g, drift %g, %zu events; %s\n",
-              static_cast<unsigned long long>(shared.seed), found.words.c_str(), found.impact_gain,
+              static_cast<unsigned long long>(shared.seed), found.fault.c_str(), found.impact_gain,
               found.flight_drift, found.events, features(scene).c_str());
 }
 

@@ -81,11 +81,11 @@ std::string broken(const Scene& scene, const History& history) {
     for (int k = 0; k < history.blocks; ++k) {
       const auto block = static_cast<std::size_t>(k);
       const double below = k > 0 ? angles[block - 1] : 0;
-      const double gap = angles[block] - below;
+      const double relative_angle = angles[block] - below;
       const double rounding = 4e-16 * std::max({std::abs(angles[block]), std::abs(below), 1.0});
       const bool inside = history.patterns[i][k] == Contact::closed
-                              ? std::abs(gap) > rounding
-                              : sign(history.patterns[i][k]) * gap < -rounding;
+                              ? std::abs(relative_angle) > rounding
+                              : sign(history.patterns[i][k]) * relative_angle < -rounding;
       if (inside) return "a block lies in the one below, or a closed interface is open";
     }
   }
@@ -100,9 +100,9 @@ Quad least_share(const Model<Quad>& model, const Event& event) {
 
 Breaches breaches(const Scene& scene, const History& history) {
   Breaches found;
-  found.words = broken(scene, history);
+  found.fault = broken(scene, history);
   found.events = history.events.size();
-  if (!found.words.empty()) return found;
+  if (!found.fault.empty()) return found;
   const auto model = make_model<Quad>(scene);
   const bool free =
       scene.horizontal.empty() && scene.vertical.empty() && scene.equations == Equations::nonlinear;

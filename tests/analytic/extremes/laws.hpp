@@ -11,7 +11,7 @@ namespace rockstack::testing {
 /// concerned, each as large as the stack makes it: where little of an entry of the mass matrix remains when
 /// the motions of the other interfaces are taken out, a rounding of the velocities weighs that much more.
 struct Breaches {
-  std::string words;        ///< what is broken outright: numbers that are none, times that go back; or empty
+  std::string fault;        ///< what is broken outright: numbers that are none, times that go back; or empty
   double impact_gain = 0;   ///< kinetic energy gained by an impact
   double flight_drift = 0;  ///< energy that changes between events of a free stack
   std::size_t events = 0;

@@ -27,7 +27,7 @@ TEST(Extremes, NoMotionGainsEnergyOrHoldsNumbersThatAreNone) {
     try {
       const auto times = regular_times(scene.duration / 50, scene.duration);
       const testing::Breaches found = testing::breaches(scene, solve(scene, {.sample_times = times}));
-      EXPECT_EQ(found.words, "") << seed;
+      EXPECT_EQ(found.fault, "") << seed;
       EXPECT_LE(found.impact_gain, few) << seed;
       EXPECT_LE(found.flight_drift, few) << seed;
       ++solved;
