@@ -8,27 +8,20 @@
 // is allowed. With unitMass adapters divide masses by the stack's, which is a power of two here, so that
 // nothing is rounded.
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <limits>
 #include <numbers>
 #include <ostream>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "engines/placement.hpp"
 #include "engines/worker/registry.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/engines/bare.hpp"
 
 namespace rockstack {
 namespace {
@@ -66,52 +59,6 @@ std::vector<Scene> scenes() {
   list[2].initial = {{0}, {0}};
   list[2].horizontal.pulse = Pulse{PulseShape::sine, 5, 0.8, 0, 1, 0};
   return list;
-}
-
-/// What a bare program reads: the scene in plain numbers, and those settings that are not the library's own.
-std::string question(const WorkerEngine& engine, const Scene& scene, const Parameters& parameters) {
-  const double mass = mass_factor(scene, parameters);
-  double reach = scene.engine.depth;
-  for (const Block& block : scene.blocks) reach += 2 * (block.half_width + block.half_height);
-  const double steps = std::floor(scene.duration / step + 1e-9);
-  std::string text = fmt::format("solver {} gravity {} friction {} dt {} steps {}\n", engine.solver(),
-                                 scene.gravity, scene.engine.friction, step, steps);
-  if (engine.name() != "ode") text += fmt::format("reach {}\n", 10 * reach);
-  for (const Placement& block : place(scene)) {
-    text += fmt::format("block {} {} {} {} {} {} {} {} {} {}\n", block.width, block.height, block.depth,
-                        mass * block.mass, mass * block.inertia_about_x, mass * block.inertia_about_y,
-                        mass * block.inertia, block.x, block.y, block.angle);
-  }
-  for (const Setting& setting : engine.settings()) {
-    double value = parameters.at(setting.name);
-    if (value == setting.standard || setting.name == "unitMass") continue;
-    if (setting.name == "contactStiffness" || setting.name == "contactDamping") value *= mass;
-    if (setting.name == "slip1") value /= mass;
-    text += fmt::format("set {} {}\n", setting.name, value);
-  }
-  for (double k = 0; k < steps && is_shaken(scene); ++k) {
-    text += fmt::format("shake {} 0\n", mean_acceleration(scene.horizontal, k * step, (k + 1) * step));
-  }
-  return text;
-}
-
-/// The angles that a bare program prints, step after step.
-std::vector<double> bare_angles(const WorkerEngine& engine, const std::string& text) {
-  const TemporaryFolder folder;
-  const std::filesystem::path input = folder.write("question", text);
-  std::string name = engine.name();
-  std::replace(name.begin(), name.end(), '-', '_');
-  const std::string command = fmt::format("'{}/bare_{}' < '{}'", BARE_PROGRAMS, name, input.string());
-  std::FILE* pipe = ::popen(command.c_str(), "r");
-  std::string output;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t length = std::fread(buffer.data(), 1, buffer.size(), pipe))
-    output.append(buffer.data(), length);
-  if (::pclose(pipe) != 0) throw std::runtime_error("a bare program does not take this:\n" + text);
-  std::istringstream words(output);
-  std::vector<double> angles;
-  for (std::string word; words >> word;) angles.push_back(std::stod(word));
-  return angles;
 }
 
 struct Case {
@@ -168,7 +115,8 @@ TEST_P(Bare, ProgramGivesTheAdaptersHistory) {
   const WorkerEngine& engine = *GetParam().engine;
   for (const Scene& scene : scenes()) {
     const History history = simulate(engine, scene, step, GetParam().parameters).history;
-    const std::vector<double> bare = bare_angles(engine, question(engine, scene, GetParam().parameters));
+    const std::vector<double> bare =
+        bare_angles(engine.name(), bare_question(engine, scene, step, GetParam().parameters));
     ASSERT_GE(bare.size(), history.angles.size());
     for (std::size_t i = 0; i < history.angles.size(); ++i) {
       // An angle past a turn is printed without it.

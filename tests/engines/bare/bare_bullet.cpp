@@ -2,7 +2,7 @@
 // with: nothing of this project is read here, so that its adapter can be held to it. What is not set stays as
 // the library has it. Standard input has words:
 //
-//   solver sequential-impulse          (or nncg, mlcp-dantzig, mlcp-lemke, mlcp-pgs)
+//   solver sequential-impulse          (or nncg, mlcp-dantzig, mlcp-lemke, mlcp-pgs, nncg-of-impulses)
 //   gravity 9.81  friction 10  reach 70  dt 0.001  steps 500
 //   block 1.25 1.25 1 3906 834 834 1017 0 0.6 0.15
 //     of each block from the bottom up: width, height, depth (m), mass (kg), moments of inertia about x, y
@@ -69,8 +69,35 @@ bool read(std::istream& in, Question& question) {
   return in.eof();
 }
 
+/// NNCG with one change: its rows return the impulse that they applied. The library's return that impulse
+/// over the effective mass, a velocity, which NNCG adds to impulses all the same.
+class NncgOfImpulses : public btNNCGConstraintSolver {
+  using Body = btSolverBody;
+  static btScalar generic(Body& a, Body& b, const btSolverConstraint& row) {
+    return library().getScalarConstraintRowSolverGeneric()(a, b, row) * row.m_jacDiagABInv;
+  }
+  static btScalar lower_limit(Body& a, Body& b, const btSolverConstraint& row) {
+    return library().getScalarConstraintRowSolverLowerLimit()(a, b, row) * row.m_jacDiagABInv;
+  }
+  static btSequentialImpulseConstraintSolver& library() {
+    static btSequentialImpulseConstraintSolver solver;
+    return solver;
+  }
+  btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int body_count,
+                                btPersistentManifold** manifolds, int manifold_count,
+                                btTypedConstraint** constraints, int constraint_count,
+                                const btContactSolverInfo& info, btIDebugDraw* drawer) override {
+    m_resolveSingleConstraintRowGeneric = generic;
+    m_resolveSingleConstraintRowLowerLimit = lower_limit;
+    return btNNCGConstraintSolver::solveSingleIteration(iteration, bodies, body_count, manifolds,
+                                                        manifold_count, constraints, constraint_count, info,
+                                                        drawer);
+  }
+};
+
 btSequentialImpulseConstraintSolver* make_solver(const Question& question) {
   if (question.solver == "nncg") return new btNNCGConstraintSolver;
+  if (question.solver == "nncg-of-impulses") return new NncgOfImpulses;
   if (question.solver == "mlcp-dantzig") return new btMLCPSolver(new btDantzigSolver);
   if (question.solver == "mlcp-lemke") return new btMLCPSolver(new btLemkeSolver);
   if (question.solver == "mlcp-pgs") return new btMLCPSolver(new btSolveProjectedGaussSeidel);

@@ -1,0 +1,311 @@
+// What contacts do in engines: springs, restitution, overlap at landing, limits of friction.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "comparisons/metrics/difference.hpp"
+#include "comparisons/metrics/energy.hpp"
+#include "tests/engines/findings/draws.hpp"
+#include "tests/free_rocking.hpp"
+
+namespace rockstack {
+namespace {
+
+/// Stiffness (N/m) and damping (N s/m) of a contact point that ODE's erp and cfm stand for at a step.
+Parameters spring(double erp, double cfm, double dt) {
+  return {{"contactStiffness", erp / (dt * cfm)}, {"contactDamping", (1 - erp) / cfm}};
+}
+
+/// How far a block's corners are below ground, each with two contact points in depth: ½ k d² summed, J.
+double elastic_energy(const Block& block, const BodyState& body, double angle, double stiffness) {
+  double sum = 0;
+  for (const double side : {-1, 1}) {
+    const double height =
+        body.y - side * block.half_width * std::sin(angle) - block.half_height * std::cos(angle);
+    sum += stiffness * std::pow(std::max(0.0, -height), 2);
+  }
+  return sum;
+}
+
+struct SoftRun {
+  std::vector<double> angles;  ///< every 50 ms, rad
+  double gain = 0;             ///< of kinetic and potential energy, over that of rest
+  double gain_with_springs = 0;
+};
+
+/// A slender block on contacts of stiffness k at each point, N/m.
+SoftRun soft_run(const Engine& engine, const Draw& draw, const Parameters& parameters, double stiffness) {
+  const Block& block = draw.scene.blocks[0];
+  const auto simulation = engine.start(draw.scene, draw.dt, parameters);
+  SoftRun run;
+  std::vector<double> energy, with_springs;
+  double angle = draw.scene.initial.angles[0];
+  double velocity = 0;
+  double next = 0.05;
+  for (double t = draw.dt; t < draw.scene.duration; t += draw.dt) {
+    const double last = angle;
+    simulation->step();
+    simulation->read({&angle, 1}, {&velocity, 1});
+    if (t >= next) {
+      run.angles.push_back(std::lerp(angle, last, (t - next) / draw.dt));
+      next += 0.05;
+    }
+    const BodyState body = simulation->body(0);
+    const double speed_squared = std::pow(body.velocity_x, 2) + std::pow(body.velocity_y, 2);
+    energy.push_back(0.5 * (block.mass * speed_squared + block.inertia * velocity * velocity) +
+                     block.mass * draw.scene.gravity * (body.y - block.half_height));
+    with_springs.push_back(energy.back() + elastic_energy(block, body, angle, stiffness));
+  }
+  const std::vector<double> nothing(energy.size(), 0);
+  run.gain = largest_gain(energy, nothing) / energy_scale(draw.scene);
+  run.gain_with_springs = largest_gain(with_springs, nothing) / energy_scale(draw.scene);
+  return run;
+}
+
+std::vector<SoftRun> soft_runs(const Engine& engine, double dt, double erp, double cfm, bool fixed_spring) {
+  std::vector<SoftRun> runs;
+  for (const Draw& draw : draws(slender_block(1.5), dt)) {
+    const Parameters as_spring = spring(erp, cfm, fixed_spring ? 1e-3 : draw.dt);
+    const Parameters changes = fixed_spring ? as_spring : Parameters{{"erp", erp}, {"cfm", cfm}};
+    runs.push_back(
+        soft_run(engine, draw, with(engine.tuned_parameters(), changes), as_spring.at("contactStiffness")));
+  }
+  return runs;
+}
+
+/// Largest differences of angles between draws at one step and at another, the median.
+double between(const std::vector<SoftRun>& coarse, const std::vector<SoftRun>& fine) {
+  std::vector<double> list;
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    double largest = 0;
+    for (std::size_t k = 0; k < std::min(coarse[i].angles.size(), fine[i].angles.size()); ++k)
+      largest = std::max(largest, std::abs(coarse[i].angles[k] - fine[i].angles[k]));
+    list.push_back(largest);
+  }
+  return quartiles(list).median;
+}
+
+TEST(Contacts, OdesMotionConvergesOnFixedSpringsAndNotOnFixedErpAndCfm) {
+  const Engine* engine = linked("ode:step");
+  if (engine == nullptr) GTEST_SKIP() << "built without ODE";
+  const auto runs = [&](double dt, bool fixed) { return soft_runs(*engine, dt, 0.2, 1e-4, fixed); };
+  const auto spring_coarse = runs(1e-3, true), spring_middle = runs(2.5e-4, true),
+             spring_fine = runs(6.25e-5, true);
+  // First order: a quarter of the step, a quarter of what is left; half of the first gap allows for its
+  // spread.
+  EXPECT_LT(between(spring_middle, spring_fine), 0.5 * between(spring_coarse, spring_middle));
+  EXPECT_LT(between(spring_middle, spring_fine), 2e-3);
+  const auto coarse = runs(1e-3, false), middle = runs(2.5e-4, false), fine = runs(6.25e-5, false);
+  EXPECT_GT(between(middle, fine), between(coarse, middle));
+}
+
+TEST(Contacts, EnergyThatSoftContactGainsStoodInItsSprings) {
+  const Engine* engine = linked("ode:step");
+  if (engine == nullptr) GTEST_SKIP() << "built without ODE";
+  for (const double dt : {1e-3, 2.5e-4}) {
+    for (const SoftRun& run : soft_runs(*engine, dt, 0.2, 1e-4, true)) {
+      EXPECT_GT(run.gain, 5e-3);
+      EXPECT_LT(run.gain_with_springs, 1e-3 * run.gain);
+    }
+  }
+}
+
+/// The median over draws of the largest angle between a run with a coefficient of restitution of one half and
+/// one without, rad.
+double effect_of_restitution(const Engine& engine, const Scene& scene) {
+  const bool ode = engine.name() == "ode";
+  Parameters without = engine.tuned_parameters();
+  if (!ode) without["restitutionVelocityThreshold"] = 0;
+  const Parameters half = with(without, {{ode ? "bounce" : "restitution", 0.5}});
+  std::vector<double> list;
+  for (const Draw& draw : draws(scene, 1e-3)) {
+    list.push_back(largest(difference(simulate(engine, draw.scene, draw.dt, without).history,
+                                      simulate(engine, draw.scene, draw.dt, half).history)));
+  }
+  return quartiles(list).median;
+}
+
+TEST(Contacts, RestitutionActsOnASquatBlockAndOnStacksAndHardlyOnASlenderBlock) {
+  Scene squat;
+  squat.duration = 2;
+  squat.blocks = {make_block(1.25, 1.25, 2500)};
+  squat.initial = {{0.3}, {0}};
+  for (const char* name : {"ode:step", "bullet:sequential-impulse"}) {
+    const Engine* engine = linked(name);
+    if (engine == nullptr) continue;
+    EXPECT_LT(effect_of_restitution(*engine, slender_block(2)), 1e-3) << name;
+    EXPECT_GT(effect_of_restitution(*engine, squat), 0.02) << name;
+    EXPECT_GT(effect_of_restitution(*engine, free_rocking(2)), 0.04) << name;
+  }
+}
+
+/// A block that the falling ground leaves behind, and its flat landing.
+struct Landing {
+  double down = 0, up = 0;  ///< speeds before and after, m/s
+  double overlap = 0;       ///< where the contacts of the landing were found, m
+};
+
+Landing land(const Engine& engine, const Parameters& parameters, double fall, double dt) {
+  Scene scene;
+  scene.duration = 1.2;
+  scene.blocks = {make_block(1, 0.5, 2500)};
+  scene.initial = {{0}, {0}};
+  scene.vertical.interval = 0.1;
+  scene.vertical.samples = {-scene.gravity - fall, -scene.gravity - fall, 0};
+  const auto simulation = engine.start(scene, dt, parameters);
+  Landing landing;
+  for (double t = dt; t < scene.duration; t += dt) {
+    const BodyState before = simulation->body(0);
+    simulation->step();
+    const double after = simulation->body(0).velocity_y;
+    if (landing.down == 0 && before.velocity_y < -0.5 && after > -0.2)
+      landing = {-before.velocity_y, after, scene.blocks[0].half_height - before.y};
+    if (landing.down != 0) landing.up = std::max(landing.up, after);
+  }
+  return landing;
+}
+
+/// Overlap over the step, times erp, is the speed that pushes it out, and nothing takes that back.
+TEST(Contacts, LandingBouncesByErpTimesOverlapOverStep) {
+  for (const char* name :
+       {"ode:step", "ode:quickstep", "bullet:sequential-impulse", "bullet:nncg", "bullet:mlcp-pgs"}) {
+    const Engine* engine = linked(name);
+    if (engine == nullptr) continue;
+    const std::string key = engine->name() == "ode" ? "erp" : "erp2";
+    for (const double erp : {0.1, 0.2, 0.4}) {
+      std::vector<double> bounces;
+      for (int run = 0; run < 21; ++run) {
+        const double dt = 1e-3 * (1 + 0.003 * (run - 10));
+        const Landing landing =
+            land(*engine, with(engine->default_parameters(), {{key, erp}}), 8 + 0.7 * run, dt);
+        ASSERT_GT(landing.down, 0.5) << name;
+        // Gravity's share of a step is what the contact may be off by.
+        EXPECT_NEAR(landing.up, erp * landing.overlap / dt, 0.01) << name;
+        bounces.push_back(landing.up / landing.down);
+      }
+      // Overlaps at landing lie anywhere between none and what a step's fall leaves.
+      EXPECT_LT(*std::min_element(bounces.begin(), bounces.end()), 0.15 * erp) << name;
+      EXPECT_GT(*std::max_element(bounces.begin(), bounces.end()), 0.85 * erp) << name;
+      EXPECT_LE(*std::max_element(bounces.begin(), bounces.end()), erp) << name;
+    }
+    EXPECT_LT(land(*engine, with(engine->default_parameters(), {{key, 0}}), 10, 1e-3).up, 1e-5) << name;
+  }
+}
+
+/// The angular velocity that one impact leaves of 1 rad/s: no gravity, a block of height over width r about
+/// to land.
+double impact(const Engine& engine, const Parameters& parameters, double r, double friction, double dt) {
+  Scene scene;
+  scene.duration = 1;
+  scene.gravity = 1e-9;
+  scene.blocks = {make_block(1, r, 1000)};
+  scene.initial = {{1e-9}, {-1}};
+  scene.engine.friction = friction;
+  const auto simulation = engine.start(scene, dt, parameters);
+  double angle = 0;
+  double velocity = -1;
+  for (int step = 0; step < 8 && velocity < -0.999; ++step) {
+    simulation->step();
+    simulation->read({&angle, 1}, {&velocity, 1});
+  }
+  return -velocity;
+}
+
+/// Housner's ratio, where nothing slips.
+double sticking(double r) {
+  return 1 - 1.5 / (1 + r * r);
+}
+
+/// Friction in the cone that the impulse itself opens.
+double coulomb(double r, double friction) {
+  if (friction >= 3 * r / (1 + 4 * r * r)) return sticking(r);
+  return (r * r - 2 + 3 * friction * r) / (4 + r * r - 3 * friction * r);
+}
+
+/// Friction up to a coefficient times the normal impulse that there would be without friction.
+double limited_by_frictionless(double r, double friction) {
+  const double without = (r * r - 2) / (4 + r * r);
+  const double threshold = 3 * r * (4 + r * r) / (4 * (1 + r * r) * (1 + r * r));
+  return std::min(sticking(r), without + (sticking(r) - without) * friction / threshold);
+}
+
+TEST(Contacts, FrictionAtAnImpactIsCoulombsOrThatOfNormalsFoundWithoutFriction) {
+  const std::vector<std::pair<const char*, double (*)(double, double)>> laws{
+      {"ode:step", limited_by_frictionless},
+      {"bullet:mlcp-dantzig", limited_by_frictionless},
+      {"ode:quickstep", coulomb},
+      {"bullet:sequential-impulse", coulomb},
+      {"bullet:nncg", coulomb},
+      {"bullet:mlcp-pgs", coulomb}};
+  for (const auto& [name, law] : laws) {
+    const Engine* engine = linked(name);
+    if (engine == nullptr) continue;
+    Parameters parameters = engine->tuned_parameters();
+    const auto change = [&](const char* key, double value) {
+      if (parameters.count(key) != 0) parameters[key] = value;
+    };
+    change("erp", 0);
+    change("erp2", 0);
+    change("cfm", 1e-12);
+    change("numIterations", 2000);
+    change("quickStepNumIterations", 2000);
+    for (const double r : {1.5, 2.0, 3.0, 5.0}) {
+      for (int run = 0; run < 21; ++run) {
+        const double friction = 0.05 + 0.05 * run;
+        const double dt = 1e-5 * (1 + 0.003 * (run - 10));
+        // A step turns the block by 1e-5 rad, which moves corners and normals by some of that.
+        EXPECT_NEAR(impact(*engine, parameters, r, friction, dt), law(r, friction), 1.5e-4)
+            << name << ", r = " << r << ", friction " << friction;
+      }
+    }
+  }
+}
+
+/// A block that the ground pulls along: Lemke's solver bounds friction at each of four points by the
+/// coefficient, a number of N s, whatever the mass, the weight and the step.
+TEST(Contacts, LemkesFrictionIsACoefficientInNewtonSeconds) {
+  const Engine* engine = linked("bullet:mlcp-lemke");
+  if (engine == nullptr) GTEST_SKIP() << "built without Bullet";
+  const Parameters real_masses =
+      with(engine->tuned_parameters(), {{"unitMass", 0}, {"contactBreakingThreshold", 0.02}});
+  const double pull = 3;  // m/s²
+  const auto impulse = [&](double mass, double friction, double dt, double gravity) {
+    Scene scene;
+    scene.duration = 0.2;
+    scene.gravity = gravity;
+    scene.blocks = {make_block(4, 0.5, 0.5 * mass)};
+    scene.initial = {{0}, {0}};
+    scene.engine.friction = friction;
+    scene.horizontal.pulse = Pulse{PulseShape::rectangle, pull, 1, 0, 1, 0};
+    std::vector<double> impulses;
+    for (const Draw& draw : draws(scene, dt)) {
+      const auto simulation = engine->start(draw.scene, draw.dt, real_masses);
+      for (int step = 0; step < 5; ++step) simulation->step();
+      const double start = simulation->body(0).velocity_x;
+      for (int step = 0; step < 10; ++step) simulation->step();
+      const double deceleration = pull + (simulation->body(0).velocity_x - start) / (10 * draw.dt);
+      impulses.push_back(deceleration * mass * draw.dt);
+    }
+    return quartiles(impulses);
+  };
+  for (const double mass : {1e3, 1e5}) {
+    for (const double friction : {0.1, 0.3}) {
+      for (const double dt : {1e-2, 1e-3}) {
+        for (const double gravity : {9.81, 19.62}) {
+          const Quartiles found = impulse(mass, friction, dt, gravity);
+          EXPECT_NEAR(found.lower, 4 * friction, 0.02 * friction) << mass << " kg, " << dt << " s";
+          EXPECT_NEAR(found.upper, 4 * friction, 0.02 * friction) << mass << " kg, " << dt << " s";
+        }
+      }
+    }
+  }
+  // Ten kilograms need 0.03 N s a step and stick, where Coulomb's 0.1 · 9.81 m/s² would let them slip at 3
+  // m/s².
+  EXPECT_NEAR(impulse(10, 0.1, 1e-3, 9.81).median, pull * 10 * 1e-3, 1e-3);
+}
+
+}  // namespace
+}  // namespace rockstack
