@@ -88,13 +88,12 @@ void write_history(const History& history, const std::filesystem::path& folder) 
   for (const auto& [name, text] : files) write_file(folder / name, text);
 }
 
-/// Where the motion is not followed to its end, what is known of it is written first.
-History solve_keeping_known(const Scene& scene, const SolveOptions& options,
-                            const std::filesystem::path& folder) {
+/// Where the motion is not followed to its end, what is known of it is kept.
+History solve_keeping_known(const Scene& scene, const SolveOptions& options, RunFiles& files) {
   try {
     return solve(scene, options);
   } catch (const Unfinished& unfinished) {
-    write_history(folder, unfinished.history);
+    add_history(unfinished.history, files);
     throw;
   }
 }
@@ -126,7 +125,7 @@ void run_perturbed(const Job& job, const std::function<MotionTally(const Scene&)
 
 Json run_exact(const Job& job, RunMetrics& row, const std::string& command, RunFiles& files) {
   const Scene& scene = job.scene.scene;
-  const History history = solve_keeping_known(scene, sampled(scene), folder);
+  const History history = solve_keeping_known(scene, sampled(scene), files);
   row.toppled = reported_toppling(history);
   set_time(time_solving(scene, job.suite.repeats), motion_time(scene, history), row);
   add_history(history, files);
@@ -142,7 +141,7 @@ Json run_variant(const Job& job, RunMetrics& row, const std::string& command, Ru
   SolveOptions options = options_for(job);
   options.sample_times = sampled(scene).sample_times;
   options.validity = true;
-  const History history = solve_keeping_known(scene, options, folder);
+  const History history = solve_keeping_known(scene, options, files);
   row.toppled = reported_toppling(history);
   compare_with_exact(
       job.scene.scene, job.suite,
@@ -215,7 +214,6 @@ RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at
     row.status = RunStatus::failed;
     row.reason = failure.what();
     json = summary(row, job.scene, {}, {}, command);
-    files.clear();
   }
   json["identity"] = identity(job);
   json["files"] = checksums(files);
