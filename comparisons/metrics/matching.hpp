@@ -12,8 +12,8 @@ namespace rockstack {
 /// time τ before, thus v τ/2 at least in its second half: where the angles of an interface that closes at v
 /// differ by δ, its impacts are at most 2 δ/v apart. The drift takes the largest difference over the window
 /// itself before the impact, so that it covers an engine that has impacted already. It never goes further
-/// than half way to the next exact impact of the interface on either side. `apart`: of the engine from the exact solution, at
-/// steps of `dt` s.
+/// than half way to the next exact impact of the interface on either side. `apart`: of the engine from the
+/// exact solution, at steps of `dt` s.
 std::vector<double> matching_windows(const std::vector<ImpactTime>& exact, const Difference& apart,
                                      double dt);
 

@@ -146,9 +146,7 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswe
   if (!wanted.histories) return;
   files["history.csv"] = history_csv(history);
   files["difference.csv"] = difference_csv(apart);
-  if (answer.bodies)
-    files["energy.csv"] =
-        energy_csv(apart.times, energies(scene, exact), *answer.bodies);
+  if (answer.bodies) files["energy.csv"] = energy_csv(apart.times, energies(scene, exact), *answer.bodies);
 }
 
 }  // namespace rockstack

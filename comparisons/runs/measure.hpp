@@ -13,8 +13,8 @@ namespace rockstack {
 inline constexpr double sample_interval = 1e-3;
 
 /// Makes one run of a comparison: for the exact solution its history and events, up to where it was
-/// given up if it was; for others what compare_with_exact() adds; and its summary.json. A failure ends up in the summary. `runs_at_a_time`: how
-/// many share the machine with it, itself included.
+/// given up if it was; for others what compare_with_exact() adds; and its summary.json. A failure ends up in
+/// the summary. `runs_at_a_time`: how many share the machine with it, itself included.
 RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at_a_time);
 
 /// Runs an engine once for a job and sets it beside the exact solution; `repeats`: how often its stepping is
