@@ -83,9 +83,8 @@ void add_history(const History& history, RunFiles& files) {
 }
 
 void write_history(const History& history, const std::filesystem::path& folder) {
-  RunFiles files;
-  add_history(history, files);
-  for (const auto& [name, text] : files) write_file(folder / name, text);
+  write_file(folder / "history.csv", history_csv(history));
+  write_file(folder / "events.csv", events_csv(history));
 }
 
 /// Where the motion is not followed to its end, what is known of it is kept.

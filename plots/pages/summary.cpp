@@ -13,12 +13,17 @@
 namespace rockstack::plots {
 namespace {
 
+/// True for an engine's run; other exact solutions have no settings.
+bool is_engine(const Run& run) {
+  return !run.settings.empty();
+}
+
 /// The engine run of the scene with the smallest `measure`, without those that have none; null if no run has.
 template <class Measure>
 const Run* least(const std::vector<Run>& runs, const Measure& measure) {
   const Run* best = nullptr;
   for (const Run& run : runs)
-    if (!run.exact() && !std::isnan(measure(run)) && (!best || measure(run) < measure(*best))) best = &run;
+    if (is_engine(run) && !std::isnan(measure(run)) && (!best || measure(run) < measure(*best))) best = &run;
   return best;
 }
 
@@ -69,7 +74,7 @@ void add_agreement(const Comparison& comparison, const std::vector<Run>& runs,
   const Run* shortest = least(runs, [](const Run& run) { return run.agreement_time; });
   if (!longest) return;
   const auto as_long = std::count_if(runs.begin(), runs.end(), [&](const Run& run) {
-    return !run.exact() && run.agreement_time == longest->agreement_time;
+    return is_engine(run) && run.agreement_time == longest->agreement_time;
   });
   const std::string who = as_long > 1 ? fmt::format("{} runs", as_long) : run_phrase(*longest);
   sentences.push_back(fmt::format("Within {:.3g} rad of it in every angle: {} for longest, until {:.4g} s",
@@ -101,13 +106,13 @@ void add_first_impact(const std::vector<Run>& runs, std::vector<std::string>& se
 void add_impacts(const std::vector<Run>& runs, std::vector<std::string>& sentences) {
   std::size_t compared = 0, all = 0;
   for (const Run& run : runs) {
-    if (run.exact() || std::isnan(run.impacts_missed)) continue;
+    if (!is_engine(run) || std::isnan(run.impacts_missed)) continue;
     ++compared;
     if (run.impacts_missed == 0 && run.impacts_extra == 0) ++all;
   }
   if (compared > 0)
     sentences.push_back(fmt::format("Of {}, {} the exact sequence of impacts, none missed and none extra.",
-                                    counted(compared, "other run"),
+                                    counted(compared, "engine run"),
                                     all == 0   ? "none has"
                                     : all == 1 ? "1 has"
                                                : fmt::format("{} have", all)));
@@ -117,14 +122,14 @@ void add_impacts(const std::vector<Run>& runs, std::vector<std::string>& sentenc
 void add_agreeing(const Comparison& comparison, std::vector<std::string>& sentences) {
   std::size_t compared = 0, agreeing = 0;
   for (const Run& run : comparison.runs) {
-    if (run.exact() || std::isnan(run.largest_angle_difference)) continue;
+    if (!is_engine(run) || std::isnan(run.largest_angle_difference)) continue;
     ++compared;
     if (run.largest_angle_difference <= comparison.tolerance) ++agreeing;
   }
   if (compared == 0) return;
   sentences.push_back(fmt::format(
       "Of {} compared with the exact motion, {} every angle within {:.3g} rad of it to the end, {} not.",
-      counted(compared, "run"), agreeing == 1 ? "1 keeps" : fmt::format("{} keep", agreeing),
+      counted(compared, "engine run"), agreeing == 1 ? "1 keeps" : fmt::format("{} keep", agreeing),
       comparison.tolerance, compared - agreeing == 1 ? "1 does" : fmt::format("{} do", compared - agreeing)));
 }
 

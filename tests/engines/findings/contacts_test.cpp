@@ -59,9 +59,8 @@ SoftRun soft_run(const Engine& engine, const Draw& draw, const Parameters& param
                      block.mass * draw.scene.gravity * (body.y - block.half_height));
     with_springs.push_back(energy.back() + elastic_energy(block, body, angle, stiffness));
   }
-  const std::vector<double> nothing(energy.size(), 0);
-  run.gain = largest_gain(energy, nothing) / energy_scale(draw.scene);
-  run.gain_with_springs = largest_gain(with_springs, nothing) / energy_scale(draw.scene);
+  run.gain = largest_gain(energy) / energy_scale(draw.scene);
+  run.gain_with_springs = largest_gain(with_springs) / energy_scale(draw.scene);
   return run;
 }
 

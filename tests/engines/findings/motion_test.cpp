@@ -137,7 +137,9 @@ TEST(Motion, WeakShakingWakesBlocksInOdeAndHardlyInBullet) {
     EXPECT_GE(woken(*ode, 1e-3), 4);
     EXPECT_LE(woken(*ode, 5e-3), 1);
   }
-  if (const Engine* bullet = linked("bullet:sequential-impulse")) EXPECT_LE(woken(*bullet, 1e-3), 2);
+  if (const Engine* bullet = linked("bullet:sequential-impulse")) {
+    EXPECT_LE(woken(*bullet, 1e-3), 2);
+  }
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(SceneFile, WhatIsLeftOutHasItsDefault) {
   const Scene scene = read("duration = 1.0\n[[blocks]]\nwidth = 2.0\nheight = 4.0\ndensity = 10.0\n");
   EXPECT_EQ(scene.title, "scene");
   EXPECT_EQ(scene.gravity, 9.81);
-  EXPECT_EQ(scene.law, Law::paper);
+  EXPECT_EQ(scene.law, Law::consistent);
   EXPECT_EQ(scene.equations, Equations::nonlinear);
   EXPECT_EQ(scene.initial.angles, std::vector<double>{0});
   EXPECT_EQ(scene.initial.velocities, std::vector<double>{0});
