@@ -10,7 +10,8 @@ namespace rockstack {
 struct ContactImpact {
   double time = 0;    ///< at which both faces touch there, by gap and approach, s
   int interface = 0;  ///< from 1
-  double speed = 0;   ///< relative angular speed of closing just before, rad/s
+  double speed = 0;   ///< relative angular speed of closing where the step starts, rad/s
+  double after = 0;   ///< relative angular velocity where it ends, rad/s
 };
 
 /// What the bodies of an engine did that angles alone do not tell, over one run. SI units, in the ground's

@@ -41,12 +41,13 @@ void ContactWatch::observe(const std::vector<ContactPoint>& points, std::span<co
   record.elastic.push_back(elastic_energy(points));
   add_forces(points, record);
   std::vector<Ends> ends = ends_of(points);
-  if (samples_ > 0) add_impacts(ends, record);
+  std::vector<double> now_velocities = relative_to_below(velocities);
+  if (samples_ > 0) add_impacts(ends, now_velocities, record);
   last_ends_ = std::move(ends);
-  std::vector<double> now = relative_to_below(angles);
-  angles_before_ = samples_ > 0 ? std::move(angles_) : now;
-  angles_ = std::move(now);
-  velocities_ = relative_to_below(velocities);
+  std::vector<double> now_angles = relative_to_below(angles);
+  angles_before_ = samples_ > 0 ? std::move(angles_) : now_angles;
+  angles_ = std::move(now_angles);
+  velocities_ = std::move(now_velocities);
   ++samples_;
 }
 
@@ -72,7 +73,8 @@ std::vector<ContactWatch::Ends> ContactWatch::ends_of(const std::vector<ContactP
   return ends;
 }
 
-void ContactWatch::add_impacts(const std::vector<Ends>& ends, BodyRecord& record) const {
+void ContactWatch::add_impacts(const std::vector<Ends>& ends, const std::vector<double>& velocities,
+                               BodyRecord& record) const {
   const double start = static_cast<double>(samples_ - 1) * dt_;
   for (std::size_t k = 0; k < ends.size(); ++k) {
     for (const int side : {-1, 1}) {
@@ -82,7 +84,7 @@ void ContactWatch::add_impacts(const std::vector<Ends>& ends, BodyRecord& record
       const bool was_off = side * angles_before_[k] < 0;
       if (ends[k][end].impulse <= 0 || last_ends_[k][end].impulse > 0 || speed <= 0 || !was_off) continue;
       const double time = start + ends[k][end].gap / (widths_[k] * speed);
-      record.impacts.push_back({time, static_cast<int>(k) + 1, speed});
+      record.impacts.push_back({time, static_cast<int>(k) + 1, speed, velocities[k]});
     }
   }
 }

@@ -30,7 +30,8 @@ class ContactWatch {
   using Ends = std::array<End, 2>;  ///< left, right
 
   void add_forces(const std::vector<ContactPoint>& points, BodyRecord& record);
-  void add_impacts(const std::vector<Ends>& ends, BodyRecord& record) const;
+  void add_impacts(const std::vector<Ends>& ends, const std::vector<double>& velocities,
+                   BodyRecord& record) const;
   std::vector<Ends> ends_of(const std::vector<ContactPoint>& points) const;
 
   double dt_, friction_;

@@ -12,11 +12,11 @@ double stack_height(const Scene& scene) {
   return height;
 }
 
+}  // namespace
+
 Contact side_of(double velocity, double slowest) {
   return std::abs(velocity) < slowest ? Contact::closed : contact_of(velocity < 0 ? -1 : 1);
 }
-
-}  // namespace
 
 double relative_at(std::span<const double> values, std::size_t interface) {
   return interface == 0 ? values[0] : values[interface] - values[interface - 1];

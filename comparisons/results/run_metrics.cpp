@@ -277,6 +277,19 @@ std::vector<Column> body_columns() {
           "impulse along the faces above friction coefficient times normal impulse, added up over all "
           "contacts "
           "and steps, as a share of all normal impulse; whatever law of friction the engine itself has"),
+      drawn<&RunMetrics::contact_impacts_matched>(
+          "contact_impacts_matched",
+          "as impacts_matched, of the engine's impacts as its contacts tell them: an end of an interface "
+          "that "
+          "bore nothing in the step before, and was off, begins to bear while the interface closes at the "
+          "chatter speed or faster; the time is that at which gap and speed let both faces touch, the side "
+          "that at the step's end. Listed in contact_impacts.csv"),
+      drawn<&RunMetrics::contact_impacts_missed>("contact_impacts_missed", "likewise missed"),
+      drawn<&RunMetrics::contact_impacts_extra>("contact_impacts_extra", "likewise extra"),
+      drawn<&RunMetrics::impact_readings_differ>(
+          "impact_readings_differ",
+          "impacts that one reading of the engine's motion has and the other has not: from angles, and from "
+          "contacts, within three steps"),
       drawn<&RunMetrics::residual_motion>(
           "residual_motion",
           "root of the mean square angular velocity of all blocks over the last "

@@ -121,6 +121,34 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   row.friction_cone_violation = bodies.friction_excess;
 }
 
+std::vector<ImpactTime> told_impacts(const std::vector<ContactImpact>& impacts, double slowest) {
+  std::vector<ImpactTime> list;
+  for (const ContactImpact& impact : impacts)
+    if (impact.speed >= slowest)
+      list.push_back({impact.time, impact.interface, side_of(impact.after, slowest)});
+  std::stable_sort(list.begin(), list.end(),
+                   [](const ImpactTime& a, const ImpactTime& b) { return a.time < b.time; });
+  return list;
+}
+
+/// The impacts that the engine's contacts tell, beside the exact ones and beside those read from its angles.
+void add_contact_impacts(const Scene& scene, const History& exact, const OtherAnswer& answer,
+                         const Difference& apart, RunMetrics& row, RunFiles& files) {
+  if (!answer.bodies->complementarity) return;
+  const double slowest = chatter_speed(scene);
+  const auto told = told_impacts(answer.bodies->impacts, slowest);
+  const auto expected = reported_impacts(exact, slowest);
+  const auto alignment = align(expected, told, matching_windows(expected, apart, answer.interval));
+  const AlignmentCounts counts = count(alignment);
+  row.contact_impacts_matched = counts.matched;
+  row.contact_impacts_missed = counts.missed;
+  row.contact_impacts_extra = counts.extra;
+  const AlignmentCounts readings =
+      count(align(answer.impacts, told, still_windows(answer.impacts, answer.interval)));
+  row.impact_readings_differ = readings.missed + readings.extra;
+  files["contact_impacts.csv"] = impacts_csv(alignment);
+}
+
 /// @throws std::runtime_error where there is none, so that it is not taken for a failure of the other answer.
 History exact_motion(const Scene& scene, const std::vector<double>& times) {
   try {
@@ -143,6 +171,7 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswe
   if (wanted.impacts) add_impacts(scene, exact, answer, apart, row, files);
   if (wanted.patterns) add_patterns(scene, apart.times, exact, history, row, files);
   if (answer.bodies) add_bodies(scene, *answer.bodies, row);
+  if (answer.bodies && wanted.impacts) add_contact_impacts(scene, exact, answer, apart, row, files);
   if (!wanted.histories) return;
   files["history.csv"] = history_csv(history);
   files["difference.csv"] = difference_csv(apart);

@@ -22,7 +22,8 @@ struct OtherAnswer {
 };
 
 /// Sets an answer beside the exact solution at its own times: fills in the columns that the suite wants, and
-/// adds history.csv, difference.csv, impacts.csv, patterns.csv and energy.csv as far as it wants them.
+/// adds history.csv, difference.csv, impacts.csv, contact_impacts.csv, patterns.csv and energy.csv as far
+/// as it wants them.
 /// @throws std::runtime_error where the scene cannot be solved.
 void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswer& answer, RunMetrics& row,
                         RunFiles& files);

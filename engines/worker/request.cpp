@@ -61,7 +61,7 @@ auto fields(Is<History> auto& history) {
 }
 
 auto fields(Is<ContactImpact> auto& impact) {
-  return std::tie(impact.time, impact.interface, impact.speed);
+  return std::tie(impact.time, impact.interface, impact.speed, impact.after);
 }
 
 auto fields(Is<BodyRecord> auto& record) {

@@ -23,13 +23,18 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   ASSERT_GT(count, 3);
   for (ImpactTime& impact : impacts) impact.time += 2e-3;
   impacts.back().time += 2 * settling_duration(scene);
+  // Contacts tell all but the last, on time.
+  std::vector<ContactImpact> told;
+  for (const ImpactTime& impact : reported_impacts(exact, chatter_speed(scene)))
+    told.push_back({impact.time, impact.interface, 1, static_cast<double>(sign(impact.side))});
+  told.pop_back();
   const BodyRecord bodies{.energy = {0, 300, 100},
                           .input = {0, 50, 50},
                           .penetration = {0, 1, 0.5},
                           .elastic = {0, 0, 100},
                           .complementarity = 6,
                           .friction_excess = 7,
-                          .impacts = {},
+                          .impacts = told,
                           .gap = 2,
                           .slip = 3,
                           .out_of_plane = 4,
@@ -75,6 +80,10 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   const double weight_height =
       scene.gravity * (base.mass * base.half_height + top.mass * (2 * base.half_height + top.half_height));
   EXPECT_NEAR(*row.energy_gain, 250 / weight_height, rounding);
+  EXPECT_EQ(row.contact_impacts_matched, count - 1);
+  EXPECT_EQ(row.contact_impacts_missed, 1);
+  EXPECT_EQ(row.contact_impacts_extra, 0);
+  EXPECT_EQ(row.impact_readings_differ, 1) << "the one that was moved";
   EXPECT_EQ(row.penetration, 1);
   EXPECT_EQ(row.gap, 2);
   EXPECT_EQ(row.slip, 3);
