@@ -1,10 +1,9 @@
-// What contacts do in engines: springs, restitution, overlap at landing, limits of friction.
+// What contacts do in engines: springs, restitution, overlap at landing.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "comparisons/metrics/difference.hpp"
 #include "comparisons/metrics/energy.hpp"
@@ -69,8 +68,7 @@ std::vector<SoftRun> soft_runs(const Engine& engine, double dt, double erp, doub
   for (const Draw& draw : draws(slender_block(1.5), dt)) {
     const Parameters as_spring = spring(erp, cfm, fixed_spring ? 1e-3 : draw.dt);
     const Parameters changes = fixed_spring ? as_spring : Parameters{{"erp", erp}, {"cfm", cfm}};
-    runs.push_back(
-        soft_run(engine, draw, with(engine.tuned_parameters(), changes), as_spring.at("contactStiffness")));
+    runs.push_back(soft_run(engine, draw, with(gentle(engine), changes), as_spring.at("contactStiffness")));
   }
   return runs;
 }
@@ -116,7 +114,7 @@ TEST(Contacts, EnergyThatSoftContactGainsStoodInItsSprings) {
 /// one without, rad.
 double effect_of_restitution(const Engine& engine, const Scene& scene) {
   const bool ode = engine.name() == "ode";
-  Parameters without = engine.tuned_parameters();
+  Parameters without = gentle(engine);
   if (!ode) without["restitutionVelocityThreshold"] = 0;
   const Parameters half = with(without, {{ode ? "bounce" : "restitution", 0.5}});
   std::vector<double> list;
@@ -192,118 +190,6 @@ TEST(Contacts, LandingBouncesByErpTimesOverlapOverStep) {
     }
     EXPECT_LT(land(*engine, with(engine->default_parameters(), {{key, 0}}), 10, 1e-3).up, 1e-5) << name;
   }
-}
-
-/// The angular velocity that one impact leaves of 1 rad/s: no gravity, a block of height over width r about
-/// to land.
-double impact(const Engine& engine, const Parameters& parameters, double r, double friction, double dt) {
-  Scene scene;
-  scene.duration = 1;
-  scene.gravity = 1e-9;
-  scene.blocks = {make_block(1, r, 1000)};
-  scene.initial = {{1e-9}, {-1}};
-  scene.engine.friction = friction;
-  const auto simulation = engine.start(scene, dt, parameters);
-  double angle = 0;
-  double velocity = -1;
-  for (int step = 0; step < 8 && velocity < -0.999; ++step) {
-    simulation->step();
-    simulation->read({&angle, 1}, {&velocity, 1});
-  }
-  return -velocity;
-}
-
-/// Housner's ratio, where nothing slips.
-double sticking(double r) {
-  return 1 - 1.5 / (1 + r * r);
-}
-
-/// Friction in the cone that the impulse itself opens.
-double coulomb(double r, double friction) {
-  if (friction >= 3 * r / (1 + 4 * r * r)) return sticking(r);
-  return (r * r - 2 + 3 * friction * r) / (4 + r * r - 3 * friction * r);
-}
-
-/// Friction up to a coefficient times the normal impulse that there would be without friction.
-double limited_by_frictionless(double r, double friction) {
-  const double without = (r * r - 2) / (4 + r * r);
-  const double threshold = 3 * r * (4 + r * r) / (4 * (1 + r * r) * (1 + r * r));
-  return std::min(sticking(r), without + (sticking(r) - without) * friction / threshold);
-}
-
-TEST(Contacts, FrictionAtAnImpactIsCoulombsOrThatOfNormalsFoundWithoutFriction) {
-  const std::vector<std::pair<const char*, double (*)(double, double)>> laws{
-      {"ode:step", limited_by_frictionless},
-      {"bullet:mlcp-dantzig", limited_by_frictionless},
-      {"ode:quickstep", coulomb},
-      {"bullet:sequential-impulse", coulomb},
-      {"bullet:nncg", coulomb},
-      {"bullet:mlcp-pgs", coulomb}};
-  for (const auto& [name, law] : laws) {
-    const Engine* engine = linked(name);
-    if (engine == nullptr) continue;
-    Parameters parameters = engine->tuned_parameters();
-    const auto change = [&](const char* key, double value) {
-      if (parameters.count(key) != 0) parameters[key] = value;
-    };
-    change("erp", 0);
-    change("erp2", 0);
-    change("cfm", 1e-12);
-    change("numIterations", 2000);
-    change("quickStepNumIterations", 2000);
-    for (const double r : {1.5, 2.0, 3.0, 5.0}) {
-      for (int run = 0; run < 21; ++run) {
-        const double friction = 0.05 + 0.05 * run;
-        const double dt = 1e-5 * (1 + 0.003 * (run - 10));
-        // A step turns the block by 1e-5 rad, which moves corners and normals by some of that.
-        EXPECT_NEAR(impact(*engine, parameters, r, friction, dt), law(r, friction), 1.5e-4)
-            << name << ", r = " << r << ", friction " << friction;
-      }
-    }
-  }
-}
-
-/// A block that the ground pulls along: Lemke's solver bounds friction at each of four points by the
-/// coefficient, a number of N s, whatever the mass, the weight and the step.
-TEST(Contacts, LemkesFrictionIsACoefficientInNewtonSeconds) {
-  const Engine* engine = linked("bullet:mlcp-lemke");
-  if (engine == nullptr) GTEST_SKIP() << "built without Bullet";
-  const Parameters real_masses =
-      with(engine->tuned_parameters(), {{"unitMass", 0}, {"contactBreakingThreshold", 0.02}});
-  const double pull = 3;  // m/s²
-  const auto impulse = [&](double mass, double friction, double dt, double gravity) {
-    Scene scene;
-    scene.duration = 0.2;
-    scene.gravity = gravity;
-    scene.blocks = {make_block(4, 0.5, 0.5 * mass)};
-    scene.initial = {{0}, {0}};
-    scene.engine.friction = friction;
-    scene.horizontal.pulse = Pulse{PulseShape::rectangle, pull, 1, 0, 1, 0};
-    std::vector<double> impulses;
-    for (const Draw& draw : draws(scene, dt)) {
-      const auto simulation = engine->start(draw.scene, draw.dt, real_masses);
-      for (int step = 0; step < 5; ++step) simulation->step();
-      const double start = simulation->body(0).velocity_x;
-      for (int step = 0; step < 10; ++step) simulation->step();
-      const double deceleration = pull + (simulation->body(0).velocity_x - start) / (10 * draw.dt);
-      impulses.push_back(deceleration * mass * draw.dt);
-    }
-    return quartiles(impulses);
-  };
-  for (const double mass : {1e3, 1e5}) {
-    for (const double friction : {0.1, 0.3}) {
-      for (const double dt : {1e-2, 1e-3}) {
-        for (const double gravity : {9.81, 19.62}) {
-          const Quartiles found = impulse(mass, friction, dt, gravity);
-          EXPECT_NEAR(found.lower, 4 * friction, 0.02 * friction) << mass << " kg, " << dt << " s";
-          EXPECT_NEAR(found.upper, 4 * friction, 0.02 * friction) << mass << " kg, " << dt << " s";
-        }
-      }
-    }
-  }
-  // Ten kilograms need 0.03 N s a step and stick, where Coulomb's 0.1 · 9.81 m/s² would let them slip at 3
-  // m/s².
-  EXPECT_NEAR(impulse(10, 0.1, 1e-3, 9.81).median, pull * 10 * 1e-3, 1e-3);
 }
 
 }  // namespace

@@ -44,6 +44,30 @@ Parameters with(Parameters parameters, const Parameters& changes) {
   return parameters;
 }
 
+namespace {
+
+Parameters made_gentle(Parameters parameters) {
+  const Parameters changes{{"erp", 0.01},
+                           {"contactMu2", 1},
+                           {"quickStepNumIterations", 100},
+                           {"splitImpulsePenetrationThreshold", 0},
+                           {"numIterations", 50}};
+  for (const auto& [name, value] : changes) {
+    if (parameters.count(name) != 0) parameters[name] = value;
+  }
+  return parameters;
+}
+
+}  // namespace
+
+Parameters gentle(const WorkerEngine& engine) {
+  return made_gentle(engine.default_parameters());
+}
+
+Parameters gentle(const Engine& engine) {
+  return made_gentle(engine.default_parameters());
+}
+
 double error_of(const Draw& draw, const std::vector<double>& angles) {
   SolveOptions options;
   for (std::size_t step = 0; step * draw.scene.blocks.size() < angles.size(); ++step)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engines/engine.hpp"
+#include "engines/worker/worker_engine.hpp"
 
 namespace rockstack {
 
@@ -30,6 +31,11 @@ const Engine* linked(const std::string& name);
 
 /// Parameters with some of them changed. @throws std::out_of_range for one that is not there.
 Parameters with(Parameters parameters, const Parameters& changes);
+
+/// The library's own settings but for those that suit rocking: overlaps are pushed out gently or beside the
+/// velocities, and iterations are enough. Written out here, so that tuning moves no finding.
+Parameters gentle(const WorkerEngine& engine);
+Parameters gentle(const Engine& engine);
 
 /// Largest difference of any angle from the exact motion under law "consistent", rad; a run that fails or
 /// ends early, as a block topples, is off by π.

@@ -28,11 +28,11 @@ bool holds(double error) {
 TEST(Masses, NncgFailsByKilogramsNotByTheirRatio) {
   const Engine* engine = linked("bullet:nncg");
   if (engine == nullptr) GTEST_SKIP() << "built without Bullet";
-  const Parameters tuned = engine->tuned_parameters();
+  const Parameters parameters = gentle(*engine);
   for (const double ratio : {1.0, 0.01}) {
-    for (const double error : errors(*engine, draws(two_blocks(1e3, ratio * 1e3), 1e-3), tuned))
+    for (const double error : errors(*engine, draws(two_blocks(1e3, ratio * 1e3), 1e-3), parameters))
       EXPECT_TRUE(holds(error)) << "tonnes, ratio " << ratio << ": " << error << " rad";
-    for (const double error : errors(*engine, draws(two_blocks(1e-3, ratio * 1e-3), 1e-3), tuned))
+    for (const double error : errors(*engine, draws(two_blocks(1e-3, ratio * 1e-3), 1e-3), parameters))
       EXPECT_FALSE(holds(error)) << "grams, ratio " << ratio << ": " << error << " rad";
   }
 }
@@ -43,7 +43,7 @@ TEST(Masses, NncgHoldsAtGramsOnceItsRowsReturnImpulses) {
   if (linked("bullet:nncg") == nullptr) GTEST_SKIP() << "built without Bullet";
   const WorkerEngine& engine = find_engine("bullet:nncg");
   for (const Draw& draw : draws(two_blocks(1e-3, 1e-5), 1e-3)) {
-    const std::string text = bare_question(engine, draw.scene, draw.dt, engine.tuned_parameters());
+    const std::string text = bare_question(engine, draw.scene, draw.dt, gentle(engine));
     EXPECT_FALSE(holds(error_of(draw, bare_angles("bullet", text))));
     const std::string solver = "solver nncg";
     EXPECT_TRUE(
@@ -59,8 +59,8 @@ TEST(Masses, SequentialImpulseKnowsNoKilograms) {
   for (const Draw& draw : draws(two_blocks(1e3, 10), 1e-3, 3)) {
     Scene grams = draw.scene;
     for (Block& block : grams.blocks) scale_mass(block, factor);
-    EXPECT_EQ(simulate(*engine, draw.scene, draw.dt, engine->tuned_parameters()).history.angles,
-              simulate(*engine, grams, draw.dt, engine->tuned_parameters()).history.angles);
+    EXPECT_EQ(simulate(*engine, draw.scene, draw.dt, gentle(*engine)).history.angles,
+              simulate(*engine, grams, draw.dt, gentle(*engine)).history.angles);
   }
 }
 
@@ -69,19 +69,19 @@ TEST(Masses, SequentialImpulseKnowsNoKilograms) {
 TEST(Masses, OdesCfmIsANumberOfOneOverKilograms) {
   const Engine* engine = linked("ode:step");
   if (engine == nullptr) GTEST_SKIP() << "built without ODE";
-  const Parameters tuned = with(engine->tuned_parameters(), {{"cfm", 1e-10}});
-  const Parameters divided = with(tuned, {{"cfm", 1e-16}});
+  const Parameters parameters = with(gentle(*engine), {{"cfm", 1e-10}});
+  const Parameters divided = with(parameters, {{"cfm", 1e-16}});
   const auto light = draws(free_rocking(1.5), 1e-3);
   auto heavy = light;
   for (Draw& draw : heavy) {
     for (Block& block : draw.scene.blocks) scale_mass(block, 1e6);
   }
-  const Quartiles usual = quartiles(errors(*engine, light, tuned));
+  const Quartiles usual = quartiles(errors(*engine, light, parameters));
   // Rounding alone moves a median over this many draws by less than the quartiles are apart.
   const double median = quartiles(errors(*engine, heavy, divided)).median;
   EXPECT_GT(median, usual.lower);
   EXPECT_LT(median, usual.upper);
-  EXPECT_GT(quartiles(errors(*engine, heavy, tuned)).lower, 10 * usual.upper);
+  EXPECT_GT(quartiles(errors(*engine, heavy, parameters)).lower, 10 * usual.upper);
   EXPECT_GT(quartiles(errors(*engine, light, divided)).lower, usual.upper);
 }
 
@@ -91,7 +91,7 @@ TEST(Masses, OdeCarriesAMillionTimesHeavierTopWithASmallerCfmAndForceLimits) {
   const Engine* engine = linked("ode:step");
   if (engine == nullptr) GTEST_SKIP() << "built without ODE";
   const auto runs = draws(two_blocks(3906.25, 3906.25e6), 1e-2);
-  const Parameters both = with(engine->tuned_parameters(), {{"cfm", 1e-14}, {"contactApprox1", 0}});
+  const Parameters both = with(gentle(*engine), {{"cfm", 1e-14}, {"contactApprox1", 0}});
   for (const double error : errors(*engine, runs, both)) EXPECT_TRUE(holds(error)) << error;
   for (const double error : errors(*engine, runs, with(both, {{"cfm", 1e-10}}))) EXPECT_FALSE(holds(error));
   for (const double error : errors(*engine, runs, with(both, {{"contactApprox1", 1}})))

@@ -16,7 +16,7 @@ namespace {
 
 /// When the lowest block comes upright for the first time, between two steps by a straight line, s.
 double first_upright(const Engine& engine, const Scene& scene, double dt) {
-  const auto simulation = engine.start(scene, dt, engine.tuned_parameters());
+  const auto simulation = engine.start(scene, dt, gentle(engine));
   std::vector<double> angles = scene.initial.angles;
   std::vector<double> velocities(angles.size());
   double last = 0;
@@ -67,28 +67,26 @@ TEST(Motion, LandsHalfAStepEarlyUnlessItStartsHalfAStepBack) {
   }
 }
 
-/// Single precision gives a quarter of the runs on a box as ground a landing that warm starting carries on;
-/// on a plane, or started anew each step, or in double precision, none.
+/// In single precision, warm started, on a box as ground some runs are thrown off by more than 0.01 rad; on a
+/// plane, or started anew each step, or in double precision, none.
 TEST(Motion, SinglePrecisionSuffersFromWarmStartingOnABoxAlone) {
-  const auto built = engines();
-  const auto is_there = [&](const std::string& name) {
-    return std::any_of(built.begin(), built.end(),
-                       [&](const WorkerEngine& engine) { return engine.name() == name; });
-  };
-  if (!is_there("bullet-single")) GTEST_SKIP() << "built without Bullet";
-  const auto upper = [&](const std::string& precision, double ground, double warm) {
+  const auto& built = engines();
+  const auto is_single = [](const WorkerEngine& engine) { return engine.name() == "bullet-single"; };
+  if (std::none_of(built.begin(), built.end(), is_single)) GTEST_SKIP() << "built without Bullet";
+  const auto thrown_off = [&](const std::string& precision, double ground, double warm) {
     const WorkerEngine& engine = find_engine(precision + ":sequential-impulse");
-    const Parameters parameters =
-        with(engine.tuned_parameters(), {{"ground", ground}, {"warmstartingFactor", warm}});
-    std::vector<double> list;
-    for (const Draw& draw : draws(free_rocking(1.5), 1e-4))
-      list.push_back(error_of(draw, simulate(engine, draw.scene, draw.dt, parameters).history.angles));
-    return quartiles(list).upper;
+    const Parameters parameters = with(gentle(engine), {{"ground", ground}, {"warmstartingFactor", warm}});
+    int count = 0;
+    for (const Draw& draw : draws(free_rocking(1.5), 1e-4)) {
+      const History history = simulate(engine, draw.scene, draw.dt, parameters).history;
+      count += error_of(draw, history.angles) > 5e-3 ? 1 : 0;
+    }
+    return count;
   };
-  EXPECT_GT(upper("bullet-single", 0, 0.85), 5e-3);
-  EXPECT_LT(upper("bullet-single", 1, 0.85), 1e-3);
-  EXPECT_LT(upper("bullet-single", 0, 0), 1e-3);
-  EXPECT_LT(upper("bullet", 0, 0.85), 1e-3);
+  EXPECT_GE(thrown_off("bullet-single", 0, 0.85), 3);
+  EXPECT_EQ(thrown_off("bullet-single", 1, 0.85), 0);
+  EXPECT_EQ(thrown_off("bullet-single", 0, 0), 0);
+  EXPECT_EQ(thrown_off("bullet", 0, 0.85), 0);
 }
 
 /// Blocks under weak noise, with peaks from 2.5 to 2.8 m/s² where 1.96 m/s² opens a gap.
@@ -116,15 +114,17 @@ bool wakes(const History& history) {
                      [](double angle) { return std::abs(angle) > 0.01; });
 }
 
-int woken(const Engine& engine, double dt) {
+int woken(const Engine& engine, double dt, const Parameters& changes = {}) {
   int count = 0;
   for (const Scene& scene : weakly_shaken())
-    count += wakes(simulate(engine, scene, dt, engine.tuned_parameters()).history) ? 1 : 0;
+    count += wakes(simulate(engine, scene, dt, with(gentle(engine), changes)).history) ? 1 : 0;
   return count;
 }
 
-/// Of 25 blocks some wake in exact motion and in ODE, hardly one in Bullet; at a larger step none in either.
-TEST(Motion, WeakShakingWakesBlocksInOdeAndHardlyInBullet) {
+/// Of 25 blocks some wake in exact motion and in ODE, hardly one in Bullet, which keeps an open corner among
+/// its contacts until it is a fiftieth of the block away: with that threshold at a millionth as many wake as
+/// should. At a larger step none wakes in either.
+TEST(Motion, WeakShakingWakesBlocksInOdeAndInBulletWithoutItsContactThreshold) {
   int exact = 0;
   for (const Scene& scene : weakly_shaken()) {
     SolveOptions options;
@@ -139,6 +139,7 @@ TEST(Motion, WeakShakingWakesBlocksInOdeAndHardlyInBullet) {
   }
   if (const Engine* bullet = linked("bullet:sequential-impulse")) {
     EXPECT_LE(woken(*bullet, 1e-3), 2);
+    EXPECT_GE(woken(*bullet, 1e-3, {{"contactBreakingThreshold", 1e-6}}), 6);
   }
 }
 
