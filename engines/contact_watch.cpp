@@ -22,19 +22,24 @@ std::vector<double> relative_to_below(std::span<const double> values) {
   return list;
 }
 
-double elastic_energy(const std::vector<ContactPoint>& points) {
-  double energy = 0;
-  for (const ContactPoint& point : points) {
-    if (point.gap < 0 && std::isfinite(point.stiffness))
-      energy += 0.5 * point.stiffness * point.gap * point.gap;
+/// Of each interface: the lighter of the two bodies that meet there, kg.
+std::vector<double> lighter_masses(const Scene& scene) {
+  std::vector<double> masses;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const double above = scene.blocks[k].mass;
+    masses.push_back(k == 0 ? above : std::min(above, scene.blocks[k - 1].mass));
   }
-  return energy;
+  return masses;
 }
 
 }  // namespace
 
 ContactWatch::ContactWatch(const Scene& scene, double dt, double friction)
-    : dt_(dt), friction_(friction), widths_(overlap_widths(scene)), last_ends_(scene.blocks.size()) {}
+    : dt_(dt),
+      friction_(friction),
+      widths_(overlap_widths(scene)),
+      masses_(lighter_masses(scene)),
+      last_ends_(scene.blocks.size()) {}
 
 void ContactWatch::observe(const std::vector<ContactPoint>& points, std::span<const double> angles,
                            std::span<const double> velocities, BodyRecord& record) {
@@ -49,6 +54,15 @@ void ContactWatch::observe(const std::vector<ContactPoint>& points, std::span<co
   angles_ = std::move(now_angles);
   velocities_ = std::move(now_velocities);
   ++samples_;
+}
+
+double ContactWatch::elastic_energy(const std::vector<ContactPoint>& points) const {
+  double energy = 0;
+  for (const ContactPoint& point : points) {
+    const bool followed = point.stiffness * dt_ * dt_ <= masses_[point.interface];
+    if (followed && point.gap < 0) energy += 0.5 * point.stiffness * point.gap * point.gap;
+  }
+  return energy;
 }
 
 void ContactWatch::add_forces(const std::vector<ContactPoint>& points, BodyRecord& record) {

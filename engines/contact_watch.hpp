@@ -29,6 +29,10 @@ class ContactWatch {
   };
   using Ends = std::array<End, 2>;  ///< left, right
 
+  /// ½kd² of the points that overlap by d and are springs which steps follow. One that makes the lighter body
+  /// move to and fro within a step, k dt² above its mass, is found overlapped by far more than any motion
+  /// could press it, and counts as rigid.
+  double elastic_energy(const std::vector<ContactPoint>& points) const;
   void add_forces(const std::vector<ContactPoint>& points, BodyRecord& record);
   void add_impacts(const std::vector<Ends>& ends, const std::vector<double>& velocities,
                    BodyRecord& record) const;
@@ -36,6 +40,7 @@ class ContactWatch {
 
   double dt_, friction_;
   std::vector<double> widths_;  ///< of the faces' overlap at each interface, m
+  std::vector<double> masses_;  ///< of the lighter body at each interface, kg
   std::size_t samples_ = 0;
   double pushed_ = 0, excess_ = 0;  ///< impulses so far: normal, and outside the cone, N·s
   std::vector<Ends> last_ends_;

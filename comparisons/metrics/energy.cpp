@@ -41,13 +41,7 @@ std::vector<double> energy_balance(const std::vector<double>& energy, const std:
                                    const std::vector<double>& elastic) {
   std::vector<double> balance;
   balance.reserve(energy.size());
-  double stored = elastic.front(), last = energy.front() - input.front();
-  for (std::size_t i = 0; i < energy.size(); ++i) {
-    const double own = energy[i] - input[i];
-    stored = std::clamp(stored + last - own, 0.0, elastic[i]);
-    balance.push_back(own + stored);
-    last = own;
-  }
+  for (std::size_t i = 0; i < energy.size(); ++i) balance.push_back(energy[i] - input[i] + elastic[i]);
   return balance;
 }
 

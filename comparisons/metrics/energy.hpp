@@ -15,12 +15,7 @@ std::vector<double> energies(const Scene& scene, const History& history);
 double energy_scale(const Scene& scene);
 
 /// Energy of the bodies, less the work done on them (`input`), and with what their contacts have stored: J,
-/// at each sample. The true motion never makes it rise.
-///
-/// Contacts store at most their `elastic` energy, ½kd², and at most what the bodies have lost while they did.
-/// Where steps follow the springs the two are the same but for what damping takes. A spring so stiff that its
-/// own motion is lost within a step is found overlapped by far more than the bodies' energy could press it:
-/// what it can give back is what they lost to it. Precondition: of equal size.
+/// at each sample. The true motion never makes it rise. Precondition: of equal size.
 std::vector<double> energy_balance(const std::vector<double>& energy, const std::vector<double>& input,
                                    const std::vector<double>& elastic);
 

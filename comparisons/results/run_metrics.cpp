@@ -250,12 +250,10 @@ std::vector<Column> body_columns() {
       drawn<&RunMetrics::energy_gain>(
           "energy_gain",
           "largest rise of the blocks' kinetic and potential energy and of what their contacts have stored, "
-          "less "
-          "the work of the ground's motion, above its least value before; as a share of the stack's weight "
-          "times "
-          "the height of its centre of mass at rest. Contacts that are springs store at most half of "
-          "stiffness "
-          "times overlap squared, and at most what the blocks have lost. The true motion never gains any"),
+          "less the work of the ground's motion, above its least value before; as a share of the stack's "
+          "weight times the height of its centre of mass at rest. A contact that is a spring stores half of "
+          "stiffness k times overlap squared; one so stiff that k dt^2 exceeds the lighter block's mass counts "
+          "as rigid. The true motion never gains any"),
       drawn<&RunMetrics::penetration>("penetration",
                                       "largest depth of a block's corner in the block or ground it meets, m"),
       drawn<&RunMetrics::gap>("gap", "largest height of a block over what it stands on, m"),

@@ -142,12 +142,5 @@ TEST(EnergyBalance, IsConstantWhereSpringsTakeAndGiveBack) {
   EXPECT_EQ(energy_balance({5, 3, 1, 4, 5}, {0, 0, 0, 0, 0}, {0, 2, 4, 1, 0}), (Values{5, 5, 5, 5, 5}));
 }
 
-// Damping takes one of the two that the bodies lose; of 1000 J that appear at once, only what they lost is
-// theirs to have back, and the rest of their rise is a gain.
-TEST(EnergyBalance, HoldsNoMoreThanTheSpringsHaveNorThanTheBodiesLost) {
-  EXPECT_EQ(energy_balance({5, 3, 5}, {0, 0, 0}, {0, 1, 0}), (Values{5, 4, 5}));
-  EXPECT_EQ(energy_balance({5, 5, 3, 6}, {0, 0, 0, 0}, {0, 1000, 640, 400}), (Values{5, 5, 5, 6}));
-}
-
 }  // namespace
 }  // namespace rockstack

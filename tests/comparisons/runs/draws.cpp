@@ -15,7 +15,7 @@
 namespace rockstack {
 namespace {
 
-constexpr const char* rocking_block = R"(duration = 1
+constexpr const char* block_let_go = R"(duration = 1
 [[blocks]]
 width = 0.5
 height = 2
@@ -25,7 +25,7 @@ angles = [0.05]
 )";
 
 Suite suite_of(const TemporaryFolder& folder, const WorkerEngine& engine) {
-  Suite suite = suite_for(read_named_scene(folder.write("block.toml", rocking_block), {}));
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block_let_go), {}));
   suite.repeats = 1;
   suite.limits.time = 5;
   suite.draws.runs = 5;
