@@ -7,8 +7,8 @@ namespace {
 
 /// An impact a second, for a hundred.
 std::vector<ImpactTime> clockwork() {
-  std::vector<ImpactTime> impacts;
-  for (int i = 0; i < 100; ++i) impacts.push_back({i + 0.5, 1});
+  std::vector<ImpactTime> impacts(100);
+  for (std::size_t i = 0; i < impacts.size(); ++i) impacts[i] = {static_cast<double>(i) + 0.5, 1};
   return impacts;
 }
 

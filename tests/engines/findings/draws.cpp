@@ -96,6 +96,7 @@ double error(const Engine& engine, const Draw& draw, const Parameters& parameter
 std::vector<double> errors(const Engine& engine, const std::vector<Draw>& draws,
                            const Parameters& parameters) {
   std::vector<double> list;
+  list.reserve(draws.size());
   for (const Draw& draw : draws) list.push_back(error(engine, draw, parameters));
   return list;
 }
