@@ -93,7 +93,7 @@ Tuned tuned_for(BulletSolver solver) {
   if (solver == BulletSolver::mlcp_lemke) {
     tuned.erp2 = 0.01;
     tuned.cfm = single_precision ? 1e-6 : 1e-5;
-    tuned.breaking = 1e-5;
+    tuned.breaking = single_precision ? 1e-6 : 1e-5;
   }
   return tuned;
 }
