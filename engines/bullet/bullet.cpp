@@ -15,8 +15,8 @@
 //
 // What was measured of every setting: engines/README.md.
 //
-// Tuned sets are those of comparisons/tune with the least errors that also hold the conformance tests: a block
-// lands flat without a bounce, its first step is that of a hinge (engines/README.md has the ranking).
+// Tuned sets are those of comparisons/tune with the least errors that also hold the conformance tests: a
+// block lands flat without a bounce, its first step is that of a hinge (engines/README.md has the ranking).
 //
 // Tuned: the split-impulse threshold 0, because the default, −0.04 m, corrects shallower overlaps through the
 // velocities, which makes a flat landing bounce. 50 iterations of sequential impulse; mlcp-pgs needs 20. The

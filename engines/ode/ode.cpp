@@ -19,8 +19,8 @@
 //
 // What was measured of every setting: engines/README.md.
 //
-// Tuned sets are those of comparisons/tune with the least errors that also hold the conformance tests: a block
-// lands flat without a bounce (engines/README.md has the ranking).
+// Tuned sets are those of comparisons/tune with the least errors that also hold the conformance tests: a
+// block lands flat without a bounce (engines/README.md has the ranking).
 //
 // Tuned: unitMass (every mass over the stack's, on which no angle depends), because cfm is in s/kg: what
 // suits tonnes is a rigid contact's end for grams. cfm = 1e-6 for a stack of 1 kg. erp = 0.01, because ODE
