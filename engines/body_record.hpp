@@ -23,8 +23,8 @@ struct BodyRecord {
   std::vector<double> input;
   /// Largest depth of a block in the block or ground under it at each sample, m.
   std::vector<double> penetration;
-  /// ½kd² of all contacts that are springs which steps follow and overlap by d, at each sample, J; 0 where the
-  /// engine tells no contacts.
+  /// ½kd² of all contacts that are springs which steps follow and overlap by d, at each sample, J; 0 where
+  /// the engine tells no contacts.
   std::vector<double> elastic;
   /// Largest product of gap and force of a contact that pushes across a gap, J; nothing where the engine
   /// tells no contacts. Impulses count as forces that act for the whole step.

@@ -252,7 +252,8 @@ std::vector<Column> body_columns() {
           "largest rise of the blocks' kinetic and potential energy and of what their contacts have stored, "
           "less the work of the ground's motion, above its least value before; as a share of the stack's "
           "weight times the height of its centre of mass at rest. A contact that is a spring stores half of "
-          "stiffness k times overlap squared; one so stiff that k dt^2 exceeds the lighter block's mass counts "
+          "stiffness k times overlap squared; one so stiff that k dt^2 exceeds the lighter block's mass "
+          "counts "
           "as rigid. The true motion never gains any"),
       drawn<&RunMetrics::penetration>("penetration",
                                       "largest depth of a block's corner in the block or ground it meets, m"),
