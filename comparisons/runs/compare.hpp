@@ -7,18 +7,10 @@
 #include <vector>
 
 #include "comparisons/results/run_metrics.hpp"
-#include "comparisons/runs/executor.hpp"
+#include "comparisons/runs/parts.hpp"
 #include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
-
-/// How far a comparison has come.
-struct Progress {
-  std::size_t done = 0, total = 0;  ///< runs
-  std::string last;                 ///< the run that was finished last; empty at the beginning
-  /// Time to go by the expected work that is left, s; unknown before a run is finished.
-  std::optional<double> remaining;
-};
 
 /// How runs are made, which changes no result but times.
 struct CompareOptions {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/runs/draws.hpp"
+#include "comparisons/runs/executor.hpp"
+
+namespace rockstack {
+
+// A comparison is made in parts, which threads or machines share: the nominal run of a job, or all its draws.
+
+/// How far a comparison has come.
+struct Progress {
+  std::size_t done = 0, total = 0;  ///< runs
+  std::string last;                 ///< the run that was finished last; empty at the beginning
+  /// Time to go by the expected work that is left, s; unknown before a run is finished.
+  std::optional<double> remaining;
+};
+
+/// Every scene on the exact solver, on its variants and on every series at each step. Keeps references to the
+/// suites.
+std::vector<Job> jobs_of(const std::vector<Suite>& suites);
+
+/// The text of a part, to be delivered. Parts are numbered: the nominal runs of all jobs, then their draws.
+std::string compute_part(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
+                         std::size_t at_a_time);
+
+struct MadeParts {
+  std::vector<DrawnRow> rows;  ///< one a job
+  std::size_t reused = 0;      ///< nominal runs that were there already
+};
+
+/// Makes the parts that FOLDER/runs does not have, nominal runs first, and tells how far it has come. Draws
+/// of a run that has failed are not made. Precondition: executor.leads().
+MadeParts make_parts(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
+                     const std::string& command, const std::function<void(const Progress&)>& tell);
+
+/// The rows as a comparison tells them: medians where there are draws.
+std::vector<RunMetrics> medians(const std::vector<DrawnRow>& rows);
+
+}  // namespace rockstack
