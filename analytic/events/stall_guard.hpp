@@ -4,6 +4,7 @@
 #include <string>
 
 #include "analytic/mechanics/dynamics.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack {
 
@@ -36,7 +37,7 @@ class StallGuard {
   }
 
  private:
-  static std::string text(const Real& seconds) { return std::to_string(static_cast<double>(seconds)); }
+  static std::string text(const Real& seconds) { return number_text(static_cast<double>(seconds)); }
 
   int most_;  ///< in a burst
   int burst_events_ = 0;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "analytic/events/first_event.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack {
 
@@ -57,7 +58,7 @@ class TieBreaker {
     if (instant_events_ > 4 * few_)
       throw std::runtime_error(
           "events follow each other without end, and without time between them, at t = " +
-          std::to_string(static_cast<double>(time)) + " s: each pattern that is found leads to another");
+          number_text(static_cast<double>(time)) + " s: each pattern that is found leads to another");
     if (!goes_on) return;
     fresh_.reset();
     if (!undecided()) held_.reset();

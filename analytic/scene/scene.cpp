@@ -69,14 +69,19 @@ void validate_motion(const GroundMotion& motion, const std::string& key) {
 }
 
 void validate_duration(const Scene& scene) {
-  double radius = std::numeric_limits<double>::infinity();
-  for (const Block& block : scene.blocks)
-    radius = std::min(radius, std::hypot(block.half_width, block.half_height));
+  double smallest = std::numeric_limits<double>::infinity();
+  double turning = 0;  // m/s², towards the centre of what turns
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const double radius = std::hypot(scene.blocks[k].half_width, scene.blocks[k].half_height);
+    smallest = std::min(smallest, radius);
+    turning = std::max(turning, radius * scene.initial.velocities[k] * scene.initial.velocities[k]);
+  }
   const auto strongest = [](const GroundMotion& motion) {
     return motion.pulse ? std::abs(motion.pulse->amplitude) : peak(motion);
   };
-  const double acceleration = scene.gravity + strongest(scene.horizontal) + strongest(scene.vertical);
-  const double longest = 1e7 * std::sqrt(radius / acceleration);
+  const double acceleration =
+      scene.gravity + strongest(scene.horizontal) + strongest(scene.vertical) + turning;
+  const double longest = 1e7 * std::sqrt(smallest / acceleration);
   if (scene.duration > longest)
     throw FieldError("duration", number_text(scene.duration),
                      "at most " + number_text(longest) +

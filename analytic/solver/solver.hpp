@@ -11,6 +11,7 @@
 #include "analytic/events/stall_guard.hpp"
 #include "analytic/events/tie_breaker.hpp"
 #include "analytic/mechanics/impact.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solver/recorder.hpp"
 #include "analytic/steps/rk4.hpp"
 #include "analytic/steps/taylor_step.hpp"
@@ -191,12 +192,12 @@ class Solver {
     const Real size = state_.angles.template lpNorm<1>() + state_.velocities.template lpNorm<1>();
     if (!(size <= std::numeric_limits<Real>::max()))
       throw std::runtime_error("angles or velocities have become too large for numbers at t = " +
-                               std::to_string(static_cast<double>(time())) + " s");
+                               number_text(static_cast<double>(time())) + " s");
   }
 
   [[noreturn]] void no_way_on() const {
     throw std::runtime_error(
-        "no pattern lets the motion go on at t = " + std::to_string(static_cast<double>(time())) +
+        "no pattern lets the motion go on at t = " + number_text(static_cast<double>(time())) +
         " s: the blocks would have to lift off");
   }
 

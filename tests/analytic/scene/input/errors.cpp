@@ -60,6 +60,9 @@ TEST(SceneErrors, ADurationThatMayHaveNoEndIsRefused) {
   EXPECT_EQ(error_of(with_line(1, "duration = 2e6")), "");
   EXPECT_EQ(error_of(with_line(1, "duration = 1e8")).substr(0, 48),
             "scene.toml:1: duration = 1e+08: must be at most ");
+  // At 10⁸ rad/s a tenth of a second has ten million radians.
+  EXPECT_EQ(error_of(with_line(12, "velocities = [1e8, 0]")).substr(0, 41),
+            "scene.toml:1: duration = 5: must be at mo");
 }
 
 TEST(SceneErrors, WrongTypes) {
