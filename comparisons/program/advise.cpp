@@ -13,8 +13,8 @@ namespace rockstack {
 namespace {
 
 void print_trials(const Advice& advice, const Wish& wish) {
-  fmt::print("{:<32} {:>8} {:>14} {:>12} {:>8}  {}\n", "solver (tuned)", "dt (s)", "angle off (rad)",
-             "time (s)", "within", "");
+  fmt::print("{:<32} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n", "solver (tuned)", "dt (s)", "angle off (rad)",
+             "time (s)", "within", "confirmed", "");
   const auto cell = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.2e}", *value) : "-";
   };
@@ -26,14 +26,18 @@ void print_trials(const Advice& advice, const Wish& wish) {
                                : trial.passes()                     ? "holds"
                                : trial.within > 0                   ? "luck"
                                                                     : "";
-    fmt::print("{:<32} {:>8} {:>14} {:>12} {:>8}  {}\n", row.engine + ":" + row.solver, row.dt.value_or(0),
-               cell(row.largest_angle_difference), cell(row.stepping_time_minimum),
-               fmt::format("{} / {}", trial.within, trial.draws), remark);
+    fmt::print("{:<32} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n", row.engine + ":" + row.solver,
+               row.dt.value_or(0), cell(row.largest_angle_difference), cell(row.stepping_time_minimum),
+               fmt::format("{} / {}", trial.within, trial.draws),
+               trial.confirming > 0 ? fmt::format("{} / {}", trial.confirmed, trial.confirming) : "-",
+               remark);
   }
   fmt::print(
       "within: draws within {} rad, of steps up to {:.0f} % longer and shorter and scenes that differ in "
-      "the sixth digit; {:.0f} of 100 must be. The difference is their median.\n",
-      wish.error, 100 * wish.draws.steps, 100 * passing_share);
+      "the sixth digit; {:.0f} of 100 must be. The difference is their median. Confirmed: draws of steps up "
+      "to "
+      "{:.0f} % longer and shorter, as many of which must be.\n",
+      wish.error, 100 * wish.draws.steps, 100 * passing_share, 100 * wish.confirming.steps);
 }
 
 /// What holds after histories have parted.
@@ -83,6 +87,8 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
       json["pick"] = metrics_json(pick.row);
       json["pick"]["draws_tried"] = pick.draws;
       json["pick"]["draws_within"] = pick.within;
+      json["pick"]["confirming_draws_tried"] = pick.confirming;
+      json["pick"]["confirming_draws_within"] = pick.confirmed;
     }
     json["beyond"] = distributions_json(advice.beyond);
     fmt::print("{}\n", json.dump(2));

@@ -19,6 +19,14 @@ TEST(Advice, IsTheCheapestOfThoseThatPassInNineDrawsOfTen) {
   EXPECT_EQ(cheapest({timed(18, 1)}), -1);
 }
 
+TEST(Advice, IsConfirmedByDrawsThatDidNotChooseIt) {
+  Trial lucky = timed(20, 1), held = timed(19, 2);
+  lucky.confirming = held.confirming = 20;
+  lucky.confirmed = 17;
+  held.confirmed = 18;
+  EXPECT_EQ(cheapest({lucky, held}), 1);
+}
+
 TEST(Advice, ADrawMeetsTheErrorWhereItIsDoneNearAndTopplesLikewise) {
   RunMetrics row;
   row.largest_angle_difference = 1e-4;
