@@ -7,6 +7,7 @@
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/ensemble/ensemble.hpp"
+#include "comparisons/ensemble/ensemble_keys.hpp"
 #include "comparisons/ensemble/variation.hpp"
 
 namespace rockstack {
@@ -115,7 +116,7 @@ std::string read_axis_name(const Node& node, const Ensemble& ensemble) {
 void read_summary(Ensemble& ensemble, const Node& root) {
   const Node* table = find(root, "summary");
   if (table == nullptr) return;
-  require_table(*table, {"intensity", "period"});
+  require_table(*table, summary_keys);
   ensemble.summary.intensity =
       read_axis_name(required(*table, "intensity", "a key that is varied over numbers"), ensemble);
   if (const Node* period = find(*table, "period")) {
@@ -153,7 +154,7 @@ void try_values(const Ensemble& ensemble, MotionLibrary& library) {
 Ensemble read_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        MotionLibrary& library) {
   const Node root = read_toml(file);
-  require_table(root, {"title", "scene", "samples", "seed", "tolerance", "vary", "summary"});
+  require_table(root, ensemble_keys);
   Ensemble ensemble;
   ensemble.file = file;
   ensemble.title = text(required(root, "title", "a text"));

@@ -7,6 +7,7 @@
 
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/ensemble/ensemble_keys.hpp"
 
 namespace rockstack {
 namespace {
@@ -37,7 +38,7 @@ std::vector<Value> read_values(const Node& array) {
 constexpr double most_values = 1e6;  // of one table
 
 std::vector<Value> read_range(const Node& table) {
-  require_table(table, {"from", "to", "count", "spacing"});
+  require_table(table, range_keys);
   const double from = required_number(table, "from");
   const double to = required_number(table, "to");
   const auto count =
@@ -78,10 +79,10 @@ Distribution read_distribution(const Node& node) {
     return {Distribution::Kind::uniform, finite_number(node, "1"), finite_number(node, "2")};
   }
   if (node.name == "normal") {
-    require_table(node, {"mean", "deviation"});
+    require_table(node, normal_keys);
     return {Distribution::Kind::normal, finite_number(node, "mean"), positive_number(node, "deviation")};
   }
-  require_table(node, {"median", "beta"});
+  require_table(node, lognormal_keys);
   return {Distribution::Kind::lognormal, positive_number(node, "median"), positive_number(node, "beta")};
 }
 
@@ -112,7 +113,7 @@ const Node& way(const Node& table) {
 }  // namespace
 
 Variation read_variation(const Node& table, const std::filesystem::path& folder) {
-  require_table(table, {"key", "group", "values", "range", "uniform", "normal", "lognormal"});
+  require_table(table, vary_keys);
   Variation variation;
   variation.place = table.place;
   variation.keys = read_keys(required(table, "key", "a key of the scene"));

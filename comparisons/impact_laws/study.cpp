@@ -10,6 +10,7 @@
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/impact_laws/study_keys.hpp"
 #include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/environment.hpp"
 #include "comparisons/results/files.hpp"
@@ -187,10 +188,9 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
 
 ImpactLawStudy read_impact_law_study(const std::filesystem::path& file) {
   const Node root = read_toml(file);
-  require_table(root,
-                {"study", "title", "seed", "samples", "cells", "blocks", "aspect_ratio", "mass_ratio",
-                 "base_aspect_ratio", "width_ratio", "largest_angle", "speed", "least_clearness", "engines"});
-  choice<int>(required(root, "study", "\"impact-laws\""), {{"impact-laws", 0}});
+  const Node& study_name = required(root, "study", "\"stability\" or \"impact-laws\"");
+  if (text(study_name) != "impact-laws") throw wrong_value(study_name, "\"stability\" or \"impact-laws\"");
+  require_table(root, impact_law_keys);
   std::ifstream stream(file, std::ios::binary);
   ImpactLawStudy study{text(required(root, "title", "text")),
                        {std::istreambuf_iterator<char>(stream), {}},

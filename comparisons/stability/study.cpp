@@ -13,6 +13,7 @@
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/files.hpp"
+#include "comparisons/stability/study_keys.hpp"
 
 namespace rockstack {
 namespace {
@@ -60,7 +61,7 @@ std::vector<Course> read_courses(const Node& axis, std::size_t count) {
 }
 
 StabilityAxis read_axis(const Node& axis) {
-  require_table(axis, {"name", "values", "parameter", "set", "scale"});
+  require_table(axis, axis_keys);
   StabilityAxis result;
   result.name = text(required(axis, "name", "a text"));
   result.parameter = word(axis, "parameter", "");
@@ -166,8 +167,7 @@ bool is_stability_study(const std::filesystem::path& file) {
 StabilityStudy read_stability_study(const std::filesystem::path& file,
                                     const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
-  require_table(
-      root, {"study", "title", "scene", "set", "axis", "engines", "rk4", "repeats", "time_limit", "draws"});
+  require_table(root, stability_keys);
   StabilityStudy study;
   std::ifstream stream(file, std::ios::binary);
   study.text = {std::istreambuf_iterator<char>(stream), {}};

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "analytic/scene/input/fields.hpp"
+#include "comparisons/suites/suite_keys.hpp"
 
 namespace rockstack {
 namespace {
@@ -90,7 +91,7 @@ std::vector<Parameters> read_changes(const Node& table, const WorkerEngine& engi
 }
 
 std::vector<EngineSeries> read_series(const Node& table) {
-  require_table(table, {"name", "settings", "dt", "parameters"});
+  require_table(table, engine_keys);
   const Node& name = required(table, "name", "an engine, e.g. \"bullet\"");
   if (left_out(text(name))) return {};
   const WorkerEngine& engine = read_engine(name);

@@ -14,6 +14,7 @@
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/results/files.hpp"
+#include "comparisons/suites/suite_keys.hpp"
 
 namespace rockstack {
 namespace {
@@ -24,7 +25,7 @@ std::uint64_t mebibytes(const Node& node) {
 }
 
 Perturbations read_perturbations(const Node& table) {
-  require_table(table, {"runs", "size", "seed"});
+  require_table(table, perturbations_keys);
   Perturbations perturbations;
   perturbations.runs = static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 2"), 2));
   if (const Node* node = find(table, "size")) perturbations.size = number_above_zero(*node);
@@ -48,11 +49,6 @@ std::vector<Variant> read_variants(const Node& array) {
   return variants;
 }
 
-/// Keys that only suites have.
-constexpr std::initializer_list<const char*> suite_keys{
-    "scenes", "variants",      "engines",    "tolerance",  "repeats",      "results",
-    "set",    "perturbations", "statements", "time_limit", "memory_limit", "draws"};
-
 constexpr std::initializer_list<std::pair<const char*, bool Wanted::*>> result_names{
     {"angles", &Wanted::angles},
     {"impacts", &Wanted::impacts},
@@ -70,7 +66,7 @@ Wanted read_wanted(const Node& array) {
 }
 
 PaperScenes read_statements(const Node& table, const Suite& suite) {
-  require_table(table, {"free", "shaken"});
+  require_table(table, statements_keys);
   const auto scene = [&](const char* key) {
     const Node& node = required(table, key, "the name of a scene of the suite");
     for (const NamedScene& named : suite.scenes) {
@@ -122,8 +118,9 @@ NamedScene read_named_scene(const std::filesystem::path& file, const std::vector
 
 bool is_suite(const std::filesystem::path& file) {
   const Node root = read_toml(file);
-  return std::any_of(suite_keys.begin(), suite_keys.end(),
-                     [&](const char* key) { return find(root, key) != nullptr; });
+  return std::any_of(suite_keys.keys.begin(), suite_keys.keys.end(), [&](const InputKey& key) {
+    return find(root, key.name) != nullptr && std::string_view(key.name) != "title";
+  });
 }
 
 bool is_study(const std::filesystem::path& file) {
@@ -131,7 +128,7 @@ bool is_study(const std::filesystem::path& file) {
 }
 
 Draws read_draws(const Node& table) {
-  require_table(table, {"runs", "steps", "scene", "seed"});
+  require_table(table, draws_keys);
   const auto share = [&](const char* key, double& value, double most) {
     const Node* node = find(table, key);
     if (node == nullptr) return;
@@ -150,8 +147,7 @@ Draws read_draws(const Node& table) {
 
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
-  require_table(root, {"title", "scenes", "variants", "engines", "tolerance", "repeats", "results", "set",
-                       "perturbations", "statements", "time_limit", "memory_limit", "draws"});
+  require_table(root, suite_keys);
   Suite suite;
   suite.title = text(required(root, "title", "a text"));
   std::vector<std::string> changes;

@@ -14,12 +14,13 @@ std::string whole_text(double value) {
 
 }  // namespace
 
-void require_table(const Node& node, std::initializer_list<std::string_view> allowed) {
+void require_table(const Node& node, const KeyTable& allowed) {
   if (node.kind != Node::Kind::table) throw wrong_value(node, "a table");
   for (const Node& child : node.children) {
-    if (std::find(allowed.begin(), allowed.end(), child.name) != allowed.end()) continue;
+    const auto known = [&](const InputKey& key) { return child.name == key.name; };
+    if (std::any_of(allowed.keys.begin(), allowed.keys.end(), known)) continue;
     std::string names;
-    for (const auto name : allowed) names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const InputKey& key : allowed.keys) names += (names.empty() ? "" : ", ") + std::string(key.name);
     throw InputError(child.place + ": " + one_line(child.key) + ": unknown key, must be one of " + names);
   }
 }

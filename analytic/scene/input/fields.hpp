@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analytic/scene/input/document.hpp"
+#include "analytic/scene/input/key.hpp"
 
 namespace rockstack {
 
@@ -14,7 +15,7 @@ namespace rockstack {
 // what is allowed.
 
 /// Refuses what is no table, and keys that are not among those allowed.
-void require_table(const Node& node, std::initializer_list<std::string_view> allowed);
+void require_table(const Node& node, const KeyTable& allowed);
 
 /// The child of that name; refuses a table without it.
 const Node& required(const Node& table, std::string_view name, const std::string& allowed);

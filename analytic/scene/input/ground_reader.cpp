@@ -5,12 +5,15 @@
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/ground/synthetic.hpp"
 #include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
 namespace {
 
-GroundMotion from_record(const Node& node, const std::filesystem::path& folder, MotionLibrary& library) {
+GroundMotion from_record(const Node& table, const Node& node, const std::filesystem::path& folder,
+                         MotionLibrary& library) {
+  require_table(table, record_keys);
   const std::filesystem::path name = folder / text(node);
   const std::filesystem::path file = record_file(name);
   std::error_code ignored;
@@ -23,6 +26,7 @@ GroundMotion from_record(const Node& node, const std::filesystem::path& folder, 
 }
 
 GroundMotion from_samples(const Node& table, const Node& samples) {
+  require_table(table, samples_keys);
   GroundMotion motion{required_number(table, "interval"), numbers(samples), "samples in the scene file"};
   if (motion.empty()) throw wrong_value(samples, "at least one number");
   return motion;
@@ -37,11 +41,11 @@ GroundMotion from_pulse(const Node& table, const Node& shape) {
                                            {"ricker", PulseShape::ricker},
                                            {"mavroeidis-papageorgiou", PulseShape::mavroeidis_papageorgiou}});
   if (pulse.shape == PulseShape::mavroeidis_papageorgiou) {
-    require_table(table, {"pulse", "amplitude", "period", "start", "cycles", "phase"});
+    require_table(table, near_fault_keys);
     pulse.cycles = required_number(table, "cycles");
     pulse.phase = number_or(table, "phase", pulse.phase);
   } else {
-    require_table(table, {"pulse", "amplitude", "period", "start"});
+    require_table(table, pulse_keys);
   }
   pulse.amplitude = required_number(table, "amplitude");
   pulse.period = required_number(table, "period");
@@ -53,7 +57,7 @@ GroundMotion from_pulse(const Node& table, const Node& shape) {
 }
 
 GroundMotion from_synthetic(const Node& table, const Node& seed, MotionLibrary& library) {
-  require_table(table, {"synthetic", "peak", "duration", "interval", "frequency", "damping"});
+  require_table(table, synthetic_keys);
   SyntheticMotion motion;
   motion.seed = static_cast<std::uint64_t>(whole_number(seed, 0, largest_seed));
   motion.peak = required_number(table, "peak");
@@ -68,17 +72,9 @@ GroundMotion from_synthetic(const Node& table, const Node& seed, MotionLibrary& 
 }
 
 GroundMotion unscaled(const Node& table, const std::filesystem::path& folder, MotionLibrary& library) {
-  const Node* record = find(table, "record");
-  const Node* samples = find(table, "samples");
-  if (record == nullptr && samples == nullptr) {
-    throw missing_key(table, "record",
-                      "given, or samples and interval, or a pulse or synthetic in its place");
-  }
-  if (record == nullptr) return from_samples(table, *samples);
-  for (const char* name : {"samples", "interval"}) {
-    if (const Node* other = find(table, name)) throw excluded_key(*other, *record);
-  }
-  return from_record(*record, folder, library);
+  if (const Node* record = find(table, "record")) return from_record(table, *record, folder, library);
+  if (const Node* samples = find(table, "samples")) return from_samples(table, *samples);
+  throw missing_key(table, "record", "given, or samples and interval, or a pulse or synthetic in its place");
 }
 
 void scale_by(GroundMotion& motion, const Node& node) {
@@ -102,11 +98,10 @@ GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& 
                                 MotionLibrary& library) {
   if (const Node* pulse = find(table, "pulse")) return from_pulse(table, *pulse);
   if (const Node* seed = find(table, "synthetic")) return from_synthetic(table, *seed, library);
-  require_table(table, {"record", "samples", "interval", "pulse", "synthetic", "scale", "peak"});
+  GroundMotion motion = unscaled(table, folder, library);
   const Node* scale = find(table, "scale");
   const Node* wanted_peak = find(table, "peak");
   if (scale != nullptr && wanted_peak != nullptr) throw excluded_key(*wanted_peak, *scale);
-  GroundMotion motion = unscaled(table, folder, library);
   if (scale != nullptr) scale_by(motion, *scale);
   if (wanted_peak != nullptr) scale_to_peak(motion, *wanted_peak);
   return motion;

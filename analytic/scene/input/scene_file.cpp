@@ -3,6 +3,7 @@
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/ground_reader.hpp"
 #include "analytic/scene/input/overrides.hpp"
+#include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 
 namespace rockstack {
@@ -20,7 +21,7 @@ double read_mass(const Node& table, const Block& block) {
 }
 
 Block read_block(const Node& table) {
-  require_table(table, {"width", "height", "density", "mass", "inertia"});
+  require_table(table, block_keys);
   Block block;
   block.half_width = 0.5 * required_number(table, "width");
   block.half_height = 0.5 * required_number(table, "height");
@@ -43,7 +44,7 @@ InitialState read_initial(const Node& root, std::size_t size) {
   InitialState initial{std::vector<double>(size), std::vector<double>(size)};
   const Node* table = find(root, "initial");
   if (table == nullptr) return initial;
-  require_table(*table, {"angles", "velocities"});
+  require_table(*table, initial_keys);
   if (const Node* angles = find(*table, "angles")) initial.angles = numbers(*angles);
   if (const Node* velocities = find(*table, "velocities")) initial.velocities = numbers(*velocities);
   return initial;
@@ -52,7 +53,7 @@ InitialState read_initial(const Node& root, std::size_t size) {
 void read_ground(const SceneDocument& document, MotionLibrary& library, Scene& scene) {
   const Node* ground = find(document.root, "ground");
   if (ground == nullptr) return;
-  require_table(*ground, {"horizontal", "vertical"});
+  require_table(*ground, ground_keys);
   if (const Node* table = find(*ground, "horizontal")) {
     scene.horizontal = read_ground_motion(*table, document.folder, library);
   }
@@ -65,7 +66,7 @@ EngineSurface read_engine(const Node& root) {
   EngineSurface surface;
   const Node* table = find(root, "engine");
   if (table == nullptr) return surface;
-  require_table(*table, {"friction", "depth"});
+  require_table(*table, surface_keys);
   surface.friction = number_or(*table, "friction", surface.friction);
   surface.depth = number_or(*table, "depth", surface.depth);
   return surface;
@@ -73,8 +74,7 @@ EngineSurface read_engine(const Node& root) {
 
 Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
   const Node& root = document.root;
-  require_table(
-      root, {"title", "duration", "gravity", "law", "equations", "blocks", "initial", "ground", "engine"});
+  require_table(root, scene_keys);
   Scene scene;
   const Node* title = find(root, "title");
   scene.title = title == nullptr ? document.title : text(*title);

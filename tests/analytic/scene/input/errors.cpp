@@ -96,9 +96,9 @@ TEST(SceneErrors, UnknownKeysListTheKnownOnes) {
       {12, "[ground]\nsideways = 1",
        "scene.toml:13: ground.sideways: unknown key, must be one of horizontal, vertical"},
       {12, "[ground.vertical]\nspectrum = 1",
-       "scene.toml:13: ground.vertical.spectrum: unknown key, must be one of record, samples, interval, "
-       "pulse, "
-       "synthetic, scale, peak"},
+       "scene.toml:12: ground.vertical.record: missing, must be given, or samples and interval, or a pulse "
+       "or "
+       "synthetic in its place"},
       {12, "[ground.vertical]\npulse = \"sine\"\namplitude = 1\nperiod = 1\ncycles = 2",
        "scene.toml:16: ground.vertical.cycles: unknown key, must be one of pulse, amplitude, period, start"},
       {12, "[engine]\ngrip = 1", "scene.toml:13: engine.grip: unknown key, must be one of friction, depth"},

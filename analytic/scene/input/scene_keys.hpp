@@ -1,0 +1,105 @@
+#pragma once
+
+#include "analytic/scene/input/key.hpp"
+
+namespace rockstack {
+
+// Every key of a scene file. A new one is a line here, and is read where the others of its table are.
+
+inline constexpr KeyTable scene_keys{
+    "",
+    "a scene: a stack of blocks, its ground and how it starts",
+    {{"title", "\"Two blocks\"", "", "a text", "the name of the file", "heads tables and figures"},
+     {"duration", "5.0", "s", "> 0, up to 10⁷ √(size/acceleration)", required_key, "of the motion"},
+     {"gravity", "9.81", "m/s²", "> 0", "9.81", "acceleration of gravity, downwards"},
+     {"law", "\"consistent\"", "", "\"consistent\" or \"paper\"", "\"consistent\"",
+      "which pattern follows an impact: one whose impulses push, as engines have it, or that of the paper"},
+     {"equations", "\"nonlinear\"", "", "\"nonlinear\" or \"linear\"", "\"nonlinear\"",
+      "of motion: in full, or with geometry frozen upright, Eqs. (19)–(28) of the paper"},
+     {"blocks", "", "", "1 to 32 tables [[blocks]]", required_key, "the stack"},
+     {"initial", "", "", "a table [initial]", no_default, "how it starts"},
+     {"ground", "", "", "tables [ground.horizontal], [ground.vertical]", no_default, "how the ground moves"},
+     {"engine", "", "", "a table [engine]", no_default, "what engines need besides"}}};
+
+inline constexpr KeyTable block_keys{
+    "[[blocks]]",
+    "a block, from the bottom up",
+    {{"width", "1.0", "m", "> 0", required_key, "across the plane of motion, 2b"},
+     {"height", "2.5", "m", "> 0", required_key, "of the block, 2h"},
+     {"density", "2500", "kg/m³", "> 0", required_key, "mass over width, height and 1 m of depth"},
+     {"mass", "6250", "kg", "> 0", "instead of density", "of the block"},
+     {"inertia", "3776", "kg·m²", "> 0", "that of a uniform rectangle", "about the centre of mass"}}};
+
+inline constexpr KeyTable initial_keys{
+    "[initial]",
+    "the state at t = 0; blocks that lean alike with equal velocities are in contact",
+    {{"angles", "[0.1]", "rad", "a number for each block, below its toppling angle", "all 0",
+      "from the vertical, clockwise positive"},
+     {"velocities", "[0.0]", "rad/s", "a number for each block", "all 0", "clockwise positive"}}};
+
+inline constexpr KeyTable ground_keys{
+    "[ground]",
+    "the ground's acceleration",
+    {{"horizontal", "", "", "a table [ground.horizontal]", no_default, "positive to the right"},
+     {"vertical", "", "", "a table [ground.vertical]", no_default, "positive up"}}};
+
+inline constexpr KeyTable record_keys{
+    "[ground.horizontal]",
+    "a record; [ground.vertical] likewise, up positive",
+    {{"record", "\"motion.csv\"", "",
+      "a file beside the scene: AT2, COSMOS, ESM, K-NET, SMC, Volume 2, columns", required_key,
+      "accelerogram; \"FILE:CHANNEL\" takes one of several channels"},
+     {"scale", "1.0", "", "any number", "1", "factor on the accelerations"},
+     {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled"}}};
+
+inline constexpr KeyTable samples_keys{
+    "[ground.horizontal]",
+    "accelerations in the file itself",
+    {{"samples", "[0.0, 2.0, -1.0, 0.0]", "m/s²", "at least one number", required_key,
+      "accelerations, straight lines between them, zero afterwards"},
+     {"interval", "0.1", "s", "> 0", required_key, "time from one sample to the next"},
+     {"scale", "1.0", "", "any number", "1", "factor on the accelerations"},
+     {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled"}}};
+
+inline constexpr KeyTable pulse_keys{
+    "[ground.horizontal]",
+    "a pulse",
+    {{"pulse", "\"sine\"", "",
+      "\"sine\", \"cosine\", \"half-sine\", \"rectangle\", \"ricker\" or \"mavroeidis-papageorgiou\"",
+      required_key, "its shape, one period or half of one"},
+     {"amplitude", "3.0", "m/s²", "any number", required_key, "largest acceleration"},
+     {"period", "0.5", "s", "> 0", required_key, "of a sine or cosine; of a rectangle the length"},
+     {"start", "0.0", "s", "≥ 0", "0", "when it begins"}}};
+
+inline constexpr KeyTable near_fault_keys{
+    "[ground.horizontal]",
+    "a near-fault pulse of Mavroeidis & Papageorgiou 2003",
+    {{"pulse", "\"mavroeidis-papageorgiou\"", "", "\"mavroeidis-papageorgiou\"", required_key, "its shape"},
+     {"amplitude", "3.0", "m/s²", "any number", required_key, "about the largest acceleration"},
+     {"period", "0.5", "s", "> 0", required_key, "of the carrier"},
+     {"start", "0.0", "s", "≥ 0", "0", "when it begins"},
+     {"cycles", "2.0", "", "> 1, up to 10⁶", required_key, "γ: periods of the carrier under the envelope"},
+     {"phase", "0.0", "rad", "any number", "0", "ν: of the carrier"}}};
+
+inline constexpr KeyTable synthetic_keys{
+    "[ground.horizontal]",
+    "a made-up earthquake: noise through a ground layer, under an envelope",
+    {{"synthetic", "1", "", "a whole number from 0 to 2⁵³", required_key, "seed: each gives another motion"},
+     {"peak", "4.0", "m/s²", "> 0", required_key, "largest acceleration"},
+     {"duration", "20.0", "s", "> 0, up to 1000", "20", "of the shaking"},
+     {"interval", "0.01", "s", "the duration in 16 to 20000 parts", "0.01", "of samples"},
+     {"frequency", "2.5", "Hz", "1/duration to 25", "2.5", "of the ground layer"},
+     {"damping", "0.6", "", "> 0, up to 1", "0.6", "of the ground layer, as a fraction of critical"}}};
+
+inline constexpr KeyTable surface_keys{
+    "[engine]",
+    "what engines need and the exact solver does not",
+    {{"friction", "1000.0", "", "> 0", "1000", "coefficient between any two surfaces"},
+     {"depth", "1.0", "m", "> 0", "1", "of the blocks, out of the plane"}}};
+
+/// All tables of a scene file, in the order of a file; those of [ground.horizontal] are alternatives.
+inline constexpr std::initializer_list<const KeyTable*> scene_tables{
+    &scene_keys,   &block_keys, &initial_keys,    &ground_keys,    &record_keys,
+    &samples_keys, &pulse_keys, &near_fault_keys, &synthetic_keys, &surface_keys};
+
+}  // namespace rockstack

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "analytic/scene/input/key.hpp"
+
+namespace rockstack {
+
+// Every key of a suite file. A new one is a line here, and is read where the others of its table are.
+
+inline constexpr KeyTable suite_keys{
+    "",
+    "a suite: scenes, each on the exact solver and on engines",
+    {{"title", "\"Three drums\"", "", "a text", required_key, "heads tables and the report"},
+     {"scenes", "[\"scene.toml\"]", "", "at least one file, beside the suite", required_key, "what is run"},
+     {"set", "[\"duration=2.0\"]", "", "key=value texts", "[]", "scene keys that are changed in every scene"},
+     {"variants", "[\"linear\"]", "", "of \"linear\", \"nonlinear\", \"paper\", \"consistent\"", "[]",
+      "the exact solver with one choice changed, as one more run"},
+     {"tolerance", "0.01", "rad", "> 0", "0.01", "histories agree as long as angles stay that close"},
+     {"repeats", "5", "", "a whole number from 1", "5", "timed runs after one to warm up"},
+     {"results", "[\"angles\", \"impacts\"]", "",
+      "of \"angles\", \"impacts\", \"patterns\", \"bodies\", \"histories\"", "all",
+      "what is computed and written"},
+     {"time_limit", "600.0", "s", "> 0", "600", "of each run of an engine"},
+     {"memory_limit", "4096", "MiB", "64 to 10⁹", "4096", "of each run of an engine"},
+     {"engines", "", "", "tables [[engines]]", "none: exact runs alone",
+      "what is compared with the exact solver"},
+     {"draws", "", "", "a table [draws]", no_default, "runs behind each number of an engine"},
+     {"perturbations", "", "", "a table [perturbations]", no_default, "distributions where histories part"},
+     {"statements", "", "", "a table [statements]", no_default, "scenes held against the paper"}}};
+
+inline constexpr KeyTable engine_keys{
+    "[[engines]]",
+    "an engine and how it runs: one series for each parameter set and value",
+    {{"name", "\"ode\"", "", "ENGINE or ENGINE:SOLVER, see `rockstack list engines`", required_key,
+      "of the engine"},
+     {"settings", "[\"tuned\"]", "", "of \"default\", \"tuned\"", "[\"default\", \"tuned\"]",
+      "its parameter sets"},
+     {"dt", "[1e-3]", "s", "at least one number > 0", "[1e-2, 1e-3, 1e-4]", "time steps"},
+     {"parameters", "{ erp = [0.1, 0.2] }", "", "names of the engine's parameters, each a value or an array",
+      "{}", "changes of its parameter set, in every combination"}}};
+
+inline constexpr KeyTable draws_keys{
+    "[draws]",
+    "runs behind each number of an engine, which is their median",
+    {{"runs", "5", "", "a whole number from 1 to 10000", required_key,
+      "with the one at the nominal step and scene"},
+     {"steps", "0.03", "", "0 to 0.5", "0.03", "largest relative change of the time step"},
+     {"scene", "1e-6", "", "0 to 0.1", "1e-6", "largest relative change of the scene"},
+     {"seed", "1", "", "a whole number from 0 to 2⁵³", "1", "of the changes of the scene"}}};
+
+inline constexpr KeyTable perturbations_keys{
+    "[perturbations]",
+    "many scenes that hardly differ, for distributions",
+    {{"runs", "20", "", "a whole number from 2", required_key, "number of scenes"},
+     {"size", "1e-6", "", "> 0, up to 0.1", "1e-6", "largest relative change"},
+     {"seed", "1", "", "a whole number from 0 to 2⁵³", "1", "of the changes"}}};
+
+inline constexpr KeyTable statements_keys{
+    "[statements]",
+    "the paper's two examples among the scenes, each of two blocks",
+    {{"free", "\"scene\"", "", "the name of a scene of the suite", required_key, "of Figs. 18 to 20"},
+     {"shaken", "\"scene\"", "", "the name of a scene of the suite", required_key, "of Figs. 21 and 22"}}};
+
+/// All tables of a suite file, in the order of a file.
+inline constexpr std::initializer_list<const KeyTable*> suite_tables{&suite_keys, &engine_keys, &draws_keys,
+                                                                     &perturbations_keys, &statements_keys};
+
+}  // namespace rockstack

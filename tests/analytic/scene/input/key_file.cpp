@@ -1,0 +1,80 @@
+#include "tests/analytic/scene/input/key_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace rockstack {
+namespace {
+
+bool is_table(const InputKey& key) {
+  return std::string_view(key.example).empty();
+}
+
+}  // namespace
+
+KeyFile::KeyFile(std::vector<const KeyTable*> tables) : tables_(std::move(tables)) {
+  for (const KeyTable* table : tables_) {
+    for (const InputKey& key : table->keys) {
+      if (std::string_view(key.standard) == required_key && !is_table(key))
+        values_[table][key.name] = key.example;
+    }
+  }
+}
+
+KeyFile& KeyFile::set(const KeyTable& table, const std::string& name, const std::string& value) {
+  for (const InputKey& key : table.keys) {
+    const std::string_view standard = key.standard;
+    if (key.name != name || !standard.starts_with("instead of ")) continue;
+    for (const InputKey& other : table.keys) {
+      if (standard.find(other.name) != std::string_view::npos) leave_out(table, other.name);
+    }
+  }
+  values_[&table][name] = value;
+  return *this;
+}
+
+KeyFile& KeyFile::leave_out(const KeyTable& table, const std::string& name) {
+  values_[&table].erase(name);
+  return *this;
+}
+
+std::string KeyFile::text() const {
+  std::string text;
+  for (const KeyTable* table : tables_) {
+    text += std::string(table->header) + "\n";
+    const auto written = values_.find(table);
+    if (written == values_.end()) continue;
+    for (const auto& [name, value] : written->second) text += name + " = " + value + "\n";
+  }
+  return text;
+}
+
+void expect_keys_are_those_read(const KeyFile& file, const KeyTable& table, const ReadText& read) {
+  EXPECT_EQ(read(file.text()), "") << file.text();
+  for (const InputKey& key : table.keys) {
+    if (is_table(key)) continue;
+    EXPECT_EQ(read(KeyFile(file).set(table, key.name, key.example).text()), "") << key.name;
+    const std::string refused = std::string(key.name) + " = true: must be ";
+    EXPECT_NE(read(KeyFile(file).set(table, key.name, "true").text()).find(refused), std::string::npos)
+        << key.name << " is not read";
+  }
+  EXPECT_NE(read(KeyFile(file).set(table, "no_key", "1").text()).find("no_key: unknown key"),
+            std::string::npos)
+      << table.header;
+}
+
+void expect_tables_are_complete(std::initializer_list<const KeyTable*> tables) {
+  for (const KeyTable* table : tables) {
+    for (const InputKey& key : table->keys) {
+      if (!is_table(key)) continue;
+      EXPECT_TRUE(std::any_of(tables.begin(), tables.end(), [&](const KeyTable* other) {
+        return (std::string(other->header) + other->meaning).find(key.name) != std::string::npos;
+      })) << key.name;
+    }
+  }
+}
+
+}  // namespace rockstack

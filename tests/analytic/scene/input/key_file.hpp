@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/input/key.hpp"
+
+namespace rockstack {
+
+/// An input file that is written from its tables of keys alone.
+class KeyFile {
+ public:
+  /// The examples of all required keys of some tables, in their order.
+  explicit KeyFile(std::vector<const KeyTable*> tables);
+
+  /// Writes a key with a value, in the place of those that it stands instead of.
+  KeyFile& set(const KeyTable& table, const std::string& name, const std::string& value);
+  KeyFile& leave_out(const KeyTable& table, const std::string& name);
+
+  std::string text() const;
+
+ private:
+  std::vector<const KeyTable*> tables_;
+  std::map<const KeyTable*, std::map<std::string, std::string>> values_;
+};
+
+/// Reads a text as an input file; the error's text, empty where there is none.
+using ReadText = std::function<std::string(const std::string&)>;
+
+/// The laws of one table among those of a file that `read` accepts: each key's example is accepted, each key
+/// is read (a truth value is refused by its name), and no other key is.
+void expect_keys_are_those_read(const KeyFile& file, const KeyTable& table, const ReadText& read);
+
+/// Each key that is a table has a table of keys, whose header or meaning names it.
+void expect_tables_are_complete(std::initializer_list<const KeyTable*> tables);
+
+}  // namespace rockstack

@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include "analytic/scene/input/overrides.hpp"
+#include "analytic/scene/input/scene_file.hpp"
+#include "analytic/scene/input/scene_keys.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/messages/number_text.hpp"
+#include "tests/analytic/scene/input/key_file.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rockstack {
+namespace {
+
+/// The ways to say how the ground moves.
+const std::vector<const KeyTable*> motions{&record_keys, &samples_keys, &pulse_keys, &near_fault_keys,
+                                           &synthetic_keys};
+
+KeyFile scene_file(const KeyTable& motion) {
+  return KeyFile({&scene_keys, &block_keys, &initial_keys, &motion, &surface_keys});
+}
+
+/// Reads a scene beside a record; fills `scene` where it is given.
+std::string read_keys(const std::string& text, Scene* scene = nullptr) {
+  const TemporaryFolder folder;
+  folder.write("motion.csv", "units: m/s2\n0,0\n0.1,1\n0.2,0\n");
+  try {
+    Scene result = read_scene(folder.write("scene.toml", text));
+    if (scene != nullptr) *scene = std::move(result);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::string numbers_of(const GroundMotion& motion) {
+  std::string text = number_text(motion.interval);
+  for (const double sample : motion.samples) text += " " + number_text(sample);
+  if (motion.pulse) text += " " + number_text(motion.pulse->start) + " " + number_text(motion.pulse->phase);
+  return text;
+}
+
+/// The numbers of a scene that keys with a default give.
+std::string numbers_of(const Scene& scene) {
+  return number_text(scene.gravity) + " " + name(scene.law) + " " +
+         std::to_string(static_cast<int>(scene.equations)) + " " + number_text(scene.engine.friction) + " " +
+         number_text(scene.engine.depth) + " " + numbers_of(scene.horizontal);
+}
+
+TEST(SceneKeys, AreThoseThatAreRead) {
+  for (const KeyTable* motion : motions) {
+    for (const KeyTable* table : {&scene_keys, &block_keys, &initial_keys, motion, &surface_keys})
+      expect_keys_are_those_read(scene_file(*motion), *table,
+                                 [](const auto& text) { return read_keys(text); });
+  }
+  expect_tables_are_complete(scene_tables);
+}
+
+TEST(SceneKeys, MakeAWholeScene) {
+  for (const KeyTable* motion : motions) {
+    KeyFile file = scene_file(*motion);
+    for (const KeyTable* table : {&scene_keys, &block_keys, &initial_keys, motion, &surface_keys}) {
+      for (const InputKey& key : table->keys) {
+        const std::string_view standard = key.standard;
+        if (*key.example != '\0' && !standard.starts_with("instead of "))
+          file.set(*table, key.name, key.example);
+      }
+    }
+    EXPECT_EQ(read_keys(file.text()), "");
+  }
+}
+
+TEST(SceneKeys, DefaultsAreThoseOfTheReader) {
+  int defaults = 0;
+  for (const KeyTable* motion : motions) {
+    const KeyFile file = scene_file(*motion);
+    Scene plain;
+    ASSERT_EQ(read_keys(file.text(), &plain), "");
+    for (const KeyTable* table : {&scene_keys, motion, &surface_keys}) {
+      for (const InputKey& key : table->keys) {
+        if (!parse_toml_value(key.standard, Node{})) continue;
+        Scene given;
+        EXPECT_EQ(read_keys(KeyFile(file).set(*table, key.name, key.standard).text(), &given), "");
+        EXPECT_EQ(numbers_of(given), numbers_of(plain)) << key.name;
+        ++defaults;
+      }
+    }
+  }
+  EXPECT_GT(defaults, 5 * static_cast<int>(motions.size()));
+}
+
+}  // namespace
+}  // namespace rockstack

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/ensemble/ensemble.hpp"
+#include "comparisons/ensemble/ensemble_keys.hpp"
+#include "comparisons/impact_laws/study.hpp"
+#include "comparisons/impact_laws/study_keys.hpp"
+#include "comparisons/stability/study.hpp"
+#include "comparisons/stability/study_keys.hpp"
+#include "comparisons/suites/suite.hpp"
+#include "comparisons/suites/suite_keys.hpp"
+#include "tests/analytic/scene/input/key_file.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr const char* key_scene = R"(duration = 0.2
+[[blocks]]
+width = 0.5
+height = 1
+density = 2500
+[[blocks]]
+width = 0.5
+height = 1
+density = 2500
+)";
+
+template <class Read>
+std::string key_error(const std::string& text, const Read& read) {
+  const TemporaryFolder folder;
+  folder.write("scene.toml", key_scene);
+  try {
+    read(folder.write("input.toml", text));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::string read_suite_text(const std::string& text) {
+  return key_error(text, [](const std::filesystem::path& file) { read_suite(file, {}); });
+}
+
+std::string read_study_text(const std::string& text) {
+  return key_error(text, [](const std::filesystem::path& file) {
+    if (is_stability_study(file)) {
+      read_stability_study(file, {});
+    } else {
+      read_impact_law_study(file);
+    }
+  });
+}
+
+void read_ensemble_file(const std::filesystem::path& file) {
+  MotionLibrary library;
+  read_ensemble(file, {}, library);
+}
+
+/// Where values are drawn, how many and from which seed must be said too.
+std::string read_ensemble_text(const std::string& text) {
+  const bool draws = text.find("uniform") != std::string::npos || text.find("normal") != std::string::npos;
+  return key_error((draws ? "samples = 2\nseed = 1\n" : "") + text, read_ensemble_file);
+}
+
+TEST(Keys, OfSuitesAreThoseThatAreRead) {
+  for (const KeyTable* table : suite_tables) {
+    std::vector<const KeyTable*> tables{&suite_keys, &engine_keys};
+    if (table != &suite_keys && table != &engine_keys) tables.push_back(table);
+    expect_keys_are_those_read(KeyFile(tables), *table, read_suite_text);
+  }
+  expect_tables_are_complete(suite_tables);
+}
+
+TEST(Keys, OfStudiesAreThoseThatAreRead) {
+  KeyFile stability({&stability_keys, &axis_keys, &engine_keys});
+  expect_keys_are_those_read(stability, stability_keys, read_study_text);
+  stability.set(engine_keys, "parameters", "{ erp = [0.1, 0.2] }");
+  expect_keys_are_those_read(stability, axis_keys, read_study_text);
+  expect_keys_are_those_read(KeyFile({&impact_law_keys}), impact_law_keys, read_study_text);
+}
+
+TEST(Keys, OfEnsemblesAreThoseThatAreRead) {
+  expect_keys_are_those_read(KeyFile({&ensemble_keys, &vary_keys}), vary_keys, read_ensemble_text);
+  expect_keys_are_those_read(KeyFile({&ensemble_keys, &vary_keys, &summary_keys}), summary_keys,
+                             read_ensemble_text);
+  KeyFile ranges({&ensemble_keys, &vary_keys, &range_keys});
+  expect_keys_are_those_read(ranges.leave_out(vary_keys, "values"), range_keys, read_ensemble_text);
+  for (const KeyTable* table : {&normal_keys, &lognormal_keys}) {
+    KeyFile drawn({&ensemble_keys, &vary_keys, table});
+    expect_keys_are_those_read(drawn.leave_out(vary_keys, "values"), *table, read_ensemble_text);
+  }
+  // Of the top of the file, samples and seed go with drawn values.
+  KeyFile drawn({&ensemble_keys, &vary_keys});
+  drawn.set(vary_keys, "uniform", "[0.5, 1.0]")
+      .set(ensemble_keys, "samples", "2")
+      .set(ensemble_keys, "seed", "1");
+  expect_keys_are_those_read(drawn, ensemble_keys,
+                             [](const std::string& text) { return key_error(text, read_ensemble_file); });
+  expect_tables_are_complete(ensemble_tables);
+}
+
+}  // namespace
+}  // namespace rockstack
