@@ -46,10 +46,11 @@ double choice_value(const std::string& engine, const Setting& setting, const std
 }
 
 double mass_factor(const Scene& scene, const Parameters& parameters) {
-  if (parameters.at("unitMass") == 0) return 1;
+  const double wanted = parameters.at("unitMass");
+  if (wanted == 0) return 1;
   double mass = 0;
   for (const Block& block : scene.blocks) mass += block.mass;
-  return 1 / mass;
+  return wanted / mass;
 }
 
 Parameters standard_values(const std::vector<Setting>& settings) {

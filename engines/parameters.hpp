@@ -31,9 +31,9 @@ Setting shaking_setting();
 /// The number of a choice's name. @throws std::invalid_argument naming the choices.
 double choice_value(const std::string& engine, const Setting& setting, const std::string& choice);
 
-/// By what an adapter multiplies every mass, on which no angle depends: 1, or with the setting unitMass 1
-/// over the stack's mass, so that cfm, contact forces and limits of impulses mean the same for grams and
-/// tonnes.
+/// By what an adapter multiplies every mass, on which no angle depends: 1, or with the setting unitMass
+/// what gives the stack that mass, kg, so that cfm, contact forces and limits of impulses mean the same for
+/// grams and tonnes.
 double mass_factor(const Scene& scene, const Parameters& parameters);
 
 Parameters standard_values(const std::vector<Setting>& settings);

@@ -51,6 +51,15 @@ TEST(Masses, NncgHoldsAtGramsOnceItsRowsReturnImpulses) {
   }
 }
 
+/// So it does in a stack that is given a thousand tonnes.
+TEST(Masses, NncgHoldsAtGramsWithUnitMassOfAThousandTonnes) {
+  const Engine* engine = linked("bullet:nncg");
+  if (engine == nullptr) GTEST_SKIP() << "built without Bullet";
+  const Parameters parameters = with(gentle(*engine), {{"unitMass", 1e6}});
+  for (const double error : errors(*engine, draws(two_blocks(1e-3, 1e-5), 1e-3), parameters))
+    EXPECT_TRUE(holds(error)) << error << " rad";
+}
+
 /// Every number in sequential impulse scales with the masses, so that a factor of 2ⁿ changes no bit.
 TEST(Masses, SequentialImpulseKnowsNoKilograms) {
   const Engine* engine = linked("bullet:sequential-impulse");
