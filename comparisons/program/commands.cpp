@@ -28,6 +28,7 @@
 #include "plots/pages/impact_laws.hpp"
 #include "plots/pages/lesson.hpp"
 #include "plots/pages/report.hpp"
+#include "plots/pages/studies.hpp"
 #endif
 
 namespace rockstack {
@@ -188,14 +189,20 @@ int plot_command(const PlotArguments& arguments, const Common& common) {
                                  results.string()));
   if (record) {
     plots::draw_record(results);
+    plots::write_record_report(results);
+    print_report(results, common);
     return 0;
   }
   if (plots::has_stability(results)) {
     plots::draw_stability(results);
+    plots::write_stability_report(results);
+    print_report(results, common);
     return 0;
   }
   if (plots::has_sweep(results)) {
     plots::draw_sweep(results);
+    plots::write_sweep_report(results);
+    print_report(results, common);
     return 0;
   }
   draw(results);

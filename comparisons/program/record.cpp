@@ -9,12 +9,14 @@
 #include "comparisons/metrics/ground_measures.hpp"
 #include "comparisons/metrics/response_spectrum.hpp"
 #include "comparisons/program/commands.hpp"
+#include "comparisons/program/output.hpp"
 #include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/environment.hpp"
 #include "comparisons/results/files.hpp"
 #include "comparisons/results/results_folder.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures/record.hpp"
+#include "plots/pages/studies.hpp"
 #endif
 
 namespace rockstack {
@@ -151,8 +153,12 @@ int record_command(const RecordArguments& arguments, const Common& common) {
     if (!arguments.out.empty()) fmt::print("{:<22}{}\n", "results", arguments.out.string());
   }
 #ifdef ROCKSTACK_WITH_PLOTS
-  if (!arguments.out.empty()) plots::draw_record(arguments.out);
+  if (!arguments.out.empty()) {
+    plots::draw_record(arguments.out);
+    plots::write_record_report(arguments.out);
+  }
 #endif
+  if (!arguments.out.empty()) print_report(arguments.out, common);
   return 0;
 }
 

@@ -11,6 +11,7 @@
 #include "comparisons/results/results_folder.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures/stability.hpp"
+#include "plots/pages/studies.hpp"
 #endif
 
 namespace rockstack {
@@ -45,7 +46,9 @@ int stability_command(const std::filesystem::path& file, const std::filesystem::
   print_verdicts(rows, out, common);
 #ifdef ROCKSTACK_WITH_PLOTS
   plots::draw_stability(out);
+  plots::write_stability_report(out);
 #endif
+  print_report(out, common);
   return std::any_of(rows.begin(), rows.end(),
                      [](const StabilityRun& row) { return row.row.status != RunStatus::done; })
              ? 1

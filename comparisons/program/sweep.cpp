@@ -11,6 +11,7 @@
 #include "comparisons/suites/shipped.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures/sweep/sweep.hpp"
+#include "plots/pages/studies.hpp"
 #endif
 
 namespace rockstack {
@@ -59,7 +60,9 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
   print_sweep(result, arguments.out, common);
 #ifdef ROCKSTACK_WITH_PLOTS
   plots::draw_sweep(arguments.out);
+  plots::write_sweep_report(arguments.out);
 #endif
+  print_report(arguments.out, common);
   return result.failed > 0 ? 1 : 0;
 }
 

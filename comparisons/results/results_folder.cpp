@@ -33,18 +33,18 @@ Kind kind_of(Results results) {
     case Results::stability:
       return {"a study of stability",
               {"stability.json", "stability.csv", "steps.csv", "comparison.json", "comparison.csv",
-               "fits.csv", "distributions.csv", "ground", "figures"}};
+               "fits.csv", "distributions.csv", "ground", "figures", "report.html"}};
     case Results::impact_laws:
       return {"a study of impact laws",
               {"impact-laws.json", "impact-laws.csv", "impact-laws-engines.csv", "figures", "report.html"}};
     case Results::sweep:
       return {"a sweep",
               {"sweep.json", "runs.csv", "timing.json", "fragility.csv", "fragility-fit.csv",
-               "incremental.csv", "incremental-fractiles.csv", "overturning.csv", "figures"}};
+               "incremental.csv", "incremental-fractiles.csv", "overturning.csv", "figures", "report.html"}};
     case Results::record:
       break;
   }
-  return {"a record", {"record.json", "record.csv", "spectrum.csv", "figures"}};
+  return {"a record", {"record.json", "record.csv", "spectrum.csv", "figures", "report.html"}};
 }
 
 const std::filesystem::path& prepared(const std::filesystem::path& folder) {

@@ -51,9 +51,11 @@ std::vector<StackBlock> stack_of(const Json& scene) {
 
 void read_distances(const Json& json, Comparison& comparison) {
   for (const Json& one : json.value("distributions", Json::array())) {
-    comparison.distances.push_back({one.at("scene").get<std::string>(), one.at("run").get<std::string>(),
-                                    one.at("quantity").get<std::string>(), one.at("distance").get<double>(),
-                                    one.at("critical").get<double>()});
+    comparison.distances.push_back(
+        {one.at("scene").get<std::string>(), one.at("run").get<std::string>(),
+         one.at("quantity").get<std::string>(), one.at("distance").get<double>(),
+         one.at("critical").get<double>(), number_of(one.value("exact_runs", Json())),
+         number_of(one.value("exact_mean", Json())), number_of(one.value("mean", Json()))});
     for (ComparedScene& scene : comparison.scenes)
       if (scene.name == comparison.distances.back().scene) scene.perturbed = true;
   }

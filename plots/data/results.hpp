@@ -74,6 +74,8 @@ struct Fit {
 struct Distance {
   std::string scene, run, quantity;
   double distance = 0, critical = 0;  ///< of Kolmogorov and Smirnov; the one with a chance of 5 %
+  double exact_runs = 0;              ///< how many scenes the exact distribution is of; NaN: not in the file
+  double exact_mean = 0, mean = 0;    ///< of "toppled": the shares of scenes that topple; NaN likewise
 };
 
 /// A statement of the paper beside what was computed.

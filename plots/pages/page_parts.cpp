@@ -35,6 +35,19 @@ std::optional<double> number_in(const std::string& cell) {
   }
 }
 
+/// Files of a folder with one of these endings, sorted; none where there is no folder.
+std::set<std::string> names_in(const fs::path& folder, const std::set<std::string>& endings) {
+  std::set<std::string> names;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (endings.contains(entry.path().extension())) names.insert(entry.path().filename());
+  return names;
+}
+
+std::string class_attribute(const std::string& classes) {
+  return classes.empty() ? "" : fmt::format(" class=\"{}\"", classes);
+}
+
 }  // namespace
 
 std::string page(const PageParts& parts) {
@@ -45,6 +58,12 @@ std::string page(const PageParts& parts) {
                     {"js", std::string(page_js)},
                     {"player_js", std::string(player_js)},
                     {"content", parts.content}});
+}
+
+std::string answer_box(const std::vector<std::string>& sentences) {
+  std::string paragraphs;
+  for (const std::string& sentence : sentences) paragraphs += element("p", escaped(sentence)) + "\n";
+  return paragraphs.empty() ? "" : element("div", paragraphs, " class=\"answer\"");
 }
 
 std::string sentence_list(const std::vector<std::string>& sentences) {
@@ -73,18 +92,21 @@ std::string definition_list(const Facts& facts) {
   return element("dl", items);
 }
 
-std::string table_cell(const std::string& column, const std::string& cell) {
+std::string table_cell(const std::string& column, const std::string& cell, const std::string& kind) {
   const bool is_count = cell.find_first_not_of("0123456789") == std::string::npos;
   if (const std::optional<double> value = number_in(cell))
     return element("td", is_count ? cell : fmt::format("{:.4g}", *value),
-                   fmt::format(" class=\"number\" data-value=\"{0}\" title=\"{0}\"", escaped(cell)));
-  return element("td", escaped(cell), column == "reason" && !cell.empty() ? " class=\"reason\"" : "");
+                   fmt::format(" class=\"number{1}{2}\" data-value=\"{0}\" title=\"{0}\"", escaped(cell),
+                               kind.empty() ? "" : " ", kind));
+  const std::string classes = column == "reason" && !cell.empty() ? "reason " + kind : kind;
+  return element("td", escaped(cell), class_attribute(classes));
 }
 
-std::string heading(std::string column) {
+std::string heading(std::string column, const std::string& kind) {
   for (char& c : column)
     if (c == '_') c = ' ';
-  return element("th", element("button", escaped(column), " type=\"button\""), " scope=\"col\"");
+  return element("th", element("button", escaped(column), " type=\"button\""),
+                 " scope=\"col\"" + class_attribute(kind));
 }
 
 std::string drawn_figure(const fs::path& file, const std::string& prefix, const std::string& label,
@@ -93,12 +115,42 @@ std::string drawn_figure(const fs::path& file, const std::string& prefix, const 
                  inline_svg(contents_of(file), prefix, label) + element("figcaption", escaped(explanation)));
 }
 
+std::string figures_in(const fs::path& folder, const std::set<std::string>& known,
+                       const std::map<std::string, std::string>& explanations) {
+  std::string text;
+  for (const std::string& name : names_in(folder, {".svg"})) {
+    const std::string stem = fs::path(name).stem();
+    if (known.contains(stem)) continue;
+    const auto explained = explanations.find(stem.substr(0, stem.find('.')));
+    std::string title = stem;
+    for (char& c : title)
+      if (c == '.' || c == '-') c = ' ';
+    text += element("h3", escaped(title)) +
+            drawn_figure(folder / name, escaped(stem) + "-", title,
+                         explained == explanations.end() ? "" : explained->second) +
+            "\n";
+  }
+  return text;
+}
+
+std::string file_links(const fs::path& results) {
+  std::string text;
+  for (const std::string& name : names_in(results, {".csv", ".json"}))
+    text +=
+        (text.empty() ? "" : ", ") + element("a", escaped(name), fmt::format(" href=\"{}\"", escaped(name)));
+  return text;
+}
+
 std::string figure_part(const fs::path& results, const Comparison& comparison, std::size_t scene,
                         const FigureKind& kind) {
   const ComparedScene& compared = comparison.scenes[scene];
   return drawn_figure(fs::path(figure_stem(results, compared.name, kind.name)).concat(".svg"),
                       fmt::format("s{}-{}-", scene + 1, kind.name),
                       fmt::format("{}: {}", kind.title, compared.title), kind.explanation);
+}
+
+std::string player_anchor(std::size_t scene) {
+  return fmt::format("player-{}-stage", scene + 1);
 }
 
 std::string player_part(const Comparison& comparison, std::size_t scene) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,9 @@ struct PageParts {
 /// A page that needs nothing beside itself: its content in the frame, style and script of all pages.
 std::string page(const PageParts& parts);
 
+/// The sentences that a reader came for, in a box of their own; nothing where there are none.
+std::string answer_box(const std::vector<std::string>& sentences);
+
 /// Plain sentences as a list.
 std::string sentence_list(const std::vector<std::string>& sentences);
 
@@ -35,22 +40,33 @@ std::string table_row(const std::vector<std::string>& columns, const std::vector
 /// Names and texts, one under the other.
 std::string definition_list(const Facts& facts);
 
-/// A cell of a table. Counts stand as they are, other numbers with four digits; the whole number is kept for
-/// sorting and as a tooltip.
-std::string table_cell(const std::string& column, const std::string& cell);
+/// A cell of a table, of a class where one is named. Counts stand as they are, other numbers with four
+/// digits; the whole number is kept for sorting and as a tooltip.
+std::string table_cell(const std::string& column, const std::string& cell, const std::string& kind = "");
 
 /// A column's heading, which sorts when chosen: "rms_angle_difference" as words that may break into lines.
-std::string heading(std::string column);
+std::string heading(std::string column, const std::string& kind = "");
 
 /// A figure that has been drawn as an SVG file, with how to read it; every id in it begins with `prefix`.
 /// @throws InputError naming the file that is missing.
 std::string drawn_figure(const std::filesystem::path& file, const std::string& prefix,
                          const std::string& label, const std::string& explanation);
 
+/// All figures of a folder as SVG files, by name, without those that are `known`. A figure is explained by
+/// the entry of `explanations` whose name it has, or begins with before a point; else by nothing.
+std::string figures_in(const std::filesystem::path& folder, const std::set<std::string>& known,
+                       const std::map<std::string, std::string>& explanations = {});
+
+/// Links to the tables and descriptions of a folder, CSV and JSON, that stand beside its page.
+std::string file_links(const std::filesystem::path& results);
+
 /// The figure of a scene, likewise.
 /// @throws InputError naming the file that is missing.
 std::string figure_part(const std::filesystem::path& results, const Comparison& comparison, std::size_t scene,
                         const FigureKind& kind);
+
+/// The id of the picture in a scene's player, which takes keys.
+std::string player_anchor(std::size_t scene);
 
 /// The player of a scene. Precondition: has_motion().
 std::string player_part(const Comparison& comparison, std::size_t scene);

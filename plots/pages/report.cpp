@@ -3,14 +3,17 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <optional>
+#include <set>
 
 #include "comparisons/results/files.hpp"
 #include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/figures/comparison/figures.hpp"
+#include "plots/pages/answer.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
-#include "plots/pages/player.hpp"
+#include "plots/pages/runs_table.hpp"
 #include "plots/pages/summary.hpp"
 #include "plots/pages/template.hpp"
 
@@ -18,19 +21,6 @@ namespace rockstack::plots {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string run_row(const Comparison& comparison, const Run& run) {
-  std::string cells = element("th", escaped(run.cells.front()), " scope=\"row\"");
-  for (std::size_t i = 1; i < run.cells.size(); ++i) cells += table_cell(comparison.columns[i], run.cells[i]);
-  const std::string kind = run.exact() ? " class=\"exact\"" : run.done() ? "" : " class=\"failed\"";
-  return element("tr", cells, kind) + "\n";
-}
-
-std::string runs_table(const Comparison& comparison) {
-  std::string rows;
-  for (const Run& run : comparison.runs) rows += run_row(comparison, run);
-  return table(comparison.columns, rows);
-}
 
 /// Matched, missed and extra impacts.
 std::string counts(double matched, double missed, double extra) {
@@ -93,19 +83,20 @@ std::string scene_section(const fs::path& results, const Comparison& comparison,
   return element("section", "\n" + body, fmt::format(" id=\"{}\"", scene_anchor(scene))) + "\n";
 }
 
-/// A failed run may have stopped before it wrote anything.
-std::string parameters_of(const Run& run) {
-  const std::string name = element("summary", escaped(run.name));
-  if (!run.done() && !fs::exists(run.folder / "summary.json"))
-    return element("details", name + element("p", fmt::format("Failed: {}", escaped(run.reason)))) + "\n";
-  return element("details", name + definition_list(read_summary(run))) + "\n";
+std::optional<std::size_t> first_player(const Comparison& comparison) {
+  for (std::size_t i = 0; i < comparison.scenes.size(); ++i)
+    if (has_motion(comparison, comparison.scenes[i])) return i;
+  return std::nullopt;
 }
 
 std::string contents_list(const Comparison& comparison) {
   const auto item = [](const std::string& anchor, const std::string& label) {
     return element("li", fmt::format("<a href=\"#{}\">{}</a>", anchor, escaped(label)));
   };
-  std::string items = item("summary", "Summary");
+  std::string items;
+  if (const std::optional<std::size_t> first = first_player(comparison))
+    items += element("li", fmt::format("<a href=\"#{}\">Player</a>", player_anchor(*first)));
+  items += item("summary", "Summary");
   if (!comparison.statements.empty()) items += item("statements", "What the paper says");
   items += item("runs", "All runs");
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i)
@@ -124,17 +115,28 @@ std::string whole_summary(const Comparison& comparison) {
   return text;
 }
 
+/// Figures of the folder that belong to no scene, and those of a scene that figure_kinds() does not list.
+std::string further_figures(const fs::path& results, const Comparison& comparison) {
+  std::set<std::string> known;
+  for (const ComparedScene& scene : comparison.scenes)
+    for (const FigureKind& kind : figure_kinds())
+      if (has_figure(scene, kind)) known.insert(figure_stem("", scene.name, kind.name).filename());
+  return figures_in(results / "figures", known);
+}
+
 std::string content(const fs::path& results, const Comparison& comparison) {
-  std::string scenes, parameters;
+  std::string scenes;
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) scenes += scene_section(results, comparison, i);
-  for (const Run& run : comparison.runs) parameters += parameters_of(run);
   return filled_in(report_html, {{"title", escaped(comparison.title)},
                                  {"contents", contents_list(comparison)},
+                                 {"answer", answer_box(answer(comparison))},
+                                 {"figures", further_figures(results, comparison)},
                                  {"summary", whole_summary(comparison)},
                                  {"statements", statements_section(comparison)},
                                  {"table", runs_table(comparison)},
                                  {"scenes", scenes},
-                                 {"parameters", parameters},
+                                 {"parameters", run_details(comparison)},
+                                 {"files", file_links(results)},
                                  {"definitions", definition_list(comparison.definitions)},
                                  {"command", escaped(comparison.command)},
                                  {"environment", definition_list(comparison.environment)}});

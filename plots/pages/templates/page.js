@@ -25,6 +25,22 @@ const sort = (heading) => {
 for (const button of document.querySelectorAll("thead button"))
   button.addEventListener("click", () => sort(button.closest("th")));
 
+// On a narrow screen a row is a card, whose cells say what they are.
+for (const table of document.querySelectorAll("main table:not(.values)")) {
+  const names = Array.from(table.tHead.rows[0].cells, (cell) => cell.textContent);
+  for (const row of table.tBodies[0].rows)
+    Array.from(row.cells).forEach((cell, i) => { cell.dataset.label = names[i]; });
+  table.classList.add("cards");
+}
+
+// A link to a part that is folded opens it.
+const unfold = () => {
+  const part = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  if (part?.tagName === "DETAILS") { part.open = true; part.scrollIntoView(); }
+};
+addEventListener("hashchange", unfold);
+unfold();
+
 // Answers are read on paper too.
 addEventListener("beforeprint", () => {
   for (const part of document.querySelectorAll("details.question")) part.open = true;

@@ -106,6 +106,47 @@ TEST_F(Page, AHeadingSortsItsColumnThenTurnsItRound) {
   for (int i = 4; i < 6; ++i) EXPECT_TRUE(up[i].empty() && down[i].empty());
 }
 
+TEST_F(Page, TheFirstStopOfTheKeyboardLeadsToThePlayer) {
+  const Answer answer = ask_browser(page_, R"(
+    const first = document.querySelector("a[href], button, input, select, [tabindex]");
+    location.hash = first.hash;
+    await wait(100);
+    return { tag: first.tagName, target: document.querySelector(first.hash) === player.find("stage"),
+      focus: player.find("stage").tabIndex };)");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result["tag"], "A");
+  EXPECT_TRUE(answer.result["target"].get<bool>());
+  EXPECT_EQ(answer.result["focus"], 0);
+}
+
+TEST_F(Page, TenColumnsAreShownUntilAllAreAskedFor) {
+  const Answer answer = ask_browser(page_, R"(
+    const shown = () => Array.from(document.querySelectorAll("#runs thead th"))
+      .filter((th) => getComputedStyle(th).display !== "none").map((th) => th.textContent);
+    const few = shown();
+    document.getElementById("more").click();
+    return { few, all: shown().length };)");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  const std::vector<std::string> few = answer.result["few"];
+  ASSERT_GE(few.size(), 2u);
+  EXPECT_LE(few.size(), 10u);
+  EXPECT_EQ(few[0], "run");
+  EXPECT_EQ(few[1], "rms angle difference");
+  EXPECT_GT(answer.result["all"].get<std::size_t>(), few.size());
+}
+
+TEST_F(Page, ANameLeadsToTheParametersOfItsRun) {
+  const Answer answer = ask_browser(page_, R"(
+    const link = document.querySelectorAll("#runs tbody a")[1];
+    link.click();
+    await wait(100);
+    const part = document.querySelector(link.hash);
+    return { open: part.open, same: part.querySelector("summary").textContent === link.textContent };)");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_TRUE(answer.result["open"].get<bool>());
+  EXPECT_TRUE(answer.result["same"].get<bool>());
+}
+
 TEST_F(Page, EveryControlHasAName) {
   const Answer answer = ask_browser(page_, R"(
     const nameless = Array.from(document.querySelectorAll("button, input, select"), (one) =>

@@ -1,0 +1,129 @@
+#include "plots/pages/runs_table.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "plots/pages/html.hpp"
+#include "plots/pages/page_parts.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is shown at first, as far as any run has it; the name of the run is one of them.
+constexpr std::size_t shown_columns = 10;
+constexpr std::array wanted{"rms_angle_difference",
+                            "largest_angle_difference",
+                            "first_impact_time_difference",
+                            "agreement_time",
+                            "impacts_matched",
+                            "impacts_missed",
+                            "impacts_extra",
+                            "toppled",
+                            "stepping_time_minimum",
+                            "energy_gain",
+                            "rms_angle_difference_lower",
+                            "rms_angle_difference_upper",
+                            "steps"};
+
+/// Columns of the file in the order of the page; the first `shown` of them without the switch.
+struct Order {
+  std::vector<std::size_t> columns;
+  std::size_t shown = 0;
+};
+
+bool any_value(const Comparison& comparison, std::size_t column) {
+  return std::any_of(comparison.runs.begin(), comparison.runs.end(),
+                     [&](const Run& run) { return !run.cells[column].empty(); });
+}
+
+Order order_of(const Comparison& comparison) {
+  Order order{{0}};
+  for (const char* name : wanted) {
+    const auto found = std::find(comparison.columns.begin(), comparison.columns.end(), name);
+    const auto column = static_cast<std::size_t>(found - comparison.columns.begin());
+    if (found != comparison.columns.end() && order.columns.size() < shown_columns &&
+        any_value(comparison, column))
+      order.columns.push_back(column);
+  }
+  order.shown = order.columns.size();
+  for (std::size_t i = 0; i < comparison.columns.size(); ++i)
+    if (std::find(order.columns.begin(), order.columns.end(), i) == order.columns.end())
+      order.columns.push_back(i);
+  return order;
+}
+
+std::string run_row(const Comparison& comparison, const Order& order, std::size_t index) {
+  const Run& run = comparison.runs[index];
+  std::string name = element("a", escaped(run.name), fmt::format(" href=\"#{}\"", run_anchor(index)));
+  if (!run.done()) name += " " + escaped(run.status);
+  std::string cells = element("th", name, fmt::format(" scope=\"row\" data-value=\"{}\"", escaped(run.name)));
+  for (std::size_t i = 1; i < order.columns.size(); ++i) {
+    const std::size_t column = order.columns[i];
+    cells += table_cell(comparison.columns[column], run.cells[column], i < order.shown ? "" : "more");
+  }
+  const std::string kind = run.exact() ? " class=\"exact\"" : run.done() ? "" : " class=\"failed\"";
+  return element("tr", cells, kind) + "\n";
+}
+
+/// Links to those files of a folder that are there.
+std::string links(const fs::path& folder, const std::string& prefix, const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names)
+    if (fs::exists(folder / name))
+      text += (text.empty() ? "" : ", ") +
+              element("a", name, fmt::format(" href=\"{}\"", escaped(prefix + name)));
+  return text;
+}
+
+/// What the environment says of a run's engine; empty where it says nothing.
+std::string version_of(const Comparison& comparison, const Run& run) {
+  for (const auto& [name, text] : comparison.environment)
+    if (name == run.engine || (run.exact() && name == "rockstack")) return fmt::format("{} {}", name, text);
+  return "";
+}
+
+/// A failed run may have stopped before it wrote anything.
+std::string details_of(const Comparison& comparison, std::size_t index) {
+  const Run& run = comparison.runs[index];
+  std::string text;
+  if (!run.done()) text += element("p", fmt::format("Failed: {}", escaped(run.reason)));
+  if (const std::string version = version_of(comparison, run); !version.empty())
+    text += element("p", escaped("Version: " + version));
+  const std::string files =
+      links(run.folder, fmt::format("runs/{}/", run.name),
+            {"history.csv", "difference.csv", "events.csv", "impacts.csv", "draws.csv", "summary.json"});
+  if (!files.empty()) text += element("p", "Files beside this page: " + files);
+  if (fs::exists(run.folder / "summary.json")) text += definition_list(read_summary(run));
+  return element("details", element("summary", escaped(run.name)) + text,
+                 fmt::format(" id=\"{}\"", run_anchor(index))) +
+         "\n";
+}
+
+}  // namespace
+
+std::string run_anchor(std::size_t run) {
+  return fmt::format("run-{}", run + 1);
+}
+
+std::string runs_table(const Comparison& comparison) {
+  const Order order = order_of(comparison);
+  std::string headings, rows;
+  for (std::size_t i = 0; i < order.columns.size(); ++i)
+    headings += heading(comparison.columns[order.columns[i]], i < order.shown ? "" : "more");
+  for (std::size_t i = 0; i < comparison.runs.size(); ++i) rows += run_row(comparison, order, i);
+  return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows),
+                 " class=\"rows\"");
+}
+
+std::string run_details(const Comparison& comparison) {
+  std::string text;
+  for (std::size_t i = 0; i < comparison.runs.size(); ++i) text += details_of(comparison, i);
+  return text;
+}
+
+}  // namespace rockstack::plots

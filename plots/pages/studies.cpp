@@ -1,0 +1,241 @@
+#include "plots/pages/studies.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <vector>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/results/csv.hpp"
+#include "comparisons/results/files.hpp"
+#include "plots/data/json_file.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/figures/sweep/drawings.hpp"
+#include "plots/pages/html.hpp"
+#include "plots/pages/page_parts.hpp"
+#include "plots/pages/sentences.hpp"
+#include "plots/pages/template.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+using Sentences = std::vector<std::string>;
+
+/// What figures show, by the name of their file up to its first point.
+const std::map<std::string, std::string>& explanations() {
+  static const std::map<std::string, std::string> texts{
+      {"fragility",
+       "Marks: the share of runs that topple at each intensity, with its confidence bounds. Line: the "
+       "fitted lognormal curve, where there is one."},
+      {"incremental",
+       "A curve for each choice of all other values: the largest angle over the slenderness against "
+       "the intensity, and the 16, 50 and 84 % fractiles of the curves. A block that topples counts "
+       "as infinitely far."},
+      {"overturning",
+       "What becomes of the block at each period and intensity of the pulse: it stays at rest, rocks, "
+       "topples after an impact, or topples without one."},
+      {"stability",
+       "Each square is a run: across, the value that the study varies; up, the time step. Under the "
+       "black line steps are stable."},
+      {"record",
+       "Acceleration, velocity and displacement with their peaks; the shaded span is the significant "
+       "duration. Below, the growth of the Arias intensity and the response spectrum."}};
+  return texts;
+}
+
+/// What the pages differ in.
+struct Study {
+  std::string title;
+  Sentences answers;
+  std::vector<std::string> tables;  ///< files to be shown, where they are there
+  Facts facts;
+  std::string command;  ///< empty where the results do not say
+};
+
+std::string table_of(const fs::path& file) {
+  const Table table = read_table(file);
+  std::string rows;
+  for (const auto& row : table.rows) rows += table_row(table.columns, row);
+  return element("h3", escaped(file.filename().string())) +
+         element("div", plots::table(table.columns, rows),
+                 " class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table\"") +
+         "\n";
+}
+
+void write_study(const fs::path& results, const Study& study) {
+  std::string tables, command;
+  for (const std::string& name : study.tables)
+    if (fs::exists(results / name)) tables += table_of(results / name);
+  if (!study.command.empty())
+    command = element("h2", "To run it again") + element("pre", element("code", escaped(study.command)));
+  const std::string content =
+      filled_in(study_html, {{"title", escaped(study.title)},
+                             {"answer", answer_box(study.answers)},
+                             {"figures", figures_in(results / "figures", {}, explanations())},
+                             {"files", file_links(results)},
+                             {"tables", tables},
+                             {"command", command},
+                             {"facts", definition_list(study.facts)}});
+  write_file(results / "report.html", page({study.title, "report", content}));
+}
+
+/// Reads a description; a missing or wrong entry names its file.
+Study study_of(const fs::path& file, const std::function<Study(const Json&)>& read) {
+  const Json json = read_json(file);
+  try {
+    Study study = read(json);
+    study.command = json.value("command", "");
+    study.facts = facts_of(json);
+    std::erase_if(study.facts,
+                  [](const auto& fact) { return fact.first == "command" || fact.first == "title"; });
+    return study;
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+void add_toppled(const fs::path& results, Sentences& sentences) {
+  const Table runs = read_table(results / "runs.csv");
+  const std::size_t toppled = column(runs, "toppled", results / "runs.csv");
+  const std::size_t status = column(runs, "status", results / "runs.csv");
+  const auto count = [&](const auto& counts) {
+    return std::count_if(runs.rows.begin(), runs.rows.end(), counts);
+  };
+  const auto done = count([&](const auto& row) { return row[status] == "done"; });
+  const auto fell = count([&](const auto& row) { return row[status] == "done" && row[toppled] != "0"; });
+  const auto failed = count([&](const auto& row) { return row[status] != "done"; });
+  if (done > 0)
+    sentences.push_back(fmt::format("Of {} {} topple, {:.3g} %.",
+                                    counted(static_cast<std::size_t>(done), "run"), fell,
+                                    100.0 * static_cast<double>(fell) / static_cast<double>(done)));
+  if (failed > 0) sentences.push_back(fmt::format("{} failed; runs.csv says why.", failed));
+}
+
+void add_fit(const fs::path& results, const std::string& intensity, Sentences& sentences) {
+  const fs::path file = results / "fragility-fit.csv";
+  if (!fs::exists(file)) return;
+  const auto fit = read_columns(file, {"median", "beta"});
+  if (fit[0].empty()) return;
+  sentences.insert(sentences.begin(),
+                   fmt::format("Half of the runs topple at a {} of {:.4g}, by the fitted lognormal "
+                               "curve; its logarithmic spread β is {:.3g}.",
+                               intensity, fit[0][0], fit[1][0]));
+}
+
+void add_overturning(const fs::path& results, Sentences& sentences) {
+  const fs::path file = results / "overturning.csv";
+  if (!fs::exists(file)) return;
+  const auto counts =
+      read_columns(file, {"rest", "rocking", "toppled_after_impact", "toppled_without_impact"});
+  sentences.push_back(
+      fmt::format("{} stay at rest, {} rock and stand, {} topple after an impact, {} without one.",
+                  sum(counts[0]), sum(counts[1]), sum(counts[2]), sum(counts[3])));
+}
+
+/// How many engine runs have each verdict.
+std::string verdicts(const fs::path& results) {
+  const Table runs = read_table(results / "stability.csv");
+  const std::size_t verdict = column(runs, "verdict", results / "stability.csv");
+  const std::size_t dt = column(runs, "dt", results / "stability.csv");
+  std::map<std::string, std::size_t> counts;
+  std::size_t all = 0;
+  for (const auto& row : runs.rows)
+    if (!row[dt].empty()) ++counts[row[verdict]], ++all;
+  Sentences parts;
+  for (const char* name : {"sound", "inexact", "unstable", "failed"})
+    if (counts[name] > 0)
+      parts.push_back(fmt::format("{} {} {}", counts[name], counts[name] == 1 ? "is" : "are", name));
+  return fmt::format("Of {} {}.", counted(all, "engine run"), joined(parts));
+}
+
+/// The largest stable step of each solver over the study's values.
+void add_stable_steps(const fs::path& results, const std::string& axis, Sentences& sentences) {
+  const fs::path file = results / "steps.csv";
+  const Table steps = read_table(file);
+  const std::size_t stable = column(steps, "largest_stable_step", file);
+  const std::size_t engine = column(steps, "engine", file), solver = column(steps, "solver", file),
+                    settings = column(steps, "settings", file);
+  std::map<std::string, std::vector<double>> lists;
+  for (std::size_t i = 0; i < steps.rows.size(); ++i) {
+    const auto& row = steps.rows[i];
+    lists[fmt::format("{} {}, {}", row[engine], row[solver], row[settings])].push_back(
+        number(row[stable], fmt::format("{}:{}", file.string(), i + 2), "largest_stable_step"));
+  }
+  const auto words = [](double step) { return step > 0 ? duration_text(step) : std::string("none"); };
+  for (const auto& [name, list] : lists) {
+    const auto [least, most] = std::minmax_element(list.begin(), list.end());
+    sentences.push_back(
+        *least == *most
+            ? fmt::format("{}: the largest stable step is {} at all {} values of {}.", name, words(*least),
+                          list.size(), axis)
+            : fmt::format("{}: the largest stable step is between {} and {} over {} values of {}.", name,
+                          words(*least), words(*most), list.size(), axis));
+  }
+}
+
+/// "3.974 m/s² at 2.92 s".
+std::string peak(const Json& json, const char* unit) {
+  return fmt::format("{:.4g} {} at {:.4g} s", json.at("value").get<double>(), unit,
+                     json.at("time").get<double>());
+}
+
+}  // namespace
+
+void write_sweep_report(const std::filesystem::path& results) {
+  write_study(results, study_of(results / "sweep.json", [&](const Json& json) {
+                Study study{json.at("title").get<std::string>(),
+                            {},
+                            {"fragility-fit.csv", "fragility.csv", "incremental-fractiles.csv"},
+                            {},
+                            {}};
+                add_toppled(results, study.answers);
+                add_fit(results, axis_title(json.at("summary").at("intensity").get<std::string>()),
+                        study.answers);
+                add_overturning(results, study.answers);
+                return study;
+              }));
+}
+
+void write_stability_report(const std::filesystem::path& results) {
+  write_study(results, study_of(results / "stability.json", [&](const Json& json) {
+                Study study{"Stability: " + json.at("title").get<std::string>(),
+                            {verdicts(results)},
+                            {"steps.csv", "stability.csv"},
+                            {},
+                            {}};
+                add_stable_steps(results, json.at("axis").get<std::string>(), study.answers);
+                return study;
+              }));
+}
+
+void write_record_report(const std::filesystem::path& results) {
+  write_study(
+      results, study_of(results / "record.json", [&](const Json& json) {
+        const double gravity = json.at("gravity").get<double>();
+        const double most = std::abs(json.at("peak_acceleration").at("value").get<double>());
+        const Json& span = json.at("significant_5_95");
+        return Study{
+            "Record " + fs::path(json.at("file").get<std::string>()).filename().string(),
+            {fmt::format("The peak acceleration is {}, {:.4g} g.", peak(json.at("peak_acceleration"), "m/s²"),
+                         most / gravity),
+             fmt::format("The peak velocity is {}, the peak displacement {}.",
+                         peak(json.at("peak_velocity"), "m/s"), peak(json.at("peak_displacement"), "m")),
+             fmt::format("Strong shaking lasts {:.4g} s, from 5 to 95 % of the Arias intensity of "
+                         "{:.4g} m/s.",
+                         span.at("length").get<double>(), json.at("arias_intensity").get<double>())},
+            {},
+            {},
+            {}};
+      }));
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,108 @@
+#include "plots/pages/studies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "tests/plots/browser.hpp"
+#include "tests/plots/sample.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+
+void put(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+}
+
+/// A sweep of four runs, one failed, with a figure that no code knows.
+fs::path made_up_sweep() {
+  const fs::path folder = testing::fresh_folder();
+  put(folder / "sweep.json",
+      R"({"title": "A <made-up> sweep", "summary": {"intensity": "ground.horizontal.peak", "period": ""}})");
+  put(folder / "runs.csv", "run,toppled,status\n0,0,done\n1,1,done\n2,,failed\n3,0,done\n");
+  put(folder / "fragility-fit.csv", "median,beta,log_likelihood\n3.125,0.25,-20\n");
+  put(folder / "figures/later.idea.svg", "<?xml?><svg viewBox='0 0 9 9'><g id='g'/></svg>");
+  return folder;
+}
+
+std::string study_page(const fs::path& folder) {
+  return testing::bytes_of(folder / "report.html");
+}
+
+bool tells(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(StudyPage, ASweepSaysWhereHalfOfItsRunsToppleAndHowManyDid) {
+  const fs::path folder = made_up_sweep();
+  write_sweep_report(folder);
+  const std::string page = study_page(folder);
+  EXPECT_TRUE(tells(page, "Half of the runs topple at a peak ground acceleration (m/s²) of 3.125"));
+  EXPECT_TRUE(tells(page, "Of 3 runs 1 topple, 33.3 %."));
+  EXPECT_TRUE(tells(page, "1 failed; runs.csv says why."));
+  EXPECT_TRUE(tells(page, "A &lt;made-up&gt; sweep"));
+}
+
+TEST(StudyPage, EveryFigureOfTheFolderIsThereAndEveryTableIsLinked) {
+  const fs::path folder = made_up_sweep();
+  write_sweep_report(folder);
+  const std::string page = study_page(folder);
+  EXPECT_TRUE(tells(page, "<h3>later idea</h3>"));
+  EXPECT_TRUE(tells(page, "id='later.idea-g'"));
+  for (const char* name : {"runs.csv", "fragility-fit.csv", "sweep.json"})
+    EXPECT_TRUE(tells(page, std::string("<a href=\"") + name + "\">")) << name;
+}
+
+TEST(StudyPage, AStudyOfStabilityCountsVerdictsAndNamesStableSteps) {
+  const fs::path folder = testing::fresh_folder();
+  put(folder / "stability.json",
+      R"json({"title": "weights", "axis": "mass (kg)", "command": "rockstack compare x"})json");
+  put(folder / "stability.csv", "run,dt,verdict\nexact,,sound\na,0.001,sound\nb,0.002,unstable\n");
+  put(folder / "steps.csv",
+      "engine,solver,settings,value,largest_stable_step\node,step,tuned,1,0\node,step,tuned,2,0.002\n");
+  write_stability_report(folder);
+  const std::string page = study_page(folder);
+  EXPECT_TRUE(tells(page, "Of 2 engine runs 1 is sound and 1 is unstable."));
+  EXPECT_TRUE(tells(
+      page, "ode step, tuned: the largest stable step is between none and 2 ms over 2 values of mass (kg)."));
+  EXPECT_TRUE(tells(page, "rockstack compare x"));
+}
+
+TEST(StudyPage, ARecordSaysItsPeaks) {
+  const fs::path folder = testing::fresh_folder();
+  put(folder / "record.json",
+      R"({"file": "a/wave.at2", "gravity": 10.0, "arias_intensity": 0.4, "significant_5_95": {"length": 2.9},)"
+      R"("peak_acceleration": {"value": -3, "time": 0.1}, "peak_velocity": {"value": -0.2, "time": 0.3},)"
+      R"("peak_displacement": {"value": 0.05, "time": 0.5}})");
+  write_record_report(folder);
+  EXPECT_TRUE(tells(study_page(folder), "The peak acceleration is -3 m/s² at 0.1 s, 0.3 g."));
+}
+
+TEST(StudyPage, WhatIsMissingIsNamedAndNoPageIsLeftBehind) {
+  const fs::path folder = testing::fresh_folder();
+  put(folder / "record.json", R"({"file": "a"})");
+  try {
+    write_record_report(folder);
+    FAIL() << "no InputError";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(tells(error.what(), "record.json: ")) << error.what();
+  }
+  EXPECT_FALSE(fs::exists(folder / "report.html"));
+}
+
+TEST(StudyPage, LoadsWithoutComplaint) {
+  if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const fs::path folder = made_up_sweep();
+  write_sweep_report(folder);
+  const testing::Answer answer =
+      testing::ask_browser(study_page(folder), "return document.querySelector('tbody td').dataset.label;");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result, "median");
+}
+
+}  // namespace
+}  // namespace rockstack::plots
