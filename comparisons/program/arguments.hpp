@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/suites/suite.hpp"
+
 namespace rockstack {
 
 /// What every command takes.
@@ -22,6 +24,7 @@ struct SolveArguments {
   std::string integrator = "taylor";  ///< or "rk4"
   double step = 2e-4;                 ///< of rk4, s
   double interval = 1e-3;             ///< of samples, s
+  bool plots = true;                  ///< figures and a page
 };
 
 struct SimulateArguments {
@@ -29,15 +32,29 @@ struct SimulateArguments {
   std::filesystem::path out;
   std::string engine;
   std::string settings = "tuned";
-  double dt = 0;  ///< s
+  std::vector<std::string> parameters;  ///< name=value, changes of those settings
+  double dt = 0;                        ///< s
+  bool plots = true;                    ///< figures and a page
 };
 
 struct CompareArguments {
   std::vector<std::string> inputs;    ///< scenes or suites
   std::optional<std::string> record;  ///< in the place of made-up motions
   std::filesystem::path out;
-  std::size_t jobs = 1;  ///< runs at a time; without effect under mpirun
-  int draws = 0;         ///< behind each number of an engine; 0: as many as the suites say
+  std::size_t jobs = 1;                    ///< runs at a time; without effect under mpirun
+  int draws = 0;                           ///< behind each number of an engine; 0: as many as the suites say
+  SceneChoice choice;                      ///< of scenes; suites say their own
+  std::optional<double> history_interval;  ///< in the place of that of the suites, s
+};
+
+struct KeysArguments {
+  std::string kind;  ///< "scene", "suite" or "ensemble"; empty: all
+};
+
+struct NewArguments {
+  std::string kind = "scene";         ///< or "suite", "ensemble"
+  std::optional<std::string> record;  ///< of a scene
+  std::filesystem::path out;          ///< a file that is not there; empty: standard output
 };
 
 struct PlotArguments {

@@ -14,19 +14,23 @@
 #include "comparisons/program/output.hpp"
 #include "comparisons/results/results_folder.hpp"
 #include "comparisons/runs/compare.hpp"
+#include "comparisons/runs/disk_use.hpp"
 #include "comparisons/runs/measure.hpp"
 #include "comparisons/stability/study.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "engines/parameters.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/data/motion.hpp"
 #include "plots/figures/animation.hpp"
 #include "plots/figures/comparison/figures.hpp"
 #include "plots/figures/impact_laws/maps.hpp"
+#include "plots/figures/motion.hpp"
 #include "plots/figures/record.hpp"
 #include "plots/figures/stability.hpp"
 #include "plots/figures/sweep/sweep.hpp"
 #include "plots/pages/impact_laws.hpp"
 #include "plots/pages/lesson.hpp"
+#include "plots/pages/motion.hpp"
 #include "plots/pages/report.hpp"
 #include "plots/pages/studies.hpp"
 #endif
@@ -41,25 +45,54 @@ std::filesystem::path find_input(const std::string& input) {
   return std::filesystem::exists(file, ignored) ? file : find_file(input, "scenes");
 }
 
-Suite read_input(const std::string& input, const Common& common) {
+/// A suite says by itself what it runs.
+void refuse_choice(const std::string& suite, const SceneChoice& choice) {
+  const std::string option = !choice.engines.empty() ? "--engine " + choice.engines.front()
+                             : !choice.steps.empty() ? fmt::format("--dt {}", choice.steps.front())
+                             : choice.quick          ? "--quick"
+                                                     : "";
+  if (!option.empty())
+    throw InputError(fmt::format("{}: must be left out of {}, a suite or study says its own", option, suite));
+}
+
+Suite read_input(const std::string& input, const CompareArguments& arguments, const Common& common) {
   const auto file = find_input(input);
-  if (is_stability_study(file)) return read_stability_study(file, common.overrides).suite;
-  return is_suite(file) ? read_suite(file, common.overrides)
-                        : suite_for(read_named_scene(file, common.overrides));
+  const bool study = is_stability_study(file);
+  if (!study && !is_suite(file)) return suite_for(read_named_scene(file, common.overrides), arguments.choice);
+  refuse_choice(input, arguments.choice);
+  return study ? read_stability_study(file, common.overrides).suite : read_suite(file, common.overrides);
 }
 
 std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& common) {
   std::vector<Suite> suites;
   for (const std::string& input : arguments.inputs) {
-    suites.push_back(read_input(input, common));
-    if (arguments.draws > 0) suites.back().draws.runs = arguments.draws;
+    Suite& suite = suites.emplace_back(read_input(input, arguments, common));
+    if (arguments.draws > 0) suite.draws.runs = arguments.draws;
+    if (arguments.history_interval) suite.history_interval = *arguments.history_interval;
   }
   if (arguments.record) replace_made_up_motion(suites, *arguments.record);
   return suites;
 }
 
+/// Says how much disk a comparison takes where that is much.
+void announce_disk_use(const std::vector<Suite>& suites, const std::filesystem::path& out,
+                       const Common& common) {
+  constexpr double megabyte = 1e6, much = 200 * megabyte;
+  const double bytes = history_bytes(suites);
+  if (bytes < much || common.quiet) return;
+  fmt::print(
+      stderr,
+      "about {:.0f} MB of histories will be written to {}; --history-interval 0.01 keeps a sample every "
+      "10 ms\n",
+      bytes / megabyte, out.string());
+}
+
 #ifdef ROCKSTACK_WITH_PLOTS
 void draw(const std::filesystem::path& results) {
+  if (plots::has_one_motion(results)) {
+    plots::draw_motion(results);
+    return plots::write_motion_report(results);
+  }
   if (plots::has_impact_laws(results)) {
     plots::draw_impact_laws(results);
     return plots::write_impact_law_report(results);
@@ -86,6 +119,15 @@ void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& res
                results.string());
 }
 #endif
+
+/// Draws one motion and says where its page is.
+void show_motion(const std::filesystem::path& out, bool plots, const Common& common) {
+  if (!plots) return;
+#ifdef ROCKSTACK_WITH_PLOTS
+  draw(out);
+#endif
+  print_report(out, common);
+}
 
 int study_command(const std::filesystem::path& file, const std::filesystem::path& out, const Common& common) {
   refuse_overrides(common, "a study of impact laws draws its own scenes");
@@ -129,23 +171,28 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
       .step = arguments.step};
   const ResultsFolder folder(arguments.out, Results::motion);
   const History history = solve_into(scene, options, arguments.out, common.command);
-  print_history(history, validity_warnings(scene.scene, history), arguments.out, common);
+  print_history(scene.scene, history, arguments.out, common);
+  show_motion(arguments.out, arguments.plots, common);
   return 0;
 }
 
 int simulate_command(const SimulateArguments& arguments, const Common& common) {
   require_positive_option("--dt", arguments.dt);
   const WorkerEngine& engine = find_engine(arguments.engine);
+  const Parameters changes = read_parameters(arguments.parameters, engine);
   const auto scene = read_named_scene(find_file(arguments.scene, "scenes"), common.overrides);
   check_step(arguments.dt, scene.scene.duration);
   const ResultsFolder folder(arguments.out, Results::motion);
-  const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt});
+  const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);
   const History history = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
-  print_history(history, {}, arguments.out, common);
+  print_history(scene.scene, history, arguments.out, common);
+  show_motion(arguments.out, arguments.plots, common);
   return 0;
 }
 
 int compare_command(const CompareArguments& arguments, const Common& common) {
+  for (const double step : arguments.choice.steps) require_positive_option("--dt", step);
+  if (arguments.history_interval) require_positive_option("--history-interval", *arguments.history_interval);
   const auto executor = make_executor(arguments.jobs);
   if (!executor->leads()) {
     serve_comparison(
@@ -155,6 +202,11 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   for (const std::string& input : arguments.inputs) {
     const auto file = find_input(input);
     if (!is_study(file)) continue;
+    refuse_choice(input, arguments.choice);
+    if (arguments.history_interval)
+      throw InputError(
+          fmt::format("--history-interval {}: must be left out of a study, which keeps no histories",
+                      *arguments.history_interval));
     if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
     if (arguments.record)
       throw InputError(fmt::format("--record {}: must be left out of a study", *arguments.record));
@@ -165,6 +217,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   const std::vector<Suite> suites = read_inputs(arguments, common);
   require_comparable(suites);
   const ResultsFolder folder(arguments.out, Results::comparison);
+  announce_disk_use(suites, arguments.out, common);
   const CompareResult result =
       compare(suites, arguments.out, *executor, {.command = common.command, .progress = progress(common)});
   print_rows(result, arguments.out, common);
@@ -182,8 +235,8 @@ int plot_command(const PlotArguments& arguments, const Common& common) {
   const FolderLock lock(results);
 #ifdef ROCKSTACK_WITH_PLOTS
   const bool record = std::filesystem::exists(results / "record.json");
-  const bool of_runs = !record && !plots::has_sweep(results) && !plots::has_impact_laws(results) &&
-                       !plots::has_stability(results);
+  const bool of_runs = !record && !plots::has_one_motion(results) && !plots::has_sweep(results) &&
+                       !plots::has_impact_laws(results) && !plots::has_stability(results);
   if (arguments.animate && !of_runs)
     throw InputError(fmt::format("plot {} --animate: must be a folder of `rockstack compare` or `teach`",
                                  results.string()));
@@ -215,24 +268,6 @@ int plot_command(const PlotArguments& arguments, const Common& common) {
   throw InputError(
       fmt::format("plot {}: must be asked of a build with ROCKSTACK_PLOTS=ON", results.string()));
 #endif
-}
-
-int list_command(const std::string& what, const Common& common) {
-  refuse_overrides(common, "names have no scene keys");
-  std::vector<std::string> names;
-  if (what == "engines") {
-    for (const WorkerEngine& engine : engines()) {
-      names.push_back(fmt::format("{}:{}  {}", engine.name(), engine.solver(), engine.version()));
-    }
-    for (const std::string& name : engines_left_out()) names.push_back(name + "  left out of this build");
-  } else {
-    for (const auto& entry : std::filesystem::directory_iterator(shipped(what))) {
-      if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-    }
-    std::sort(names.begin(), names.end());
-  }
-  print_list(names, common);
-  return 0;
 }
 
 }  // namespace rockstack

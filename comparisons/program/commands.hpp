@@ -18,7 +18,9 @@ int advise_command(const AdviseArguments& arguments, const Common& common);
 int record_command(const RecordArguments& arguments, const Common& common);
 int sweep_command(const SweepArguments& arguments, const Common& common);
 int teach_command(const TeachArguments& arguments, const Common& common);
-int list_command(const std::string& what, const Common& common);
+int list_command(const std::string& what, const Common& common);  ///< empty: all kinds
+int keys_command(const KeysArguments& arguments, const Common& common);
+int new_command(const NewArguments& arguments, const Common& common);
 
 /// Runs a study of stability, writes and draws its maps, and says how many runs have which verdict.
 /// `draws`: as CompareArguments::draws.

@@ -48,6 +48,11 @@ struct Command {
 constexpr const char* scene_help = "scene file, or a name from `rockstack list scenes`";
 constexpr const char* out_help = "folder for results";
 
+void add_plots(CLI::App& command, bool& plots) {
+  command.add_flag_callback(
+      "--no-plots", [&plots] { plots = false; }, "leave out the figure and the page with the player");
+}
+
 Command add_solve(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<SolveArguments>();
   CLI::App* command = app.add_subcommand("solve", "solve a scene exactly");
@@ -59,6 +64,7 @@ Command add_solve(CLI::App& app, const Common& common) {
   command->add_option("--step", arguments->step, "longest step of rk4, s")->capture_default_str();
   command->add_option("--interval", arguments->interval, "interval of samples in history.csv, s")
       ->capture_default_str();
+  add_plots(*command, arguments->plots);
   return {command, [arguments, &common] { return solve_command(*arguments, common); }};
 }
 
@@ -71,7 +77,12 @@ Command add_simulate(CLI::App& app, const Common& common) {
   command->add_option("--settings", arguments->settings, "parameter set")
       ->check(CLI::IsMember({"default", "tuned"}))
       ->capture_default_str();
+  command
+      ->add_option("--parameter", arguments->parameters,
+                   "change of the parameter set, e.g. erp=0.05; may be repeated")
+      ->allow_extra_args(false);
   command->add_option("--out", arguments->out, out_help)->required();
+  add_plots(*command, arguments->plots);
   return {command, [arguments, &common] { return simulate_command(*arguments, common); }};
 }
 
@@ -93,6 +104,23 @@ Command add_compare(CLI::App& app, const Common& common) {
                    "runs at nearby steps of nearly the same scene behind each number of an engine; left out: "
                    "as the suite says, 5 for a scene")
       ->check(CLI::Range(1, most_draws));
+  command
+      ->add_option(
+          "--engine", arguments->choice.engines,
+          "of scenes: engine, or engine:solver; may be repeated or a list, ode:step,bullet; left out: "
+          "the first solver of every engine")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--dt", arguments->choice.steps,
+                   "of scenes: time step, s; may be repeated or a list, 1e-2,1e-3; left out: 1e-2,1e-3,1e-4")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_flag(
+      "--quick", arguments->choice.quick,
+      "of scenes: 3 draws, steps of 1e-2 and 1e-3 s, one timed run, 2000 samples of each history");
+  command->add_option("--history-interval", arguments->history_interval,
+                      "least time between the samples that files keep, s; numbers are of all samples");
   command
       ->add_option("--out", arguments->out,
                    "folder for results; a comparison that was stopped goes on there, runs that are done stay")
@@ -161,27 +189,50 @@ Command add_teach(CLI::App& app, const Common& common) {
 
 Command add_list(CLI::App& app, const Common& common) {
   const auto what = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("list", "list what there is");
-  command->add_option("what", *what, "scenes, suites, ensembles or engines")
-      ->required()
-      ->check(CLI::IsMember({"scenes", "suites", "ensembles", "engines"}));
+  CLI::App* command = app.add_subcommand("list", "list what there is, with a line on each");
+  command->add_option("what", *what, "scenes, suites, ensembles, lessons or engines; left out: all")
+      ->check(CLI::IsMember({"scenes", "suites", "ensembles", "lessons", "engines"}));
   return {command, [what, &common] { return list_command(*what, common); }};
+}
+
+Command add_keys(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<KeysArguments>();
+  CLI::App* command =
+      app.add_subcommand("keys", "explain every key of input files: unit, default, range, meaning");
+  command->add_option("kind", arguments->kind, "scene, suite or ensemble; left out: all")
+      ->check(CLI::IsMember({"scene", "suite", "ensemble"}));
+  return {command, [arguments, &common] { return keys_command(*arguments, common); }};
+}
+
+Command add_new(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<NewArguments>();
+  CLI::App* command = app.add_subcommand("new", "print a commented input file to begin with");
+  command->add_option("kind", arguments->kind, "scene, suite or ensemble")
+      ->check(CLI::IsMember({"scene", "suite", "ensemble"}))
+      ->capture_default_str();
+  command->add_option("--record", arguments->record, "record that shakes the scene");
+  command->add_option("--out", arguments->out, "new file to write; left out: standard output");
+  return {command, [arguments, &common] { return new_command(*arguments, common); }};
 }
 
 int run(int count, char** arguments) {
   CLI::App app{"Stacked rocking blocks: the exact theory beside physics engines", "rockstack"};
+  app.set_version_flag("--version", version_text());
   app.require_subcommand(0, 1);
   app.fallthrough();
   Common common;
   common.command = command_line(count, arguments);
-  app.add_option("--set", common.overrides, "override a scene key: key=value, e.g. blocks.1.height=3")
-      ->allow_extra_args(false);
-  app.add_flag("--quiet", common.quiet, "print nothing but errors");
-  app.add_flag("--json", common.json, "print the result as JSON");
+  const std::vector<const CLI::Option*> common_options{
+      app.add_option("--set", common.overrides,
+                     "override a scene key: key=value, e.g. blocks.1.height=3; may be repeated")
+          ->allow_extra_args(false),
+      app.add_flag("--quiet", common.quiet, "print nothing but errors"),
+      app.add_flag("--json", common.json, "print the result as JSON")};
   std::vector<Command> commands;
   for (const auto add : {add_solve, add_simulate, add_compare, add_advise, add_sweep, add_plot, add_record,
-                         add_teach, add_list}) {
+                         add_teach, add_list, add_keys, add_new}) {
     commands.push_back(add(app, common));
+    commands.back().app->footer(CLI::Formatter().make_group("Common options", false, common_options));
   }
   try {
     app.parse(count, arguments);

@@ -11,6 +11,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/metrics/motion_verdict.hpp"
+#include "comparisons/metrics/validity.hpp"
+#include "comparisons/results/build.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -70,17 +74,6 @@ std::string waiting_time(double seconds) {
   if (seconds < 60) return fmt::format("{:.0f} s", seconds);
   if (seconds < 3600) return fmt::format("{:.0f} min", seconds / 60);
   return fmt::format("{:.1f} h", seconds / 3600);
-}
-
-/// The largest angles, of samples where nothing else is known.
-std::vector<double> peaks(const History& history) {
-  if (!history.peaks.empty()) return history.peaks;
-  std::vector<double> result(static_cast<std::size_t>(history.blocks));
-  for (std::size_t i = 0; i < history.angles.size(); ++i) {
-    double& peak = result[i % result.size()];
-    peak = std::max(peak, std::abs(history.angles[i]));
-  }
-  return result;
 }
 
 }  // namespace
@@ -145,19 +138,24 @@ void print_sweep(const SweepResult& result, const std::filesystem::path& folder,
   }
 }
 
-void print_history(const History& history, const std::vector<std::string>& warnings,
-                   const std::filesystem::path& folder, const Common& common) {
+void print_history(const Scene& scene, const History& history, const std::filesystem::path& folder,
+                   const Common& common) {
   std::map<std::string, int> events;
   for (const Event& event : history.events) ++events[name(event.kind)];
+  const std::string verdict = motion_verdict(scene, history);
+  const std::vector<double> peaks = peak_angles(history);
+  const std::vector<std::string> warnings = validity_warnings(scene, history);
   if (common.json) {
-    fmt::print("{}\n", Json{{"events", events},
-                            {"peak_angles", peaks(history)},
+    fmt::print("{}\n", Json{{"verdict", verdict},
+                            {"events", events},
+                            {"peak_angles", peaks},
                             {"warnings", warnings},
                             {"folder", folder.string()}}
                            .dump(2));
   } else if (!common.quiet) {
+    fmt::print("{}\n", verdict);
     for (const auto& [kind, number] : events) fmt::print("{}: {}\n", kind, number);
-    for (std::size_t k = 0; const double peak : peaks(history))
+    for (std::size_t k = 0; const double peak : peaks)
       fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak);
     for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
     fmt::print("results: {}\n", folder.string());
@@ -247,12 +245,8 @@ void print_report(const std::filesystem::path& folder, const Common& common) {
 #endif
 }
 
-void print_list(const std::vector<std::string>& names, const Common& common) {
-  if (common.json) {
-    fmt::print("{}\n", Json(names).dump(2));
-    return;
-  }
-  for (const std::string& name : names) fmt::print("{}\n", name);
+std::string version_text() {
+  return fmt::format("rockstack {}", build::version);
 }
 
 }  // namespace rockstack

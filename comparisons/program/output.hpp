@@ -29,9 +29,9 @@ void print_stopped(const SweepResult& result, const Common& common);
 /// Runs done, and where the results are.
 void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common);
 
-/// Events by kind, peak angles, warnings, and where the files are.
-void print_history(const History& history, const std::vector<std::string>& warnings,
-                   const std::filesystem::path& folder, const Common& common);
+/// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are.
+void print_history(const Scene& scene, const History& history, const std::filesystem::path& folder,
+                   const Common& common);
 
 /// The comparison as a table, and where the results are.
 void print_rows(const CompareResult& result, const std::filesystem::path& folder, const Common& common);
@@ -43,7 +43,7 @@ void print_impact_laws(const ImpactLawResults& results, const std::filesystem::p
 /// Where figures and report are.
 void print_report(const std::filesystem::path& folder, const Common& common);
 
-/// One name a line.
-void print_list(const std::vector<std::string>& names, const Common& common);
+/// The program's name and version.
+std::string version_text();
 
 }  // namespace rockstack

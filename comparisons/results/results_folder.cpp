@@ -19,7 +19,8 @@ struct Kind {
 Kind kind_of(Results results) {
   switch (results) {
     case Results::motion:
-      return {"one motion", {"summary.json", "history.csv", "events.csv"}};
+      return {"one motion",
+              {"summary.json", "history.csv", "events.csv", "ground.csv", "figures", "report.html"}};
     case Results::comparison:
       return {"a comparison",
               {"comparison.json", "comparison.csv", "fits.csv", "distributions.csv", "ground", "figures",

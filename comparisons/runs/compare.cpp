@@ -11,6 +11,7 @@
 #include "comparisons/paper/statements.hpp"
 #include "comparisons/results/environment.hpp"
 #include "comparisons/results/files.hpp"
+#include "comparisons/results/scene_json.hpp"
 #include "comparisons/results/tables.hpp"
 #include "comparisons/runs/draws.hpp"
 #include "comparisons/runs/measure.hpp"
@@ -24,24 +25,6 @@ namespace rockstack {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string ground_of(const Scene& scene) {
-  std::string text = scene.horizontal.source;
-  if (!scene.vertical.empty()) text += (text.empty() ? "" : "; ") + scene.vertical.source + ", vertical";
-  return text;
-}
-
-/// Sizes and masses as they were run, overrides included; SI units, bottom to top.
-Json stack_json(const Scene& scene) {
-  Json list = Json::array();
-  for (const Block& block : scene.blocks) {
-    list.push_back({{"width", 2 * block.half_width},
-                    {"height", 2 * block.half_height},
-                    {"mass", block.mass},
-                    {"inertia", block.inertia}});
-  }
-  return list;
-}
 
 /// Empty where the suite asks for no draws, or the scene cannot be solved.
 Json predictable_json(const Suite& suite, const Scene& scene) {
@@ -85,26 +68,19 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<RunMetr
   for (const Suite& suite : suites) {
     titles.push_back(suite.title);
     for (const NamedScene& scene : suite.scenes) {
-      json["scenes"].push_back({{"name", scene.name},
-                                {"title", scene.scene.title},
-                                {"blocks", scene.scene.blocks.size()},
-                                {"stack", stack_json(scene.scene)},
-                                {"gravity", scene.scene.gravity},
-                                {"duration", scene.scene.duration},
-                                {"ground", ground_of(scene.scene)},
-                                {"chatter_speed", chatter_speed(scene.scene)},
-                                {"settling_duration", settling_duration(scene.scene)},
-                                {"law", name(scene.scene.law)},
-                                {"draws", suite.draws.runs},
-                                {"draw_steps", suite.draws.steps},
-                                {"draw_scene", suite.draws.scene},
-                                {"draw_seed", suite.draws.seed},
-                                {"predictable_time", predictable_json(suite, scene.scene)},
-                                {"results", names_of(suite.wanted)},
-                                {"perturbations", suite.perturbations.runs},
-                                {"perturbation_size", suite.perturbations.size},
-                                {"perturbation_seed", suite.perturbations.seed},
-                                {"toml", scene.text}});
+      Json entry{{"name", scene.name}};
+      entry.update(scene_json(scene.scene));
+      entry.update({{"draws", suite.draws.runs},
+                    {"draw_steps", suite.draws.steps},
+                    {"draw_scene", suite.draws.scene},
+                    {"draw_seed", suite.draws.seed},
+                    {"predictable_time", predictable_json(suite, scene.scene)},
+                    {"results", names_of(suite.wanted)},
+                    {"perturbations", suite.perturbations.runs},
+                    {"perturbation_size", suite.perturbations.size},
+                    {"perturbation_seed", suite.perturbations.seed},
+                    {"toml", scene.text}});
+      json["scenes"].push_back(std::move(entry));
     }
   }
   json["title"] = fmt::format("{}", fmt::join(titles, "; "));

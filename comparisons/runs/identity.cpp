@@ -40,9 +40,9 @@ std::string identity(const Job& job) {
     text = fmt::format("{:x}", file_checksum(job.series->engine->program()));
   }
   const Perturbations& around = job.suite.perturbations;
-  text +=
-      fmt::format(" {} {} {} {} {} {:x} ", fmt::join(names_of(job.suite.wanted), " "), job.suite.tolerance,
-                  around.runs, around.size, around.seed, file_checksum("/proc/self/exe"));
+  text += fmt::format(" {} {} {} {} {} {} {:x} ", fmt::join(names_of(job.suite.wanted), " "),
+                      job.suite.tolerance, job.suite.history_interval, around.runs, around.size, around.seed,
+                      file_checksum("/proc/self/exe"));
   return fmt::format("{:016x}", checksum(text + to_bytes(Request{request})));
 }
 

@@ -12,11 +12,13 @@
 #include "analytic/solve.hpp"
 #include "comparisons/metrics/contact_patterns.hpp"
 #include "comparisons/metrics/impacts.hpp"
+#include "comparisons/metrics/motion_verdict.hpp"
 #include "comparisons/metrics/toppling.hpp"
 #include "comparisons/metrics/validity.hpp"
 #include "comparisons/results/environment.hpp"
 #include "comparisons/results/files.hpp"
 #include "comparisons/results/reactions.hpp"
+#include "comparisons/results/scene_json.hpp"
 #include "comparisons/results/tables.hpp"
 #include "comparisons/runs/against_exact.hpp"
 #include "comparisons/runs/identity.hpp"
@@ -82,9 +84,17 @@ void add_history(const History& history, RunFiles& files) {
   files["events.csv"] = events_csv(history);
 }
 
-void write_history(const History& history, const std::filesystem::path& folder) {
+/// The files of one motion by itself; what shows it needs the scene as it was run.
+void write_motion(const NamedScene& scene, const History& history, Json summary,
+                  const std::filesystem::path& folder) {
   write_file(folder / "history.csv", history_csv(history));
   write_file(folder / "events.csv", events_csv(history));
+  if (!scene.scene.horizontal.empty() || !scene.scene.vertical.empty())
+    write_file(folder / "ground.csv", ground_csv(scene.scene));
+  if (summary.at("status") == name(RunStatus::done))
+    summary["verdict"] = motion_verdict(scene.scene, history);
+  summary["scene_as_run"] = scene_json(scene.scene);
+  write_file(folder / summary_name, summary.dump(2) + "\n");
 }
 
 /// Where the motion is not followed to its end, what is known of it is kept.
@@ -214,6 +224,7 @@ RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at
     row.reason = failure.what();
     json = summary(row, job.scene, {}, {}, command);
   }
+  thin_histories(files, job.suite.history_interval);
   json["identity"] = identity(job);
   json["files"] = checksums(files);
   files[summary_name] = json.dump(2) + "\n";
@@ -231,11 +242,10 @@ History solve_into(const NamedScene& scene, const SolveOptions& options, const s
   row.solver = baseline ? "rk4" : "taylor";
   const auto write = [&](const History& history) {
     row.toppled = reported_toppling(history);
-    write_history(history, folder);
     Json json =
         summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, {}, command);
     add_validity(scene.scene, history, json);
-    write_file(folder / "summary.json", json.dump(2) + "\n");
+    write_motion(scene, history, std::move(json), folder);
   };
   try {
     History history = solve(scene.scene, options);
@@ -258,10 +268,8 @@ History simulate_into(const NamedScene& scene, const EngineSeries& series, doubl
   row.warnings = static_cast<int>(warnings);
   row.toppled = observed_toppling(scene.scene, history);
   history.patterns = sampled_patterns(scene.scene, history);
-  write_history(history, folder);
   const Parameters parameters = all_parameters(series, scene.scene);
-  write_file(folder / "summary.json",
-             summary(row, scene, parameters, {series.engine}, command).dump(2) + "\n");
+  write_motion(scene, history, summary(row, scene, parameters, {series.engine}, command), folder);
   return std::move(history);
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 
 namespace rockstack {
@@ -130,6 +131,24 @@ EngineSeries make_series(const WorkerEngine& engine, const std::string& settings
     series.settings += fmt::format("+{}={}", name, value_text(engine, name, value));
   }
   return series;
+}
+
+Parameters read_parameters(const std::vector<std::string>& texts, const WorkerEngine& engine) {
+  Parameters changes;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    Node node;
+    node.place = "--parameter " + one_line(text);
+    if (equals == 0 || equals >= text.size() - 1)
+      throw InputError(node.place + ": must be of the form name=value");
+    const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
+    node.kind = Node::Kind::text;
+    node.text = value;
+    const Node given = parse_toml_value(value, node).value_or(node);
+    if (!changes.emplace(name, read_value(given, name, engine)).second)
+      throw InputError(node.place + ": must be given once");
+  }
+  return changes;
 }
 
 std::vector<EngineSeries> read_engines(const Node& root) {

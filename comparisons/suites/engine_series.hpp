@@ -21,6 +21,11 @@ struct EngineSeries {
 EngineSeries make_series(const WorkerEngine& engine, const std::string& settings, std::vector<double> steps,
                          const Parameters& changes = {});
 
+/// Changed parameters as a command line has them, "erp=0.05" or "shaking=ground".
+/// @throws InputError for a text that is not of that form, an unknown parameter, with those that there are,
+/// or a value out of range.
+Parameters read_parameters(const std::vector<std::string>& texts, const WorkerEngine& engine);
+
 /// The time steps of a series that names none, s.
 std::vector<double> default_steps();
 

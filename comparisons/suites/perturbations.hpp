@@ -24,6 +24,7 @@ struct Draws {
 };
 
 inline constexpr int quick_draws = 5;      ///< where nobody asked for a number of draws
+inline constexpr int fewest_draws = 3;     ///< where a quick answer is asked for
 inline constexpr int most_draws = 10'000;  ///< that may be asked for
 
 /// The scene of one run (from 0): each block's width and height, all initial angles and velocities together,

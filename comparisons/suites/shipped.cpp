@@ -1,5 +1,6 @@
 #include "comparisons/suites/shipped.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include "comparisons/results/build.hpp"
@@ -11,12 +12,21 @@ std::filesystem::path shipped(const std::string& kind) {
   return (in_build_tree() ? std::filesystem::path(build::tree) : own_folder() / build::installed) / kind;
 }
 
-std::filesystem::path find_file(const std::string& input, const std::string& kind) {
+std::vector<std::string> shipped_names(const std::string& kind) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(shipped(kind))) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::filesystem::path find_file(const std::string& input, const std::string& kind,
+                                const std::filesystem::path& folder) {
   std::error_code ignored;  // a link may lead in a circle
-  const auto own = shipped(kind) / (input + ".toml");
-  return !std::filesystem::is_regular_file(input, ignored) && std::filesystem::exists(own, ignored)
-             ? own
-             : std::filesystem::path(input);
+  const auto own = shipped(kind) / (input + ".toml"), given = folder / input;
+  return !std::filesystem::is_regular_file(given, ignored) && std::filesystem::exists(own, ignored) ? own
+                                                                                                    : given;
 }
 
 }  // namespace rockstack

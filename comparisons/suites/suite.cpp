@@ -14,6 +14,7 @@
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/results/files.hpp"
+#include "comparisons/suites/shipped.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 
 namespace rockstack {
@@ -63,6 +64,17 @@ Wanted read_wanted(const Node& array) {
     wanted.*choice<bool Wanted::*>(child, result_names) = true;
   }
   return wanted;
+}
+
+/// Those of some names, or the first solver of every engine of this build.
+std::vector<const WorkerEngine*> chosen_engines(const std::vector<std::string>& names) {
+  std::vector<const WorkerEngine*> list;
+  for (const std::string& name : names) list.push_back(&find_engine(name));
+  if (!names.empty()) return list;
+  for (const WorkerEngine& engine : engines()) {
+    if (list.empty() || list.back()->name() != engine.name()) list.push_back(&engine);
+  }
+  return list;
 }
 
 PaperScenes read_statements(const Node& table, const Suite& suite) {
@@ -157,7 +169,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   changes.insert(changes.end(), overrides.begin(), overrides.end());
   const char* scenes = "an array of at least one scene file";
   for (const Node& scene : entries(required(root, "scenes", scenes), scenes)) {
-    suite.scenes.push_back(read_named_scene(file.parent_path() / text(scene), changes));
+    suite.scenes.push_back(read_named_scene(find_file(text(scene), "scenes", file.parent_path()), changes));
   }
   if (const Node* node = find(root, "tolerance")) suite.tolerance = number_above_zero(*node);
   if (const Node* node = find(root, "repeats")) {
@@ -198,18 +210,20 @@ void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::p
         fmt::format("--record {}: no scene has a synthetic horizontal motion to replace", record.string()));
 }
 
-Suite suite_for(NamedScene scene) {
+Suite suite_for(NamedScene scene, const SceneChoice& choice) {
   Suite suite;
   suite.title = scene.scene.title;
-  suite.draws.runs = quick_draws;
+  suite.draws.runs = choice.quick ? fewest_draws : quick_draws;
+  if (choice.quick) {
+    suite.repeats = 1;
+    suite.history_interval = scene.scene.duration / 2000;
+  }
+  std::vector<double> steps = choice.steps.empty() ? default_steps() : choice.steps;
+  if (choice.quick && choice.steps.empty()) steps.pop_back();
   suite.scenes.push_back(std::move(scene));
-  const WorkerEngine* last = nullptr;
-  for (const WorkerEngine& engine : engines()) {
-    if (last != nullptr && last->name() == engine.name()) continue;
-    last = &engine;
-    for (const char* settings : {"default", "tuned"}) {
-      suite.series.push_back(make_series(engine, settings, default_steps()));
-    }
+  for (const WorkerEngine* engine : chosen_engines(choice.engines)) {
+    for (const char* settings : {"default", "tuned"})
+      suite.series.push_back(make_series(*engine, settings, steps));
   }
   return suite;
 }

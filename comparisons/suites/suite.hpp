@@ -65,6 +65,7 @@ struct Suite {
   Perturbations perturbations;  ///< none unless asked for
   Draws draws;                  ///< behind each number of an engine
   int repeats = 5;              ///< timed runs after the warm-up
+  double history_interval = 0;  ///< least time between samples that files keep, s; 0: all are kept
   Limits limits;                ///< of each engine run
 };
 
@@ -95,8 +96,15 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
 /// suite that has one. @throws InputError as read_record(), or where no scene has one.
 void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::path& record);
 
-/// The suite for a single scene: the first solver of every engine of this
-/// build, default and tuned, at 1e-2, 1e-3 and 1e-4 s.
-Suite suite_for(NamedScene scene);
+/// What a comparison of a single scene runs.
+struct SceneChoice {
+  std::vector<std::string> engines = {};  ///< "ode", "bullet:nncg"; none: the first solver of every engine
+  std::vector<double> steps = {};         ///< s; none: default_steps(), or of a quick one the first two
+  bool quick = false;                     ///< fewer draws, one timed run, 2000 samples of each history
+};
+
+/// The suite for a single scene: each engine with its default and its tuned parameters.
+/// @throws InputError for an engine that is not there.
+Suite suite_for(NamedScene scene, const SceneChoice& choice = {});
 
 }  // namespace rockstack

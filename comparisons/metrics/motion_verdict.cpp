@@ -1,0 +1,83 @@
+#include "comparisons/metrics/motion_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/metrics/toppling.hpp"
+
+namespace rockstack {
+namespace {
+
+/// The largest angle of a block over its slenderness angle.
+struct Lean {
+  std::size_t block = 0;
+  double ratio = 0;
+};
+
+Lean largest_lean(const Scene& scene, const std::vector<double>& angles) {
+  Lean largest;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const double ratio = angles[k] / slenderness(scene, static_cast<int>(k));
+    if (ratio > largest.ratio) largest = {k, ratio};
+  }
+  return largest;
+}
+
+/// When a block leans furthest among the samples, s.
+double peak_time(const History& history, std::size_t block) {
+  std::size_t furthest = 0;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    if (std::abs(history.angles_at(i)[block]) > std::abs(history.angles_at(furthest)[block])) furthest = i;
+  }
+  return history.times[furthest];
+}
+
+bool ends_with(const History& history, EventKind kind) {
+  return !history.events.empty() && history.events.back().kind == kind;
+}
+
+/// What blocks and ground must do for the model to hold; empty where it was not asked for.
+std::string demand(const History& history) {
+  std::vector<Demand> demands = history.forces;
+  demands.insert(demands.end(), history.impulses.begin(), history.impulses.end());
+  if (demands.empty()) return "";
+  double friction = 0;
+  for (std::size_t k = 0; k < demands.size(); ++k) {
+    if (demands[k].least_normal < 0)
+      return fmt::format("; interface {} would have to pull at {:.4g} s", k % history.forces.size() + 1,
+                         demands[k].least_normal_time);
+    friction = std::max(friction, demands[k].friction);
+  }
+  return fmt::format("; needs friction {:.2g}", friction);
+}
+
+}  // namespace
+
+std::vector<double> peak_angles(const History& history) {
+  if (!history.peaks.empty()) return history.peaks;
+  std::vector<double> result(static_cast<std::size_t>(history.blocks));
+  for (std::size_t i = 0; i < history.angles.size(); ++i) {
+    double& peak = result[i % result.size()];
+    peak = std::max(peak, std::abs(history.angles[i]));
+  }
+  return result;
+}
+
+std::string motion_verdict(const Scene& scene, const History& history) {
+  const bool reported = ends_with(history, EventKind::topple);
+  const std::string toppled = reported ? reported_toppling(history) : observed_toppling(scene, history);
+  if (!toppled.empty())
+    return fmt::format("{} topples at {:.4g} s{}", toppled.substr(0, toppled.find(" at ")),
+                       reported ? history.events.back().time : history.times.back(), demand(history));
+  const Lean most = largest_lean(scene, peak_angles(history));
+  if (history.events.empty() && most.ratio < 1e-3) return "rests throughout" + demand(history);
+  const std::string rest = ends_with(history, EventKind::rest)
+                               ? fmt::format(", at rest from {:.4g} s", history.events.back().time)
+                               : "";
+  return fmt::format("stands{}; block {} peaks at {:.2f} of its slenderness angle at {:.4g} s{}", rest,
+                     most.block + 1, most.ratio, peak_time(history, most.block), demand(history));
+}
+
+}  // namespace rockstack

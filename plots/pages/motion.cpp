@@ -1,0 +1,57 @@
+#include "plots/pages/motion.hpp"
+
+#include <fmt/core.h>
+
+#include "comparisons/results/files.hpp"
+#include "plots/data/motion.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/pages/html.hpp"
+#include "plots/pages/page_parts.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string section(const std::string& title, const std::string& content) {
+  return element("section", element("h2", title) + "\n" + content) + "\n";
+}
+
+std::string details(const std::string& title, const std::string& content) {
+  return element("details", element("summary", title) + content) + "\n";
+}
+
+std::string figures(const fs::path& results, const ComparedScene& scene) {
+  std::string text =
+      drawn_figure(results / "figures" / "histories.svg", "histories-", "Angles over time",
+                   "Angles of the blocks, clockwise positive. Where events are known, ticks along "
+                   "the upper edge are impacts under that block, and the band names the pattern.");
+  if (!scene.ground_motion.empty())
+    text += drawn_figure(results / "figures" / "ground-motion.svg", "ground-", "Ground acceleration",
+                         "What shakes the blocks, to the right and upwards positive.");
+  return text;
+}
+
+std::string content(const fs::path& results, const Motion& motion) {
+  const Comparison& comparison = motion.comparison;
+  const ComparedScene& scene = comparison.scenes.front();
+  const Run& run = comparison.runs.front();
+  std::string body = element("p", fmt::format("{}: {}.", escaped(run_label(run)), escaped(motion.verdict)));
+  if (!scene.ground.empty()) body += element("p", escaped("The ground moves by: " + scene.ground));
+  body = section("The motion", body + "\n" + player_part(comparison, 0));
+  body += section("Figures", figures(results, scene));
+  body += section("To run it again",
+                  element("pre", element("code", escaped(comparison.command))) +
+                      details("The scene file", element("pre", element("code", escaped(scene.toml)))) +
+                      details("The summary", definition_list(motion.summary)));
+  return element("header", element("h1", escaped(heading(scene)))) + "\n" + element("main", "\n" + body);
+}
+
+}  // namespace
+
+void write_motion_report(const fs::path& results) {
+  const Motion motion = read_motion(results);
+  write_file(results / "report.html", page({motion.comparison.title, "report", content(results, motion)}));
+}
+
+}  // namespace rockstack::plots

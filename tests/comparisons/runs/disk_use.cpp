@@ -1,0 +1,58 @@
+#include "comparisons/runs/disk_use.hpp"
+
+#include <gtest/gtest.h>
+
+#include "comparisons/results/csv.hpp"
+#include "comparisons/runs/compare.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr const char* sampled_block = R"(duration = 0.5
+[[blocks]]
+width = 0.5
+height = 2
+density = 2500
+[initial]
+angles = [0.05]
+)";
+
+double bytes_in(const std::filesystem::path& folder) {
+  double bytes = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == ".csv") bytes += static_cast<double>(entry.file_size());
+  }
+  return bytes;
+}
+
+TEST(DiskUse, IsToldBeforeAndFallsWithTheSamplesThatAreKept) {
+  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  const TemporaryFolder folder;
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", sampled_block), {}), {.steps = {1e-3}});
+  suite.repeats = 1;
+  suite.draws.runs = 1;
+  const RunMetrics all = compare({suite}, folder.path() / "all", {}).rows.back();
+  const double bytes = bytes_in(folder.path() / "all");
+  // Numbers have 1 to 24 signs; events and impacts come on top.
+  EXPECT_GT(history_bytes({suite}), 0.7 * bytes);
+  EXPECT_LT(history_bytes({suite}), 1.5 * bytes);
+
+  suite.history_interval = 0.02;
+  const RunMetrics thin = compare({suite}, folder.path() / "thin", {}).rows.back();
+  EXPECT_EQ(thin.rms_angle_difference, all.rms_angle_difference);
+  EXPECT_LT(bytes_in(folder.path() / "thin"), 0.1 * bytes);
+  const auto history = [&](const char* results) {
+    return folder.path() / results / "runs" / all.run / "history.csv";
+  };
+  const auto kept = read_columns(history("thin"), {"time", "theta_1"});
+  const auto every = read_columns(history("all"), {"time", "theta_1"});
+  ASSERT_EQ(kept[0].size(), 26U);
+  for (std::size_t i = 0; i < kept[0].size(); ++i) {
+    EXPECT_EQ(kept[0][i], every[0][20 * i]);
+    EXPECT_EQ(kept[1][i], every[1][20 * i]);
+  }
+}
+
+}  // namespace
+}  // namespace rockstack
