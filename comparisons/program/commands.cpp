@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/input_error.hpp"
@@ -88,17 +89,39 @@ void announce_disk_use(const std::vector<Suite>& suites, const std::filesystem::
 }
 
 #ifdef ROCKSTACK_WITH_PLOTS
+/// How results of a kind are shown.
+struct Picture {
+  bool (*is_there)(const std::filesystem::path&);
+  void (*draw)(const std::filesystem::path&);
+  void (*write_page)(const std::filesystem::path&);
+};
+
+bool has_record(const std::filesystem::path& results) {
+  return std::filesystem::exists(results / "record.json");
+}
+
+bool has_runs(const std::filesystem::path&) {
+  return true;
+}
+
+/// The first that is there holds; those of runs are what is left.
+constexpr Picture pictures[]{
+    {has_record, plots::draw_record, plots::write_record_report},
+    {plots::has_stability, plots::draw_stability, plots::write_stability_report},
+    {plots::has_sweep, plots::draw_sweep, plots::write_sweep_report},
+    {plots::has_one_motion, plots::draw_motion, plots::write_motion_report},
+    {plots::has_impact_laws, plots::draw_impact_laws, plots::write_impact_law_report},
+    {has_runs, plots::draw_figures, plots::write_report}};
+
+const Picture& picture_of(const std::filesystem::path& results) {
+  return *std::find_if(std::begin(pictures), std::end(pictures),
+                       [&](const Picture& picture) { return picture.is_there(results); });
+}
+
 void draw(const std::filesystem::path& results) {
-  if (plots::has_one_motion(results)) {
-    plots::draw_motion(results);
-    return plots::write_motion_report(results);
-  }
-  if (plots::has_impact_laws(results)) {
-    plots::draw_impact_laws(results);
-    return plots::write_impact_law_report(results);
-  }
-  plots::draw_figures(results);
-  plots::write_report(results);
+  const Picture& picture = picture_of(results);
+  picture.draw(results);
+  picture.write_page(results);
 }
 #endif
 
@@ -234,30 +257,9 @@ int plot_command(const PlotArguments& arguments, const Common& common) {
   const std::filesystem::path& results = arguments.results;
   const FolderLock lock(results);
 #ifdef ROCKSTACK_WITH_PLOTS
-  const bool record = std::filesystem::exists(results / "record.json");
-  const bool of_runs = !record && !plots::has_one_motion(results) && !plots::has_sweep(results) &&
-                       !plots::has_impact_laws(results) && !plots::has_stability(results);
-  if (arguments.animate && !of_runs)
+  if (arguments.animate && picture_of(results).is_there != has_runs)
     throw InputError(fmt::format("plot {} --animate: must be a folder of `rockstack compare` or `teach`",
                                  results.string()));
-  if (record) {
-    plots::draw_record(results);
-    plots::write_record_report(results);
-    print_report(results, common);
-    return 0;
-  }
-  if (plots::has_stability(results)) {
-    plots::draw_stability(results);
-    plots::write_stability_report(results);
-    print_report(results, common);
-    return 0;
-  }
-  if (plots::has_sweep(results)) {
-    plots::draw_sweep(results);
-    plots::write_sweep_report(results);
-    print_report(results, common);
-    return 0;
-  }
   draw(results);
   if (plots::has_lesson(results)) plots::write_lesson(results);
   print_report(results, common);

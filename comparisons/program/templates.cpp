@@ -32,10 +32,10 @@ std::string header_in(const std::string& scene, std::string header) {
 
 std::string comment_of(const InputKey& key) {
   std::string standard;
-  if (std::string_view(key.standard).starts_with("instead")) {
-    standard = fmt::format(", {}", key.standard);
-  } else if (std::string_view(key.standard) != required_key) {
-    standard = fmt::format(", default {}", key.standard);
+  const std::string_view words = key.standard;
+  if (words != required_key) {
+    const bool value = !words.starts_with("instead") && !words.starts_with(required_key);
+    standard = fmt::format(", {}{}", value ? "default " : "", words);
   }
   return fmt::format("{}: {}{}{}{}", key.meaning, key.unit, *key.unit != '\0' ? ", " : "", key.range,
                      standard);
@@ -106,7 +106,8 @@ std::vector<Part> scene_parts(const std::optional<std::filesystem::path>& record
 }
 
 std::string suite_text() {
-  return text_of({{&suite_keys, {{"scenes", "[\"spanos-free-rocking\"]"}, {"repeats", "1"}}},
+  return text_of({{&suite_keys,
+                   {{"title", "\"Two blocks\""}, {"scenes", "[\"spanos-free-rocking\"]"}, {"repeats", "1"}}},
                   {&engine_keys, {{"settings", "[\"tuned\"]"}, {"dt", "[1e-2, 1e-3]"}}},
                   {&draws_keys},
                   {&perturbations_keys, {}, true}});

@@ -25,7 +25,7 @@ double columns_of(const Job& job) {
 }  // namespace
 
 double history_bytes(const std::vector<Suite>& suites) {
-  constexpr double number_length = 20;  // 17 digits, sign, point and comma; exponents are rare
+  constexpr double number_length = 14;  // on average: 20 of an angle, few of a time or a zero
   double bytes = 0;
   for (const Job& job : jobs_of(suites)) bytes += number_length * samples_of(job) * columns_of(job);
   return bytes;

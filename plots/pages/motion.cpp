@@ -36,15 +36,20 @@ std::string content(const fs::path& results, const Motion& motion) {
   const Comparison& comparison = motion.comparison;
   const ComparedScene& scene = comparison.scenes.front();
   const Run& run = comparison.runs.front();
-  std::string body = element("p", fmt::format("{}: {}.", escaped(run_label(run)), escaped(motion.verdict)));
-  if (!scene.ground.empty()) body += element("p", escaped("The ground moves by: " + scene.ground));
-  body = section("The motion", body + "\n" + player_part(comparison, 0));
-  body += section("Figures", figures(results, scene));
-  body += section("To run it again",
-                  element("pre", element("code", escaped(comparison.command))) +
-                      details("The scene file", element("pre", element("code", escaped(scene.toml)))) +
-                      details("The summary", definition_list(motion.summary)));
-  return element("header", element("h1", escaped(heading(scene)))) + "\n" + element("main", "\n" + body);
+  const std::string contents =
+      element("ul", element("li", fmt::format("<a href=\"#{}\">Player</a>", player_anchor(0))));
+  const std::string header = element("h1", escaped(heading(scene))) +
+                             element("nav", contents, " aria-label=\"Parts of this page\"") +
+                             answer_box({fmt::format("{}: {}.", run_label(run), motion.verdict)});
+  const std::string ground =
+      scene.ground.empty() ? "" : element("p", escaped("The ground moves by: " + scene.ground));
+  const std::string again = element("pre", element("code", escaped(comparison.command))) +
+                            details("The scene file", element("pre", element("code", escaped(scene.toml)))) +
+                            details("The summary", definition_list(motion.summary)) +
+                            element("p", "The tables as files: " + file_links(results));
+  return element("header", header) + "\n" +
+         element("main", "\n" + section("The motion", ground + player_part(comparison, 0)) +
+                             section("Figures", figures(results, scene)) + section("To run it again", again));
 }
 
 }  // namespace
