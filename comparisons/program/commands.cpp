@@ -100,11 +100,11 @@ bool has_record(const std::filesystem::path& results) {
   return std::filesystem::exists(results / "record.json");
 }
 
-bool has_runs(const std::filesystem::path&) {
-  return true;
+bool has_runs(const std::filesystem::path& results) {
+  return std::filesystem::exists(results / "comparison.json");
 }
 
-/// The first that is there holds; those of runs are what is left.
+/// The first that is there holds: a study has runs too.
 constexpr Picture pictures[]{
     {has_record, plots::draw_record, plots::write_record_report},
     {plots::has_stability, plots::draw_stability, plots::write_stability_report},
@@ -114,8 +114,12 @@ constexpr Picture pictures[]{
     {has_runs, plots::draw_figures, plots::write_report}};
 
 const Picture& picture_of(const std::filesystem::path& results) {
-  return *std::find_if(std::begin(pictures), std::end(pictures),
-                       [&](const Picture& picture) { return picture.is_there(results); });
+  const auto* found = std::find_if(std::begin(pictures), std::end(pictures),
+                                   [&](const Picture& picture) { return picture.is_there(results); });
+  if (found == std::end(pictures))
+    throw InputError(
+        fmt::format("{}: cannot be read: must be a folder with results that have figures", results.string()));
+  return *found;
 }
 
 void draw(const std::filesystem::path& results) {

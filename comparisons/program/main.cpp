@@ -159,9 +159,7 @@ Command add_sweep(CLI::App& app, const Common& common) {
 Command add_plot(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = app.add_subcommand("plot", "draw figures and the report from a results folder");
-  command
-      ->add_option("folder", arguments->results,
-                   "folder written by `rockstack compare`, `teach`, `sweep` or `record`")
+  command->add_option("folder", arguments->results, "folder with results of any command but `advise`")
       ->required();
   command->add_flag("--animate", arguments->animate,
                     "write each scene's motion as a GIF too, and as an MP4 where ffmpeg is installed");

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <sstream>
+
+#include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/ensemble/ensemble.hpp"
 #include "comparisons/ensemble/ensemble_keys.hpp"
@@ -70,6 +73,41 @@ TEST(Keys, OfSuitesAreThoseThatAreRead) {
     expect_keys_are_those_read(KeyFile(tables), *table, read_suite_text);
   }
   expect_tables_are_complete(suite_tables);
+}
+
+/// What keys with a default give.
+std::string defaults_in(const std::string& text) {
+  const TemporaryFolder folder;
+  folder.write("scene.toml", key_scene);
+  const Suite suite = read_suite(folder.write("input.toml", text), {});
+  std::ostringstream found;
+  found << suite.tolerance << ' ' << suite.repeats << ' ' << suite.limits.time << ' ' << suite.limits.memory
+        << ' ' << suite.draws.runs << ' ' << suite.draws.steps << ' ' << suite.draws.scene << ' '
+        << suite.draws.seed << ' ' << suite.perturbations.runs << ' ' << suite.perturbations.size << ' '
+        << suite.perturbations.seed << ' ' << suite.variants.size();
+  for (const EngineSeries& series : suite.series) {
+    found << ' ' << series.settings;
+    for (const double step : series.steps) found << ' ' << step;
+  }
+  return found.str();
+}
+
+TEST(Keys, OfSuitesHaveTheDefaultsOfTheReader) {
+  int defaults = 0;
+  for (const KeyTable* table : {&suite_keys, &engine_keys, &draws_keys, &perturbations_keys}) {
+    std::vector<const KeyTable*> tables{&suite_keys, &engine_keys};
+    if (table != &suite_keys && table != &engine_keys) tables.push_back(table);
+    const KeyFile file(tables);
+    for (const InputKey& key : table->keys) {
+      const bool empty_list = std::string_view(key.standard) == "[]";  // which `set` refuses
+      if (empty_list || !parse_toml_value(key.standard, Node{})) continue;
+      EXPECT_EQ(defaults_in(KeyFile(file).set(*table, key.name, key.standard).text()),
+                defaults_in(file.text()))
+          << key.name;
+      ++defaults;
+    }
+  }
+  EXPECT_GE(defaults, 10);
 }
 
 TEST(Keys, OfStudiesAreThoseThatAreRead) {
