@@ -49,6 +49,7 @@ Motion motion_of(const Json& summary, const fs::path& results) {
   motion.comparison.scenes = {scene_of(summary)};
   motion.comparison.runs = {run_of(summary, results)};
   ComparedScene& scene = motion.comparison.scenes.front();
+  if (!motion.comparison.runs.front().exact()) scene.law.clear();
   motion.comparison.title = scene.title;
   motion.comparison.command = summary.at("command").get<std::string>();
   motion.comparison.environment = facts_of(summary.at("environment"));
