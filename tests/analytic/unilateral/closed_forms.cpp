@@ -1,0 +1,157 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analytic/unilateral/contact_modes.hpp"
+#include "tests/analytic/unilateral/scenes.hpp"
+
+namespace rockstack {
+namespace {
+
+using testing::pulse_of;
+using testing::single;
+
+// Closed forms round in their own operations and in the solver's, some tens of units in the last place.
+constexpr double round_off = 1e-13;
+
+std::string first_mode(const Scene& scene, double friction) {
+  const ContactHistory history = solve_unilateral(scene, {.friction = {friction}});
+  return history.events.empty() ? "" : name(history.events.front().to);
+}
+
+// Shenton 1996, J. Eng. Mech. 122, 690–693: rocking without slip needs μ ≥ [A(4 + r²) + 3r]/[1 + 4r² + 3Ar].
+TEST(UnilateralClosedForms, RockingSlidesBelowShentonsFriction) {
+  for (const auto& [slenderness_ratio, push] : {std::pair{2.0, 1.0}, {1.5, 0.9}, {4.0, 0.3}}) {
+    Scene scene = single(0.5, 0.5 * slenderness_ratio, 1e-3);
+    scene.horizontal = pulse_of(PulseShape::rectangle, push * scene.gravity, 1);
+    const double r = slenderness_ratio;
+    const double expected = (push * (4 + r * r) + 3 * r) / (1 + 4 * r * r + 3 * push * r);
+    double slides = expected - 0.01;
+    double sticks = expected + 0.01;
+    EXPECT_EQ(first_mode(scene, slides), "L<");
+    EXPECT_EQ(first_mode(scene, sticks), "L");
+    for (int i = 0; i < 35; ++i) {
+      const double middle = (slides + sticks) / 2;
+      (first_mode(scene, middle) == "L" ? sticks : slides) = middle;
+    }
+    EXPECT_NEAR(sticks, expected, 1e-11);
+  }
+}
+
+TEST(UnilateralClosedForms, SlideRockFromRestHasItsAccelerations) {
+  const Scene scene = single(1, 2, 1);
+  const double g = scene.gravity;
+  const double b = 1;
+  const double h = 2;
+  const double friction = 0.6;
+  const FrictionStack stack(scene.blocks, {friction});
+  std::vector<Joint> joints(1);
+  Bodies bodies{{{}}, {{}}};
+  place(stack.blocks, joints, bodies);
+  FreeVector free(3);
+  free << -g, -g, 0;
+  const auto mode = find_mode(stack, joints, bodies, free, Sought::accelerations);
+  ASSERT_TRUE(mode);
+  EXPECT_EQ(name(*mode), "L<");
+  const ModeResponse response = respond(stack, *mode, bodies, free, Sought::accelerations);
+  const double turning = 3 * g * (friction * h - b) / (4 * b * b + h * h - 3 * friction * b * h);
+  EXPECT_NEAR(-response.motion[2], turning, round_off * g);
+  EXPECT_NEAR(response.forces[0].normal, scene.blocks[0].mass * (g + b * turning),
+              round_off * scene.blocks[0].mass * g);
+  const PointRows rows = rows_of(stack.blocks, bodies, held_point(stack.blocks, 0, (*mode)[0]));
+  EXPECT_NEAR(-rows.slip_row.dot(response.motion), g - friction * (g + b * turning) - h * turning,
+              round_off * g);
+}
+
+TEST(UnilateralClosedForms, ARockingImpactKeepsItsShareOfTheVelocity) {
+  for (const double r : {1.8, 2.0, 3.0}) {
+    const Scene scene = single(0.5, 0.5 * r, 1);
+    const double sticks = 3 * r / (1 + 4 * r * r);
+    for (const double friction : {0.1, 0.9 * sticks, 1.1 * sticks, 2.0}) {
+      const FrictionStack stack(scene.blocks, {friction});
+      std::vector<Joint> joints(1);
+      joints[0].touch = Touch::right;
+      Bodies bodies{{{}}, {{}}};
+      bodies.rate[0].angle = -1;
+      place(stack.blocks, joints, bodies);
+      const FreeVector before = vector_of(bodies.rate);
+      joints[0].touch = Touch::flat;
+      const auto mode = find_mode(stack, joints, bodies, before, Sought::velocities);
+      ASSERT_TRUE(mode);
+      const FreeVector after = respond(stack, *mode, bodies, before, Sought::velocities).motion;
+      const double sliding = (r * r - 2 + 3 * friction * r) / (4 + r * r - 3 * friction * r);
+      if (r * r + 3 * friction * r <= 2) continue;
+      EXPECT_NEAR(-after[2], friction >= sticks ? 1 - 1.5 / (1 + r * r) : sliding, round_off)
+          << r << ' ' << friction;
+      EXPECT_EQ((*mode)[0].slip == 0, friction >= sticks);
+    }
+  }
+}
+
+TEST(UnilateralClosedForms, ABlockUnderARectangularPulseSlidesItsWay) {
+  for (const double side : {-1.0, 1.0}) {
+    const double friction = 0.3;
+    const double push = 0.7;
+    const double time = 0.4;
+    Scene scene = single(1, 0.8, 3);
+    scene.horizontal = pulse_of(PulseShape::rectangle, side * push * scene.gravity, time, 0.1);
+    const ContactHistory history = solve_unilateral(scene, {.friction = {friction}});
+    EXPECT_NEAR(history.events.back().to[0].offset,
+                -side * push * scene.gravity * time * time * (push / friction - 1) / 2, round_off);
+    EXPECT_NEAR(history.events.back().time, 0.1 + push / friction * time, round_off);
+  }
+}
+
+TEST(UnilateralClosedForms, ASlidingBlockStops) {
+  const double friction = 0.2;
+  const double speed = 1.5;
+  const Scene scene = single(1, 0.8, 3);
+  const ContactHistory history = solve_unilateral(scene, {.friction = {friction}, .slip_rates = {speed}});
+  EXPECT_NEAR(history.last.at[0].x, speed * speed / (2 * friction * scene.gravity), round_off);
+  EXPECT_NEAR(history.events.back().time, speed / (friction * scene.gravity), round_off);
+  EXPECT_EQ(name(history.events.back().to), "C");
+}
+
+// The ground falls away at 2 g for t₀, so that the block rises against it at g and then falls at g.
+TEST(UnilateralClosedForms, AThrownBlockFliesItsParabolaAndLandsWithFriction) {
+  const double time = 0.2;
+  const double speed = 2;
+  const double friction = 0.25;
+  Scene scene = single(1, 0.8, 1);
+  const double g = scene.gravity;
+  scene.vertical = pulse_of(PulseShape::rectangle, -2 * g, time);
+  const ContactHistory history = solve_unilateral(
+      scene, {.friction = {friction}, .slip_rates = {speed}, .sample_times = {0.1, 0.3, 0.4}});
+  ASSERT_GE(history.events.size(), 2U);
+  const ContactEvent& landing = history.events[1];
+  EXPECT_EQ(history.events[0].kind, ContactEventKind::lift_off);
+  EXPECT_EQ(history.events[0].time, 0);
+  EXPECT_EQ(landing.kind, ContactEventKind::impact);
+  EXPECT_EQ(name(landing.to), "C>");
+  EXPECT_NEAR(landing.time, (2 + std::sqrt(2.0)) * time, round_off);
+  EXPECT_NEAR(landing.before[0].y, -std::sqrt(2.0) * g * time, round_off * g);
+  EXPECT_EQ(landing.after[0].y, 0);
+  EXPECT_NEAR(landing.after[0].x, speed - friction * std::sqrt(2.0) * g * time, round_off * g);
+  EXPECT_NEAR(landing.at[0].x, speed * landing.time, round_off);
+  const auto height = [&](double t) {
+    return t < time ? g * t * t / 2
+                    : g * time * time / 2 + g * time * (t - time) - g * (t - time) * (t - time) / 2;
+  };
+  for (const auto& sample : history.samples)
+    EXPECT_NEAR(sample.gaps[0], height(sample.time), round_off) << sample.time;
+}
+
+TEST(UnilateralClosedForms, TheLastEventsOfASlowDescentAreThoseOfHousner) {
+  Scene scene = single(0.5, 1, 3);
+  scene.initial.angles = {0.1};
+  const ContactHistory history = solve_unilateral(scene, {.friction = {10}});
+  for (std::size_t i = 0; i < 5; ++i) {
+    const ContactEvent& event = history.events[i];
+    EXPECT_EQ(event.kind, ContactEventKind::impact);
+    EXPECT_NEAR(event.after[0].angle / event.before[0].angle, 0.7, round_off);
+  }
+  EXPECT_EQ(history.events.back().kind, ContactEventKind::rest);
+}
+
+}  // namespace
+}  // namespace rockstack

@@ -1,0 +1,188 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/analytic/unilateral/scenes.hpp"
+
+namespace rockstack {
+namespace {
+
+using testing::rubbing_scene;
+using testing::RubbingScene;
+
+std::vector<double> regular(double interval, double duration) {
+  return regular_times(interval, duration);
+}
+
+bool slips_or_flies(const ContactHistory& history) {
+  for (const ContactEvent& event : history.events)
+    for (const Joint& joint : event.to)
+      if (!joint.touches() || joint.slip != 0) return true;
+  return false;
+}
+
+double weight_energy(const Scene& scene) {
+  double sum = 0;
+  for (const Block& block : scene.blocks) sum += block.mass * scene.gravity * block.half_height;
+  return sum;
+}
+
+TEST(UnilateralLaws, EnergyNeverRisesWhereTheGroundIsStill) {
+  int rubbing = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    testing::Draw draw(seed);
+    const Scene scene = testing::random_scene(draw, 1 + draw.below(3), false);
+    ContactOptions options;
+    for (std::size_t k = 0; k < scene.blocks.size(); ++k) options.friction.push_back(draw.between(0.05, 0.8));
+    options.sample_times = regular(0.01, scene.duration);
+    const ContactHistory history = solve_unilateral(scene, options);
+    if (slips_or_flies(history)) ++rubbing;
+    const double slack = 1e-10 * weight_energy(scene);
+    double last = energy(scene, history.samples.front().bodies);
+    for (const auto& sample : history.samples) {
+      EXPECT_LE(energy(scene, sample.bodies), last + slack) << seed << ' ' << sample.time;
+      last = energy(scene, sample.bodies);
+    }
+    for (const ContactEvent& event : history.events)
+      EXPECT_LE(energy(scene, {event.at, event.after}), energy(scene, {event.at, event.before}) + slack)
+          << seed << ' ' << event.time;
+  }
+  EXPECT_GE(rubbing, 30);
+}
+
+TEST(UnilateralLaws, ImpactsLeaveEnergyOrTakeIt) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const auto [scene, options] = rubbing_scene(seed);
+    for (const ContactEvent& event : solve_unilateral(scene, options).events)
+      EXPECT_LE(energy(scene, {event.at, event.after}),
+                energy(scene, {event.at, event.before}) + 1e-10 * weight_energy(scene))
+          << seed << ' ' << event.time;
+  }
+}
+
+/// Momenta of a stack and its angular momentum about its centre of mass, counterclockwise.
+struct Momenta {
+  double x = 0, y = 0, turning = 0;
+};
+
+Momenta momenta(const Scene& scene, const Bodies& bodies) {
+  Momenta result;
+  double mass = 0;
+  double centre_x = 0;
+  double centre_y = 0;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const Block& block = scene.blocks[k];
+    mass += block.mass;
+    centre_x += block.mass * bodies.at[k].x;
+    centre_y += block.mass * bodies.at[k].y;
+    result.x += block.mass * bodies.rate[k].x;
+    result.y += block.mass * bodies.rate[k].y;
+    result.turning += block.mass * (bodies.at[k].x * bodies.rate[k].y - bodies.at[k].y * bodies.rate[k].x) -
+                      block.inertia * bodies.rate[k].angle;
+  }
+  result.turning -= (centre_x * result.y - centre_y * result.x) / mass;
+  return result;
+}
+
+// The top rocks back onto the base while the ground falls away under both.
+TEST(UnilateralLaws, AFlyingStackKeepsItsMomentum) {
+  for (const double angle : {0.02, 0.05, -0.08}) {
+    Scene scene = testing::released({testing::block(1, 1), testing::block(0.6, 0.9)}, {0, angle}, 0.5);
+    scene.initial.velocities = {0, -12 * angle};
+    scene.vertical = testing::pulse_of(PulseShape::rectangle, -3 * scene.gravity, 0.5);
+    ContactOptions options{.friction = {0.5, 0.3}};
+    options.sample_times = regular(0.01, scene.duration);
+    const ContactHistory history = solve_unilateral(scene, options);
+    double mass = 0;
+    for (const Block& block : scene.blocks) mass += block.mass;
+    int impacts = 0;
+    for (const ContactEvent& event : history.events) {
+      EXPECT_FALSE(event.to[0].touches());
+      if (event.kind == ContactEventKind::impact) ++impacts;
+    }
+    EXPECT_GT(impacts, 0);
+    const Momenta first = momenta(scene, history.samples[1].bodies);
+    for (std::size_t i = 2; i < history.samples.size(); ++i) {
+      const Momenta now = momenta(scene, history.samples[i].bodies);
+      const double time = history.samples[i].time - history.samples[1].time;
+      EXPECT_NEAR(now.x, first.x, 1e-12 * mass);
+      EXPECT_NEAR(now.y, first.y + 2 * mass * scene.gravity * time, 1e-12 * mass);
+      EXPECT_NEAR(now.turning, first.turning, 1e-12 * mass);
+    }
+  }
+}
+
+std::vector<BodyPlacement> mirrored(std::vector<BodyPlacement> placements) {
+  for (BodyPlacement& placement : placements) {
+    placement.x = -placement.x;
+    placement.angle = -placement.angle;
+  }
+  return placements;
+}
+
+void expect_equal(const std::vector<BodyPlacement>& one, const std::vector<BodyPlacement>& other,
+                  std::uint64_t seed) {
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    EXPECT_EQ(one[k].x, other[k].x) << seed;
+    EXPECT_EQ(one[k].y, other[k].y) << seed;
+    EXPECT_EQ(one[k].angle, other[k].angle) << seed;
+  }
+}
+
+TEST(UnilateralLaws, AMirroredSceneHasTheMirroredHistoryBitForBit) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const auto [scene, options] = rubbing_scene(seed);
+    Scene image = scene;
+    for (auto* values : {&image.initial.angles, &image.initial.velocities, &image.horizontal.samples})
+      for (double& value : *values) value = -value;
+    if (image.horizontal.pulse) image.horizontal.pulse->amplitude *= -1;
+    const ContactHistory one = solve_unilateral(scene, options);
+    const ContactHistory other = solve_unilateral(image, options);
+    ASSERT_EQ(one.events.size(), other.events.size()) << seed;
+    for (std::size_t i = 0; i < one.events.size(); ++i) {
+      EXPECT_EQ(one.events[i].time, other.events[i].time) << seed;
+      EXPECT_EQ(one.events[i].kind, other.events[i].kind) << seed;
+      expect_equal(one.events[i].at, mirrored(other.events[i].at), seed);
+      expect_equal(one.events[i].after, mirrored(other.events[i].after), seed);
+      for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+        EXPECT_EQ(one.events[i].to[k].slip, -other.events[i].to[k].slip);
+        EXPECT_EQ(one.events[i].to[k].side(), -other.events[i].to[k].side());
+      }
+    }
+    expect_equal(one.last.at, mirrored(other.last.at), seed);
+  }
+}
+
+// Four times the lengths at the same gravity take twice the time; both factors round nothing.
+TEST(UnilateralLaws, ALargerStackDoesTheSameMoreSlowly) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const auto [scene, options] = rubbing_scene(seed);
+    Scene large = scene;
+    large.duration *= 2;
+    for (Block& block : large.blocks) {
+      block.half_width *= 4;
+      block.half_height *= 4;
+      block.inertia *= 16;
+    }
+    for (double& velocity : large.initial.velocities) velocity /= 2;
+    for (GroundMotion* motion : {&large.horizontal, &large.vertical}) {
+      motion->interval *= 2;
+      if (!motion->pulse) continue;
+      motion->pulse->period *= 2;
+      motion->pulse->start *= 2;
+    }
+    const ContactHistory one = solve_unilateral(scene, options);
+    const ContactHistory other = solve_unilateral(large, options);
+    ASSERT_EQ(one.events.size(), other.events.size()) << seed;
+    for (std::size_t i = 0; i < one.events.size(); ++i) {
+      EXPECT_EQ(2 * one.events[i].time, other.events[i].time) << seed;
+      for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+        EXPECT_EQ(4 * one.events[i].at[k].x, other.events[i].at[k].x) << seed;
+        EXPECT_EQ(one.events[i].after[k].angle, 2 * other.events[i].after[k].angle) << seed;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rockstack

@@ -1,0 +1,43 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/analytic/unilateral/scenes.hpp"
+
+namespace rockstack {
+namespace {
+
+/// A block on its right corner that slides as told.
+ContactHistory sliding_on_its_corner(double slip_rate, double friction, double duration) {
+  Scene scene = testing::single(0.5, 1, duration);
+  scene.initial.angles = {0.2};
+  return solve_unilateral(scene, {.friction = {friction}, .slip_rates = {slip_rate}});
+}
+
+bool tells(const ContactHistory& history, Solutions solutions) {
+  for (const ContactEvent& event : history.events)
+    if (event.solutions == solutions) return true;
+  return false;
+}
+
+// Painlevé 1895: at a sliding corner whose friction turns the block onto it, G_NN ≤ μ |G_NT|, no forces
+// satisfy the laws of contact: an impulse stops the slip. Of the uniform block leaning by θ, with arms a and
+// c of its centre along and above the ground, m G_NN = 1 + 3a²/(b² + h²) and m G_NT = 3ac/(b² + h²).
+TEST(UnilateralPainleve, WhereNoForcesDoAnImpulseIsToldAndTakesEnergy) {
+  const double a = 0.5 * std::cos(0.2) - std::sin(0.2);
+  const double c = std::cos(0.2) + 0.5 * std::sin(0.2);
+  const double critical = (1 + 3 * a * a / 1.25) / (3 * a * c / 1.25);
+  const bool left = tells(sliding_on_its_corner(-1, 1.05 * critical, 1e-3), Solutions::none);
+  const bool right = tells(sliding_on_its_corner(1, 1.05 * critical, 1e-3), Solutions::none);
+  EXPECT_TRUE(left != right);
+  for (const double rate : {-1.0, 1.0}) {
+    EXPECT_FALSE(tells(sliding_on_its_corner(rate, 0.95 * critical, 1e-3), Solutions::none));
+    const Scene scene = testing::single(0.5, 1, 1);
+    for (const ContactEvent& event : sliding_on_its_corner(rate, 1.05 * critical, 0.5).events)
+      EXPECT_LE(energy(scene, {event.at, event.after}),
+                energy(scene, {event.at, event.before}) * (1 + 1e-12));
+  }
+}
+
+}  // namespace
+}  // namespace rockstack

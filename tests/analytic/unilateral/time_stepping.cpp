@@ -1,0 +1,161 @@
+#include "tests/analytic/unilateral/time_stepping.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rockstack::testing {
+namespace {
+
+struct Vec {
+  double x, y;
+};
+double dot(const Vec& a, const Vec& b) {
+  return a.x * b.x + a.y * b.y;
+}
+double cross(const Vec& a, const Vec& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// A block that turns counterclockwise by −angle.
+struct Body {
+  double mass, inertia;
+  Vec at, velocity;
+  double turn, spin;
+
+  Vec along() const { return {std::cos(turn), std::sin(turn)}; }
+  Vec up() const { return {-std::sin(turn), std::cos(turn)}; }
+  Vec point(double x, double y) const {
+    return {at.x + x * along().x + y * up().x, at.y + x * along().y + y * up().y};
+  }
+};
+
+/// A point of one body that touches another, which may be the ground.
+struct Touching {
+  Body* upper;
+  Body* lower;  ///< null: the ground
+  Vec where, normal, tangent;
+  double friction;
+  double push = 0, rub = 0;  ///< impulses, N·s
+
+  Vec relative_velocity() const {
+    const auto of = [&](const Body& body) {
+      const Vec arm{where.x - body.at.x, where.y - body.at.y};
+      return Vec{body.velocity.x - body.spin * arm.y, body.velocity.y + body.spin * arm.x};
+    };
+    const Vec above = of(*upper);
+    const Vec below = lower ? of(*lower) : Vec{0, 0};
+    return {above.x - below.x, above.y - below.y};
+  }
+  double mobility(const Vec& direction) const {
+    double sum = 0;
+    for (const Body* body : {upper, lower}) {
+      if (!body) continue;
+      const double lever = cross({where.x - body->at.x, where.y - body->at.y}, direction);
+      sum += 1 / body->mass + lever * lever / body->inertia;
+    }
+    return sum;
+  }
+  void apply(const Vec& direction, double impulse) const {
+    const auto to = [&](Body& body, double signed_impulse) {
+      body.velocity.x += signed_impulse * direction.x / body.mass;
+      body.velocity.y += signed_impulse * direction.y / body.mass;
+      body.spin +=
+          signed_impulse * cross({where.x - body.at.x, where.y - body.at.y}, direction) / body.inertia;
+    };
+    to(*upper, impulse);
+    if (lower) to(*lower, -impulse);
+  }
+  /// How much the impulses change.
+  double relax() {
+    const double push_before = push;
+    push = std::max(0.0, push - dot(relative_velocity(), normal) / mobility(normal));
+    apply(normal, push - push_before);
+    const double rub_before = rub;
+    const double limit = friction * push;
+    rub = std::clamp(rub - dot(relative_velocity(), tangent) / mobility(tangent), -limit, limit);
+    apply(tangent, rub - rub_before);
+    return std::abs(push - push_before) + std::abs(rub - rub_before);
+  }
+};
+
+/// A corner of the upper block over the lower one's top, or of the lower one under the upper one's bottom.
+void add_corners(const Scene& scene, std::vector<Body>& bodies, std::size_t k, double friction,
+                 std::vector<Touching>& touching) {
+  const Block& block = scene.blocks[k];
+  Body& upper = bodies[k];
+  Body* lower = k > 0 ? &bodies[k - 1] : nullptr;
+  for (const int side : {-1, 1}) {
+    const Vec corner = upper.point(side * block.half_width, -block.half_height);
+    if (!lower) {
+      if (corner.y <= 0) touching.push_back({&upper, nullptr, corner, {0, 1}, {1, 0}, friction});
+      continue;
+    }
+    const Block& base = scene.blocks[k - 1];
+    const Vec on_base{corner.x - lower->at.x, corner.y - lower->at.y};
+    if (dot(on_base, lower->up()) <= base.half_height &&
+        std::abs(dot(on_base, lower->along())) <= base.half_width)
+      touching.push_back({&upper, lower, corner, lower->up(), lower->along(), friction});
+    const Vec other = lower->point(side * base.half_width, base.half_height);
+    const Vec on_block{other.x - upper.at.x, other.y - upper.at.y};
+    if (dot(on_block, upper.up()) >= -block.half_height &&
+        std::abs(dot(on_block, upper.along())) <= block.half_width)
+      touching.push_back({&upper, lower, other, upper.up(), upper.along(), friction});
+  }
+}
+
+}  // namespace
+
+Bodies time_stepped(const Scene& scene, const ContactOptions& options, double step) {
+  ContactOptions none = options;
+  Scene start = scene;
+  start.duration = 1e-9 * scene.duration;
+  none.sample_times = {0};
+  const Bodies first = solve_unilateral(start, none).samples.front().bodies;
+  std::vector<Body> bodies;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const Block& block = scene.blocks[k];
+    bodies.push_back({block.mass,
+                      block.inertia,
+                      {first.at[k].x, first.at[k].y},
+                      {first.rate[k].x, first.rate[k].y},
+                      -first.at[k].angle,
+                      -first.rate[k].angle});
+  }
+  const auto move = [&](double time) {
+    for (Body& body : bodies) {
+      body.at.x += time * body.velocity.x;
+      body.at.y += time * body.velocity.y;
+      body.turn += time * body.spin;
+    }
+  };
+  const auto steps = static_cast<int>(std::lround(scene.duration / step));
+  const double length = scene.duration / steps;
+  std::vector<Touching> touching;
+  for (int i = 0; i < steps; ++i) {
+    move(length / 2);
+    const double middle = (i + 0.5) * length;
+    for (Body& body : bodies) {
+      body.velocity.x -= length * acceleration(scene.horizontal, middle);
+      body.velocity.y -= length * (scene.gravity + acceleration(scene.vertical, middle));
+    }
+    touching.clear();
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      add_corners(scene, bodies, k, options.friction[k], touching);
+    double scale = 0;
+    for (const Body& body : bodies) scale += body.mass * scene.gravity * length;
+    for (int sweep = 0; sweep < 1000; ++sweep) {
+      double change = 0;
+      for (Touching& point : touching) change += point.relax();
+      if (change <= 1e-9 * scale) break;
+    }
+    move(length / 2);
+  }
+  Bodies last;
+  for (const Body& body : bodies) {
+    last.at.push_back({body.at.x, body.at.y, -body.turn});
+    last.rate.push_back({body.velocity.x, body.velocity.y, -body.spin});
+  }
+  return last;
+}
+
+}  // namespace rockstack::testing
