@@ -91,6 +91,7 @@ LessonValues chatter_values(const Suite& suite, const std::vector<RunMetrics>& /
                     {"last_flight", power(flight(last), 1)},
                     {"coarse", std::to_string(count_impacts(coarse))}};
   values.tables = {{"flights", flights(chatter)}, {"seen", seen_by_engines(scene, count_impacts(history))}};
+  values.player = {.time = chatter.impacts[1].time - 0.01, .speed = 0.01, .gain = 100, .chatter = true};
   return values;
 }
 

@@ -103,6 +103,7 @@ LessonValues housner_values(const Suite& suite, const std::vector<RunMetrics>& r
       {"ode_first", power(*find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference, 1)},
   };
   values.tables = {{"periods", periods(scene, c)}, {"swings", swings(scene, c)}};
+  values.player = {.time = landing.time - 0.1, .speed = 0.1, .gain = 2};
   return values;
 }
 

@@ -31,10 +31,19 @@ std::string text_of(const Lesson& lesson) {
 Json lesson_json(const Lesson& lesson, const Suite& suite, const LessonValues& values) {
   const auto place = std::find_if(lessons().begin(), lessons().end(),
                                   [&](const Lesson& one) { return one.name == lesson.name; });
-  Json json{{"name", lesson.name},       {"number", place - lessons().begin() + 1},
-            {"count", lessons().size()}, {"title", suite.title},
-            {"text", text_of(lesson)},   {"numbers", values.numbers},
-            {"tables", Json::object()}};
+  Json json{{"name", lesson.name},
+            {"number", place - lessons().begin() + 1},
+            {"count", lessons().size()},
+            {"title", suite.title},
+            {"text", text_of(lesson)},
+            {"numbers", values.numbers},
+            {"tables", Json::object()},
+            {"player",
+             {{"time", values.player.time},
+              {"speed", values.player.speed},
+              {"gain", values.player.gain},
+              {"overlaid", values.player.overlaid},
+              {"chatter", values.player.chatter}}}};
   for (const auto& [name, table] : values.tables)
     json["tables"][name] = {{"columns", table.columns}, {"rows", table.rows}};
   return json;

@@ -11,22 +11,24 @@ namespace rockstack {
 namespace {
 
 constexpr double sample_step = 1e-3;  // s
+constexpr double finer_step = 3e-4;   // s
 
 History with_demands(const Scene& scene) {
   return solve(scene, {.sample_times = regular_times(1e-3, scene.duration), .validity = true});
 }
 
-/// Engines on floors of different friction, against the exact motion, which does not slip.
-Table slipping(Scene scene) {
+/// How far an engine on a floor of that friction is from the exact motion, which does not slip; RMS, rad.
+double slip_error(Scene scene, const char* engine, double friction, double dt) {
+  scene.engine.friction = friction;
+  const History history = answer(engine, "tuned", scene, dt);
+  return root_mean_square(difference(solve(scene, {.sample_times = history.times}), history));
+}
+
+Table slipping(const Scene& scene) {
   Table table{{"friction of the scene", "Bullet: RMS difference (rad)", "ODE: RMS difference (rad)"}, {}};
-  for (const double friction : {0.05, 0.1, 0.13, 0.16, 0.2, 0.5}) {
-    scene.engine.friction = friction;
-    const auto error = [&](const char* engine) {
-      const History history = answer(engine, "tuned", scene, sample_step);
-      return cell(root_mean_square(difference(solve(scene, {.sample_times = history.times}), history)));
-    };
-    table.rows.push_back({cell(friction), error("bullet"), error("ode")});
-  }
+  for (const double friction : {0.05, 0.1, 0.13, 0.16, 0.2, 0.5})
+    table.rows.push_back({cell(friction), cell(slip_error(scene, "bullet", friction, sample_step)),
+                          cell(slip_error(scene, "ode", friction, sample_step))});
   return table;
 }
 
@@ -80,8 +82,15 @@ LessonValues limits_values(const Suite& suite, const std::vector<RunMetrics>& ro
       {"slippery", fixed(scene.engine.friction, 2)},
       {"bullet_until", fixed(*find_run(rows, "bullet", "tuned", sample_step).agreement_time, 2)},
       {"ode_until", fixed(*find_run(rows, "ode", "tuned", sample_step).agreement_time, 2)},
+      {"bullet_rough", fixed(slip_error(scene, "bullet", 0.5, sample_step), 4)},
+      {"bullet_rough_finer", fixed(slip_error(scene, "bullet", 0.5, finer_step), 4)},
+      {"finer_step", fixed(1e3 * finer_step, 1)},
+      {"duration", fixed(scene.duration, 0)},
       {"tolerance", fixed(suite.tolerance, 2)}};
   values.tables = {{"slipping", slipping(scene)}, {"lifting", lifting(scene)}};
+  // When the engines have left the exact motion far enough for the eye.
+  values.player = {
+      .time = *find_run(rows, "bullet", "tuned", sample_step).agreement_time, .speed = 0.25, .gain = 3};
   return values;
 }
 

@@ -62,6 +62,9 @@ LessonValues projection_values(const Suite& suite, const std::vector<RunMetrics>
     const ImpactEnergies one = impact_energies(scene, impact);
     worst = std::max(worst, std::abs(one.before - one.after - one.jump) / one.before);
   }
+  // The drawing is to scale: lengths are roots of energies, and that before the impact is as long as
+  // `length`.
+  constexpr double left = 60, ground = 230, length = 520;
   LessonValues values;
   values.numbers = {{"time", fixed(first.time, 5)},
                     {"from", name(first.from)},
@@ -75,8 +78,13 @@ LessonValues projection_values(const Suite& suite, const std::vector<RunMetrics>
                     {"energy_jump", fixed(e.jump, 1)},
                     {"lost", percent(1 - e.after / e.before, 1)},
                     {"worst", power(worst, 0)},
+                    {"foot_x", fixed(left + length * std::sqrt(e.after / e.before), 1)},
+                    {"middle_x", fixed(left + length / 2 * std::sqrt(e.after / e.before), 1)},
+                    {"tip_y", fixed(ground - length * std::sqrt(e.jump / e.before), 1)},
+                    {"half_y", fixed(ground - length / 2 * std::sqrt(e.jump / e.before), 1)},
                     {"top_gain", percent(first.after[1] / first.before[1] - 1, 0)}};
   values.tables = {{"balance", balance(scene, impacts)}, {"candidates", candidates(scene, first)}};
+  values.player = {.time = first.time - 0.01, .speed = 0.01, .gain = 4};
   return values;
 }
 

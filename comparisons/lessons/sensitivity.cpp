@@ -14,7 +14,9 @@
 namespace rockstack {
 namespace {
 
-constexpr double change = 1e-9;  // of the ground's acceleration, as a share
+constexpr double change = 1e-6;         // of the ground's acceleration, as a share
+constexpr double unseen_change = 1e-9;  // a change that stays out of sight
+constexpr double parted = 1e-2;         // rad
 constexpr int seeds = 30;
 constexpr double engine_step = 1e-3;  // s
 
@@ -28,6 +30,73 @@ double parting(const History& a, const History& b, double size) {
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
     if (std::abs(a.angles_at(i)[1] - b.angles_at(i)[1]) > size) return a.times[i];
   return -1;
+}
+
+/// The largest difference of the top block's angles so far, rad, at each time.
+std::vector<double> differences_so_far(const History& a, const History& b) {
+  std::vector<double> list;
+  double most = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    list.push_back(most = std::max(most, std::abs(a.angles_at(i)[1] - b.angles_at(i)[1])));
+  return list;
+}
+
+/// The straight line ln δ = offset + rate · t through a difference while it grows.
+struct Growth {
+  double rate = 0, offset = 0;  ///< 1/s, and of δ in rad
+  double from = 0, until = 0;   ///< the time that was fitted, s
+};
+
+/// By least squares, from where a difference can be seen beside rounding to three quarters of its way up.
+Growth growth(const std::vector<double>& times, const std::vector<double>& differences) {
+  constexpr double visible = 1e-11;  // rad
+  const double end = std::pow(differences.back(), 0.75) * std::pow(visible, 0.25);
+  double n = 0, t = 0, d = 0, tt = 0, td = 0;
+  Growth line;
+  for (std::size_t i = 0; i < differences.size() && differences[i] < end; ++i) {
+    if (differences[i] < visible) continue;
+    if (n == 0) line.from = times[i];
+    line.until = times[i];
+    const double log = std::log(differences[i]);
+    n += 1, t += times[i], d += log, tt += times[i] * times[i], td += times[i] * log;
+  }
+  line.rate = (n * td - t * d) / (n * tt - t * t);
+  line.offset = (d - line.rate * t) / n;
+  return line;
+}
+
+// The drawing: 10 s from left to right, 62 units each.
+double across(double time) {
+  return 70 + 62 * time;
+}
+
+/// A path through every 20th sample of the first ten seconds, `height` giving the place of one.
+template <class Height>
+std::string path(const History& history, const Height& height) {
+  std::string text;
+  for (std::size_t i = 0; i < history.size() && history.times[i] <= 10; i += 20)
+    text += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : " ", across(history.times[i]), height(i));
+  return text;
+}
+
+/// Place of a difference: 18.75 units a power of ten, 10⁻⁴ at 210.
+double decades_down(double difference) {
+  return 210 - 18.75 * (std::log10(std::max(difference, 1e-12)) + 4);
+}
+
+/// The paths of the drawing.
+std::map<std::string, std::string> paths(const History& exact, const History& changed,
+                                         const std::vector<double>& differences, const Growth& line) {
+  const auto angle = [](const History& history) {
+    return [&](std::size_t i) { return 95 - 75 / 0.16 * history.angles_at(i)[1]; };
+  };
+  const auto end = [&](double time) {
+    return fmt::format("{:.1f} {:.1f}", across(time), decades_down(std::exp(line.offset + line.rate * time)));
+  };
+  return {{"path_exact", path(exact, angle(exact))},
+          {"path_changed", path(changed, angle(changed))},
+          {"path_difference", path(exact, [&](std::size_t i) { return decades_down(differences[i]); })},
+          {"path_line", "M" + end(line.from) + "L" + end(line.until)}};
 }
 
 /// One column of partings.
@@ -111,7 +180,9 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics
   const NamedScene& named = suite.scenes.front();
   const Scene& scene = named.scene;
   const History exact = exact_answer(scene), changed = exact_answer(stronger(scene, change));
-  const History thousandth = exact_answer(stronger(scene, 1e-3));
+  const History least = exact_answer(stronger(scene, unseen_change));
+  const std::vector<double> differences = differences_so_far(exact, least);
+  const Growth line = growth(exact.times, differences);
   const History bullet = answer("bullet", "tuned", scene, engine_step),
                 ode = answer("ode", "tuned", scene, engine_step);
   const Peaks peaks = peaks_over_seeds(named);
@@ -119,20 +190,29 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics
   LessonValues values;
   values.numbers = {
       {"change", power(change, 0)},
-      {"parted_exact", fixed(parting(exact, changed, 1e-6), 2)},
+      {"small", power(unseen_change, 0)},
+      {"parted_exact", fixed(parting(exact, changed, parted), 1)},
+      {"most", fixed(differences_so_far(exact, changed).back(), 2)},
+      {"lambda", fixed(line.rate, 1)},
+      {"doubling", fixed(std::log(2.0) / line.rate, 2)},
+      {"factor", fixed(std::exp(line.rate), 0)},
+      {"from", fixed(line.from, 1)},
+      {"until", fixed(line.until, 1)},
       {"bullet_until", fixed(*find_run(rows, "bullet", "tuned", engine_step).agreement_time, 2)},
       {"ode_until", fixed(*find_run(rows, "ode", "tuned", engine_step).agreement_time, 2)},
       {"tolerance", fixed(suite.tolerance, 2)},
       {"seeds", std::to_string(seeds)},
       {"changed_distance", fixed(changed_test.distance, 3)},
       {"critical", fixed(changed_test.critical, 3)}};
+  values.numbers.merge(paths(exact, changed, differences, line));
   add_engine("bullet", peaks.exact, peaks.bullet, values);
   add_engine("ode", peaks.exact, peaks.ode, values);
-  values.tables = {{"partings", partings(exact, {{"exact, ground changed by 1e-9 (s)", changed},
-                                                 {"exact, ground changed by 1e-3 (s)", thousandth},
+  values.tables = {{"partings", partings(exact, {{"exact, ground changed by 1e-9 (s)", least},
+                                                 {"exact, ground changed by 1e-6 (s)", changed},
                                                  {"Bullet, 1 ms (s)", bullet},
                                                  {"ODE, 1 ms (s)", ode}})},
                    {"quantiles", quantiles(peaks)}};
+  values.player = {.time = parting(exact, changed, parted), .speed = 0.25, .gain = 5};
   return values;
 }
 

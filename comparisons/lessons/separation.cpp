@@ -103,6 +103,7 @@ LessonValues separation_values(const Suite& suite, const std::vector<RunMetrics>
   };
   values.tables = {
       {"readings", readings(scene)}, {"events", first_events(history)}, {"solvers", solvers(scene, history)}};
+  values.player = {.time = opening.time - 0.02, .speed = 0.05, .gain = 4};
   return values;
 }
 

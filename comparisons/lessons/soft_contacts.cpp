@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +11,8 @@ namespace rockstack {
 namespace {
 
 constexpr double contact_step = 1e-3;  // s
+constexpr int heights = 15;
+constexpr double lowest = 0.16, highest = 0.44;  // tilts, rad
 
 /// How much of its angular speed a block has again after it has landed flat.
 double rebound(const History& history, const Event& landing) {
@@ -17,6 +21,21 @@ double rebound(const History& history, const Event& landing) {
     if (history.times[i] > landing.time + 3 * contact_step)
       most = std::max(most, std::abs(history.velocities_at(i)[0]));
   return most / std::abs(landing.before[0]);
+}
+
+/// One fall: the scene with its tilt, and the landing of its exact motion.
+struct Fall {
+  Scene scene;
+  Event landing;
+};
+
+std::vector<Fall> falls(Scene scene) {
+  std::vector<Fall> list;
+  for (int i = 0; i < heights; ++i) {
+    scene.initial.angles = {lowest + (highest - lowest) * i / (heights - 1)};
+    list.push_back({scene, *first_event(exact_answer(scene), EventKind::impact)});
+  }
+  return list;
 }
 
 struct Choice {
@@ -39,13 +58,20 @@ std::vector<Choice> choices() {
       {"bullet", "tuned", "Bullet, tuned", {}}};
 }
 
-Table rebounds(const Scene& scene, const Event& landing) {
-  Table table{{"engine and parameters", "speed after landing / before"}, {}};
-  for (const Choice& choice : choices())
-    table.rows.push_back({choice.label, cell(rebound(answer(choice.engine, choice.settings, scene,
-                                                            contact_step, choice.changes),
-                                                     landing))});
-  return table;
+/// The bounces of one choice over all falls, from the least to the most.
+std::vector<double> rebounds(const Choice& choice, const std::vector<Fall>& all) {
+  std::vector<double> list;
+  list.reserve(all.size());
+  for (const Fall& fall : all)
+    list.push_back(rebound(answer(choice.engine, choice.settings, fall.scene, contact_step, choice.changes),
+                           fall.landing));
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+/// "0.063 (0.006 to 0.17)", two digits of each.
+std::string spread(const std::vector<double>& sorted) {
+  return fmt::format("{:.2g} ({:.2g} to {:.2g})", sorted[sorted.size() / 2], sorted.front(), sorted.back());
 }
 
 /// ERP and CFM as the spring and damper that they stand for at a step.
@@ -69,11 +95,15 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
   const Event landing = *first_event(exact_answer(scene), EventKind::impact);
   const Block& block = scene.blocks.front();
   const double alpha = std::atan2(block.half_width, block.half_height);
-  const auto rebound_of = [&](const Choice& choice) {
-    return fixed(
-        rebound(answer(choice.engine, choice.settings, scene, contact_step, choice.changes), landing), 3);
-  };
   const std::vector<Choice> all = choices();
+  const std::vector<Fall> every = falls(scene);
+  Table table{{"engine and parameters", "speed after / before: median", "least", "most"}, {}};
+  std::vector<std::string> bounces;
+  for (const Choice& choice : all) {
+    const std::vector<double> list = rebounds(choice, every);
+    table.rows.push_back({choice.label, cell(list[list.size() / 2]), cell(list.front()), cell(list.back())});
+    bounces.push_back(spread(list));
+  }
   LessonValues values;
   values.numbers = {{"alpha", fixed(alpha, 3)},
                     {"ratio", fixed(1 - 1.5 * std::sin(alpha) * std::sin(alpha), 3)},
@@ -83,13 +113,17 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
                     {"depth", power(std::abs(landing.before[0]) * 2 * block.half_width * contact_step, 1)},
                     {"step", fixed(contact_step, 3)},
                     {"after", name(landing.to)},
-                    {"ode_default", rebound_of(all[0])},
-                    {"ode_high", rebound_of(all[1])},
-                    {"ode_tuned", rebound_of(all[3])},
-                    {"bullet_default", rebound_of(all[5])},
-                    {"bullet_split", rebound_of(all[7])},
-                    {"bullet_tuned", rebound_of(all[8])}};
-  values.tables = {{"rebounds", rebounds(scene, landing)}, {"springs", springs(block.mass * scene.gravity)}};
+                    {"heights", std::to_string(heights)},
+                    {"lowest", fixed(lowest, 2)},
+                    {"highest", fixed(highest, 2)},
+                    {"ode_default", bounces[0]},
+                    {"ode_high", bounces[1]},
+                    {"ode_tuned", bounces[3]},
+                    {"bullet_default", bounces[5]},
+                    {"bullet_split", bounces[7]},
+                    {"bullet_tuned", bounces[8]}};
+  values.player = {.time = landing.time - 0.01, .speed = 0.01, .gain = 10};
+  values.tables = {{"rebounds", table}, {"springs", springs(block.mass * scene.gravity)}};
   return values;
 }
 

@@ -56,6 +56,7 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
   const auto finer = [&](const char* engine) {
     return power(error(scene.scene, answer(engine, "tuned", scene.scene, finest_step)), 1);
   };
+  const double first_impact = first_event(exact_answer(scene.scene), EventKind::impact)->time;
   LessonValues values;
   values.numbers = {
       {"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
@@ -63,6 +64,7 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
       {"bullet_share",
        fixed(*find_run(rows, "bullet", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
       {"ode_share", fixed(*find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
+      {"tolerance", fixed(suite.tolerance, 2)},
       {"bullet_coarse", rms("bullet", 1e-2)},
       {"bullet_fine", rms("bullet", 1e-4)},
       {"ode_coarse", rms("ode", 1e-2)},
@@ -75,6 +77,7 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
       {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
       {"single_rounding", power(std::ldexp(1.0, -24), 1)}};
   values.tables = {{"steps", over_steps(rows, scene.name)}, {"iterations", over_iterations(scene.scene)}};
+  values.player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true};
   return values;
 }
 

@@ -81,6 +81,7 @@ LessonValues still_base_values(const Suite& suite, const std::vector<RunMetrics>
                     {"lift_bullet", fixed(lift(answer("bullet", "tuned", scene, 1e-4), first.time), 4)},
                     {"lift_ode", fixed(lift(answer("ode", "tuned", scene, 1e-4), first.time), 4)}};
   values.tables = {{"candidates", patterns_after(scene, first)}};
+  values.player = {.time = first.time - 0.01, .speed = 0.05, .gain = 10};
   return values;
 }
 

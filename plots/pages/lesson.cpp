@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <map>
+#include <set>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/results/files.hpp"
@@ -18,22 +19,41 @@ namespace {
 namespace fs = std::filesystem;
 using Values = std::map<std::string, std::string>;
 
+/// As many digits as tell the numbers of a column apart, four at least: times of chatter need more than
+/// those of swings.
+int digits_of(const Json& rows, std::size_t column) {
+  std::set<std::string> numbers;
+  for (const Json& row : rows)
+    if (const std::string cell = row.at(column).get<std::string>(); number_in(cell)) numbers.insert(cell);
+  constexpr int fewest = 4, most = 9;
+  for (int significant = fewest; significant < most; ++significant) {
+    std::set<std::string> shown;
+    for (const std::string& number : numbers)
+      shown.insert(fmt::format("{:.{}g}", *number_in(number), significant));
+    if (shown.size() == numbers.size()) return significant;
+  }
+  return most;
+}
+
 std::string lesson_table(const Json& json) {
   const auto columns = json.at("columns").get<std::vector<std::string>>();
+  std::vector<int> significant;
+  for (std::size_t i = 0; i < columns.size(); ++i) significant.push_back(digits_of(json.at("rows"), i));
   std::string rows;
   for (const Json& row : json.at("rows")) {
-    std::vector<std::string> cells;
-    for (std::size_t i = 0; i < columns.size(); ++i) cells.push_back(row.at(i).get<std::string>());
-    rows += table_row(columns, cells);
+    std::string cells;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      cells += table_cell(columns[i], row.at(i).get<std::string>(), "", significant[i]);
+    rows += element("tr", cells) + "\n";
   }
   return table(columns, rows);
 }
 
 /// Names with a colon are parts of a page; numbers have none.
-void add_parts(const fs::path& results, const Comparison& comparison, Values& values) {
+void add_parts(const fs::path& results, const Comparison& comparison, const Json& start, Values& values) {
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
     const ComparedScene& scene = comparison.scenes[i];
-    if (has_motion(comparison, scene)) values["player:" + scene.name] = player_part(comparison, i);
+    if (has_motion(comparison, scene)) values["player:" + scene.name] = player_part(comparison, i, start);
     for (const FigureKind& kind : figure_kinds())
       if (has_figure(scene, kind))
         values[fmt::format("figure:{}.{}", scene.name, kind.name)] =
@@ -46,7 +66,7 @@ Values values_of(const fs::path& results, const Comparison& comparison, const Js
   for (const auto& [name, value] : lesson.at("numbers").items())
     values[name] = escaped(value.get<std::string>());
   for (const auto& [name, value] : lesson.at("tables").items()) values["table:" + name] = lesson_table(value);
-  add_parts(results, comparison, values);
+  add_parts(results, comparison, lesson.value("player", Json()), values);
   return values;
 }
 

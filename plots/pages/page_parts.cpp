@@ -24,17 +24,6 @@ std::string contents_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The number in a cell, or nothing where it is text.
-std::optional<double> number_in(const std::string& cell) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(cell, &used);
-    return used == cell.size() ? std::optional(value) : std::nullopt;
-  } catch (const std::logic_error&) {
-    return std::nullopt;
-  }
-}
-
 /// Files of a folder with one of these endings, sorted; none where there is no folder.
 std::set<std::string> names_in(const fs::path& folder, const std::set<std::string>& endings) {
   std::set<std::string> names;
@@ -49,6 +38,16 @@ std::string class_attribute(const std::string& classes) {
 }
 
 }  // namespace
+
+std::optional<double> number_in(const std::string& cell) {
+  try {
+    std::size_t used = 0;
+    const double value = std::stod(cell, &used);
+    return used == cell.size() ? std::optional(value) : std::nullopt;
+  } catch (const std::logic_error&) {
+    return std::nullopt;
+  }
+}
 
 std::string page(const PageParts& parts) {
   return filled_in(page_html,
@@ -92,10 +91,11 @@ std::string definition_list(const Facts& facts) {
   return element("dl", items);
 }
 
-std::string table_cell(const std::string& column, const std::string& cell, const std::string& kind) {
+std::string table_cell(const std::string& column, const std::string& cell, const std::string& kind,
+                       int significant) {
   const bool is_count = cell.find_first_not_of("0123456789") == std::string::npos;
   if (const std::optional<double> value = number_in(cell))
-    return element("td", is_count ? cell : fmt::format("{:.4g}", *value),
+    return element("td", is_count ? cell : fmt::format("{:.{}g}", *value, significant),
                    fmt::format(" class=\"number{1}{2}\" data-value=\"{0}\" title=\"{0}\"", escaped(cell),
                                kind.empty() ? "" : " ", kind));
   const std::string classes = column == "reason" && !cell.empty() ? "reason " + kind : kind;
@@ -153,9 +153,9 @@ std::string player_anchor(std::size_t scene) {
   return fmt::format("player-{}-stage", scene + 1);
 }
 
-std::string player_part(const Comparison& comparison, std::size_t scene) {
+std::string player_part(const Comparison& comparison, std::size_t scene, const Json& start) {
   return player(comparison, comparison.scenes[scene], assign_styles(comparison.runs),
-                comparison.scenes.size(), fmt::format("player-{}", scene + 1));
+                comparison.scenes.size(), fmt::format("player-{}", scene + 1), start);
 }
 
 }  // namespace rockstack::plots

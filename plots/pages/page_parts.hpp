@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "plots/data/json_file.hpp"
 #include "plots/data/results.hpp"
 #include "plots/figures/comparison/figures.hpp"
 
@@ -40,9 +42,13 @@ std::string table_row(const std::vector<std::string>& columns, const std::vector
 /// Names and texts, one under the other.
 std::string definition_list(const Facts& facts);
 
-/// A cell of a table, of a class where one is named. Counts stand as they are, other numbers with four
-/// digits; the whole number is kept for sorting and as a tooltip.
-std::string table_cell(const std::string& column, const std::string& cell, const std::string& kind = "");
+/// The number in a cell, or nothing where it is text.
+std::optional<double> number_in(const std::string& cell);
+
+/// A cell of a table, of a class where one is named. Counts stand as they are, other numbers with
+/// `significant` digits; the whole number is kept for sorting and as a tooltip.
+std::string table_cell(const std::string& column, const std::string& cell, const std::string& kind = "",
+                       int significant = 4);
 
 /// A column's heading, which sorts when chosen: "rms_angle_difference" as words that may break into lines.
 std::string heading(std::string column, const std::string& kind = "");
@@ -69,6 +75,7 @@ std::string figure_part(const std::filesystem::path& results, const Comparison& 
 std::string player_anchor(std::size_t scene);
 
 /// The player of a scene. Precondition: has_motion().
-std::string player_part(const Comparison& comparison, std::size_t scene);
+/// `start` is how it stands at first, by the names of lesson.json; null: at the beginning.
+std::string player_part(const Comparison& comparison, std::size_t scene, const Json& start = {});
 
 }  // namespace rockstack::plots

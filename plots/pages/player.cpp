@@ -15,7 +15,6 @@
 namespace rockstack::plots {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Columns = std::vector<std::vector<double>>;
 
 /// Every n-th sample and the last, so that no more than `most` and one are left.
@@ -204,10 +203,10 @@ std::string for_script(const Json& data) {
 }  // namespace
 
 std::string player(const Comparison& comparison, const ComparedScene& scene, const Styles& styles,
-                   std::size_t players, const std::string& id) {
-  return filled_in(player_html, {{"id", id},
-                                 {"title", escaped(scene.title)},
-                                 {"data", for_script(data_of(comparison, scene, styles, players))}});
+                   std::size_t players, const std::string& id, const Json& start) {
+  Json data = data_of(comparison, scene, styles, players);
+  if (!start.is_null()) data["start"] = start;
+  return filled_in(player_html, {{"id", id}, {"title", escaped(scene.title)}, {"data", for_script(data)}});
 }
 
 }  // namespace rockstack::plots

@@ -2,16 +2,18 @@
 
 #include <string>
 
+#include "plots/data/json_file.hpp"
 #include "plots/data/results.hpp"
 #include "plots/drawing/style.hpp"
 
 namespace rockstack::plots {
 
 /// The player of a scene as a part of a page, with the motions of the runs that figures over time show,
-/// thinned so that a page of `players` of them stays small. `id` names its element. Precondition:
+/// thinned so that a page of `players` of them stays small. `id` names its element, `start` how it stands at
+/// first, by the names of lesson.json; null: at the beginning. Precondition:
 /// has_motion().
 /// @throws InputError naming the file that is missing or malformed.
 std::string player(const Comparison& comparison, const ComparedScene& scene, const Styles& styles,
-                   std::size_t players, const std::string& id);
+                   std::size_t players, const std::string& id, const Json& start = {});
 
 }  // namespace rockstack::plots

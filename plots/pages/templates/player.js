@@ -105,6 +105,7 @@ class Player {
     this.starts = this.events.spans.map((span) => span[0]);
     this.makeControls(root);
     this.makeTable();
+    if (data.start) this.start(data.start);
     new ResizeObserver(() => this.resize()).observe(this.find("stage"));
     this.resize();
     this.say();
@@ -133,6 +134,15 @@ class Player {
       if (event.buttons) this.goTo((event.offsetX / event.target.clientWidth) * this.end);
     };
     for (const kind of ["pointerdown", "pointermove"]) this.find("strip").addEventListener(kind, drag);
+  }
+
+  // Stands where a lesson wants it, with its settings made.
+  start({ time, speed, gain, overlaid, chatter }) {
+    this.find("speed").value = speed;
+    this.find("gain").value = Math.round(50 * Math.log10(gain));
+    this.find("view").value = overlaid ? "over" : "side";
+    this.find("chatter").checked = chatter;
+    this.time = Math.min(this.end, Math.max(0, time));
   }
 
   checkbox(track) {

@@ -21,7 +21,9 @@ fs::path lesson_folder(const std::string& text) {
   testing::write_sample(folder, {});
   nlohmann::json lesson = nlohmann::json::parse(R"json({
     "title": "A lesson on <signs>", "number": 2, "count": 9, "numbers": {"least": "3 < 4"},
-    "tables": {"steps": {"columns": ["step (s)", "error"], "rows": [["0.01", "2"], ["0.001", "1"]]}}
+    "tables": {"steps": {"columns": ["step (s)", "error"], "rows": [["0.01", "2"], ["0.001", "1"]]},
+               "near": {"columns": ["time (s)"], "rows": [["0.12345671"], ["0.12345682"]]}},
+    "player": {"time": 1.25, "speed": 0.05, "gain": 10, "overlaid": true, "chatter": true}
   })json");
   lesson["text"] = text;
   std::ofstream(folder / "lesson.json") << lesson.dump();
@@ -62,6 +64,14 @@ TEST(Lesson, AMalformedFileIsNamed) {
   EXPECT_THROW(write_lesson(folder), InputError);
 }
 
+TEST(Lesson, NumbersOfAColumnKeepTheDigitsThatTellThemApart) {
+  const fs::path folder = lesson_folder("{{table:near}}");
+  write_lesson(folder);
+  const std::string page = testing::bytes_of(folder / "lesson.html");
+  EXPECT_TRUE(holds(page, ">0.1234567</td>"));
+  EXPECT_TRUE(holds(page, ">0.1234568</td>"));
+}
+
 TEST(Lesson, ItsPageWorksInABrowser) {
   if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
   const fs::path folder =
@@ -70,11 +80,13 @@ TEST(Lesson, ItsPageWorksInABrowser) {
   const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "lesson.html"), R"(
     document.querySelector("main table thead button").click();
     dispatchEvent(new Event("beforeprint"));
-    return { first: document.querySelector("main table tbody td").textContent, end: player.end,
+    return { first: document.querySelector("main table tbody td").textContent, end: player.end, start: [player.time, player.find("speed").value,
+        player.find("gain-text").textContent, player.find("view").value, player.find("chatter").checked],
       answered: document.querySelector(".question").open };)");
   EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
   EXPECT_EQ(answer.result["first"], "0.001");
   EXPECT_EQ(answer.result["end"], 5);
+  EXPECT_EQ(answer.result["start"], nlohmann::json::parse(R"([1.25, "0.05", "10", "over", true])"));
   EXPECT_EQ(answer.result["answered"], true);
 }
 
