@@ -46,6 +46,7 @@ void BodyWatch::follow_ground() {
 void BodyWatch::add_energy(const std::vector<BodyState>& bodies, std::span<const double> velocities) {
   double energy = 0, work = 0, rest_height = 0;
   BodyAcceleration pull;
+  const Gravity gravity = gravity_of(scene_);
   if (samples_ > 0 && is_shaken(scene_))
     pull = body_acceleration(scene_, static_cast<double>(samples_ - 1) * dt_,
                              static_cast<double>(samples_) * dt_);
@@ -56,11 +57,12 @@ void BodyWatch::add_energy(const std::vector<BodyState>& bodies, std::span<const
     rest_height += block.half_height;
     energy += 0.5 * block.mass * (along * along + up * up) +
               0.5 * block.inertia * velocities[k] * velocities[k] +
-              block.mass * scene_.gravity * (places_[k].y - rest_height);
+              block.mass * gravity.across * (places_[k].y - rest_height) -
+              block.mass * gravity.along * places_[k].x;
     rest_height += block.half_height;
     if (samples_ == 0 || !is_shaken(scene_)) continue;
-    work += block.mass * (pull.x * (places_[k].x - last_places_[k].x) +
-                          (pull.y + scene_.gravity) * (places_[k].y - last_places_[k].y));
+    work += block.mass * ((pull.x - gravity.along) * (places_[k].x - last_places_[k].x) +
+                          (pull.y + gravity.across) * (places_[k].y - last_places_[k].y));
   }
   record_.energy.push_back(energy);
   record_.input.push_back(work + (record_.input.empty() ? 0 : record_.input.back()));

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 
 #include "analytic/scene/kinematics.hpp"
 
@@ -24,9 +26,22 @@ Vector<double> vector_of(const std::vector<double>& values) {
   return Vector<double>::Map(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+/// Says what engines have no equivalent of, rather than leave it out.
+void require_for_engines(const Scene& scene) {
+  if (!scene.restitution.empty())
+    throw std::runtime_error("restitution: must be left out for engines, whose impacts have no such ratio");
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    if (scene.blocks[k].offset_x != 0 || scene.blocks[k].offset_y != 0)
+      throw std::runtime_error(
+          "blocks." + std::to_string(k + 1) +
+          ".center_of_mass: must be left out for engines, which are given uniform boxes");
+  }
+}
+
 }  // namespace
 
 std::vector<Placement> place(const Scene& scene) {
+  require_for_engines(scene);
   const Vector<double> angles = vector_of(scene.initial.angles);
   const Vector<double> velocities = vector_of(scene.initial.velocities);
   const Pattern pattern = pattern_of(relative(angles), relative(velocities));
@@ -48,9 +63,15 @@ std::vector<Placement> place(const Scene& scene) {
   return placements;
 }
 
+BodyAcceleration body_acceleration(const Scene& scene) {
+  const Gravity gravity = gravity_of(scene);
+  return {gravity.along, -gravity.across};
+}
+
 BodyAcceleration body_acceleration(const Scene& scene, double from, double to) {
-  return {-mean_acceleration(scene.horizontal, from, to),
-          -scene.gravity - mean_acceleration(scene.vertical, from, to)};
+  const BodyAcceleration still = body_acceleration(scene);
+  return {still.x - mean_acceleration(scene.horizontal, from, to),
+          still.y - mean_acceleration(scene.vertical, from, to)};
 }
 
 double unwrap(double wrapped, double last) {

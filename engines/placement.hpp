@@ -19,12 +19,16 @@ struct Placement {
 };
 
 /// Bottom to top: pivots touch, centres move as the pattern of the initial state makes them.
+/// @throws std::runtime_error for a restitution, or a centre of mass off a block's middle, in one line.
 std::vector<Placement> place(const Scene& scene);
 
 /// Acceleration that every body feels in the ground's frame, m/s².
 struct BodyAcceleration {
   double x = 0, y = 0;
 };
+
+/// Gravity alone, in the axes of the ground.
+BodyAcceleration body_acceleration(const Scene& scene);
 
 /// Gravity less the mean ground acceleration over [from, to], from < to.
 BodyAcceleration body_acceleration(const Scene& scene, double from, double to);

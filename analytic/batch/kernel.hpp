@@ -50,7 +50,8 @@ class StepKernel {
       watched = watched || any(load(rows_.watched[k]) > Real(0));
     }
     load_body_force();
-    Chain series(linkage, rows_.linear, rows_.forces || watched, directions, start_.advances);
+    Chain series(linkage, rows_.linear ? Equations::linear : Equations::nonlinear, rows_.forces || watched,
+                 directions, start_.advances);
     series.extend(0, body_force_);
     land(series);
     converge(series, busy);

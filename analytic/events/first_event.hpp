@@ -34,6 +34,7 @@ struct FirstEvent {
   Pattern opened;                        ///< the sides that opening interfaces open to
   int toppling = -1;                     ///< block, from 0
   std::vector<BasicGraze<Real>> grazes;  ///< with s of the step for the time
+  Interfaces either;  ///< opening interfaces that carry nothing, for which the other side would do as well
 
   bool happens() const { return closing.any() || opening.any() || toppling >= 0; }
 
@@ -41,7 +42,7 @@ struct FirstEvent {
   /// later.
   bool admit(const std::optional<Real>& crossing) {
     if (!crossing || *crossing > s) return false;
-    if (*crossing < s) *this = FirstEvent{*crossing, {}, {}, opened, -1, std::move(grazes)};
+    if (*crossing < s) *this = FirstEvent{*crossing, {}, {}, opened, -1, std::move(grazes), {}};
     return true;
   }
 };
@@ -92,6 +93,10 @@ void find_opening(const DenseOutput<Real, N>& output, FirstEvent<Real>& event) {
       if (!event.admit(crossing)) continue;
       event.opening.set(static_cast<std::size_t>(k));
       event.opened[k] = side;
+      // The margins' sum is the normal force times the width.
+      const Polynomial<Real>& other = side == Contact::right ? margin.left : margin.right;
+      const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (std::abs(other[0]) + reach(other));
+      if (value(other, event.s) <= rounding) event.either.set(static_cast<std::size_t>(k));
     }
   }
 }

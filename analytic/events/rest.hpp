@@ -9,7 +9,7 @@ namespace rockstack {
 /// A stack with all interfaces closed. It stands for as long as the ground's acceleration (ẍg, ÿg) leaves the
 /// pull at its masses inside every interface:
 ///
-///     |ẍg| < λ (g + ÿg),   λ = min over k of mₖ wₖ / Σ_{j≥k} Sⱼ
+///     |ẍg| < λ (g + ÿg),   λ = min over k of (mₖ wₖ − |Σ_{j≥k} Sₓⱼ|) / Σ_{j≥k} Sᵧⱼ
 ///
 /// with mₖ the mass above interface k, and the S of the linkage upright. For one block λ is b/h. Every
 /// interface bears N = mₖ (g + ÿg) and T = mₖ ẍg.
@@ -17,16 +17,19 @@ template <class Real, int N>
 struct RestingStack {
   PerBlock<Real, N> mass;  ///< kg, of all above an interface
   Real gravity;            ///< m/s²
-  Real critical_tilt;      ///< λ, less what rounding may make of it
+  Real critical_tilt;      ///< λ, less what rounding may make of it; negative where it falls by itself
 
   explicit RestingStack(const Model<Real, N>& model) : gravity(model.gravity) {
     const Linkage<Real, N> linkage = make_linkage(model.stack, closed_pattern(model.stack.size()));
     mass = linkage.mass;
     critical_tilt = std::numeric_limits<Real>::infinity();
+    using std::abs;
     Real moment = 0;
+    Real aside = 0;
     for (std::size_t k = linkage.size(); k-- > 0;) {
       moment += linkage.moment_y[k];
-      critical_tilt = std::min<Real>(critical_tilt, mass[k] * linkage.width[k] / moment);
+      aside += linkage.moment_x[k];
+      critical_tilt = std::min<Real>(critical_tilt, (mass[k] * linkage.width[k] - abs(aside)) / moment);
     }
     critical_tilt *= 1 - 1024 * std::numeric_limits<Real>::epsilon();
   }

@@ -30,13 +30,16 @@ struct Motion {
 template <class Real, int N = Eigen::Dynamic>
 struct Model {
   Stack<Real, N> stack;
-  Real gravity;                                ///< m/s²
-  Equations equations = Equations::nonlinear;  ///< linear: geometry upright, no velocity terms
+  Real gravity;                                ///< m/s², across the ground
+  Equations equations = Equations::nonlinear;  ///< other: no velocity terms
 };
 
 template <class Real, int N = Eigen::Dynamic>
 Model<Real, N> make_model(const Scene& scene) {
-  return {make_stack<Real, N>(scene), Real(scene.gravity), scene.equations};
+  using std::cos;
+  Stack<Real, N> stack = make_stack<Real, N>(scene);
+  if (scene.equations == Equations::small_angle) stack = small_angle_stack(std::move(stack));
+  return {std::move(stack), Real(scene.gravity) * cos(Real(scene.inclination)), scene.equations};
 }
 
 /// Where the stack is and how it moves: relative angles φₖ in rad and their rates in rad/s, exactly zero at
@@ -58,11 +61,14 @@ struct State {
   }
 };
 
-/// The directions of the blocks at a state; upright for the linear equations.
+/// The directions of the blocks at a state; upright for the linear equations, (1, θ) for those of small
+/// angles.
 template <class Real, int N>
 Directions<Real, N> directions_at(const Model<Real, N>& model, const Vector<Real, N>& relative_angles) {
   const auto size = relative_angles.size();
   if (model.equations == Equations::linear) return {Vector<Real, N>::Ones(size), Vector<Real, N>::Zero(size)};
+  if (model.equations == Equations::small_angle)
+    return {Vector<Real, N>::Ones(size), absolute(relative_angles)};
   return directions<Real, N>(absolute(relative_angles));
 }
 
@@ -172,20 +178,44 @@ Points<Real, N> centripetal(const Chain<Real, N>& chain, const Vector<Real, N>& 
   return result;
 }
 
-/// What the blocks would do if nothing held them, less the centripetal bias, in the frame of the ground.
-/// `ground` is (ẍg, ÿg) in m/s².
+/// The horizontal lever of what hangs on each pivot as far as it turns with one block, Sₓ + Sᵧθ of a
+/// small-angle stack, kg·m; S as in linkage.hpp.
 template <class Real, int N>
-Motion<Real, N> free_acceleration(const Model<Real, N>& model, const Chain<Real, N>& chain,
-                                  const Vector<Real, N>& velocities, const Point<Real>& ground) {
+Vector<Real, N> small_angle_levers(const Stack<Real, N>& stack, const Pattern& pattern,
+                                   const Directions<Real, N>& directions) {
+  Vector<Real, N> levers = Vector<Real, N>::Zero(stack.size());
+  Real above = 0;  // mass, kg
+  Real next = 0;   // where the pivot above is, from the middle, m
+  for (int k = stack.size() - 1; k >= 0; --k) {
+    const Real pivot = Real(sign(pattern[k])) * stack.half_width[k];
+    const Real upright = (2 * above + stack.mass[k]) * stack.half_height[k];
+    levers[k] = above * (next - pivot) - stack.mass[k] * pivot + upright * directions.sine[k];
+    above += stack.mass[k];
+    next = pivot;
+  }
+  return levers;
+}
+
+/// What the blocks would do if nothing held them, less the centripetal bias, in the frame of the ground. Of a
+/// small-angle stack, whose arms have no width, weight turns blocks by its levers. `ground` is (ẍg, ÿg) in
+/// m/s².
+template <class Real, int N>
+Motion<Real, N> free_acceleration(const Model<Real, N>& model, const State<Real, N>& state,
+                                  const Directions<Real, N>& directions, const Chain<Real, N>& chain,
+                                  const Point<Real>& ground) {
   const int size = model.stack.size();
   Motion<Real, N> free{Points<Real, N>::Zero(2, size), Vector<Real, N>::Zero(size)};
   const Point<Real> body_force{-ground.x(), -(model.gravity + ground.y())};
-  if (model.equations == Equations::linear) {
-    free.centre.colwise() = body_force;
-  } else {
-    free.centre = -centripetal(chain, absolute(velocities));
+  if (model.equations == Equations::nonlinear) {
+    free.centre = -centripetal(chain, absolute(state.velocities));
     free.centre.colwise() += body_force;
+  } else {
+    free.centre.colwise() = body_force;
   }
+  if (model.equations == Equations::small_angle)
+    free.rotation =
+        -body_force.y() *
+        small_angle_levers(model.stack, state.pattern, directions).cwiseQuotient(model.stack.inertia);
   return free;
 }
 
@@ -197,7 +227,7 @@ Vector<Real, N> accelerations(const Model<Real, N>& model, const State<Real, N>&
                               const Directions<Real, N>& directions, const Point<Real>& ground) {
   const Chain<Real, N> chain = make_chain(model.stack, state.pattern, directions);
   return nearest_allowed(model.stack, state.pattern, chain,
-                         free_acceleration(model, chain, state.velocities, ground));
+                         free_acceleration(model, state, directions, chain, ground));
 }
 
 template <class Real, int N>
@@ -217,6 +247,15 @@ Real energy(const Model<Real, N>& model, const State<Real, N>& state) {
   for (int k = 0; k < model.stack.size(); ++k) {
     sum += model.stack.mass[k] * (speeds.col(k).squaredNorm() / 2 + model.gravity * places(1, k));
     sum += model.stack.inertia[k] * rates[k] * rates[k] / 2;
+  }
+  if (model.equations == Equations::small_angle) {
+    // From upright to θ the levers grow in a straight line.
+    const Vector<Real, N> angles = absolute(state.angles);
+    const auto levers = [&](const Vector<Real, N>& at) {
+      return small_angle_levers(model.stack, state.pattern, Directions<Real, N>{at, at});
+    };
+    const Vector<Real, N> mean = (levers(Vector<Real, N>::Zero(angles.size())) + levers(angles)) / 2;
+    sum -= model.gravity * mean.dot(angles);
   }
   return sum;
 }

@@ -57,6 +57,30 @@ Approach<Real, N> approach(const Model<Real, N>& model, const State<Real, N>& be
   return approach(model, before, directions_at(model, before.angles));
 }
 
+/// Where one interface alone is open before an impact and no other opens in it, all above that interface
+/// rocks as one body: the motion in which its relative velocity after the impact is `ratio` of that before,
+/// about its other end. Nothing where other interfaces are open, or open.
+template <class Real, int N>
+std::optional<PatternSolution<Real, N>> restored(const Model<Real, N>& model, const Impact<Real, N>& impact,
+                                                 const Approach<Real, N>& before, const Pattern& after,
+                                                 const std::vector<double>& ratios) {
+  const Pattern& from = impact.before.pattern;
+  int rocking = -1;
+  for (int k = 0; k < from.size; ++k) {
+    const bool impacts = impact.impacting.test(static_cast<std::size_t>(k));
+    if (impacts != (from[k] != Contact::closed) || (!impacts && after[k] != Contact::closed) ||
+        (impacts && rocking >= 0))
+      return std::nullopt;
+    if (impacts) rocking = k;
+  }
+  Vector<Real, N> relative = Vector<Real, N>::Zero(from.size);
+  relative[rocking] = Real(ratios[static_cast<std::size_t>(rocking)]) * impact.before.velocities[rocking];
+  Pattern pattern = from;
+  pattern[rocking] = relative[rocking] == 0 ? Contact::closed : opposite(from[rocking]);
+  return brought_about(model, pattern, before.directions, make_chain(model.stack, pattern, before.directions),
+                       before.motion, relative);
+}
+
 /// The velocities that follow if `pattern` does, in rad/s, and the impulses that bring them about, in N·s.
 template <class Real, int N>
 PatternSolution<Real, N> velocities_after(const Model<Real, N>& model, const Approach<Real, N>& before,

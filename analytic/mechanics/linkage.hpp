@@ -21,6 +21,7 @@ struct Linkage {
   PerBlock<Real, N> mass;                ///< of the block and all above, kg
   PerBlock<Real, N> width;               ///< w, m
   PerBlock<Real, N> free;                ///< 1 where the interface below is open, 0 where it is closed
+  PerBlock<Real, N> lever;  ///< of small angles alone: what would be Sₓ, which bears weight alone, kg·m
 
   std::size_t size() const { return static_cast<std::size_t>(N == Eigen::Dynamic ? blocks : N); }
 };
@@ -37,17 +38,23 @@ Linkage<Real, N> make_linkage(const Stack<Real, N>& stack, const Pattern& patter
     const Real pivot = Real(sign(pattern[block])) * stack.half_width[block];
     const Real height = stack.half_height[block];
     const Real link = next - pivot;
-    linkage.moment_x[k] = above * link - mass * pivot;
-    linkage.moment_y[k] = above * (2 * height) + mass * height;
+    const Real centre_x = stack.centre_x[block] - pivot;
+    const Real centre_y = stack.centre_y[block];
+    linkage.moment_x[k] = above * link + mass * centre_x;
+    linkage.moment_y[k] = above * (2 * height) + mass * centre_y;
     linkage.link_x[k] = link;
     linkage.link_y[k] = 2 * height;
-    linkage.inertia[k] = stack.inertia[block] + mass * (pivot * pivot + height * height) +
+    linkage.inertia[k] = stack.inertia[block] + mass * (centre_x * centre_x + centre_y * centre_y) +
                          above * (link * link + 4 * height * height);
     above += mass;
     linkage.mass[k] = above;
     linkage.width[k] = stack.half_width[block];
     linkage.free[k] = pattern[block] == Contact::closed ? Real(0) : Real(1);
     next = pivot;
+    if (!stack.small_angles) continue;
+    linkage.lever[k] = linkage.moment_x[k];
+    linkage.moment_x[k] = linkage.link_x[k] = 0;
+    linkage.inertia[k] = stack.inertia[block] + (mass + 4 * (above - mass)) * (height * height);
   }
   return linkage;
 }

@@ -20,18 +20,27 @@ struct PatternSolution {
   int size() const { return N == Eigen::Dynamic ? pattern.size : N; }
 };
 
-/// The allowed motion nearest to `free` (with any bias already taken off) and what brings it about.
+/// A motion that the pattern allows, and what brings it about in place of `free` (with any bias already taken
+/// off).
 template <class Real, int N>
-PatternSolution<Real, N> respond(const Model<Real, N>& model, const Pattern& pattern,
-                                 const Directions<Real, N>& directions, const Chain<Real, N>& chain,
-                                 const Motion<Real, N>& free) {
-  const Vector<Real, N> relative_motion = nearest_allowed(model.stack, pattern, chain, free);
+PatternSolution<Real, N> brought_about(const Model<Real, N>& model, const Pattern& pattern,
+                                       const Directions<Real, N>& directions, const Chain<Real, N>& chain,
+                                       const Motion<Real, N>& free, const Vector<Real, N>& relative_motion) {
   const Vector<Real, N> rotation = absolute(relative_motion);
   const Motion<Real, N> change{centre_velocities(chain, rotation) - free.centre, rotation - free.rotation};
   Vector<Real, N> rounding = free.centre.colwise().norm().transpose().cwiseProduct(model.stack.mass);
   sum_from_top(rounding);
   rounding *= 1024 * std::numeric_limits<Real>::epsilon();
   return {pattern, relative_motion, reactions(model, chain, directions, change), rounding};
+}
+
+/// The allowed motion nearest to `free` (with any bias already taken off) and what brings it about.
+template <class Real, int N>
+PatternSolution<Real, N> respond(const Model<Real, N>& model, const Pattern& pattern,
+                                 const Directions<Real, N>& directions, const Chain<Real, N>& chain,
+                                 const Motion<Real, N>& free) {
+  return brought_about<Real, N>(model, pattern, directions, chain, free,
+                                nearest_allowed(model.stack, pattern, chain, free));
 }
 
 /// The accelerations of a moving stack and the forces it is under; `directions` are directions_at() the
@@ -41,7 +50,7 @@ PatternSolution<Real, N> accelerate(const Model<Real, N>& model, const State<Rea
                                     const Directions<Real, N>& directions, const Point<Real>& ground) {
   const Chain<Real, N> chain = make_chain(model.stack, state.pattern, directions);
   return respond(model, state.pattern, directions, chain,
-                 free_acceleration(model, chain, state.velocities, ground));
+                 free_acceleration(model, state, directions, chain, ground));
 }
 
 template <class Real, int N>
@@ -75,6 +84,19 @@ std::optional<Violation> first_violation(const Stack<Real, N>& stack,
     }
   }
   return std::nullopt;
+}
+
+/// The closed interfaces that would open about either end, as they would have to pull.
+template <class Real, int N>
+Interfaces pulled_apart(const Stack<Real, N>& stack, const PatternSolution<Real, N>& solution) {
+  Interfaces result;
+  for (int k = 0; k < solution.size(); ++k) {
+    const Margins<Real> margin = margins(stack, solution.reactions, k);
+    const Real least = -solution.rounding[k] * stack.half_width[k];
+    result.set(static_cast<std::size_t>(k),
+               solution.pattern[k] == Contact::closed && margin.right < least && margin.left < least);
+  }
+  return result;
 }
 
 /// A pattern with some of its interfaces closed.

@@ -32,7 +32,8 @@ Reactions<Real, N> reactions(const Model<Real, N>& model, const Chain<Real, N>& 
     const int along = face(stack, k);
     const Real cosine = along < 0 ? Real(1) : directions.cosine[along];
     const Real sine = along < 0 ? Real(0) : directions.sine[along];
-    result.normal[k] = force.x() * sine + force.y() * cosine;
+    // Of small angles, what is of second order is left out.
+    result.normal[k] = (stack.small_angles ? Real(0) : force.x() * sine) + force.y() * cosine;
     result.tangential[k] = force.x() * cosine - force.y() * sine;
     result.moment[k] = moment;
   }

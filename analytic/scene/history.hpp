@@ -54,13 +54,16 @@ struct BasicGraze {
 };
 
 /// What an interface has to bear for the model to hold, over a whole history: it must push, and hold without
-/// slipping.
+/// slipping. First times are infinite where it never comes to that.
 template <class Real>
 struct BasicDemand {
   Real least_normal = std::numeric_limits<Real>::infinity();  ///< N or N·s; negative: it would have to pull
   Real least_normal_time{};                                   ///< s
   Real friction{};                                            ///< largest |T|/N; infinite where N ≤ 0
   Real friction_time{};                                       ///< s
+  Real first_pull_time = std::numeric_limits<Real>::infinity();  ///< first, at which it would have to pull, s
+  /// First, at which it needs more friction than the scene's surfaces have, s.
+  Real first_slip_time = std::numeric_limits<Real>::infinity();
 };
 
 /// Sampled motion of a stack, and the events where they are known. Engines know no patterns and no events:
@@ -74,6 +77,9 @@ struct BasicHistory {
   std::vector<Pattern> patterns;  ///< times.size(), or empty
   std::vector<BasicEvent<Real>> events;
   std::vector<BasicGraze<Real>> grazes;  ///< events in doubt
+  /// Openings under tension: either side would do as well, and the one that was taken is as good as the
+  /// other.
+  std::vector<BasicGraze<Real>> choices;
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
   std::vector<BasicDemand<Real>> forces;    ///< one an interface, of the motion; empty unless asked for
   std::vector<BasicDemand<Real>> impulses;  ///< likewise, of the impacts

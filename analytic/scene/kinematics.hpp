@@ -37,8 +37,10 @@ struct Stack {
   Vector<Real, N> half_width;  ///< of the interface under the block: w, not the block's own b
   Vector<Real, N> half_height;
   Vector<Real, N> mass;
-  Vector<Real, N> inertia;                   ///< about the block's centre
+  Vector<Real, N> inertia;                   ///< about the block's centre of mass
+  Vector<Real, N> centre_x, centre_y;        ///< of mass, from the middle of the block's lower face
   std::array<bool, max_blocks> overhangs{};  ///< the block is wider than the one below
+  bool small_angles = false;                 ///< as small_angle_stack() makes it
 
   int size() const { return static_cast<int>(mass.size()); }
 };
@@ -47,16 +49,40 @@ template <class Real, int N = Eigen::Dynamic>
 Stack<Real, N> make_stack(const Scene& scene) {
   const auto size = static_cast<Eigen::Index>(scene.blocks.size());
   const Vector<Real, N> zero = Vector<Real, N>::Zero(size);
-  Stack<Real, N> stack{zero, zero, zero, zero, {}};
+  Stack<Real, N> stack{zero, zero, zero, zero, zero, zero, {}};
   for (int k = 0; k < stack.size(); ++k) {
     const Block& block = scene.blocks[static_cast<std::size_t>(k)];
     stack.half_width[k] = Real(interface_half_width(scene, k));
     stack.half_height[k] = Real(block.half_height);
     stack.mass[k] = Real(block.mass);
     stack.inertia[k] = Real(block.inertia);
+    stack.centre_x[k] = Real(block.offset_x);
+    stack.centre_y[k] = Real(block.half_height) + Real(block.offset_y);
     stack.overhangs[static_cast<std::size_t>(k)] =
         k > 0 && block.half_width > scene.blocks[static_cast<std::size_t>(k - 1)].half_width;
   }
+  return stack;
+}
+
+/// The stack of the usual linear equations. With a half diagonal R = √(w² + h²) and a slenderness α =
+/// atan(w/h) of each block, w that of its lower interface, it has R in the place of h and Rα in that of w;
+/// and its Lagrangian keeps what is of second order in all α, θ and θ̇ together, with ẍg/g of first order. So
+/// kinetic energy is that of the upright stack without widths, and weight has the lever R(θ − α) in place of
+/// −R sin(α − θ). For one block, with I₀ = I + mR²,
+///
+///     I₀ θ̈ = −mR (g + ÿg) (α sgn θ − θ) − mR ẍg
+///
+/// (Housner 1963; Yim, Chopra & Penzien 1980; Makris & Roussos 2000). It rests up to |ẍg| = α (g + ÿg).
+template <class Real, int N>
+Stack<Real, N> small_angle_stack(Stack<Real, N> stack) {
+  using std::atan2;
+  using std::hypot;
+  for (int k = 0; k < stack.size(); ++k) {
+    const Real radius = hypot(stack.half_width[k], stack.half_height[k]);
+    stack.half_width[k] = radius * atan2(stack.half_width[k], stack.half_height[k]);
+    stack.half_height[k] = stack.centre_y[k] = radius;
+  }
+  stack.small_angles = true;
   return stack;
 }
 
@@ -106,7 +132,8 @@ Directions<Real, N> directions(const Vector<Real, N>& angles) {
   return result;
 }
 
-/// Arms rₖ = (−σₖwₖ, hₖ) and links Lₖ = (σₖ₊₁wₖ₊₁ − σₖwₖ, 2hₖ), both turned by θₖ.
+/// Arms rₖ = (−σₖwₖ, hₖ), plus the centre's offset, and links Lₖ = (σₖ₊₁wₖ₊₁ − σₖwₖ, 2hₖ), both turned by θₖ;
+/// of a small-angle stack upright and without widths.
 template <class Real, int N>
 Chain<Real, N> make_chain(const Stack<Real, N>& stack, const Pattern& pattern,
                           const Directions<Real, N>& directions) {
@@ -117,7 +144,12 @@ Chain<Real, N> make_chain(const Stack<Real, N>& stack, const Pattern& pattern,
     const Real cosine = directions.cosine[k];
     const Real sine = directions.sine[k];
     const Real height = stack.half_height[k];
-    chain.arms.col(k) = turned<Real>(-pivot(k), height, cosine, sine);
+    if (stack.small_angles) {
+      chain.arms.col(k) = Point<Real>{0, height};
+      chain.links.col(k) = Point<Real>{0, 2 * height};
+      continue;
+    }
+    chain.arms.col(k) = turned<Real>(stack.centre_x[k] - pivot(k), stack.centre_y[k], cosine, sine);
     chain.links.col(k) = turned<Real>(pivot(k + 1) - pivot(k), 2 * height, cosine, sine);
   }
   return chain;

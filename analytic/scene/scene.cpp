@@ -22,6 +22,53 @@ void validate_block(const Block& block, const std::string& key) {
         key + ".inertia", number_text(block.inertia),
         "a number from " + number_text(block.mass / square) + " to " + number_text(block.mass * square));
   }
+  const auto require_inside = [&](const char* entry, double offset, double half) {
+    if (!(std::abs(offset) < half))
+      throw FieldError(key + ".center_of_mass." + entry, number_text(offset),
+                       "inside the block, between ±" + number_text(half) + " m");
+  };
+  require_inside("1", block.offset_x, block.half_width);
+  require_inside("2", block.offset_y, block.half_height);
+}
+
+bool is_off_middle(const Block& block) {
+  return block.offset_x != 0 || block.offset_y != 0;
+}
+
+void validate_inclination(const Scene& scene) {
+  double most = 0.25 * std::numbers::pi;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k)
+    most = std::min(most, std::numbers::pi / 2 - toppling_angle(scene, static_cast<int>(k)));
+  if (!(std::abs(scene.inclination) <= most))
+    throw FieldError("ground.inclination", number_text(scene.inclination),
+                     "between ±" + number_text(most) +
+                         " rad, half of what the largest slenderness of a block leaves of π/2");
+}
+
+void validate_restitution(const Scene& scene) {
+  const std::vector<double>& ratios = scene.restitution;
+  if (ratios.empty()) return;
+  if (ratios.size() != scene.blocks.size())
+    throw FieldError("restitution", "an array of " + std::to_string(ratios.size()),
+                     "as long as there are blocks, " + std::to_string(scene.blocks.size()));
+  for (std::size_t k = 0; k < ratios.size(); ++k) {
+    if (!(ratios[k] >= 0 && ratios[k] <= 1))
+      throw FieldError("restitution." + std::to_string(k + 1), number_text(ratios[k]),
+                       "a number from 0 to 1");
+  }
+}
+
+/// Of what only some equations and impacts are made for.
+void validate_off_middle(const Scene& scene) {
+  const auto off = std::find_if(scene.blocks.begin(), scene.blocks.end(), is_off_middle);
+  if (off == scene.blocks.end()) return;
+  const std::string key = "blocks." + std::to_string(off - scene.blocks.begin() + 1) + ".center_of_mass";
+  const std::string value = "[" + number_text(off->offset_x) + ", " + number_text(off->offset_y) + "]";
+  if (scene.equations == Equations::small_angle)
+    throw FieldError(key, value,
+                     "[0, 0] in small-angle equations, which are those of one half diagonal a block");
+  if (!scene.restitution.empty())
+    throw FieldError(key, value, "[0, 0] beside restitution, whose ratio might add energy otherwise");
 }
 
 void require_all_signed(const std::string& key, const std::vector<double>& values) {
@@ -58,6 +105,8 @@ void validate_pulse(const Pulse& pulse, const std::string& key) {
   if (!(pulse.cycles > 1 && pulse.cycles <= 1e6) && pulse.shape == PulseShape::mavroeidis_papageorgiou) {
     throw FieldError(key + ".cycles", number_text(pulse.cycles), "a number > 1, up to 1e+06");
   }
+  if (!(pulse.cycles > 0))
+    throw FieldError(key + ".cycles", number_text(pulse.cycles), "a number > 0, or inf");
   require_signed(key + ".phase", pulse.phase);
 }
 
@@ -103,6 +152,10 @@ Block make_block(double width, double height, double density) {
   return {width / 2, height / 2, mass, rectangle_inertia(mass, width / 2, height / 2)};
 }
 
+Gravity gravity_of(const Scene& scene) {
+  return {scene.gravity * std::sin(scene.inclination), scene.gravity * std::cos(scene.inclination)};
+}
+
 double interface_half_width(const Scene& scene, int interface) {
   const auto k = static_cast<std::size_t>(interface);
   const double own = scene.blocks[k].half_width;
@@ -110,8 +163,9 @@ double interface_half_width(const Scene& scene, int interface) {
 }
 
 double slenderness(const Scene& scene, int block) {
-  const double half_height = scene.blocks[static_cast<std::size_t>(block)].half_height;
-  return std::atan2(interface_half_width(scene, block), half_height);
+  const Block& own = scene.blocks[static_cast<std::size_t>(block)];
+  return std::atan2(interface_half_width(scene, block) + std::abs(own.offset_x),
+                    own.half_height + own.offset_y);
 }
 
 double toppling_angle(const Scene& scene, int block) {
@@ -128,6 +182,9 @@ void validate(const Scene& scene) {
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     validate_block(scene.blocks[k], "blocks." + std::to_string(k + 1));
   }
+  validate_off_middle(scene);
+  validate_restitution(scene);
+  validate_inclination(scene);
   validate_initial(scene);
   validate_motion(scene.horizontal, "ground.horizontal");
   validate_motion(scene.vertical, "ground.vertical");

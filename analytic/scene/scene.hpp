@@ -24,12 +24,14 @@ namespace rockstack {
 //                           2b₁
 // clang-format on
 
-/// One rigid block, uniform across its depth, its centre of mass at the middle. SI units.
+/// One rigid block, uniform across its depth. SI units.
 struct Block {
   double half_width = 0;   ///< b, m, > 0
   double half_height = 0;  ///< h, m, > 0
   double mass = 0;         ///< kg, > 0
-  double inertia = 0;      ///< about the centre, kg·m², > 0
+  double inertia = 0;      ///< about the centre of mass, kg·m², > 0
+  double offset_x = 0;     ///< of the centre of mass from the block's middle, to the right, m, within ±b
+  double offset_y = 0;     ///< likewise, up, m, within ±h
 };
 
 /// Moment of inertia of a uniform rectangle about its centre, m (b² + h²)/3, kg·m².
@@ -44,8 +46,13 @@ enum class Law { paper, consistent };
 /// As scene files have it.
 const char* name(Law law);
 
-/// The full equations of motion, or those with geometry frozen upright: Spanos et al. 2001, Eqs. (19)–(28).
-enum class Equations { nonlinear, linear };
+/// The equations of motion between events. Impacts are the same in all, but that geometry is upright in the
+/// last two.
+enum class Equations {
+  nonlinear,  ///< in full
+  linear,  ///< geometry frozen upright: Spanos et al. 2001, Eqs. (19)–(28), where weight has a constant lever
+  small_angle,  ///< the usual linearisation, Housner 1963: see small_angle_stack() in kinematics.hpp
+};
 
 /// The state at t = 0. Relative angles that are zero with zero relative velocity mean closed interfaces.
 struct InitialState {
@@ -62,10 +69,18 @@ struct EngineSurface {
 /// One question: a stack of blocks, how it starts, how the ground moves, and for how long. SI units.
 struct Scene {
   std::string title;
-  double duration = 0;        ///< s, > 0, at most 10⁷ √(R/a), see validate()
-  double gravity = 9.81;      ///< m/s², > 0
+  double duration = 0;    ///< s, > 0, at most 10⁷ √(R/a), see validate()
+  double gravity = 9.81;  ///< m/s², > 0
+  /// By which the ground is turned from the level, rad, clockwise positive: it falls to the right. Angles, x
+  /// and y are the ground's, and so are both components of its motion. At most half of what the largest
+  /// slenderness leaves of π/2, so that past its toppling angle no block comes back.
+  double inclination = 0;
   Law law = Law::consistent;  ///< engines side with it; `paper` is that of Spanos et al. 2001
   Equations equations = Equations::nonlinear;
+  /// Of each interface, or none: what an impact leaves of its relative angular velocity, 0 … 1, where that
+  /// interface alone was open before and no other opens, so that all above it rocks as one body. Other
+  /// impacts, and all without it, have the ratio of the law.
+  std::vector<double> restitution = {};
   std::vector<Block> blocks;  ///< bottom to top, 1 … max_blocks
   InitialState initial;
   GroundMotion horizontal;  ///< ẍg, positive to the right
@@ -73,11 +88,18 @@ struct Scene {
   EngineSurface engine;
 };
 
+/// Gravity in the ground's axes, along it to the right and across it downwards, m/s².
+struct Gravity {
+  double along, across;
+};
+Gravity gravity_of(const Scene& scene);
+
 /// Half-width of interface k (index from 0): the narrower of the two blocks that meet there; the ground is
 /// endless.
 double interface_half_width(const Scene& scene, int interface);
 
-/// The angle of a block's unstable balance over its pivot, atan(w/h) with w that of its lower interface. rad.
+/// The angle of a block's unstable balance over its pivot on level ground, atan(w/h) with w that of its lower
+/// interface; the larger one where the centre of mass is off the middle. rad.
 double slenderness(const Scene& scene, int block);
 
 /// The angle at which a block counts as toppled: halfway between its unstable balance and lying on its side,

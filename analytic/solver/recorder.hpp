@@ -13,8 +13,9 @@ namespace rockstack {
 template <class Real, int N>
 class Recorder {
  public:
-  /// Keeps references to `model` and `options`.
-  Recorder(const Model<Real, N>& model, const SolveOptions& options) : model_(model), options_(options) {
+  /// Keeps references to `model` and `options`; `friction` is what surfaces have.
+  Recorder(const Model<Real, N>& model, const SolveOptions& options, const Real& friction)
+      : model_(model), options_(options), friction_(friction) {
     const int size = model.stack.size();
     rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model.gravity * model.stack.mass.sum());
     using std::sqrt;
@@ -54,7 +55,19 @@ class Recorder {
   /// The impulses of an impact. One of chatter that is a millionth of the momentum that the stack has after
   /// falling its own size, or less, bears nothing.
   void note_impact(const PatternSolution<Real, N>& solution, const Real& time) {
-    if (options_.validity) note_demands(history_.impulses, solution, negligible_impulse_, time);
+    if (options_.validity) note_demands(history_.impulses, solution, negligible_impulse_, friction_, time);
+  }
+
+  /// Openings that either side would have done for; those of one interface at one time are one.
+  void note_choices(const Interfaces& openings, const Real& time) {
+    for (int k = 0; k < history_.blocks; ++k) {
+      const auto same = [&](const BasicGraze<Real>& known) {
+        return known.time == time && known.interface == k + 1;
+      };
+      auto& known = history_.choices;
+      if (openings.test(static_cast<std::size_t>(k)) && std::none_of(known.begin(), known.end(), same))
+        known.push_back({time, EventKind::opening, k + 1});
+    }
   }
 
   /// An event from pattern `from` and relative velocities `before` to the state `after`.
@@ -131,14 +144,16 @@ class Recorder {
     const Real start = piece.start + offset;
     if (output.forces[0].normal.terms == 0)
       return note_demands(history_.forces, accelerate(model_, output.start, piece.at(offset)), rounding_,
-                          start);
+                          friction_, start);
     for (std::size_t k = 0; k < history_.forces.size(); ++k)
       if (!cleared.test(k))
-        note_demand_along(history_.forces[k], output.forces[k], s, rounding_, start, output.length);
+        note_demand_along(history_.forces[k], output.forces[k], s, rounding_, friction_, start,
+                          output.length);
   }
 
   const Model<Real, N>& model_;
   const SolveOptions& options_;
+  Real friction_;              ///< that surfaces have
   Real rounding_{};            ///< of forces, N
   Real negligible_impulse_{};  ///< N·s
   std::size_t next_sample_ = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -30,10 +31,11 @@ class Solver {
         model_(make_model<Real, N>(scene)),
         pieces_(scene),
         steps_(model_, options),
-        recorder_(model_, options),
+        recorder_(model_, options, Real(scene.engine.friction)),
         stall_guard_(model_),
         ties_(model_),
         resting_(model_),
+        upright_(upright_model(scene)),
         end_of_chatter_(model_, options.resolution > 0 ? Real(options.resolution)
                                                        : std::numeric_limits<Real>::epsilon()) {
     validate(options);
@@ -146,6 +148,12 @@ class Solver {
   const Steps<Real, N>& steps() const { return steps_; }
 
  private:
+  /// What impacts of small-angle equations are resolved with: the stack as it is, upright.
+  static std::optional<Model<Real, N>> upright_model(const Scene& scene) {
+    if (scene.equations != Equations::small_angle) return std::nullopt;
+    return Model<Real, N>{make_stack<Real, N>(scene), make_model<Real, N>(scene).gravity, Equations::linear};
+  }
+
   Real remaining() const { return pieces_.current().length - offset_; }
   Real longest_step() const { return ties_.longest_step(remaining()); }
 
@@ -217,6 +225,7 @@ class Solver {
         if (event.opening.test(static_cast<std::size_t>(k))) state_.pattern[k] = event.opened[k];
       }
       ties_.note_opening(event.opening);
+      if (event.either.any()) recorder_.note_choices(event.either, time());
       make_admissible(from);
     }
   }
@@ -232,16 +241,22 @@ class Solver {
     }
     update_directions();
     const Impact<Real, N> impact{state_, closing};
-    const Approach<Real, N> before = approach(model_, state_, directions_);
-    Resolution<Real, N> resolution = resolve(model_, impact, before, scene_.law);
+    const Model<Real, N>& model = upright_ ? *upright_ : model_;
+    const Approach<Real, N> before =
+        upright_ ? approach(model, state_) : approach(model, state_, directions_);
+    Resolution<Real, N> resolution = resolve(model, impact, before, scene_.law);
     PatternSolution<Real, N>& solution = resolution.solution;
+    if (!scene_.restitution.empty()) {
+      if (const auto own = restored(model, impact, before, solution.pattern, scene_.restitution))
+        solution = *own;
+    }
     const auto without_slow = [&] {
       return end_of_chatter_.without_slow({solution.pattern, state_.angles, solution.relative},
                                           impact.touching(), directions_, pieces_.current().at(offset_));
     };
     bool closes = false;
     for (Pattern slow = without_slow(); !(slow == solution.pattern); slow = without_slow()) {
-      solution = velocities_after(model_, before, slow);
+      solution = velocities_after(model, before, slow);
       closes = true;
     }
     state_.pattern = solution.pattern;
@@ -258,11 +273,17 @@ class Solver {
   void make_admissible(Pattern from) {
     const Interfaces touching = ties_.touching(state_);
     const Point<Real> ground = pieces_.current().at(offset_);
+    Interfaces pulled;
     const auto evaluate = [&](const Pattern& pattern) {
       return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, directions_,
                         ground);
     };
-    if (touching.any() && first_violation(model_.stack, evaluate(state_.pattern), touching, ties_.slack())) {
+    const auto violates = [&](const PatternSolution<Real, N>& present) {
+      if (!first_violation(model_.stack, present, touching, ties_.slack())) return false;
+      pulled = pulled_apart(model_.stack, present);
+      return true;
+    };
+    if (touching.any() && violates(evaluate(state_.pattern))) {
       const auto found = find_admissible(model_.stack, with_closed(state_.pattern, touching), touching,
                                          ties_.slack(), evaluate);
       if (!found) no_way_on();
@@ -273,6 +294,7 @@ class Solver {
     for (int k = 0; k < state_.size(); ++k)
       changed.set(static_cast<std::size_t>(k), from[k] != state_.pattern[k]);
     if (changed.none()) return;
+    if (pulled.any()) recorder_.note_choices(pulled & changed, time());
     ties_.note_opening(changed);
     record_event(EventKind::opening, lowest(changed), from, state_.velocities, Consistency::consistent);
   }
@@ -297,6 +319,7 @@ class Solver {
   StallGuard<Real> stall_guard_;
   TieBreaker<Real> ties_;
   RestingStack<Real, N> resting_;
+  std::optional<Model<Real, N>> upright_;  ///< of impacts, where they need one of their own
   EndOfChatter<Real, N> end_of_chatter_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;

@@ -16,7 +16,8 @@ History to_double(const BasicHistory<Real>& history) {
     result.reserve(values.size());
     for (const BasicDemand<Real>& value : values) {
       result.push_back({number(value.least_normal), number(value.least_normal_time), number(value.friction),
-                        number(value.friction_time)});
+                        number(value.friction_time), number(value.first_pull_time),
+                        number(value.first_slip_time)});
     }
     return result;
   };
@@ -32,6 +33,8 @@ History to_double(const BasicHistory<Real>& history) {
   }
   for (const BasicGraze<Real>& graze : history.grazes)
     result.grazes.push_back({number(graze.time), graze.kind, graze.interface});
+  for (const BasicGraze<Real>& choice : history.choices)
+    result.choices.push_back({number(choice.time), choice.kind, choice.interface});
   result.peaks = list(history.peaks);
   result.forces = demands(history.forces);
   result.impulses = demands(history.impulses);

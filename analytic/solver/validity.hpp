@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analytic/mechanics/pattern_solution.hpp"
+#include "analytic/polynomials/crossing.hpp"
 #include "analytic/polynomials/maximum.hpp"
 #include "analytic/scene/history.hpp"
 #include "analytic/steps/dense_output.hpp"
@@ -29,17 +30,55 @@ void note_demand(BasicDemand<Real>& demand, const Real& raw, const Real& tangent
   }
 }
 
+/// Whether an interface has come to pull, or to need more than the friction that surfaces have, and it is not
+/// known since when.
+template <class Real>
+bool first_to_note(const BasicDemand<Real>& demand, const Real& available) {
+  const Real never = std::numeric_limits<Real>::infinity();
+  return (demand.least_normal < 0 && demand.first_pull_time == never) ||
+         (demand.friction > available && demand.first_slip_time == never);
+}
+
+/// Keeps the first times of what has come to be, both no earlier than they are known.
+template <class Real>
+void note_first(BasicDemand<Real>& demand, const Real& available, const Real& pull_time,
+                const Real& slip_time) {
+  if (demand.least_normal < 0) demand.first_pull_time = std::min(demand.first_pull_time, pull_time);
+  if (demand.friction > available) demand.first_slip_time = std::min(demand.first_slip_time, slip_time);
+}
+
 /// Takes a solution into account, but for interfaces that bear no more than is negligible.
 template <class Real, int N>
 void note_demands(std::vector<BasicDemand<Real>>& demands, const PatternSolution<Real, N>& solution,
-                  const Real& negligible, const Real& time) {
+                  const Real& negligible, const Real& available, const Real& time) {
   using std::abs;
   for (int k = 0; k < solution.pattern.size; ++k) {
     const Real& normal = solution.reactions.normal[k];
     const Real& tangential = solution.reactions.tangential[k];
     if (abs(normal) <= negligible && abs(tangential) <= negligible) continue;
-    note_demand(demands[static_cast<std::size_t>(k)], normal, tangential, solution.rounding[k], time);
+    BasicDemand<Real>& demand = demands[static_cast<std::size_t>(k)];
+    note_demand(demand, normal, tangential, solution.rounding[k], time);
+    if (first_to_note(demand, available)) note_first(demand, available, time, time);
   }
+}
+
+/// Since when, along a step up to `end` of its length, the interface pulls, or needs more than `available`
+/// friction: `start` and `length` are those of the step, s.
+template <class Real>
+void note_first_along(BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& end,
+                      const Real& available, const Real& start, const Real& length) {
+  // Where `share` · N + side · T first falls below zero.
+  const auto first_below = [&](const Real& share, const Real& side) {
+    Polynomial<Real> room;
+    room.terms = force.normal.terms;
+    for (std::size_t n = 0; n < room.terms; ++n)
+      room[n] = share * force.normal[n] + side * force.tangential[n];
+    if (room[0] < 0) return start;
+    const auto crossing = first_crossing(room);
+    return start + std::min(crossing.value_or(end), end) * length;
+  };
+  note_first(demand, available, first_below(1, 0),
+             std::min(first_below(available, 1), first_below(available, -1)));
 }
 
 /// True where sums of coefficients, which bound a polynomial (Hull), tell that a step demands
@@ -67,7 +106,7 @@ bool demands_no_more(const BasicDemand<Real>& demand, const ForceCourses<Real>& 
 /// (Dinkelbach 1967, Management Science 13, 492–498). `start` and `length` are those of the step, s.
 template <class Real>
 void note_demand_along(BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& end,
-                       const Real& rounding, const Real& start, const Real& length) {
+                       const Real& rounding, const Real& available, const Real& start, const Real& length) {
   if (demands_no_more(demand, force, rounding)) return;
   if (end < 1) {
     ForceCourses<Real> part = force;
@@ -96,6 +135,7 @@ void note_demand_along(BasicDemand<Real>& demand, const ForceCourses<Real>& forc
       note_maximum(-before, side, negligible, negligible);
     }
   }
+  if (first_to_note(demand, available)) note_first_along(demand, force, end, available, start, length);
 }
 
 }  // namespace rockstack

@@ -157,7 +157,7 @@ Polynomial<Real> body_force_along(const GroundCourse<Real>& course, const Real& 
     return {first, change * scale};
   }
   Polynomial<Real> series = series_of<Real>(*course.pulse, course.elapsed + offset, length);
-  series[0] += at_rest;
+  series[0] += at_rest + course.value;
   for (Real& coefficient : series) coefficient *= scale;
   return series;
 }

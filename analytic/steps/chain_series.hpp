@@ -46,9 +46,12 @@ class ChainSeries {
 
   /// From the blocks' directions and relative velocities times the step's length; `forces` tells whether
   /// push(), force(), reaction() and margin() will be asked for. Keeps a reference to `linkage`.
-  ChainSeries(const Linkage<Real, N>& linkage, bool linear, bool forces, const Directions& directions,
+  ChainSeries(const Linkage<Real, N>& linkage, Equations equations, bool forces, const Directions& directions,
               const PerBlock<Real, N>& advances)
-      : linkage_(linkage), linear_(linear), forces_(forces) {
+      : linkage_(linkage),
+        linear_(equations != Equations::nonlinear),
+        small_angles_(equations == Equations::small_angle),
+        forces_(forces) {
     start(directions, advances);
   }
 
@@ -102,7 +105,9 @@ class ChainSeries {
   };
   Force force(std::size_t k, int face, std::size_t n) const {
     const Point2& own = blocks_[k].force[n];
-    if (face < 0 || linear_) return {own.y, own.x};
+    if (face < 0 || linear_)
+      return {own.y, face < 0 || !small_angles_ ? own.x
+                                                : own.x - pushed_aside(k, static_cast<std::size_t>(face), n)};
     return force(k, direction(static_cast<std::size_t>(face)), n);
   }
   /// Likewise, along a face of this direction.
@@ -154,6 +159,7 @@ class ChainSeries {
       block.direction[0] = directions[k];
       block.direction[1] = linear_ ? none() : advance * ahead(directions[k]);
     }
+    if (small_angles_) return start_small(directions);
     mass_.factorise(linkage_, directions);
   }
 
@@ -168,7 +174,8 @@ class ChainSeries {
     // A block alone is coupled to nothing but the body force.
     const std::size_t couplings =
         size() > 1 ? n : std::min<std::size_t>(n, std::max(body_force.x.terms, body_force.y.terms));
-    const PerBlock<Real, N> known = known_moments(n, couplings, second_derivatives, base_acceleration);
+    PerBlock<Real, N> known = known_moments(n, couplings, second_derivatives, base_acceleration);
+    if (small_angles_) add_levers(n, body_force.y, known);
     PerBlock<Real, N> opposed;
     for (std::size_t k = 0; k < size(); ++k) opposed[k] = -known[k];
     const PerBlock<Real, N> relative = mass_.constrained.solve(opposed);
@@ -266,6 +273,41 @@ class ChainSeries {
   }
 
   static Point2 none() { return {Real(0), Real(0)}; }
+
+  /// Of small angles the directions are (1, θ); all but the levers of weight is upright.
+  void start_small(Directions directions) {
+    for (std::size_t k = 0; k < size(); ++k) {
+      angles_[k] = directions[k].y;
+      directions[k] = blocks_[k].direction[0] = {Real(1), Real(0)};
+    }
+    mass_.factorise(linkage_, directions);
+  }
+
+  /// ψₙ of a block, of small angles alone.
+  Real small_angle(std::size_t k, std::size_t n) const {
+    return n == 0 ? angles_[k] : blocks_[k].weighted[n] * reciprocals<Number<Real>>[n];
+  }
+
+  /// Order n of the moments of weight about all pivots: with its levers Sₓ + Sᵧθ, where θ is small.
+  void add_levers(std::size_t n, const Polynomial<Real>& weight, PerBlock<Real, N>& moments) const {
+    Real above = 0;
+    for (std::size_t k = size(); k-- > 0;) {
+      for (std::size_t i = 0; i <= n; ++i) {
+        if (n - i >= weight.terms) continue;
+        const Real upright = linkage_.moment_y[k] * small_angle(k, i);
+        above += (i == 0 ? upright + linkage_.lever[k] : upright) * weight[n - i];
+      }
+      moments[k] += above;
+    }
+  }
+
+  /// Order n of the normal force at interface k times the small angle of a block's face.
+  Real pushed_aside(std::size_t k, std::size_t face, std::size_t n) const {
+    Real sum = 0;
+    for (std::size_t i = 0; i <= n; ++i) sum += small_angle(face, i) * blocks_[k].force[n - i].y;
+    return sum;
+  }
+
   /// The derivative of a direction by its angle.
   static Point2 ahead(const Point2& direction) { return {-direction.y, direction.x}; }
   /// What the cosine and the sine of a block's angle are multiplied by to give (x, y)⊥ · push, with (x, y) in
@@ -275,8 +317,10 @@ class ChainSeries {
   }
 
   const Linkage<Real, N>& linkage_;
-  bool linear_;
+  bool linear_;        ///< without velocity terms
+  bool small_angles_;  ///< of the linear equations, those of small angles
   bool forces_;
+  PerBlock<Real, N> angles_;  ///< at the start, of small angles alone, rad
   std::array<BlockSeries, capacity(N)> blocks_;
   ChainMass<Real, N> mass_;  ///< at the start of the step
 };

@@ -10,17 +10,18 @@
 
 namespace rockstack {
 
-/// One component of the ground's acceleration over a stretch of time: a straight line, or part of a pulse.
+/// One component of the ground's acceleration over a stretch of time: a straight line, or part of a pulse. As
+/// gravity along an inclined ground acts like an acceleration of it the other way, it is in here too.
 template <class Real>
 struct GroundCourse {
   Real end = std::numeric_limits<Real>::infinity();  ///< s
-  Real value = 0;                                    ///< at the start, m/s²
+  Real value = 0;                                    ///< at the start, m/s²; beside a pulse a constant
   Real rate = 0;                                     ///< its change, m/s³
-  const Pulse* pulse = nullptr;                      ///< in place of the line
+  const Pulse* pulse = nullptr;                      ///< in place of the change
   Real elapsed = 0;  ///< from the start of the pulse to that of the stretch, s
 
   Real at(const Real& offset) const {
-    return pulse ? acceleration(*pulse, elapsed + offset) : line_at(offset);
+    return pulse ? value + acceleration(*pulse, elapsed + offset) : line_at(offset);
   }
   Real line_at(const Real& offset) const { return value + offset * rate; }
 };
@@ -44,7 +45,12 @@ struct GroundPiece {
 template <class Real>
 class GroundPieces {
  public:
-  explicit GroundPieces(const Scene& scene) : scene_(scene), duration_(scene.duration) { find_piece(); }
+  explicit GroundPieces(const Scene& scene) : scene_(scene), duration_(scene.duration) {
+    using std::sin;
+    downhill_ = Real(scene.gravity) * sin(Real(scene.inclination));
+    piece_.horizontal.value = 0 - downhill_;
+    find_piece();
+  }
 
   bool finished() const { return !(piece_.start < duration_); }
   const GroundPiece<Real>& current() const { return piece_; }
@@ -56,29 +62,31 @@ class GroundPieces {
 
  private:
   void find_piece() {
-    follow(scene_.horizontal, horizontal_sample_, piece_.horizontal);
-    follow(scene_.vertical, vertical_sample_, piece_.vertical);
+    follow(scene_.horizontal, 0 - downhill_, horizontal_sample_, piece_.horizontal);
+    follow(scene_.vertical, 0, vertical_sample_, piece_.vertical);
     end_ = std::min({piece_.horizontal.end, piece_.vertical.end, duration_});
     piece_.length = end_ - piece_.start;
   }
 
   /// A component from the start of the piece on: its course goes on to the next sample, from `sample` on;
-  /// where the other component has ended the piece before, the sample is found anew.
-  void follow(const GroundMotion& motion, std::ptrdiff_t& sample, GroundCourse<Real>& course) const {
+  /// where the other component has ended the piece before, the sample is found anew. `constant` is added to
+  /// it.
+  void follow(const GroundMotion& motion, const Real& constant, std::ptrdiff_t& sample,
+              GroundCourse<Real>& course) const {
     if (motion.pulse) {
-      course = pulse_course(*motion.pulse);
+      course = pulse_course(*motion.pulse, constant);
     } else if (!motion.samples.empty()) {
       sample = course.end == piece_.start ? sample + 1 : last_sample(motion);
-      course = line_course(motion, sample);
+      course = line_course(motion, constant, sample);
     }
   }
 
-  GroundCourse<Real> pulse_course(const Pulse& pulse) const {
+  GroundCourse<Real> pulse_course(const Pulse& pulse, const Real& constant) const {
     const Real start(pulse.start);
     const Real end = start + Real(length(pulse));
-    if (piece_.start < start) return {start};
-    return piece_.start < end ? GroundCourse<Real>{end, 0, 0, &pulse, piece_.start - start}
-                              : GroundCourse<Real>{};
+    if (piece_.start < start) return {start, constant};
+    if (piece_.start < end) return {end, constant, 0, &pulse, piece_.start - start};
+    return still(constant);
   }
 
   /// Before or at the start of the piece; after the end of the samples any number beyond theirs.
@@ -90,17 +98,24 @@ class GroundPieces {
     return Real(sample + 1) * interval <= piece_.start ? sample + 1 : sample;
   }
 
-  GroundCourse<Real> line_course(const GroundMotion& motion, std::ptrdiff_t sample) const {
-    if (sample + 1 >= std::ssize(motion.samples)) return {};
+  static GroundCourse<Real> still(const Real& constant) {
+    return {std::numeric_limits<Real>::infinity(), constant};
+  }
+
+  GroundCourse<Real> line_course(const GroundMotion& motion, const Real& constant,
+                                 std::ptrdiff_t sample) const {
+    if (sample + 1 >= std::ssize(motion.samples)) return still(constant);
     const Real interval(motion.interval);
     const auto samples = motion.samples.begin() + sample;
     const Real first(samples[0]);
     const Real rate = (Real(samples[1]) - first) / interval;
-    return {Real(sample + 1) * interval, first + (piece_.start - Real(sample) * interval) * rate, rate};
+    return {Real(sample + 1) * interval, first + (piece_.start - Real(sample) * interval) * rate + constant,
+            rate};
   }
 
   const Scene& scene_;
   Real duration_;
+  Real downhill_;  ///< gravity along the ground, to the right, m/s²
   GroundPiece<Real> piece_{};
   Real end_ = 0;  ///< of the piece, s
   std::ptrdiff_t horizontal_sample_ = 0;

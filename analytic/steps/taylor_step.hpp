@@ -45,8 +45,8 @@ class TaylorSteps {
       start.advances[k] = state.velocities[block] * step;
       block_directions[k] = {directions.cosine[block], directions.sine[block]};
     }
-    ChainSeries<Real, N> series(linkage, model_.equations == Equations::linear, forces_ || watched.any(),
-                                block_directions, start.advances);
+    ChainSeries<Real, N> series(linkage, model_.equations, forces_ || watched.any(), block_directions,
+                                start.advances);
     series.extend(0, body_force);
     const Real ratio = start.landing(series);
     if (ratio < 1) {
@@ -111,8 +111,10 @@ class TaylorSteps {
   void margins_at_rest(const Linkage<Real, N>& linkage, const ScaledBodyForce<Real>& body_force,
                        const Interfaces& watched, DenseOutput<Real, N>& output) const {
     Real moment = 0;  // of the masses above an interface, about its height, kg·m
+    Real aside = 0;   // likewise, about its middle
     for (std::size_t k = linkage.size(); k-- > 0;) {
       moment += linkage.moment_y[k];
+      aside += linkage.moment_x[k];
       if (forces_) forces_at_rest(linkage.mass[k], body_force, output.length, output.forces[k]);
       if (!watched.test(k)) continue;
       const Real push = linkage.mass[k] * model_.stack.half_width[static_cast<int>(k)];
@@ -120,7 +122,8 @@ class TaylorSteps {
       margin.right.terms = margin.left.terms = std::max(body_force.x.terms, body_force.y.terms);
       for (std::size_t n = 0; n < margin.right.terms; ++n) {
         const Real upright = n < body_force.y.terms ? -body_force.y[n] * push : Real(0);
-        const Real lean = n < body_force.x.terms ? -body_force.x[n] * moment : Real(0);
+        Real lean = n < body_force.x.terms ? -body_force.x[n] * moment : Real(0);
+        if (n < body_force.y.terms) lean += body_force.y[n] * aside;
         margin.right[n] = upright + lean;
         margin.left[n] = upright - lean;
       }

@@ -9,6 +9,7 @@ namespace rockstack {
 std::vector<double> energies(const Scene& scene, const History& history) {
   const Stack<double> stack = make_stack<double>(scene);
   const double at_rest = energy_scale(scene);
+  const Gravity gravity = gravity_of(scene);
   std::vector<double> list;
   list.reserve(history.size());
   for (std::size_t i = 0; i < history.size(); ++i) {
@@ -21,7 +22,7 @@ std::vector<double> energies(const Scene& scene, const History& history) {
     for (int k = 0; k < stack.size(); ++k) {
       energy += 0.5 * stack.mass[k] * speeds.col(k).squaredNorm() +
                 0.5 * stack.inertia[k] * velocities[k] * velocities[k] +
-                stack.mass[k] * scene.gravity * places(1, k);
+                stack.mass[k] * gravity.across * places(1, k) - stack.mass[k] * gravity.along * places(0, k);
     }
     list.push_back(energy);
   }

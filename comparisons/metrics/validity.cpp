@@ -18,7 +18,9 @@ Json demand_json(const Demand& demand) {
   return {{"least_normal", finite(demand.least_normal)},
           {"least_normal_time", demand.least_normal_time},
           {"friction", finite(demand.friction)},
-          {"friction_time", demand.friction_time}};
+          {"friction_time", demand.friction_time},
+          {"first_pull_time", finite(demand.first_pull_time)},
+          {"first_slip_time", finite(demand.first_slip_time)}};
 }
 
 void add_warnings(const Scene& scene, const std::vector<Demand>& demands, const char* what, const char* unit,
@@ -27,13 +29,14 @@ void add_warnings(const Scene& scene, const std::vector<Demand>& demands, const 
     const Demand& demand = demands[k];
     if (demand.least_normal < 0) {
       lines.push_back(fmt::format(
-          "interface {} would have to pull, normal {} {:.4g} {} at t = {:.6g} s: blocks would lift off",
-          k + 1, what, demand.least_normal, unit, demand.least_normal_time));
+          "interface {} would have to pull, normal {} {:.4g} {} at t = {:.6g} s: blocks would lift off, "
+          "first at t = {:.6g} s",
+          k + 1, what, demand.least_normal, unit, demand.least_normal_time, demand.first_pull_time));
     } else if (demand.friction > scene.engine.friction) {
-      lines.push_back(
-          fmt::format("interface {} needs friction {:.4g} for the {} at t = {:.6g} s, the scene has {}: "
-                      "blocks would slip",
-                      k + 1, demand.friction, what, demand.friction_time, scene.engine.friction));
+      lines.push_back(fmt::format(
+          "interface {} needs friction {:.4g} for the {} at t = {:.6g} s, the scene has {}: "
+          "blocks would slip, first at t = {:.6g} s",
+          k + 1, demand.friction, what, demand.friction_time, scene.engine.friction, demand.first_slip_time));
     }
   }
 }
@@ -54,6 +57,12 @@ std::vector<std::string> validity_warnings(const Scene& scene, const History& hi
   std::vector<std::string> lines;
   add_warnings(scene, history.forces, "force", "N", lines);
   add_warnings(scene, history.impulses, "impulse", "N s", lines);
+  for (const auto& choice : history.choices) {
+    lines.push_back(
+        fmt::format("interface {} opens under tension at t = {:.6g} s, where either side would do: it took "
+                    "one of two motions",
+                    choice.interface, choice.time));
+  }
   for (const auto& graze : history.grazes) {
     lines.push_back(
         fmt::format("interface {} grazes at t = {:.6g} s: rounding decides whether there is an {}",

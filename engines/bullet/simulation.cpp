@@ -120,7 +120,7 @@ class BulletSimulation : public Simulation {
         dispatcher_(&configuration_),
         solver_(solver, parameters) {
     apply(parameters, world_.getSolverInfo());
-    set_gravity({0, -scene_.gravity});
+    set_gravity(body_acceleration(scene_));
     const double breaking_factor = scalar(parameters.at("contactBreakingThreshold"));
     const auto shape = parameters.at("shape") != 0 ? make_hull : make_box;
     if (parameters.at("ground") != 0) {

@@ -71,7 +71,7 @@ class OdeSimulation : public Simulation {
     dWorldSetContactSurfaceLayer(world_.get(), parameters.at("contactSurfaceLayer"));
     dWorldSetContactMaxCorrectingVel(world_.get(), parameters.at("contactMaxCorrectingVel"));
     if (solver_ == OdeSolver::quickstep) set_iterations(parameters);
-    set_gravity({0, -scene_.gravity});
+    set_gravity(body_acceleration(scene_));
     set_surface(parameters);
     plane_ = dCreatePlane(space_.get(), 0, 1, 0, 0);
     if (shaking_.moves_ground()) add_moving_ground();

@@ -10,7 +10,7 @@ namespace rockstack {
 namespace {
 
 /// Begins every message: "rockstk" and the version of the form.
-constexpr std::int64_t mark = 0x726f636b73746b03;
+constexpr std::int64_t mark = 0x726f636b73746b04;
 
 }  // namespace
 
@@ -18,7 +18,8 @@ template <class Given, class Wanted>
 concept Is = std::same_as<std::remove_const_t<Given>, Wanted>;
 
 auto fields(Is<Block> auto& block) {
-  return std::tie(block.half_width, block.half_height, block.mass, block.inertia);
+  return std::tie(block.half_width, block.half_height, block.mass, block.inertia, block.offset_x,
+                  block.offset_y);
 }
 
 auto fields(Is<Pulse> auto& pulse) {
@@ -38,8 +39,9 @@ auto fields(Is<EngineSurface> auto& surface) {
 }
 
 auto fields(Is<Scene> auto& scene) {
-  return std::tie(scene.title, scene.duration, scene.gravity, scene.law, scene.equations, scene.blocks,
-                  scene.initial, scene.horizontal, scene.vertical, scene.engine);
+  return std::tie(scene.title, scene.duration, scene.gravity, scene.inclination, scene.law, scene.equations,
+                  scene.restitution, scene.blocks, scene.initial, scene.horizontal, scene.vertical,
+                  scene.engine);
 }
 
 auto fields(Is<Setting> auto& setting) {

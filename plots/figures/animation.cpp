@@ -39,12 +39,12 @@ struct Stage {
 Stack<double> stack_of(const std::vector<StackBlock>& blocks) {
   const auto size = static_cast<Eigen::Index>(blocks.size());
   const Vector<double> zero = Vector<double>::Zero(size);
-  Stack<double> stack{zero, zero, zero, zero, {}};
+  Stack<double> stack{zero, zero, zero, zero, zero, zero, {}};
   for (Eigen::Index k = 0; k < size; ++k) {
     const StackBlock& block = blocks[static_cast<std::size_t>(k)];
     const double below = k > 0 ? blocks[static_cast<std::size_t>(k) - 1].width : block.width;
     stack.half_width[k] = std::min(block.width, below) / 2;
-    stack.half_height[k] = block.height / 2;
+    stack.half_height[k] = stack.centre_y[k] = block.height / 2;
   }
   return stack;
 }

@@ -65,6 +65,33 @@ TEST(Placement, InertiasAreThoseOfTheBox) {
   EXPECT_DOUBLE_EQ(base.inertia, leaning_stack().blocks[0].inertia);
 }
 
+TEST(Placement, GravityIsInTheAxesOfAnInclinedGround) {
+  Scene scene = leaning_stack();
+  scene.inclination = 0.1;
+  scene.horizontal = sampled(1, {2, 2});
+  const BodyAcceleration acceleration = body_acceleration(scene, 0, 1);
+  EXPECT_DOUBLE_EQ(acceleration.x, scene.gravity * std::sin(0.1) - 2);
+  EXPECT_DOUBLE_EQ(acceleration.y, -scene.gravity * std::cos(0.1));
+}
+
+TEST(Placement, RefusesWhatEnginesAreNotTold) {
+  const auto refusal = [](const Scene& scene) -> std::string {
+    try {
+      place(scene);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return {};
+  };
+  Scene scene = leaning_stack();
+  scene.restitution = {0.9, 0.9};
+  EXPECT_EQ(refusal(scene), "restitution: must be left out for engines, whose impacts have no such ratio");
+  scene.restitution.clear();
+  scene.blocks[1].offset_y = 0.1;
+  EXPECT_EQ(refusal(scene),
+            "blocks.2.center_of_mass: must be left out for engines, which are given uniform boxes");
+}
+
 TEST(Placement, GroundMotionPushesTheOtherWay) {
   Scene scene = leaning_stack();
   scene.horizontal = sampled(1, {0, 2});

@@ -8,6 +8,8 @@ double length(const Pulse& pulse) {
       return pulse.period / 2;
     case PulseShape::ricker:
       return 4 * pulse.period;
+    case PulseShape::sine:
+    case PulseShape::cosine:
     case PulseShape::mavroeidis_papageorgiou:
       return pulse.cycles * pulse.period;
     default:

@@ -7,8 +7,8 @@ namespace rockstack {
 
 /// Acceleration pulses as exact functions. With A the amplitude, T the period and t the time since the start:
 enum class PulseShape {
-  sine,       ///< A sin(2πt/T), one period
-  cosine,     ///< A cos(2πt/T), one period
+  sine,       ///< A sin(2πt/T), for as many periods as there are cycles
+  cosine,     ///< A cos(2πt/T), likewise
   half_sine,  ///< A sin(2πt/T), half a period
   rectangle,  ///< A, for the time T
   ricker,     ///< A (1 − 2z²) exp(−z²), z = π(t − 2T)/T, for 4T: what is cut off is below rounding
@@ -23,8 +23,9 @@ struct Pulse {
   double amplitude = 0;  ///< A, m/s²
   double period = 0;     ///< T, s, > 0
   double start = 0;      ///< s, ≥ 0
-  double cycles = 1;     ///< γ, > 1, up to 10⁶, of mavroeidis_papageorgiou alone
-  double phase = 0;      ///< ν, rad, of mavroeidis_papageorgiou alone
+  double cycles =
+      1;  ///< of sine and cosine, > 0, may be infinite; γ of mavroeidis_papageorgiou, > 1, up to 10⁶
+  double phase = 0;  ///< ν, rad, of mavroeidis_papageorgiou alone
 };
 
 /// π in any number type.
@@ -34,7 +35,7 @@ inline const Real pi = [] {
   return acos(Real(-1));
 }();
 
-/// How long a pulse lasts, s.
+/// How long a pulse lasts, s; infinite for endless cycles.
 double length(const Pulse& pulse);
 
 /// The change of velocity from the start of a pulse to `t` s after it, 0 ≤ t ≤ length, m/s.

@@ -44,6 +44,9 @@ GroundMotion from_pulse(const Node& table, const Node& shape) {
     require_table(table, near_fault_keys);
     pulse.cycles = required_number(table, "cycles");
     pulse.phase = number_or(table, "phase", pulse.phase);
+  } else if (pulse.shape == PulseShape::sine || pulse.shape == PulseShape::cosine) {
+    require_table(table, harmonic_keys);
+    pulse.cycles = number_or(table, "cycles", pulse.cycles);
   } else {
     require_table(table, pulse_keys);
   }

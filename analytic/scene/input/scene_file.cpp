@@ -28,6 +28,14 @@ Block read_block(const Node& table) {
   block.mass = read_mass(table, block);
   block.inertia =
       number_or(table, "inertia", rectangle_inertia(block.mass, block.half_width, block.half_height));
+  if (const Node* centre = find(table, "center_of_mass")) {
+    const std::vector<double> offset = numbers(*centre);
+    if (offset.size() != 2) throw wrong_value(*centre, "[x, y] in m, from the block's middle");
+    if ((offset[0] != 0 || offset[1] != 0) && find(table, "inertia") == nullptr)
+      throw missing_key(table, "inertia", "given beside center_of_mass: such a block is not uniform");
+    block.offset_x = offset[0];
+    block.offset_y = offset[1];
+  }
   return block;
 }
 
@@ -54,6 +62,7 @@ void read_ground(const SceneDocument& document, MotionLibrary& library, Scene& s
   const Node* ground = find(document.root, "ground");
   if (ground == nullptr) return;
   require_table(*ground, ground_keys);
+  scene.inclination = number_or(*ground, "inclination", scene.inclination);
   if (const Node* table = find(*ground, "horizontal")) {
     scene.horizontal = read_ground_motion(*table, document.folder, library);
   }
@@ -84,8 +93,13 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
     scene.law = choice<Law>(*law, {{"paper", Law::paper}, {"consistent", Law::consistent}});
   }
   if (const Node* equations = find(root, "equations")) {
-    scene.equations =
-        choice<Equations>(*equations, {{"nonlinear", Equations::nonlinear}, {"linear", Equations::linear}});
+    scene.equations = choice<Equations>(*equations, {{"nonlinear", Equations::nonlinear},
+                                                     {"linear", Equations::linear},
+                                                     {"small-angle", Equations::small_angle}});
+  }
+  if (const Node* restitution = find(root, "restitution")) {
+    scene.restitution = numbers(*restitution);
+    if (scene.restitution.empty()) throw wrong_value(*restitution, "a number for each block");
   }
   scene.blocks = read_blocks(root);
   scene.initial = read_initial(root, scene.blocks.size());

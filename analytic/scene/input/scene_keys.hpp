@@ -14,12 +14,18 @@ inline constexpr KeyTable scene_keys{
      {"gravity", "9.81", "m/s²", "> 0", "9.81", "acceleration of gravity, downwards"},
      {"law", "\"consistent\"", "", "\"consistent\" or \"paper\"", "\"consistent\"",
       "which pattern follows an impact: one whose impulses push, as engines have it, or that of the paper"},
-     {"equations", "\"nonlinear\"", "", "\"nonlinear\" or \"linear\"", "\"nonlinear\"",
-      "of motion: in full, or with geometry frozen upright, Eqs. (19)–(28) of the paper"},
+     {"equations", "\"nonlinear\"", "", "\"nonlinear\", \"linear\" or \"small-angle\"", "\"nonlinear\"",
+      "of motion: in full; with geometry frozen upright, Eqs. (19)–(28) of the paper; or the usual linear "
+      "ones, "
+      "where sin(α − θ) is α − θ (Housner 1963)"},
      {"blocks", "", "", "1 to 32 tables [[blocks]]", required_key, "the stack"},
      {"initial", "", "", "a table [initial]", no_default, "how it starts"},
      {"ground", "", "", "tables [ground.horizontal], [ground.vertical]", no_default, "how the ground moves"},
-     {"engine", "", "", "a table [engine]", no_default, "what engines need besides"}}};
+     {"engine", "", "", "a table [engine]", no_default, "what engines need besides"},
+     {"restitution", "[0.9]", "", "a number from 0 to 1 for each block", "that of the law",
+      "of the interface under each block, where all above it rocks as one body: relative angular velocity "
+      "after an "
+      "impact over that before; engines are not told"}}};
 
 inline constexpr KeyTable block_keys{
     "[[blocks]]",
@@ -28,7 +34,10 @@ inline constexpr KeyTable block_keys{
      {"height", "2.5", "m", "> 0", required_key, "of the block, 2h"},
      {"density", "2500", "kg/m³", "> 0", required_key, "mass over width, height and 1 m of depth"},
      {"mass", "6250", "kg", "> 0", "instead of density", "of the block"},
-     {"inertia", "3776", "kg·m²", "> 0", "that of a uniform rectangle", "about the centre of mass"}}};
+     {"inertia", "3776", "kg·m²", "> 0", "that of a uniform rectangle", "about the centre of mass"},
+     {"center_of_mass", "[0.0, 0.0]", "m", "inside the block, beside inertia", "[0, 0]",
+      "from the block's middle, to the right and up; not for engines, small-angle equations or "
+      "restitution"}}};
 
 inline constexpr KeyTable initial_keys{
     "[initial]",
@@ -41,7 +50,9 @@ inline constexpr KeyTable ground_keys{
     "[ground]",
     "the ground's acceleration",
     {{"horizontal", "", "", "a table [ground.horizontal]", no_default, "positive to the right"},
-     {"vertical", "", "", "a table [ground.vertical]", no_default, "positive up"}}};
+     {"vertical", "", "", "a table [ground.vertical]", no_default, "positive up"},
+     {"inclination", "0.0", "rad", "±(π/2 − slenderness)/2 of the squattest block", "0",
+      "slope of the ground, down to the right; angles and motions are along and across it"}}};
 
 inline constexpr KeyTable record_keys{
     "[ground.horizontal]",
@@ -64,12 +75,19 @@ inline constexpr KeyTable samples_keys{
 inline constexpr KeyTable pulse_keys{
     "[ground.horizontal]",
     "a pulse",
-    {{"pulse", "\"sine\"", "",
-      "\"sine\", \"cosine\", \"half-sine\", \"rectangle\", \"ricker\" or \"mavroeidis-papageorgiou\"",
-      required_key, "its shape, one period or half of one"},
+    {{"pulse", "\"half-sine\"", "", "\"half-sine\", \"rectangle\" or \"ricker\"", required_key, "its shape"},
      {"amplitude", "3.0", "m/s²", "any number", required_key, "largest acceleration"},
-     {"period", "0.5", "s", "> 0", required_key, "of a sine or cosine; of a rectangle the length"},
+     {"period", "0.5", "s", "> 0", required_key, "of the whole sine; of a rectangle the length"},
      {"start", "0.0", "s", "≥ 0", "0", "when it begins"}}};
+
+inline constexpr KeyTable harmonic_keys{
+    "[ground.horizontal]",
+    "one period of a sine or cosine, or several, or for ever",
+    {{"pulse", "\"sine\"", "", "\"sine\" or \"cosine\"", required_key, "its shape"},
+     {"amplitude", "3.0", "m/s²", "any number", required_key, "largest acceleration"},
+     {"period", "0.5", "s", "> 0", required_key, "of one cycle"},
+     {"start", "0.0", "s", "≥ 0", "0", "when it begins"},
+     {"cycles", "3.0", "", "> 0, or inf", "1", "periods, whole or not; inf: harmonic motion without end"}}};
 
 inline constexpr KeyTable near_fault_keys{
     "[ground.horizontal]",
@@ -99,7 +117,7 @@ inline constexpr KeyTable surface_keys{
 
 /// All tables of a scene file, in the order of a file; those of [ground.horizontal] are alternatives.
 inline constexpr std::initializer_list<const KeyTable*> scene_tables{
-    &scene_keys,   &block_keys, &initial_keys,    &ground_keys,    &record_keys,
-    &samples_keys, &pulse_keys, &near_fault_keys, &synthetic_keys, &surface_keys};
+    &scene_keys, &block_keys,    &initial_keys,    &ground_keys,    &record_keys, &samples_keys,
+    &pulse_keys, &harmonic_keys, &near_fault_keys, &synthetic_keys, &surface_keys};
 
 }  // namespace rockstack

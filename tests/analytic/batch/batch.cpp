@@ -21,7 +21,8 @@ class Bits {
   }
   void add(const std::vector<Demand>& demands) {
     for (const Demand& demand : demands)
-      add({demand.least_normal, demand.least_normal_time, demand.friction, demand.friction_time});
+      add({demand.least_normal, demand.least_normal_time, demand.friction, demand.friction_time,
+           demand.first_pull_time, demand.first_slip_time});
   }
   void add(const History& history) {
     text_ << history.blocks << '\n';

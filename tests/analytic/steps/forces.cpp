@@ -66,7 +66,7 @@ TEST(Forces, DemandsAlongAStepAreTheGreatestOfAScanAndAreMet) {
     for (const ForceCourses<double>& force : output.forces) {
       if (force.normal.terms == 0) continue;
       Demand found, scanned;
-      note_demand_along(found, force, end, 1e-12 * weight, 0.0, output.length);
+      note_demand_along(found, force, end, 1e-12 * weight, 1e3, 0.0, output.length);
       for (int j = 0; j <= 500; ++j) {
         const double s = end * j / 500;
         note_demand(scanned, value(force.normal, s), value(force.tangential, s), 1e-12 * weight, s);

@@ -62,9 +62,10 @@ TEST(Validity, WarnsOfTooLittleFrictionAndOfLiftingOff) {
   slippery.engine.friction = 0.25;
   const auto slip = validity_warnings(slippery, solved(slippery));
   ASSERT_EQ(slip.size(), 1u);
-  EXPECT_EQ(
-      slip[0],
-      "interface 1 needs friction 0.3058 for the force at t = 1 s, the scene has 0.25: blocks would slip");
+  EXPECT_EQ(slip[0],
+            "interface 1 needs friction 0.3058 for the force at t = 1 s, the scene has 0.25: blocks would "
+            "slip, first "
+            "at t = 0.8175 s");
   slippery.engine.friction = 0.31;
   EXPECT_TRUE(validity_warnings(slippery, solved(slippery)).empty());
 

@@ -88,18 +88,19 @@ TEST(SceneErrors, UnknownKeysListTheKnownOnes) {
       {1, "durration = 5",
        "scene.toml:1: durration: unknown key, must be one of title, duration, gravity, law, equations, "
        "blocks, "
-       "initial, ground, engine"},
+       "initial, ground, engine, restitution"},
       {7, "widht = 1.0",
-       "scene.toml:7: blocks.2.widht: unknown key, must be one of width, height, density, mass, inertia"},
+       "scene.toml:7: blocks.2.widht: unknown key, must be one of width, height, density, mass, inertia, "
+       "center_of_mass"},
       {12, "speeds = [0, 0]",
        "scene.toml:12: initial.speeds: unknown key, must be one of angles, velocities"},
       {12, "[ground]\nsideways = 1",
-       "scene.toml:13: ground.sideways: unknown key, must be one of horizontal, vertical"},
+       "scene.toml:13: ground.sideways: unknown key, must be one of horizontal, vertical, inclination"},
       {12, "[ground.vertical]\nspectrum = 1",
        "scene.toml:12: ground.vertical.record: missing, must be given, or samples and interval, or a pulse "
        "or "
        "synthetic in its place"},
-      {12, "[ground.vertical]\npulse = \"sine\"\namplitude = 1\nperiod = 1\ncycles = 2",
+      {12, "[ground.vertical]\npulse = \"half-sine\"\namplitude = 1\nperiod = 1\ncycles = 2",
        "scene.toml:16: ground.vertical.cycles: unknown key, must be one of pulse, amplitude, period, start"},
       {12, "[engine]\ngrip = 1", "scene.toml:13: engine.grip: unknown key, must be one of friction, depth"},
   });

@@ -12,11 +12,11 @@ namespace rockstack {
 namespace {
 
 /// The ways to say how the ground moves.
-const std::vector<const KeyTable*> motions{&record_keys, &samples_keys, &pulse_keys, &near_fault_keys,
-                                           &synthetic_keys};
+const std::vector<const KeyTable*> motions{&record_keys,   &samples_keys,    &pulse_keys,
+                                           &harmonic_keys, &near_fault_keys, &synthetic_keys};
 
 KeyFile scene_file(const KeyTable& motion) {
-  return KeyFile({&scene_keys, &block_keys, &initial_keys, &motion, &surface_keys});
+  return KeyFile({&scene_keys, &block_keys, &initial_keys, &ground_keys, &motion, &surface_keys});
 }
 
 /// Reads a scene beside a record; fills `scene` where it is given.
@@ -35,20 +35,23 @@ std::string read_keys(const std::string& text, Scene* scene = nullptr) {
 std::string numbers_of(const GroundMotion& motion) {
   std::string text = number_text(motion.interval);
   for (const double sample : motion.samples) text += " " + number_text(sample);
-  if (motion.pulse) text += " " + number_text(motion.pulse->start) + " " + number_text(motion.pulse->phase);
+  if (motion.pulse)
+    text += " " + number_text(motion.pulse->start) + " " + number_text(motion.pulse->phase) + " " +
+            number_text(motion.pulse->cycles);
   return text;
 }
 
 /// The numbers of a scene that keys with a default give.
 std::string numbers_of(const Scene& scene) {
-  return number_text(scene.gravity) + " " + name(scene.law) + " " +
+  return number_text(scene.gravity) + " " + number_text(scene.inclination) + " " + name(scene.law) + " " +
          std::to_string(static_cast<int>(scene.equations)) + " " + number_text(scene.engine.friction) + " " +
          number_text(scene.engine.depth) + " " + numbers_of(scene.horizontal);
 }
 
 TEST(SceneKeys, AreThoseThatAreRead) {
   for (const KeyTable* motion : motions) {
-    for (const KeyTable* table : {&scene_keys, &block_keys, &initial_keys, motion, &surface_keys})
+    for (const KeyTable* table :
+         {&scene_keys, &block_keys, &initial_keys, &ground_keys, motion, &surface_keys})
       expect_keys_are_those_read(scene_file(*motion), *table,
                                  [](const auto& text) { return read_keys(text); });
   }
@@ -58,7 +61,8 @@ TEST(SceneKeys, AreThoseThatAreRead) {
 TEST(SceneKeys, MakeAWholeScene) {
   for (const KeyTable* motion : motions) {
     KeyFile file = scene_file(*motion);
-    for (const KeyTable* table : {&scene_keys, &block_keys, &initial_keys, motion, &surface_keys}) {
+    for (const KeyTable* table :
+         {&scene_keys, &block_keys, &initial_keys, &ground_keys, motion, &surface_keys}) {
       for (const InputKey& key : table->keys) {
         const std::string_view standard = key.standard;
         if (*key.example != '\0' && !standard.starts_with("instead of "))
@@ -75,7 +79,7 @@ TEST(SceneKeys, DefaultsAreThoseOfTheReader) {
     const KeyFile file = scene_file(*motion);
     Scene plain;
     ASSERT_EQ(read_keys(file.text(), &plain), "");
-    for (const KeyTable* table : {&scene_keys, motion, &surface_keys}) {
+    for (const KeyTable* table : {&scene_keys, &ground_keys, motion, &surface_keys}) {
       for (const InputKey& key : table->keys) {
         if (!parse_toml_value(key.standard, Node{})) continue;
         Scene given;

@@ -14,6 +14,46 @@ Scene read(const std::string& text) {
   return read_scene(folder.write("scene.toml", text));
 }
 
+TEST(SceneFile, KeysOfTheExactSolverAloneArriveToo) {
+  const Scene scene = read(R"(
+duration = 1
+equations = "small-angle"
+restitution = [0.875]
+[[blocks]]
+width = 1.0
+height = 4.0
+mass = 100.0
+[ground]
+inclination = 0.0625
+[ground.horizontal]
+pulse = "sine"
+amplitude = 1
+period = 1
+cycles = inf
+)");
+  EXPECT_EQ(scene.equations, Equations::small_angle);
+  EXPECT_EQ(scene.restitution, std::vector<double>{0.875});
+  EXPECT_EQ(scene.inclination, 0.0625);
+  EXPECT_TRUE(std::isinf(scene.horizontal.pulse->cycles));
+  const Scene lopsided = read(R"(
+duration = 1
+[[blocks]]
+width = 1.0
+height = 4.0
+mass = 100.0
+inertia = 50.0
+center_of_mass = [0.125, -0.5]
+)");
+  EXPECT_EQ(lopsided.blocks[0].offset_x, 0.125);
+  EXPECT_EQ(lopsided.blocks[0].offset_y, -0.5);
+}
+
+TEST(SceneFile, ABlockWhoseCentreIsOffTheMiddleSaysItsInertia) {
+  EXPECT_THROW(
+      read("duration = 1\n[[blocks]]\nwidth = 1\nheight = 4\nmass = 100\ncenter_of_mass = [0.1, 0]\n"),
+      InputError);
+}
+
 TEST(SceneFile, EveryKeyArrivesInTheScene) {
   const Scene scene = read(R"(
 title = "All keys"
