@@ -25,6 +25,8 @@ struct SolveArguments {
   double step = 2e-4;                 ///< of rk4, s
   double interval = 1e-3;             ///< of samples, s
   bool plots = true;                  ///< figures and a page
+  double tolerance = 0;  ///< of taylor: share of the velocity that a step may leave out; 0: rounding
+  std::vector<std::string> histories;  ///< kinds_of_histories() to write
 };
 
 struct SimulateArguments {

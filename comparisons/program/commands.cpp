@@ -195,9 +195,11 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
       .sample_times = regular_times(arguments.interval, scene.scene.duration),
       .validity = true,
       .peaks = true,
+      .resolution = arguments.tolerance,
+      .tolerance = arguments.tolerance,
       .step = arguments.step};
   const ResultsFolder folder(arguments.out, Results::motion);
-  const History history = solve_into(scene, options, arguments.out, common.command);
+  const History history = solve_into(scene, options, arguments.histories, arguments.out, common.command);
   print_history(scene.scene, history, arguments.out, common);
   show_motion(arguments.out, arguments.plots, common);
   return 0;

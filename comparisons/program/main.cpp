@@ -15,6 +15,7 @@
 #include "analytic/scene/input/document.hpp"
 #include "comparisons/program/commands.hpp"
 #include "comparisons/program/output.hpp"
+#include "comparisons/results/histories.hpp"
 #include "comparisons/suites/perturbations.hpp"
 
 namespace {
@@ -64,6 +65,15 @@ Command add_solve(CLI::App& app, const Common& common) {
   command->add_option("--step", arguments->step, "longest step of rk4, s")->capture_default_str();
   command->add_option("--interval", arguments->interval, "interval of samples in history.csv, s")
       ->capture_default_str();
+  command
+      ->add_option("--tolerance", arguments->tolerance,
+                   "of taylor: share of the velocity that a step may leave out, and angle below which "
+                   "chatter ends, rad; 0: rounding")
+      ->check(CLI::Range(0.0, 1e-3))
+      ->capture_default_str();
+  command->add_option("--histories", arguments->histories, "what else to write at each sample")
+      ->delimiter(',')
+      ->check(CLI::IsMember(kinds_of_histories()));
   add_plots(*command, arguments->plots);
   return {command, [arguments, &common] { return solve_command(*arguments, common); }};
 }

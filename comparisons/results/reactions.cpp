@@ -39,7 +39,8 @@ std::string reactions_csv(const Scene& scene, const History& history) {
   csv.line("time", numbered("normal_", blocks), numbered("tangential_", blocks), numbered("centre_", blocks));
   for (std::size_t i = 0; i < history.size(); ++i) {
     const double time = history.times[i];
-    const Point<double> ground{acceleration(scene.horizontal, time), acceleration(scene.vertical, time)};
+    const Point<double> ground{acceleration(scene.horizontal, time) - gravity_of(scene).along,
+                               acceleration(scene.vertical, time)};
     const PatternSolution<double> solution = accelerate(model, state_at(history, i), ground);
     const auto& reactions = solution.reactions;
     csv.add(time);

@@ -17,6 +17,7 @@
 #include "comparisons/metrics/validity.hpp"
 #include "comparisons/results/environment.hpp"
 #include "comparisons/results/files.hpp"
+#include "comparisons/results/histories.hpp"
 #include "comparisons/results/reactions.hpp"
 #include "comparisons/results/scene_json.hpp"
 #include "comparisons/results/tables.hpp"
@@ -235,13 +236,16 @@ RunMetrics metrics_in(const std::string& summary) {
   return metrics_from(Json::parse(summary));
 }
 
-History solve_into(const NamedScene& scene, const SolveOptions& options, const std::filesystem::path& folder,
+History solve_into(const NamedScene& scene, const SolveOptions& options,
+                   const std::vector<std::string>& histories, const std::filesystem::path& folder,
                    const std::string& command) {
   const bool baseline = options.integrator == Integrator::rk4;
   RunMetrics row = describe({{}, scene, {}});
   row.solver = baseline ? "rk4" : "taylor";
   const auto write = [&](const History& history) {
     row.toppled = reported_toppling(history);
+    for (const auto& [name, text] : histories_csv(scene.scene, history, histories))
+      write_file(folder / name, text);
     Json json =
         summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, {}, command);
     add_validity(scene.scene, history, json);

@@ -25,10 +25,12 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
 /// The metrics in a summary. @throws nlohmann::json::exception where it is none.
 RunMetrics metrics_in(const std::string& summary);
 
-/// Solves a scene and writes history.csv, events.csv and summary.json into a folder. Where the motion could
+/// Solves a scene and writes history.csv, events.csv, those of `histories` (results/histories.hpp) and
+/// summary.json into a folder. Where the motion could
 /// not be followed to its end, the files hold it up to there, and the summary's status is "failed".
 /// @throws as solve(), with the files written.
-History solve_into(const NamedScene& scene, const SolveOptions& options, const std::filesystem::path& folder,
+History solve_into(const NamedScene& scene, const SolveOptions& options,
+                   const std::vector<std::string>& histories, const std::filesystem::path& folder,
                    const std::string& command);
 
 /// Runs one engine and writes the same files, with patterns as its angles tell them (contact_patterns.hpp);

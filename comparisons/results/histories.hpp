@@ -1,0 +1,28 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack {
+
+/// What a solution may keep of its samples besides history.csv: "forces", "energies", "corners".
+const std::vector<std::string>& kinds_of_histories();
+
+/// Their files by name: reactions.csv (reactions.hpp), energies.csv and corners.csv, of the kinds asked for.
+/// @throws InputError for another kind. Precondition: the history has patterns.
+std::map<std::string, std::string> histories_csv(const Scene& scene, const History& history,
+                                                 const std::vector<std::string>& kinds);
+
+/// time,kinetic_1,…,potential_1,…: of each block, J; the potential energy is that of its weight above the
+/// place where it rests.
+std::string energies_csv(const Scene& scene, const History& history);
+
+/// time, then of each block k lower_left_x_k,lower_left_y_k and so on for lower_right, upper_left and
+/// upper_right: how far its corners are from where they rest, in the axes of the ground, m.
+std::string corners_csv(const Scene& scene, const History& history);
+
+}  // namespace rockstack
