@@ -91,7 +91,7 @@ std::vector<Part> scene_parts(const std::optional<std::filesystem::path>& record
   parts[1].values = {{"width", "0.6"}, {"height", "1.6"}};
   parts[2].values = {{"width", "0.5"}, {"height", "1.2"}};
   if (!record) {
-    parts.push_back({&pulse_keys, {{"amplitude", "6.0"}}});
+    parts.push_back({&harmonic_keys, {{"amplitude", "6.0"}}});
     parts.push_back({&initial_keys, {{"angles", "[0.0, 0.0]"}, {"velocities", "[0.0, 0.0]"}}, true});
     parts.push_back({&surface_keys, {}, true});
     return parts;
@@ -114,8 +114,9 @@ std::string suite_text() {
 }
 
 std::string ensemble_text() {
-  const std::string scene = text_of(
-      {{&scene_keys, {{"duration", "5.0"}}}, {&block_keys, {{"width", "0.5"}}}, {&pulse_keys, {}}}, "scene");
+  const std::string scene =
+      text_of({{&scene_keys, {{"duration", "5.0"}}}, {&block_keys, {{"width", "0.5"}}}, {&harmonic_keys, {}}},
+              "scene");
   return text_of({{&ensemble_keys, {{"scene", ""}}}}) + "\n" + scene + "\n" +
          text_of({{&vary_keys,
                    {{"key", "\"ground.horizontal.amplitude\""},
