@@ -76,7 +76,8 @@ TEST(SceneErrors, WrongTypes) {
       {1, "duration = 1\nengine = [1]", "scene.toml:2: engine = an array of 1: must be a table"},
       {1, "duration = 1\nlaw = \"papr\"",
        "scene.toml:2: law = \"papr\": must be \"paper\" or \"consistent\""},
-      {1, "duration = 1\nequations = 2", "scene.toml:2: equations = 2: must be \"nonlinear\" or \"linear\""},
+      {1, "duration = 1\nequations = 2",
+       "scene.toml:2: equations = 2: must be \"nonlinear\" or \"linear\" or \"small-angle\""},
   });
   EXPECT_EQ(error_of("duration = 1\nblocks = 3\n"),
             "scene.toml:2: blocks = 3: must be an array of tables, [[blocks]]");
