@@ -155,7 +155,8 @@ void ContactSolver::advance() {
   };
   if (!(remaining > 0)) return next_piece();
   const double length = std::min({remaining, longest_, longest_series(piece)});
-  const ScaledBodyForce<double> body_force = scaled_body_force(scene_.gravity, piece, offset_, length);
+  const ScaledBodyForce<double> body_force =
+      scaled_body_force(gravity_of(scene_).across, piece, offset_, length);
   const ModeStep step = mode_step(stack_, joints_, bodies_, body_force, length);
   if (step.lengthens && length == longest_) longest_ *= 1.25;
   if (step.series.length < length) longest_ = step.series.length;
