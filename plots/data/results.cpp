@@ -225,6 +225,10 @@ bool has_other_equations(const Run& run) {
   return run.engine == "linear" || run.engine == "nonlinear";
 }
 
+bool is_variant(const Run& run) {
+  return has_other_equations(run) || run.engine == "paper" || run.engine == "consistent";
+}
+
 std::string solver_name(const Run& run) {
   return run.exact() || run.solver.empty() ? run.engine : run.engine + ":" + run.solver;
 }

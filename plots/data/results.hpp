@@ -118,6 +118,9 @@ bool has_motion(const Comparison& comparison, const ComparedScene& scene);
 /// True for a run of the exact solver with the other kind of equations than the scene's.
 bool has_other_equations(const Run& run);
 
+/// True for a run of the exact solver in another way than the scene's: other equations, or another law.
+bool is_variant(const Run& run);
+
 /// The engine with its solver, "bullet:sequential-impulse"; "exact" for the exact solver.
 std::string solver_name(const Run& run);
 

@@ -72,6 +72,12 @@ Shown shown_runs(const Comparison& comparison, const std::string& scene) {
   return shown;
 }
 
+std::vector<Run> perturbed_runs(const Comparison& comparison, const std::string& scene) {
+  std::vector<Run> runs = done_runs(comparison, scene);
+  std::erase_if(runs, [](const Run& run) { return !std::filesystem::exists(run.folder / "perturbed.csv"); });
+  return runs;
+}
+
 int iterations_of(const Run& run) {
   const auto [begin, length] = iterations_in(run.settings);
   if (begin == std::string::npos) return 0;
@@ -123,6 +129,12 @@ std::string duration_text(double seconds) {
   constexpr double smallest_in_ms = 0.99e-4;
   if (size >= smallest_in_ms) return fmt::format("{:.3g} ms", seconds * 1e3);
   return size >= 1e-6 ? fmt::format("{:.4g} µs", seconds * 1e6) : fmt::format("{:.4g} ns", seconds * 1e9);
+}
+
+std::string rounded_duration(double seconds) {
+  if (seconds == 0 || !std::isfinite(seconds)) return duration_text(seconds);
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(seconds))) - 1);
+  return duration_text(std::round(seconds / unit) * unit);
 }
 
 double quartile_or(double quartile, double value) {

@@ -23,6 +23,9 @@ using StepLine = std::vector<Run>;
 /// All engine runs of a scene that are done, line by line in the order of the file.
 std::vector<StepLine> step_lines(const Comparison& comparison, const std::string& scene);
 
+/// The runs of a scene that have answers over perturbed scenes, the exact one first.
+std::vector<Run> perturbed_runs(const Comparison& comparison, const std::string& scene);
+
 /// The iterations that a suite gave the solver of a run, 0 where it gave none.
 int iterations_of(const Run& run);
 
@@ -50,5 +53,8 @@ std::string draws_note(const Comparison& comparison, const std::string& scene);
 
 /// A duration with a unit that suits it: "0.1 ms", "12 µs", "3.5 s".
 std::string duration_text(double seconds);
+
+/// The same with two significant digits.
+std::string rounded_duration(double seconds);
 
 }  // namespace rockstack::plots

@@ -9,8 +9,8 @@
 namespace rockstack::plots {
 namespace {
 
-constexpr double left_edge = 0.095, right_edge = 0.975;
-constexpr double title_height = 56, legend_row = 28, legend_gap = 14, axis_height = 80;
+constexpr double between = 0.012;
+constexpr double title_height = 56, question_height = 46, legend_row = 28, legend_gap = 14, axis_height = 80;
 constexpr std::size_t half_a_figure = 46;  // letters of a legend
 
 /// In two columns, or in one where some words are too long for half of the figure.
@@ -24,6 +24,15 @@ double legend_height(const Legend& legend) {
   return legend.empty() ? 0 : static_cast<double>(legend_rows(legend)) * legend_row + legend_gap;
 }
 
+/// Nothing that one panel sets holds for the next.
+constexpr auto fresh_panel =
+    "unset grid\nunset object\nunset logscale\nset format x '% h'\nset format y '% h'\nunset xlabel\n"
+    "unset ylabel\nset xtics autofreq font '' textcolor rgb '#000000'\n"
+    "set ytics autofreq font '' textcolor rgb '#000000'\n";
+
+/// Numbers that are not to be seen, while their grid is.
+constexpr auto unseen_numbers = "set ytics textcolor rgb '#FF000000'\nunset ylabel\n";
+
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ", \\\n  ") + part;
@@ -32,8 +41,7 @@ std::string joined(const std::vector<std::string>& parts) {
 
 /// One column of a legend: a plot without data whose only content is the key. The formats measure text
 /// differently, so that columns placed by gnuplot would not be the same in both.
-std::string legend_column(const Legend& legend, std::size_t from, std::size_t to, double left,
-                          double height) {
+std::string legend_column(const Legend& legend, std::size_t from, std::size_t to, double left, double top) {
   std::vector<std::string> entries{"NaN notitle"};
   for (std::size_t i = from; i < to; ++i)
     entries.push_back(
@@ -41,23 +49,32 @@ std::string legend_column(const Legend& legend, std::size_t from, std::size_t to
   return fmt::format(
       "set key at screen {}, screen {} left top vertical maxcols 1 Left reverse samplen 3.2\n"
       "plot [0:1][0:1] {}\nunset label\n",
-      plain(left), plain(1 - (title_height - 4) / height), joined(entries));
+      plain(left), plain(top), joined(entries));
 }
 
-std::string legend_plots(const Legend& legend, double height) {
+/// `top` is its upper edge, a share of the figure's height from below.
+std::string legend_plots(const Legend& legend, double top) {
   if (legend.empty()) return "";
   constexpr double first = left_edge - 0.01, second = 0.54;
   const std::size_t half = legend_rows(legend);
   std::string text = "unset border\nunset tics\nset margins screen 0, screen 1, screen 0, screen 1\n";
-  text += legend_column(legend, 0, half, first, height);
-  if (half < legend.size()) text += legend_column(legend, half, legend.size(), second, height);
+  text += legend_column(legend, 0, half, first, top);
+  if (half < legend.size()) text += legend_column(legend, half, legend.size(), second, top);
   return text + "set border\nset tics\nunset key\n";
 }
 
-/// Long titles are set smaller, so that they stay inside the figure.
-int title_size(const std::string& title) {
-  constexpr std::size_t usual = 17, fitting = 88;  // letters across the figure
-  return static_cast<int>(usual * fitting / std::max(title.size(), fitting));
+/// Long words are set smaller than usual, so that they stay inside the figure; `fitting` letters of the usual
+/// size do.
+int words_size(const std::string& words, std::size_t usual, std::size_t fitting) {
+  return static_cast<int>(usual * fitting / std::max(words.size(), fitting));
+}
+
+/// One line under the title, its middle at `height`, a share of the figure's from below; nothing without
+/// words.
+std::string question_line(const std::string& words, double height) {
+  if (words.empty()) return "";
+  return fmt::format("set label {} noenhanced at screen 0.5, screen {} center font ',{}' tc rgb '#404040'\n",
+                     in_quotes(words), plain(height), words_size(words, 14, 118));
 }
 
 }  // namespace
@@ -85,15 +102,33 @@ std::string data_block(const std::string& name, const Curve& curve) {
   return text + "END\n";
 }
 
-Sheet::Sheet(const std::string& title, const Legend& legend)
-    : below_(title_height + legend_height(legend)), title_(title), legend_(legend) {}
+Sheet::Sheet(const std::string& title, const Legend& legend, const std::string& question)
+    : below_(title_height + (question.empty() ? 0 : question_height) + legend_height(legend)),
+      title_(title),
+      question_(question),
+      legend_(legend) {}
 
 void Sheet::panel(double height, double gap, const std::string& settings,
                   const std::vector<std::string>& plots) {
+  row(height, gap, {{settings, plots}}, 1, left_edge);
+}
+
+void Sheet::row(double height, double gap, const std::vector<SidePanel>& cells, std::size_t columns,
+                double left) {
   below_ += panels_.empty() ? 0 : gap;
-  const std::string elements = plots.empty() ? "NaN notitle" : joined(plots);
-  panels_.push_back({below_, below_ + height, settings, elements});
+  const double pace = (right_ - left + between) / static_cast<double>(columns);
+  for (const SidePanel& cell : cells) {
+    const std::string elements = cell.plots.empty() ? "NaN notitle" : joined(cell.plots);
+    panels_.push_back({below_, below_ + height, left, left + pace - between, cell.settings, elements});
+    left += pace;
+  }
   below_ += height;
+}
+
+void Sheet::leave_room_for_second_axes() {
+  constexpr double above = 52, beside = 0.07;
+  below_ += above;
+  right_ = right_edge - beside;
 }
 
 Drawing Sheet::finish() const {
@@ -102,17 +137,25 @@ Drawing Sheet::finish() const {
   const double height = std::ceil(words_top + static_cast<double>(notes_.size()) * word_row);
   std::string text = fmt::format(
       "set multiplot\nunset key\nset label 1 {} noenhanced at screen 0.5, screen {} center font ',{}'\n",
-      in_quotes(title_), plain(1 - title_height / 2 / height), title_size(title_));
-  text += legend_plots(legend_, height);
+      in_quotes(title_), plain(1 - title_height / 2 / height), words_size(title_, 17, 88));
+  const double head = title_height - 4 + (question_.empty() ? 0 : question_height);
+  const std::size_t answer = question_.find("? ");
+  constexpr double half_row = 11;
+  text += question_line(question_.substr(0, answer == std::string::npos ? answer : answer + 1),
+                        1 - (head - question_height + half_row) / height);
+  if (answer != std::string::npos)
+    text += question_line(question_.substr(answer + 2), 1 - (head - half_row - 2) / height);
+  text += legend_plots(legend_, 1 - head / height);
   for (const Panel& panel : panels_) {
-    text += fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", left_edge, right_edge,
-                        plain(1 - panel.bottom / height), plain(1 - panel.top / height));
+    text += fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", plain(panel.left),
+                        plain(panel.right), plain(1 - panel.bottom / height), plain(1 - panel.top / height));
     if (&panel == &panels_.back())
       for (std::size_t i = 0; i < notes_.size(); ++i)
         text += fmt::format("set label {} noenhanced at screen {}, screen {} left font ',12' tc rgb '{}'\n",
                             in_quotes(notes_[i].first), left_edge,
                             plain(1 - (words_top + static_cast<double>(i) * word_row) / height),
                             notes_[i].second);
+    text += fresh_panel;
     text += panel.settings + fmt::format("plot {}\nunset label\nunset arrow\n", panel.plots);
   }
   return {.height = static_cast<int>(height), .data = blocks_, .commands = text + "unset multiplot"};
@@ -130,6 +173,23 @@ std::string logarithmic_tics(const std::string& axis, double low, double high) {
   return fmt::format("set {}tics ({})\n", axis, tics);
 }
 
+std::string decade_tics(double low, double high, double height) {
+  constexpr double room = 26;  // pixels a number
+  const double decades = std::log10(high / low);
+  const int stride = std::max(1, static_cast<int>(std::ceil(decades * room / height)));
+  return fmt::format("set format y '10^{{%T}}'\nset ytics {}, {}\n", plain(low), plain(std::pow(10, stride)));
+}
+
+std::string linear_tics(const std::string& axis, double low, double high, double pixels) {
+  const double room = axis == "x" ? 70 : 30;  // of a number
+  const double least = (high - low) * room / pixels;
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  double step = 10 * power;
+  for (const double times : {5.0, 2.0, 1.0})
+    if (times * power >= least) step = times * power;
+  return fmt::format("set {}tics {}\n", axis, plain(step));
+}
+
 std::string without_horizontal_labels() {
   return "set format x ''\nunset xlabel\n";
 }
@@ -142,6 +202,53 @@ Drawing empty_sheet(const std::string& title, const std::string& text) {
                   " noenhanced at graph 0.5, graph 0.5 center\n",
               {});
   return sheet.finish();
+}
+
+void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std::vector<std::string>& context,
+                   const std::string& settings, const std::string& across, const std::string& up) {
+  constexpr std::size_t columns = 3;
+  constexpr double gap = 34, before = 92;
+  for (std::size_t from = 0; from < series.size(); from += columns) {
+    std::vector<SidePanel> cells;
+    for (std::size_t i = from; i < std::min(from + columns, series.size()); ++i) {
+      std::vector<std::string> plots = context;
+      plots.insert(plots.end(), series[i].plots.begin(), series[i].plots.end());
+      std::string words = fmt::format(
+          "{}set label {} noenhanced at graph 0, graph 1 left offset 0,0.5 font ',12' tc rgb '{}' front\n",
+          settings, in_quotes(series[i].words), series[i].colour);
+      words += i + columns < series.size() ? without_horizontal_labels()
+                                           : fmt::format("set xlabel {}\n", in_quotes(across));
+      words += i == from ? fmt::format("set ylabel {} offset 0.5\n", in_quotes(up)) : unseen_numbers;
+      cells.push_back({words, plots});
+    }
+    sheet.row(multiple_height, from == 0 ? before : gap, cells, columns, left_edge);
+  }
+}
+
+double aside(std::size_t series, std::size_t of) {
+  constexpr double room = 0.6;
+  return of > most_series ? 0 : room * ((static_cast<double>(series) + 0.5) / static_cast<double>(of) - 0.5);
+}
+
+double SignedLog::place(double value) const {
+  const double size = std::abs(value) / std::pow(10, first);
+  const double height = size <= 1 ? size : 1 + std::log10(size);
+  return std::copysign(height, value);
+}
+
+std::string SignedLog::tics() const {
+  std::string text = "'0' 0";
+  const int stride = 1 + (last - first) / 4;
+  for (int power = last; power >= first; power -= stride) {
+    text += fmt::format(", '+10^{{{0}}}' {1}, '−10^{{{0}}}' -{1}", power, power - first + 1);
+  }
+  return text;
+}
+
+SignedLog signed_log(double low, double high) {
+  constexpr int most_decades = 8;
+  const int last = static_cast<int>(std::ceil(std::log10(high) - 1e-9));
+  return {std::clamp(static_cast<int>(std::floor(std::log10(low))), last - most_decades, last), last};
 }
 
 std::string angle_name(int block) {

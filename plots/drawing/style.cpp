@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
-#include <vector>
 
 namespace rockstack::plots {
 namespace {
@@ -13,81 +13,84 @@ namespace {
 struct NamedStyle {
   std::string_view solver;
   std::string_view colour;
-  int mark;
+  int mark;  ///< with the inside left open; the filled one is the next
   std::string_view dash;
 };
 
 constexpr int plus = 1, cross = 2, star = 3, square = 4, circle = 6, triangle = 8, triangle_down = 10,
               diamond = 12, pentagon = 14;
 
-// The colours of Okabe and Ito (2008), told apart by people with any form of colour blindness.
-// Gaps are wide because the line's round ends reach into them.
-constexpr std::array<NamedStyle, 8> own{{
+// Colours that keep apart under any form of colour blindness, after Okabe & Ito (2008) and Tol (2021), each
+// with a contrast of 4.5 on white at least. A solver in single precision has the colour of its double twin
+// and another mark. Gaps are wide because the line's round ends reach into them.
+constexpr std::array<NamedStyle, 17> named{{
     {"exact", "#000000", circle, "solid"},
+    {"linear:taylor", "#AA4499", diamond, "(12,9)"},
+    {"nonlinear:taylor", "#AA4499", triangle, "(12,9)"},
+    {"paper:taylor", "#5A5A5A", diamond, "(12,9)"},
+    {"consistent:taylor", "#5A5A5A", triangle, "(5,8)"},
     {"bullet:sequential-impulse", "#0072B2", square, "solid"},
-    {"bullet:nncg", "#56B4E9", diamond, "(12,9)"},
-    {"bullet:mlcp-dantzig", "#009E73", triangle, "(8,7,1,7)"},
-    {"bullet:mlcp-lemke", "#8B5E3C", square, "(5,8)"},
-    {"bullet:mlcp-pgs", "#CC79A7", triangle_down, "(1,6)"},
-    {"ode:step", "#D55E00", circle, "solid"},
-    {"ode:quickstep", "#E69F00", pentagon, "(12,9)"},
-}};
-
-constexpr std::array<NamedStyle, 6> spare{{
-    {"", "#CC79A7", triangle_down, "(12,8,1,8)"},
-    {"", "#009E73", pentagon, "(5,8)"},
-    {"", "#56B4E9", triangle, "(1,6)"},
-    {"", "#E69F00", diamond, "(8,7,1,7)"},
-    {"", "#0072B2", circle, "(1,6)"},
-    {"", "#D55E00", square, "(8,7,1,7)"},
+    {"bullet:nncg", "#332288", diamond, "(12,9)"},
+    {"bullet:mlcp-dantzig", "#117733", triangle, "(8,7,1,7)"},
+    {"bullet:mlcp-lemke", "#882255", triangle_down, "(5,8)"},
+    {"bullet:mlcp-pgs", "#AA4499", pentagon, "(12,8,1,8)"},
+    {"bullet-single:sequential-impulse", "#0072B2", circle, "(12,9)"},
+    {"bullet-single:nncg", "#332288", square, "(5,8)"},
+    {"bullet-single:mlcp-dantzig", "#117733", diamond, "(12,9)"},
+    {"bullet-single:mlcp-lemke", "#882255", pentagon, "(12,9)"},
+    {"bullet-single:mlcp-pgs", "#AA4499", triangle, "(5,8)"},
+    {"ode:step", "#C04A00", circle, "solid"},
+    {"ode:quickstep", "#806600", pentagon, "(12,9)"},
 }};
 
 constexpr std::array<std::string_view, 9> tints{"#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0",
                                                 "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"};
 
-Style style_from(const NamedStyle& named) {
-  return {std::string(named.colour), named.mark, std::string(named.dash)};
+/// A number that a text always gives (Fowler, Noll & Vo's FNV-1a, 32 bits).
+std::size_t number_of(const std::string& text) {
+  std::uint32_t hash = 2166136261U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  return hash >> 4U;
 }
 
-/// What tells settings in which single parameters differ from their set.
-template <class Kind, std::size_t count>
-Kind by_turns(const Style& style, const std::string& settings, const std::array<Kind, count>& kinds) {
-  const auto place = std::find(style.changed.begin(), style.changed.end(), settings) - style.changed.begin();
-  return kinds[static_cast<std::size_t>(place) % count];
-}
-
-bool has_changes(const std::string& settings) {
-  return settings.find('+') != std::string::npos;
+NamedStyle of_solver(const std::string& solver) {
+  const auto found =
+      std::find_if(named.begin(), named.end(), [&](const NamedStyle& one) { return one.solver == solver; });
+  return found != named.end() ? *found : named.at(1 + number_of(solver) % (named.size() - 1));
 }
 
 }  // namespace
 
-Styles assign_styles(const std::vector<Run>& runs) {
-  Styles styles;
-  for (const NamedStyle& named : own) styles[std::string(named.solver)] = style_from(named);
-  std::size_t next = 0;
-  for (const Run& run : runs)
-    if (!styles.contains(solver_name(run)))
-      styles[solver_name(run)] = style_from(spare[next++ % spare.size()]);
-  for (const Run& run : runs) {
-    std::vector<std::string>& changed = styles[solver_name(run)].changed;
-    if (has_changes(run.settings) && std::find(changed.begin(), changed.end(), run.settings) == changed.end())
-      changed.push_back(run.settings);
+Style style_of(const Run& run) {
+  const NamedStyle own = of_solver(solver_name(run));
+  Style style{std::string(own.colour), own.mark + 1, std::string(own.dash)};
+  if (run.settings == "default") {
+    style.mark = own.mark;
+    style.dash = "(1,6)";
+  } else if (run.settings.find('+') != std::string::npos) {
+    constexpr std::array marks{star, cross, plus};
+    constexpr std::array dashes{"(10,7)", "(4,4)", "(12,4,1,4)"};
+    const std::size_t number = number_of(run.settings);
+    style.mark = marks.at(number % marks.size());
+    style.dash = dashes.at(number / marks.size() % dashes.size());
   }
-  return styles;
+  return style;
 }
 
 std::string pattern_tint(std::size_t index) {
   return std::string(tints[index % tints.size()]);
 }
 
-std::string curve_style(const Styles& styles, const Run& run, std::size_t order) {
+std::string curve_style(const Run& run, std::size_t order) {
   if (run.exact()) return exact_style;
-  const Style& style = styles.at(solver_name(run));
-  const bool changed = has_changes(run.settings);
+  const Style style = style_of(run);
   return fmt::format("with linespoints lw 2 lc rgb '{}' dt {} pt {} ps 1.1*mark pn {}", style.colour,
-                     changed ? dash_of(style, run.settings, style.dash) : style.dash,
-                     changed ? mark_of(style, run.settings) : style.mark, 6 + order);
+                     style.dash, style.mark, 6 + order);
+}
+
+std::string mark_style(const Run& run, double size) {
+  const Style style = style_of(run);
+  return fmt::format("with points lw 2 lc rgb '{}' pt {} ps {:.2f}*mark", style.colour, style.mark, size);
 }
 
 std::string floor_line(const Fit& fit, const std::string& colour) {
@@ -96,22 +99,6 @@ std::string floor_line(const Fit& fit, const std::string& colour) {
       "set arrow from graph 0, first {0:.8g} to graph 1, first {0:.8g} nohead lw 1.5 dt {1} lc rgb '{2}' "
       "back\n",
       fit.model_error, fit.model_error_low > 0 ? "(8,8)" : "(1,9)", colour);
-}
-
-int mark_of(const Style& style, const std::string& settings) {
-  if (settings == "default") return style.mark;
-  return has_changes(settings) ? by_turns(style, settings, std::array{star, cross, plus}) : style.mark + 1;
-}
-
-std::string dash_of(const Style& style, const std::string& settings, const std::string& whole) {
-  if (settings == "default") return "(1,6)";
-  return has_changes(settings) ? by_turns(style, settings, std::array{"(10,7)", "(4,4)", "(12,4,1,4)"})
-                               : whole;
-}
-
-std::string mark_style(const Style& style, bool filled, double size) {
-  return fmt::format("with points lw 2 lc rgb '{}' pt {} ps {:.2f}*mark", style.colour,
-                     style.mark + (filled ? 1 : 0), size);
 }
 
 }  // namespace rockstack::plots

@@ -1,28 +1,21 @@
 #pragma once
 
-#include <map>
 #include <string>
-#include <vector>
 
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {
 
-/// How one solver appears in every figure: its colour tells it on a screen, its mark and dash in grey.
+/// How one series, an engine with its solver and settings, appears in every figure. It depends on nothing
+/// but their names, so that a colour and a mark mean the same wherever they are.
 struct Style {
-  std::string colour;  ///< #rrggbb
-  int mark = 0;        ///< gnuplot's point type with the inside left open; the filled one is the next
+  std::string colour;  ///< #rrggbb of the solver, dark enough for words on white
+  int mark = 0;        ///< gnuplot's point type: open for defaults, filled for a set, else a cross of a kind
   std::string dash;    ///< gnuplot's dash type
-  /// Settings of its runs in which single parameters differ from their set, in order.
-  std::vector<std::string> changed = {};
 };
 
-/// A style for each solver of some runs, by solver_name().
-using Styles = std::map<std::string, Style>;
-
-/// Solvers that have a style of their own keep it in every comparison; others get spare ones in the order of
-/// the runs.
-Styles assign_styles(const std::vector<Run>& runs);
+/// The style of a run's series; its time step does not count.
+Style style_of(const Run& run);
 
 /// A tint for the band of patterns, pale enough for black letters; repeats after a while.
 std::string pattern_tint(std::size_t index);
@@ -30,23 +23,24 @@ std::string pattern_tint(std::size_t index);
 /// Of the exact motion, which lies under all others.
 inline constexpr auto exact_style = "with lines lw 5 lc rgb '#9A9A9A'";
 
+/// Of the series that a panel shows in order to compare with its own.
+inline constexpr auto context_colour = "#D4D4D4";
+
+/// Of the lines behind the data.
+inline constexpr auto grid_lines = "set grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n";
+
+/// The plot element of a line at zero.
+inline constexpr auto zero_line = "0 with lines lw 1.5 lc rgb '#000000' notitle";
+
 /// "with …" for a run's curve: that of the exact motion, or linespoints with a few marks; `order` sets marks
 /// of neighbouring curves apart.
-std::string curve_style(const Styles& styles, const Run& run, std::size_t order);
+std::string curve_style(const Run& run, std::size_t order);
+
+/// "with points …" for a run's marks.
+std::string mark_style(const Run& run, double size);
 
 /// A line across the panel at the model error of a fit: dashed where the bounds tell it from none, dotted
 /// where they do not, empty where it is none.
 std::string floor_line(const Fit& fit, const std::string& colour);
-
-/// gnuplot's point type for a solver with some settings: open for its defaults, filled for a set of its own,
-/// a star, a cross or a plus by turns where single parameters differ from their set.
-int mark_of(const Style& style, const std::string& settings);
-
-/// The dash type of a line for some settings: dots for defaults, dashes of three kinds by turns where single
-/// parameters differ from their set, else `whole`.
-std::string dash_of(const Style& style, const std::string& settings, const std::string& whole);
-
-/// "with points …", filled or open.
-std::string mark_style(const Style& style, bool filled, double size);
 
 }  // namespace rockstack::plots

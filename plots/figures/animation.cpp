@@ -120,7 +120,7 @@ std::string speed_text(double speed) {
 }
 
 /// Two engines at most: more would be too small to look at.
-std::vector<Actor> actors_of(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
+std::vector<Actor> actors_of(const Comparison& comparison, const ComparedScene& scene) {
   const Shown shown = shown_runs(comparison, scene.name);
   std::vector<Run> runs = shown.exact;
   for (const Run& run : shown.engines)
@@ -129,17 +129,15 @@ std::vector<Actor> actors_of(const Comparison& comparison, const ComparedScene& 
   for (const std::string& name : numbered("theta_", scene.blocks)) names.push_back(name);
   std::vector<Actor> actors;
   for (const Run& run : runs) {
-    Actor actor{run, styles.at(solver_name(run)).colour, read_columns(run.folder / "history.csv", names)};
+    Actor actor{run, style_of(run).colour, read_columns(run.folder / "history.csv", names)};
     if (actor.samples.front().size() > 1) actors.push_back(std::move(actor));
   }
   return actors;
 }
 
-Stage stage_of(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
-  Stage stage{.scene = scene,
-              .actors = actors_of(comparison, scene, styles),
-              .spans = {},
-              .stack = stack_of(scene.stack)};
+Stage stage_of(const Comparison& comparison, const ComparedScene& scene) {
+  Stage stage{
+      .scene = scene, .actors = actors_of(comparison, scene), .spans = {}, .stack = stack_of(scene.stack)};
   double height = 0, width = 0, most = 0;
   for (const StackBlock& block : scene.stack) height += block.height, width = std::max(width, block.width);
   for (const Actor& actor : stage.actors) {
@@ -184,12 +182,11 @@ Animation animation_of(const Stage& stage) {
 
 std::vector<std::filesystem::path> draw_animations(const std::filesystem::path& results) {
   const Comparison comparison = read_comparison(results);
-  const Styles styles = assign_styles(comparison.runs);
   std::vector<std::filesystem::path> files;
   for (const ComparedScene& scene : comparison.scenes) {
     if (!has_motion(comparison, scene)) continue;
     const std::filesystem::path stem = figure_stem(results, scene.name, "motion");
-    draw(animation_of(stage_of(comparison, scene, styles)), stem);
+    draw(animation_of(stage_of(comparison, scene)), stem);
     files.push_back(std::filesystem::path(stem).concat(".gif"));
     if (has_ffmpeg()) files.push_back(std::filesystem::path(stem).concat(".mp4"));
   }

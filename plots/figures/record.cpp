@@ -132,7 +132,11 @@ void draw_record(const std::filesystem::path& results) {
       read_columns(results / "record.csv", {"time", "acceleration", "velocity", "displacement", "husid"});
   const auto spectrum = read_columns(results / "spectrum.csv", {"period", "pseudo_acceleration"});
   if (columns[0].empty() || spectrum[0].empty()) throw InputError(results.string() + ": holds no samples");
-  Sheet sheet(facts.title, {});
+  Sheet sheet(
+      facts.title, {},
+      fmt::format("How strong and how long is the record? Peak {:.3g} m/s², {:.3g} s between 5 and 95 % of "
+                  "its energy",
+                  std::abs(facts.acceleration.value), facts.end - facts.begin));
   add_history(sheet, facts, "acceleration", "m/s²", facts.acceleration, {columns[0], columns[1]});
   add_history(sheet, facts, "velocity", "m/s", facts.velocity, {columns[0], columns[2]});
   add_history(sheet, facts, "displacement", "m", facts.displacement, {columns[0], columns[3]});

@@ -101,6 +101,12 @@ std::string staircase(const Map& map, const Places& across, const Places& up) {
   return text + "END\n";
 }
 
+std::string question(const Map& map) {
+  const auto sound = std::count_if(map.cells.begin(), map.cells.end(),
+                                   [](const Cell& cell) { return cell.verdict == "sound"; });
+  return fmt::format("Where does it stop being right? {} of {} runs are sound", sound, map.cells.size());
+}
+
 Drawing drawing(const std::string& solver, const Map& map, const nlohmann::json& facts) {
   std::set<double> values;
   std::set<double> steps;
@@ -132,7 +138,7 @@ Drawing drawing(const std::string& solver, const Map& map, const nlohmann::json&
   }
   elements.emplace_back("$stable using 1:2 with lines lw 4 lc rgb 'black' notitle");
   legend.emplace_back("with lines lw 4 lc rgb 'black'", "largest stable step");
-  Sheet sheet(solver + ": " + facts.at("title").get<std::string>(), legend);
+  Sheet sheet(solver + ": " + facts.at("title").get<std::string>(), legend, question(map));
   sheet.data(data);
   sheet.panel(
       460, 0,

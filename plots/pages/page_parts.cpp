@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "plots/drawing/style.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/player.hpp"
 #include "plots/pages/template.hpp"
@@ -154,8 +153,8 @@ std::string player_anchor(std::size_t scene) {
 }
 
 std::string player_part(const Comparison& comparison, std::size_t scene, const Json& start) {
-  return player(comparison, comparison.scenes[scene], assign_styles(comparison.runs),
-                comparison.scenes.size(), fmt::format("player-{}", scene + 1), start);
+  return player(comparison, comparison.scenes[scene], comparison.scenes.size(),
+                fmt::format("player-{}", scene + 1), start);
 }
 
 }  // namespace rockstack::plots

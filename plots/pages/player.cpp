@@ -8,6 +8,7 @@
 #include "comparisons/results/csv.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
+#include "plots/drawing/style.hpp"
 #include "plots/pages/base64.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/template.hpp"
@@ -173,8 +174,7 @@ void add_exact_impacts(Json& track, const Json& events) {
     if (impact[4] == 0) track["impacts"].push_back(impact[0]);
 }
 
-Json data_of(const Comparison& comparison, const ComparedScene& scene, const Styles& styles,
-             std::size_t players) {
+Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size_t players) {
   const Shown shown = shown_runs(comparison, scene.name);
   std::vector<Run> runs = shown.exact;
   runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
@@ -186,8 +186,7 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, const Sty
             {"events", events_of(runs.front(), scene)},
             {"tracks", Json::array()}};
   for (const Run& run : runs)
-    data["tracks"].push_back(
-        track(run, scene.blocks, styles.at(solver_name(run)), samples, first.contains(run.name)));
+    data["tracks"].push_back(track(run, scene.blocks, style_of(run), samples, first.contains(run.name)));
   add_exact_impacts(data["tracks"][0], data["events"]);
   if (!scene.ground_motion.empty()) data["ground"] = ground_of(scene);
   return data;
@@ -202,9 +201,9 @@ std::string for_script(const Json& data) {
 
 }  // namespace
 
-std::string player(const Comparison& comparison, const ComparedScene& scene, const Styles& styles,
-                   std::size_t players, const std::string& id, const Json& start) {
-  Json data = data_of(comparison, scene, styles, players);
+std::string player(const Comparison& comparison, const ComparedScene& scene, std::size_t players,
+                   const std::string& id, const Json& start) {
+  Json data = data_of(comparison, scene, players);
   if (!start.is_null()) data["start"] = start;
   return filled_in(player_html, {{"id", id}, {"title", escaped(scene.title)}, {"data", for_script(data)}});
 }

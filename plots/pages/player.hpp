@@ -4,7 +4,6 @@
 
 #include "plots/data/json_file.hpp"
 #include "plots/data/results.hpp"
-#include "plots/drawing/style.hpp"
 
 namespace rockstack::plots {
 
@@ -13,7 +12,7 @@ namespace rockstack::plots {
 /// first, by the names of lesson.json; null: at the beginning. Precondition:
 /// has_motion().
 /// @throws InputError naming the file that is missing or malformed.
-std::string player(const Comparison& comparison, const ComparedScene& scene, const Styles& styles,
-                   std::size_t players, const std::string& id, const Json& start = {});
+std::string player(const Comparison& comparison, const ComparedScene& scene, std::size_t players,
+                   const std::string& id, const Json& start = {});
 
 }  // namespace rockstack::plots

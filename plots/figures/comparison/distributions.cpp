@@ -6,6 +6,7 @@
 #include "comparisons/results/csv.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/layout.hpp"
+#include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
 
 namespace rockstack::plots {
@@ -17,17 +18,14 @@ struct Sample {
   std::vector<double> values;
 };
 
-std::vector<Sample> samples_of(const Shown& shown, const std::string& quantity) {
+std::vector<Sample> samples_of(const std::vector<Run>& runs, const std::string& quantity) {
   std::vector<Sample> samples;
-  for (const std::vector<Run>& runs : {shown.exact, shown.engines})
-    for (const Run& run : runs) {
-      const auto file = run.folder / "perturbed.csv";
-      if (!std::filesystem::exists(file)) continue;
-      Sample sample{run, read_columns(file, {quantity}).front()};
-      std::erase_if(sample.values, [](double value) { return std::isnan(value); });
-      std::sort(sample.values.begin(), sample.values.end());
-      if (!sample.values.empty()) samples.push_back(std::move(sample));
-    }
+  for (const Run& run : runs) {
+    Sample sample{run, read_columns(run.folder / "perturbed.csv", {quantity}).front()};
+    std::erase_if(sample.values, [](double value) { return std::isnan(value); });
+    std::sort(sample.values.begin(), sample.values.end());
+    if (!sample.values.empty()) samples.push_back(std::move(sample));
+  }
   return samples;
 }
 
@@ -58,31 +56,23 @@ Curve shares(const std::vector<double>& values, const Span& span) {
   return curve;
 }
 
-std::string style(const Run& run, const Styles& styles) {
+std::string style(const Run& run) {
   if (run.exact()) return "with steps lw 4 lc rgb '#000000'";
-  const Style& style = styles.at(solver_name(run));
-  return fmt::format("with steps lw 2 lc rgb '{}' dt {}", style.colour,
-                     dash_of(style, run.settings, style.dash));
+  const Style style = style_of(run);
+  return fmt::format("with steps lw 2 lc rgb '{}' dt {}", style.colour, style.dash);
 }
 
-/// The distances of one quantity as a line above its panel.
-std::string distance_line(const Comparison& comparison, const std::vector<Sample>& samples,
-                          const std::string& quantity) {
-  std::string label;
-  for (const Sample& sample : samples)
-    for (const Distance& one : comparison.distances) {
-      if (one.run != sample.run.name || one.quantity != quantity) continue;
-      if (label.empty())
-        label = fmt::format("D, above {:.2f} once in twenty times by chance: ", one.critical);
-      else
-        label += ", ";
-      const std::string& settings = sample.run.settings;
-      label += fmt::format("{}{} {:.2f}", solver_name(sample.run),
-                           settings.substr(std::min(settings.find('+'), settings.size())), one.distance);
-    }
-  return label.empty()
-             ? ""
-             : "set label " + in_quotes(label) + " noenhanced at graph 0, graph 1.05 left font ',11'\n";
+/// A mark on every few steps, which tells sets of one solver apart.
+std::string marks_on(const std::string& block, const Run& run, std::size_t order) {
+  constexpr std::size_t pace = 9;
+  return fmt::format("${} using 1:2 every {}::{} {} notitle", block, pace, 2 + 2 * order % pace,
+                     mark_style(run, 1.2));
+}
+
+const Distance* distance_of(const Comparison& comparison, const Run& run, const std::string& quantity) {
+  for (const Distance& one : comparison.distances)
+    if (one.run == run.name && one.quantity == quantity) return &one;
+  return nullptr;
 }
 
 struct Quantity {
@@ -97,32 +87,65 @@ std::vector<Quantity> quantities_of(const ComparedScene& scene) {
   return list;
 }
 
+/// The distances of each run, a line a run under the panels.
+void add_distances(Sheet& sheet, const Comparison& comparison, const ComparedScene& scene,
+                   const std::vector<Run>& runs) {
+  double critical = 0;
+  for (const Run& run : runs) {
+    std::string words;
+    for (const auto& [name, axis] : quantities_of(scene))
+      if (const Distance* one = distance_of(comparison, run, name); one != nullptr) {
+        words += fmt::format("{} {:.2f} of {}", words.empty() ? ": D" : ",", one->distance,
+                             axis.substr(0, axis.find(" (")));
+        critical = one->critical;
+      }
+    if (!words.empty()) sheet.note(line_label(run) + words, style_of(run).colour);
+  }
+  if (critical > 0)
+    sheet.note(fmt::format("by chance D is above {:.2f} once in twenty times", critical), "#000000");
+}
+
+/// How many of the distances are larger than chance makes them.
+std::string question(const Comparison& comparison, const ComparedScene& scene) {
+  int all = 0, beyond = 0;
+  for (const Distance& one : comparison.distances) {
+    if (one.scene != scene.name) continue;
+    ++all;
+    beyond += one.distance > one.critical ? 1 : 0;
+  }
+  return fmt::format(
+      "Are engines right on the whole? {} of {} distances from the exact distribution are beyond "
+      "chance",
+      beyond, all);
+}
+
 }  // namespace
 
-Drawing distributions(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
-  const Shown shown = shown_runs(comparison, scene.name);
+Drawing distributions(const Comparison& comparison, const ComparedScene& scene) {
+  const std::vector<Run> runs = perturbed_runs(comparison, scene.name);
   Legend legend;
-  for (const Sample& sample : samples_of(shown, "impacts"))
-    legend.emplace_back(style(sample.run, styles), run_label(sample.run));
-  Sheet sheet(heading(scene), legend);
+  for (const Run& run : runs)
+    legend.emplace_back(run.exact() ? style(run) : mark_style(run, 1.6), run_label(run));
+  Sheet sheet(heading(scene), legend, question(comparison, scene));
   for (const auto& [name, axis] : quantities_of(scene)) {
-    const std::vector<Sample> samples = samples_of(shown, name);
+    const std::vector<Sample> samples = samples_of(runs, name);
     if (samples.empty()) continue;
     const Span span = span_of(samples);
     std::vector<std::string> plots;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const std::string block = fmt::format("{}_{}", name, i);
       sheet.data(data_block(block, shares(samples[i].values, span)));
-      plots.push_back(fmt::format("${} using 1:2 {} notitle", block, style(samples[i].run, styles)));
+      plots.push_back(fmt::format("${} using 1:2 {} notitle", block, style(samples[i].run)));
+      if (!samples[i].run.exact()) plots.push_back(marks_on(block, samples[i].run, i));
     }
-    sheet.panel(
-        300, 110,
-        fmt::format("set grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\nset xrange [{}:{}]\n"
-                    "set yrange [-0.02:1.02]\nset ytics 0.2\nset xlabel {}\nset ylabel 'share of scenes'\n",
-                    plain(span.from), plain(span.to), in_quotes(axis)) +
-            distance_line(comparison, samples, name),
-        plots);
+    sheet.panel(320, 84,
+                fmt::format("set xrange [{}:{}]\nset yrange [-0.02:1.02]\nset ytics 0.2\nset xlabel {}\n"
+                            "set ylabel 'share of scenes'\n",
+                            plain(span.from), plain(span.to), in_quotes(axis)) +
+                    grid_lines,
+                plots);
   }
+  add_distances(sheet, comparison, scene, runs);
   return sheet.finish();
 }
 

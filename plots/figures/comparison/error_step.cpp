@@ -5,6 +5,7 @@
 
 #include "plots/data/selection.hpp"
 #include "plots/drawing/layout.hpp"
+#include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
 
 namespace rockstack::plots {
@@ -12,7 +13,7 @@ namespace {
 
 /// What a figure shows on its vertical axis.
 struct Errors {
-  std::string column, axis;
+  std::string column, axis, question, unit;
   double (*of)(const Run&);
   double Run::*lower = nullptr;  ///< quartiles over draws, where the file has them
   double Run::*upper = nullptr;
@@ -79,12 +80,6 @@ Curve fitted(const ErrorLine& line) {
   return curve;
 }
 
-std::string mark(const ErrorLine& line, const Styles& styles) {
-  const Style& style = styles.at(solver_name(line.run));
-  return fmt::format("with points lw 2 lc rgb '{}' pt {} ps 1.5*mark", style.colour,
-                     mark_of(style, line.run.settings));
-}
-
 /// Half a decade of room around all marks.
 std::string ranges(const std::vector<ErrorLine>& lines) {
   double shortest = 1e300, longest = 0, small = 1e300, large = 0;
@@ -103,58 +98,68 @@ std::string ranges(const std::vector<ErrorLine>& lines) {
          logarithmic_tics("y", small / room, large * room);
 }
 
-std::string floors(const std::vector<ErrorLine>& lines, const Styles& styles) {
+std::string floors(const std::vector<ErrorLine>& lines) {
   std::string text;
   for (const ErrorLine& line : lines)
-    if (line.fits()) text += floor_line(*line.fit, styles.at(solver_name(line.run)).colour);
+    if (line.fits()) text += floor_line(*line.fit, style_of(line.run).colour);
   return text;
 }
 
-Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, const Styles& styles,
-                    const Errors& errors) {
+/// The least error of all, with its step.
+std::string question(const std::vector<ErrorLine>& lines, const Errors& errors) {
+  const ErrorLine* best = &lines.front();
+  double least = 1e300, dt = 0;
+  for (const ErrorLine& line : lines)
+    for (std::size_t i = 0; i < line.errors.size(); ++i)
+      if (line.errors.values[i] < least)
+        least = line.errors.values[i], dt = line.errors.times[i], best = &line;
+  return fmt::format("{} Least: {:.2g} {}, {} at {}", errors.question, least, errors.unit, best->label,
+                     duration_text(dt));
+}
+
+Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, const Errors& errors) {
   const std::vector<ErrorLine> lines = error_lines(comparison, scene.name, errors);
   if (lines.empty()) return empty_sheet(heading(scene), "No engine run of this scene with an error.");
   Legend legend;
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Style& style = styles.at(solver_name(lines[i].run));
-    legend.emplace_back(mark(lines[i], styles), lines[i].label);
+    const Style style = style_of(lines[i].run);
+    legend.emplace_back(mark_style(lines[i].run, 1.5), lines[i].label);
     if (lines[i].fits())
       plots.push_back(fmt::format("$fitted_{} using 1:2 with lines lw 2 lc rgb '{}' dt {} notitle", i,
-                                  style.colour, dash_of(style, lines[i].run.settings, "solid")));
+                                  style.colour, style.dash));
     plots.push_back(fmt::format("$errors_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i,
                                 style.colour));
-    plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark(lines[i], styles)));
+    plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark_style(lines[i].run, 1.5)));
   }
-  Sheet sheet(heading(scene), legend);
+  Sheet sheet(heading(scene), legend, question(lines, errors));
   for (std::size_t i = 0; i < lines.size(); ++i) {
     sheet.data(errors_block(i, lines[i]));
     if (lines[i].fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted(lines[i])));
   }
   sheet.panel(560, 0,
-              "set logscale xy\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
-              "set xlabel 'time step (s)'\nset ylabel " +
-                  in_quotes(errors.axis) + " offset 0\n" + ranges(lines) + floors(lines, styles),
+              "set logscale xy\n" + std::string(grid_lines) + "set xlabel 'time step (s)'\nset ylabel " +
+                  in_quotes(errors.axis) + " offset 0\n" + ranges(lines) + floors(lines),
               plots);
   for (const ErrorLine& line : lines)
-    if (line.fit != nullptr)
-      sheet.note(line.label + ": " + fit_label(*line.fit), styles.at(solver_name(line.run)).colour);
+    if (line.fit != nullptr) sheet.note(line.label + ": " + fit_label(*line.fit), style_of(line.run).colour);
   if (const std::string note = draws_note(comparison, scene.name); !note.empty()) sheet.note(note, "#000000");
   return sheet.finish();
 }
 
 }  // namespace
 
-Drawing error_step(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
-  return draw_errors(comparison, scene, styles,
-                     {"rms_angle_difference", "RMS angle difference (rad)",
-                      [](const Run& run) { return run.rms_angle_difference; },
+Drawing error_step(const Comparison& comparison, const ComparedScene& scene) {
+  return draw_errors(comparison, scene,
+                     {"rms_angle_difference", "RMS angle difference (rad)", "What does a smaller step bring?",
+                      "rad", [](const Run& run) { return run.rms_angle_difference; },
                       &Run::rms_angle_difference_lower, &Run::rms_angle_difference_upper});
 }
 
-Drawing first_impact_step(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
-  return draw_errors(comparison, scene, styles,
+Drawing first_impact_step(const Comparison& comparison, const ComparedScene& scene) {
+  return draw_errors(comparison, scene,
                      {"first_impact_time_difference", "|engine − exact| of the first impact (s)",
+                      "Does the first impact come in time?", "s",
                       [](const Run& run) { return std::abs(run.first_impact_time_difference); }});
 }
 

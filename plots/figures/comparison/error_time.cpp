@@ -7,6 +7,7 @@
 #include "comparisons/results/csv.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/layout.hpp"
+#include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
 
 namespace rockstack::plots {
@@ -65,10 +66,29 @@ std::string line_data(std::size_t index, const CostLine& line) {
   return text + "EOD\n";
 }
 
-std::string line_style(const CostLine& line, const Styles& styles) {
-  const Style& style = styles.at(solver_name(line.run));
-  return fmt::format("with linespoints lw 2 lc rgb '{}' dt {} pt {} ps 1.7*mark", style.colour,
-                     dash_of(style, line.run.settings, "solid"), mark_of(style, line.run.settings));
+/// Whether the errors of two neighbouring runs tell a trend: their quartiles over draws part, and without
+/// draws histories can be compared to the end. Elsewhere a line between them would mean nothing.
+bool parts(const Cost& a, const Cost& b, bool comparable) {
+  const bool drawn = a.lower < a.upper || b.lower < b.upper;
+  return drawn ? a.upper < b.lower || b.upper < a.lower : comparable;
+}
+
+/// The lines between neighbours that part, as pieces.
+std::string pieces(std::size_t index, const CostLine& line, bool comparable) {
+  std::string text = fmt::format("$pieces_{} << EOD\n", index);
+  for (std::size_t i = 1; i < line.costs.size(); ++i)
+    if (const Cost& a = line.costs[i - 1], &b = line.costs[i]; parts(a, b, comparable))
+      text += fmt::format("{} {} {} {}\n", plain(a.time), plain(a.error), plain(b.time), plain(b.error));
+  return text + "EOD\n";
+}
+
+bool are_comparable(const ComparedScene& scene, double end) {
+  return std::isnan(scene.predictable_time) || scene.predictable_time >= 0.99 * end;
+}
+
+/// The last time of the motion, s.
+double end_of(const std::vector<CostLine>& lines) {
+  return lines.front().run.steps * lines.front().run.dt;
 }
 
 /// The panel's edges, and where its points lie in pixels from its lower left corner.
@@ -162,7 +182,7 @@ std::string label(const Cost& cost, const Place& place, const std::string& colou
 
 /// The time steps beside their marks, clear of lines where there is room, and left out where labels or marks
 /// are in the way: the other runs with that step lie beside it.
-std::string labels(const std::vector<CostLine>& lines, const Frame& frame, const Styles& styles) {
+std::string labels(const std::vector<CostLine>& lines, const Frame& frame) {
   std::vector<Box> taken;
   constexpr double half_mark = 7;
   for (const CostLine& line : lines)
@@ -178,58 +198,128 @@ std::string labels(const std::vector<CostLine>& lines, const Frame& frame, const
       if (!place) place = free_corner(frame, cost, taken, {});
       if (!place) continue;
       taken.push_back(place->box);
-      text += label(cost, *place, styles.at(solver_name(line.run)).colour);
+      text += label(cost, *place, style_of(line.run).colour);
     }
   return text;
 }
 
-std::vector<std::string> plots_of(const std::vector<CostLine>& lines, const Styles& styles) {
-  std::vector<std::string> plots;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    plots.push_back(fmt::format("$line_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i,
-                                styles.at(solver_name(lines[i].run)).colour));
-    plots.push_back(fmt::format("$line_{} using 1:2 {} notitle", i, line_style(lines[i], styles)));
-  }
-  return plots;
+std::vector<std::string> plots_of(const std::vector<CostLine>& lines, std::size_t i, double size) {
+  const Style style = style_of(lines[i].run);
+  return {
+      fmt::format("$pieces_{} using 1:2:($3-$1):($4-$2) with vectors nohead lw 2 lc rgb '{}' dt {} notitle",
+                  i, style.colour, style.dash),
+      fmt::format("$line_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i, style.colour),
+      fmt::format("$line_{} using 1:2 {} notitle", i, mark_style(lines[i].run, size))};
 }
 
-/// The model errors that no step takes away, where they lie within the panel.
-std::string floors(const std::vector<CostLine>& lines, const Frame& frame, const Styles& styles) {
+/// What a method of order one and of order two would gain by smaller steps, from the fastest run on; nothing
+/// where no solver has more than one.
+std::string slope_guides(const std::vector<CostLine>& lines, const Frame& frame, bool named) {
+  if (std::none_of(lines.begin(), lines.end(), [](const CostLine& line) { return line.costs.size() > 1; }))
+    return "";
   std::string text;
-  for (const CostLine& line : lines)
-    if (line.fit != nullptr && line.fit->holds && line.fit->model_error > frame.small)
-      text += floor_line(*line.fit, styles.at(solver_name(line.run)).colour);
+  for (const int order : {1, 2}) {
+    const double from = frame.fast * std::pow(frame.slow / frame.fast, 0.04 + 0.05 * (order - 1));
+    const double high = frame.large / 1.4;
+    const double gain = std::min(std::pow(high / frame.small / 1.4, 1.0 / order), frame.slow / from / 2);
+    const std::string to = plain(from * gain) + ", " + plain(high / std::pow(gain, order));
+    text += fmt::format("set arrow from {}, {} to {} nohead lw 1.5 dt (2,5) lc rgb '#707070' back\n",
+                        plain(from), plain(high), to);
+    if (named)
+      text += fmt::format("set label ' order {}' at {} left font ',11' tc rgb '#606060'\n", order, to);
+  }
   return text;
 }
 
-std::string exact_line(double cost) {
+/// A panel a solver, with all of its sets over those of the others.
+void add_small_panels(Sheet& sheet, const std::vector<CostLine>& lines, const std::string& settings) {
+  std::vector<Multiple> solvers;
+  std::vector<std::string> context;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string name = solver_name(lines[i].run);
+    context.push_back(fmt::format("$line_{} using 1:2 with points pt 7 ps 0.6*mark lc rgb '{}' notitle", i,
+                                  context_colour));
+    auto found =
+        std::find_if(solvers.begin(), solvers.end(), [&](const Multiple& one) { return one.words == name; });
+    if (found == solvers.end())
+      found = solvers.insert(solvers.end(), {name, style_of(lines[i].run).colour, {}});
+    for (const std::string& plot : plots_of(lines, i, 1.1)) found->plots.push_back(plot);
+  }
+  add_multiples(sheet, solvers, context, settings, "stepping time a second (s)", "RMS (rad)");
+}
+
+/// The cheapest run within the tolerance, or the nearest.
+std::string question(const std::vector<CostLine>& lines, double tolerance) {
+  const Cost* best = nullptr;
+  const CostLine* of = nullptr;
+  for (const CostLine& line : lines)
+    for (const Cost& cost : line.costs) {
+      const bool within = cost.error <= tolerance;
+      const bool held = best != nullptr && best->error <= tolerance;
+      const bool better = best == nullptr || (within && !held) ||
+                          (within == held && (within ? cost.time < best->time : cost.error < best->error));
+      if (better) best = &cost, of = &line;
+    }
+  return fmt::format("What does accuracy cost? {} {}: {} ({}), {} a second of motion",
+                     best->error <= tolerance ? fmt::format("Cheapest within {:g} rad", tolerance)
+                                              : fmt::format("None within {:g} rad; nearest", tolerance),
+                     fmt::format("({:.2g} rad)", best->error), of->label, best->label,
+                     rounded_duration(best->time));
+}
+
+/// The model errors that no step takes away, where they lie within the panel.
+std::string floors(const std::vector<CostLine>& lines, const Frame& frame) {
+  std::string text;
+  for (const CostLine& line : lines)
+    if (line.fit != nullptr && line.fit->holds && line.fit->model_error > frame.small)
+      text += floor_line(*line.fit, style_of(line.run).colour);
+  return text;
+}
+
+std::string exact_line(double cost, bool named) {
   if (cost <= 0) return "";
-  return fmt::format(
-      "set arrow from {0}, graph 0 to {0}, graph 1 nohead lw 3 lc rgb '#000000' back\n"
-      "set label ' exact solver' at {0}, graph 0.04 left font ',12'\n",
-      plain(cost));
+  const std::string line = fmt::format(
+      "set arrow from {0}, graph 0 to {0}, graph 1 nohead lw 3 lc rgb '#000000' back\n", plain(cost));
+  return named ? line +
+                     fmt::format("set label ' exact solver' at {}, graph 0.04 left font ',12'\n", plain(cost))
+               : line;
 }
 
 }  // namespace
 
-Drawing error_time(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
+Drawing error_time(const Comparison& comparison, const ComparedScene& scene) {
   const std::vector<CostLine> lines = cost_lines(comparison, scene.name);
   if (lines.empty())
     return empty_sheet(heading(scene), "No engine run of this scene with both an error and a time.");
   const double exact = exact_cost(shown_runs(comparison, scene.name).exact);
   const Frame frame = frame_of(lines, exact);
+  const bool many = lines.size() > most_series, comparable = are_comparable(scene, end_of(lines));
   Legend legend;
-  for (const CostLine& line : lines) legend.emplace_back(line_style(line, styles), line.label);
-  Sheet sheet(heading(scene), legend);
-  for (std::size_t i = 0; i < lines.size(); ++i) sheet.data(line_data(i, lines[i]));
-  sheet.panel(panel_up, 0,
-              "set logscale xy\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
-              "set xlabel 'stepping time for one second of motion (s)'\n"
-              "set ylabel 'RMS angle difference (rad)' offset 0\n" +
-                  frame.ranges() + labels(lines, frame, styles) + floors(lines, frame, styles) +
-                  exact_line(exact),
-              plots_of(lines, styles));
+  if (!many)
+    for (const CostLine& line : lines) legend.emplace_back(mark_style(line.run, 1.7), line.label);
+  Sheet sheet(heading(scene), legend, question(lines, comparison.tolerance));
+  std::vector<std::string> plots;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    sheet.data(line_data(i, lines[i]) + pieces(i, lines[i], comparable));
+    for (const std::string& plot : plots_of(lines, i, 1.7)) plots.push_back(plot);
+  }
+  const std::string settings = "set logscale xy\n" + std::string(grid_lines) + frame.ranges() +
+                               slope_guides(lines, frame, !many) + exact_line(exact, !many);
+  if (many)
+    add_small_panels(sheet, lines, settings);
+  else
+    sheet.panel(panel_up, 0,
+                settings +
+                    "set xlabel 'stepping time for one second of motion (s)'\n"
+                    "set ylabel 'RMS angle difference (rad)' offset 0\n" +
+                    labels(lines, frame) + floors(lines, frame),
+                plots);
   if (const std::string note = draws_note(comparison, scene.name); !note.empty()) sheet.note(note, "#000000");
+  sheet.note(
+      "lines join runs whose errors tell a trend; dotted slopes: a method of order one, and of two; black: "
+      "the exact "
+      "solver",
+      "#000000");
   return sheet.finish();
 }
 

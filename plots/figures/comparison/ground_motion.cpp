@@ -42,13 +42,18 @@ void add_axis(Sheet& sheet, const std::string& name, const Curve& curve, bool la
 
 }  // namespace
 
-Drawing ground_motion(const Comparison&, const ComparedScene& scene, const Styles&) {
+Drawing ground_motion(const Comparison&, const ComparedScene& scene) {
   const auto columns = read_columns(scene.ground_motion, {"time", "horizontal", "vertical"});
   const auto moves = [](const std::vector<double>& values) {
     return std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });
   };
   if (!moves(columns[1]) && !moves(columns[2])) return empty_sheet(heading(scene), "the ground stands still");
-  Sheet sheet(heading(scene), {});
+  double peak = 0;
+  for (const auto* axis : {&columns[1], &columns[2]})
+    for (const double value : *axis) peak = std::max(peak, std::abs(value));
+  Sheet sheet(heading(scene), {},
+              fmt::format("What shakes the blocks? At most {:.4g} m/s², {:.3g} times gravity", peak,
+                          peak / scene.gravity));
   const bool vertical = moves(columns[2]);
   if (moves(columns[1])) add_axis(sheet, "horizontal", {columns[0], columns[1]}, !vertical);
   if (vertical) add_axis(sheet, "vertical", {columns[0], columns[2]}, true);

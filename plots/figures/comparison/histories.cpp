@@ -9,6 +9,7 @@
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/layout.hpp"
+#include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
 
 namespace rockstack::plots {
@@ -44,7 +45,7 @@ Motion read_motion(const Run& run, int blocks, std::size_t bins) {
 
 /// All of the exact curve, and of the others what lies within one half of its span beyond it: an engine whose
 /// blocks fall over must not flatten the rest.
-std::string angle_range(const std::vector<Motion>& motions, std::size_t block) {
+std::string angle_range(const std::vector<Motion>& motions, std::size_t block, double height) {
   Range all, exact;
   for (const Motion& motion : motions) {
     all.add(motion.angles[block]);
@@ -56,7 +57,8 @@ std::string angle_range(const std::vector<Motion>& motions, std::size_t block) {
   }
   if (all.empty()) all = {0, 0};
   const double margin = std::max(0.08 * (all.high - all.low), 1e-6);
-  return fmt::format("set yrange [{}:{}]\n", plain(all.low - margin), plain(all.high + margin));
+  const double low = all.low - margin, high = all.high + margin;
+  return fmt::format("set yrange [{}:{}]\n", plain(low), plain(high)) + linear_tics("y", low, high, height);
 }
 
 std::string curve_name(std::size_t run, std::size_t block) {
@@ -65,17 +67,15 @@ std::string curve_name(std::size_t run, std::size_t block) {
 
 /// Engines first and the exact line over them, or it would be hidden where they agree; thick, it shows beside
 /// them.
-std::vector<std::string> angle_plots(const std::vector<Motion>& motions, const Styles& styles,
-                                     std::size_t block) {
+std::vector<std::string> angle_plots(const std::vector<Motion>& motions, std::size_t block) {
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     if (motions[i].angles[block].times.empty()) continue;
-    const Style& core = styles.at(solver_name(motions[i].run));
-    const std::string style = curve_style(styles, motions[i].run, i);
+    const std::string style = curve_style(motions[i].run, i);
     plots.push_back(fmt::format("${} using 1:2 {} notitle", curve_name(i, block), style));
     if (motions[i].run.exact())
       plots.push_back(fmt::format("${} using 1:2 with lines lw 1 lc rgb '{}' notitle", curve_name(i, block),
-                                  core.colour));
+                                  style_of(motions[i].run).colour));
   }
   return plots;
 }
@@ -141,12 +141,15 @@ double last_time(const std::vector<Motion>& motions) {
   return end;
 }
 
-Legend legend_of(const std::vector<Motion>& motions, const Styles& styles) {
+bool are_many(const std::vector<Motion>& motions) {
+  return motions.size() > most_series + 1;
+}
+
+Legend legend_of(const std::vector<Motion>& motions) {
   Legend legend;
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    const Run& run = motions[i].run;
-    legend.emplace_back(curve_style(styles, run, i), run_label(run));
-  }
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (const Run& run = motions[i].run; !are_many(motions) || run.exact())
+      legend.emplace_back(curve_style(run, i), run_label(run));
   return legend;
 }
 
@@ -170,43 +173,82 @@ void add_band(Sheet& sheet, const std::vector<PatternSpan>& spans, double exact_
 std::string panel_settings(const std::vector<Motion>& motions, const ExactEvents& events, std::size_t block,
                            double end) {
   const bool lowest = block + 1 == events.impact_times.size() && events.spans.empty();
-  return time_range(end) + (lowest ? time_label : without_horizontal_labels()) + angle_range(motions, block) +
-         fmt::format("set grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\nset ylabel '{} (rad)' offset 0.5\n",
-                     angle_name(static_cast<int>(block) + 1)) +
+  const double height = panel_height(static_cast<int>(events.impact_times.size()));
+  return time_range(end) + (lowest ? time_label : without_horizontal_labels()) +
+         angle_range(motions, block, height) + grid_lines +
+         fmt::format("set ylabel '{} (rad)' offset 0.5\n", angle_name(static_cast<int>(block) + 1)) +
          impact_ticks(events.impact_times[block], end);
 }
 
-Drawing draw_runs(const std::vector<Run>& runs, const ComparedScene& scene, const Styles& styles) {
+/// A panel a run, over the exact angle.
+void add_small_panels(Sheet& sheet, const std::vector<Motion>& motions, std::size_t block, double end) {
+  std::vector<std::string> context;
+  std::vector<Multiple> series;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const std::string colour = style_of(motions[i].run).colour;
+    const std::string data = "$" + curve_name(i, block) + " using 1:2 with lines ";
+    if (motions[i].run.exact())
+      context.push_back(data + "lw 3 lc rgb '#BDBDBD' notitle");
+    else
+      series.push_back(
+          {line_label(motions[i].run), colour, {data + fmt::format("lw 1.5 lc rgb '{}' notitle", colour)}});
+  }
+  add_multiples(sheet, series, context,
+                time_range(end) + angle_range(motions, block, multiple_height) + grid_lines, "time (s)",
+                angle_name(static_cast<int>(block) + 1) + " (rad)");
+}
+
+double largest_angle(const Motion& motion) {
+  double largest = 0;
+  for (const Curve& curve : motion.angles)
+    for (const double angle : curve.values) largest = std::max(largest, std::abs(angle));
+  return largest;
+}
+
+/// The largest angles of the first motion, the exact one where there is one, or of all that are asked about.
+std::string answered(const std::string& question, const std::vector<Motion>& motions, bool all) {
+  std::string text = question + " Largest angles: ";
+  for (std::size_t i = 0; i < (all ? motions.size() : 1); ++i)
+    text += fmt::format("{}{} {:.3g} rad", i > 0 ? "; " : "", line_label(motions[i].run),
+                        largest_angle(motions[i]));
+  return text;
+}
+
+Drawing draw_runs(const std::vector<Run>& runs, const ComparedScene& scene, const std::string& question,
+                  bool all) {
   if (runs.empty()) return empty_sheet(heading(scene), "No run of this scene was done.");
   const std::vector<Motion> motions = read_motions(runs, scene.blocks);
   const ExactEvents events = events_of(motions, scene.blocks);
   const double end = last_time(motions);
-  Sheet sheet(heading(scene), legend_of(motions, styles));
+  Sheet sheet(heading(scene), legend_of(motions), answered(question, motions, all));
   constexpr double gap = 16;
   for (std::size_t k = 0; k < events.impact_times.size(); ++k) {
     for (std::size_t i = 0; i < motions.size(); ++i)
       sheet.data(data_block(curve_name(i, k), motions[i].angles[k]));
-    sheet.panel(panel_height(scene.blocks), gap, panel_settings(motions, events, k, end),
-                angle_plots(motions, styles, k));
+    if (are_many(motions))
+      add_small_panels(sheet, motions, k, end);
+    else
+      sheet.panel(panel_height(scene.blocks), gap, panel_settings(motions, events, k, end),
+                  angle_plots(motions, k));
   }
-  add_band(sheet, events.spans, motions.front().end, end);
+  if (!are_many(motions)) add_band(sheet, events.spans, motions.front().end, end);
   return sheet.finish();
 }
 
 }  // namespace
 
-Drawing histories(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
+Drawing histories(const Comparison& comparison, const ComparedScene& scene) {
   const Shown shown = shown_runs(comparison, scene.name);
   std::vector<Run> runs = shown.exact;
   runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
-  return draw_runs(runs, scene, styles);
+  return draw_runs(runs, scene, "How do the blocks move?", false);
 }
 
-Drawing equations(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
+Drawing equations(const Comparison& comparison, const ComparedScene& scene) {
   std::vector<Run> runs;
   for (const Run& run : done_runs(comparison, scene.name))
     if (run.exact() || has_other_equations(run)) runs.push_back(run);
-  return draw_runs(runs, scene, styles);
+  return draw_runs(runs, scene, "What does linearising change?", true);
 }
 
 }  // namespace rockstack::plots

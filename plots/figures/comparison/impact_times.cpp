@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/layout.hpp"
+#include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
 
 namespace rockstack::plots {
@@ -16,29 +18,6 @@ struct Verdicts {
   Impacts impacts;
 };
 
-/// A scale that is linear up to 10^first and logarithmic beyond, on both sides of zero; one unit a power of
-/// ten.
-struct SignedLog {
-  int first = -6;
-  int last = 0;
-
-  double place(double value) const {
-    const double size = std::abs(value) / std::pow(10, first);
-    const double height = size <= 1 ? size : 1 + std::log10(size);
-    return std::copysign(height, value);
-  }
-  double edge() const { return last - first + 1.5; }
-
-  std::string tics() const {
-    std::string text = "'0' 0";
-    const int stride = 1 + (last - first) / 4;
-    for (int power = last; power >= first; power -= stride) {
-      text += fmt::format(", '+10^{{{0}}}' {1}, '−10^{{{0}}}' -{1}", power, power - first + 1);
-    }
-    return text;
-  }
-};
-
 SignedLog scale_of(const std::vector<Verdicts>& all) {
   double low = 1e-3, high = 1e-5;
   for (const Verdicts& verdicts : all)
@@ -46,9 +25,7 @@ SignedLog scale_of(const std::vector<Verdicts>& all) {
       high = std::max(high, std::abs(impact.difference));
       if (impact.difference != 0) low = std::min(low, std::abs(impact.difference));
     }
-  constexpr int most_decades = 8;
-  const int last = static_cast<int>(std::ceil(std::log10(high) - 1e-9));
-  return {std::clamp(static_cast<int>(std::floor(std::log10(low))), last - most_decades, last), last};
+  return signed_log(low, high);
 }
 
 double last_number(const std::vector<Verdicts>& all) {
@@ -65,7 +42,7 @@ std::string block_name(const char* what, std::size_t run) {
   return fmt::format("{}_{}", what, run);
 }
 
-/// Points of one run in a row of its own.
+/// A row of marks of its own.
 Curve row_of(const std::vector<double>& numbers, double height) {
   return {numbers, std::vector<double>(numbers.size(), height)};
 }
@@ -83,7 +60,7 @@ void add_data(Sheet& sheet, const std::vector<Verdicts>& all, const SignedLog& s
   for (std::size_t i = 0; i < all.size(); ++i) {
     Curve matched;
     for (const MatchedImpact& impact : all[i].impacts.matched) {
-      matched.times.push_back(impact.number);
+      matched.times.push_back(impact.number + aside(i, all.size()));
       matched.values.push_back(scale.place(impact.difference));
     }
     const Rows rows = rows_of(i, all.size());
@@ -93,19 +70,19 @@ void add_data(Sheet& sheet, const std::vector<Verdicts>& all, const SignedLog& s
   }
 }
 
-std::vector<std::string> matched_plots(const std::vector<Verdicts>& all, const Styles& styles, double size) {
-  std::vector<std::string> plots{"0 with lines lw 1.5 lc rgb '#000000' notitle"};
+std::vector<std::string> matched_plots(const std::vector<Verdicts>& all, double size) {
+  std::vector<std::string> plots{zero_line};
   for (std::size_t i = 0; i < all.size(); ++i)
     if (!all[i].impacts.matched.empty())
-      plots.push_back(fmt::format("${} using 1:2 {} notitle", block_name("matched", i),
-                                  mark_style(styles.at(solver_name(all[i].run)), false, size)));
+      plots.push_back(
+          fmt::format("${} using 1:2 {} notitle", block_name("matched", i), mark_style(all[i].run, size)));
   return plots;
 }
 
-std::vector<std::string> row_plots(const std::vector<Verdicts>& all, const Styles& styles) {
+std::vector<std::string> row_plots(const std::vector<Verdicts>& all) {
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string style = mark_style(styles.at(solver_name(all[i].run)), false, 1.1);
+    const std::string style = mark_style(all[i].run, 1.1);
     if (!all[i].impacts.missed.empty())
       plots.push_back(fmt::format("${} using 1:2 {} notitle", block_name("missed", i), style));
     if (!all[i].impacts.extra.empty())
@@ -122,9 +99,75 @@ std::string row_settings(std::size_t runs) {
       plain(2 * count + 0.7), plain(1.5 * count + 0.5), plain(0.5 * count + 0.5), plain(count + 0.5));
 }
 
+/// Impacts are counted, so that the axis has whole numbers alone, up to `most` of them.
+std::string number_settings(double last, double most) {
+  int step = 1;
+  for (int i = 0; last / step > most; ++i) step = i % 2 == 0 ? step * 5 : step * 2;
+  return fmt::format("set xrange [0.4:{}]\nset xtics {}, {}\n", plain(last + 0.6), step, step) + grid_lines;
+}
+
+double median_size(const Impacts& impacts) {
+  std::vector<double> sizes;
+  for (const MatchedImpact& impact : impacts.matched) sizes.push_back(std::abs(impact.difference));
+  if (sizes.empty()) return std::numeric_limits<double>::infinity();
+  std::sort(sizes.begin(), sizes.end());
+  return sizes[sizes.size() / 2];
+}
+
+std::string question(const std::vector<Verdicts>& all) {
+  const auto best = std::min_element(all.begin(), all.end(), [](const Verdicts& a, const Verdicts& b) {
+    if (is_variant(a.run) != is_variant(b.run)) return is_variant(b.run);
+    return median_size(a.impacts) < median_size(b.impacts);
+  });
+  const std::string words = "How late or early is each impact?";
+  if (best->impacts.matched.empty()) return words + " No engine has one of the exact impacts";
+  return fmt::format("{} Nearest: {}, half of its {} within {}, {} missed, {} extra", words,
+                     run_phrase(best->run), best->impacts.matched.size(),
+                     rounded_duration(median_size(best->impacts)), best->impacts.missed.size(),
+                     best->impacts.extra.size());
+}
+
+std::string difference_settings(const SignedLog& scale) {
+  return fmt::format("set yrange [-{0}:{0}]\nset ytics ({1})\n", plain(scale.edge()), scale.tics());
+}
+
+void add_panels(Sheet& sheet, const std::vector<Verdicts>& all, const SignedLog& scale, double last) {
+  constexpr double few = 40, most = 20;
+  sheet.panel(380, 0,
+              number_settings(last, most) + without_horizontal_labels() + difference_settings(scale) +
+                  "set ylabel 'engine − exact impact time (s)' offset 0\n",
+              matched_plots(all, last > few ? 1.1 : 1.6));
+  sheet.panel(static_cast<double>(all.size()) * 28 + 16, 12,
+              number_settings(last, most) + row_settings(all.size()) +
+                  "set format x '%g'\nset xlabel 'number of the exact impact'\n",
+              row_plots(all));
+}
+
+void add_small_panels(Sheet& sheet, const std::vector<Verdicts>& all, const SignedLog& scale, double last) {
+  std::vector<Multiple> series;
+  std::vector<std::string> context{zero_line};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Impacts& impacts = all[i].impacts;
+    Multiple one{
+        fmt::format("{}: −{} +{}", line_label(all[i].run), impacts.missed.size(), impacts.extra.size()),
+        style_of(all[i].run).colour,
+        {}};
+    if (!impacts.matched.empty()) {
+      context.push_back(fmt::format("${} using 1:2 with points pt 7 ps 0.6*mark lc rgb '{}' notitle",
+                                    block_name("matched", i), context_colour));
+      one.plots.push_back(
+          fmt::format("${} using 1:2 {} notitle", block_name("matched", i), mark_style(all[i].run, 1.1)));
+    }
+    series.push_back(one);
+  }
+  add_multiples(sheet, series, context, number_settings(last, 8) + difference_settings(scale),
+                "number of the exact impact", "late (s)");
+  sheet.note("−: exact impacts that the engine misses; +: impacts of its own that match none", "#000000");
+}
+
 }  // namespace
 
-Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
+Drawing impact_times(const Comparison& comparison, const ComparedScene& scene) {
   std::vector<Verdicts> all;
   for (const Run& run : shown_runs(comparison, scene.name).engines)
     if (std::filesystem::exists(run.folder / "impacts.csv")) all.push_back({run, read_impacts(run)});
@@ -134,28 +177,18 @@ Drawing impact_times(const Comparison& comparison, const ComparedScene& scene, c
     return !impacts.matched.empty() || !impacts.missed.empty() || !impacts.extra.empty();
   });
   if (!any) return empty_sheet(heading(scene), "No impacts, neither in the exact motion nor in an engine.");
-
   const SignedLog scale = scale_of(all);
-  const double last = last_number(all);
-  const std::string number_range = fmt::format("set xrange [0.4:{}]\n", plain(last + 0.6));
-  constexpr double few = 40;
+  const bool many = all.size() > most_series;
   Legend legend;
-  for (const Verdicts& verdicts : all)
-    legend.emplace_back(mark_style(styles.at(solver_name(verdicts.run)), false, 1.6),
-                        run_label(verdicts.run));
-  Sheet sheet(heading(scene), legend);
+  if (!many)
+    for (const Verdicts& verdicts : all)
+      legend.emplace_back(mark_style(verdicts.run, 1.6), run_label(verdicts.run));
+  Sheet sheet(heading(scene), legend, question(all));
   add_data(sheet, all, scale);
-  sheet.panel(
-      380, 0,
-      number_range + without_horizontal_labels() +
-          fmt::format("set yrange [-{0}:{0}]\nset ytics ({1})\nset grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
-                      "set ylabel 'engine − exact impact time (s)' offset 0\n",
-                      plain(scale.edge()), scale.tics()),
-      matched_plots(all, styles, last > few ? 1.1 : 1.7));
-  sheet.panel(static_cast<double>(all.size()) * 28 + 16, 12,
-              number_range + row_settings(all.size()) +
-                  "set format x '%g'\nset xlabel 'number of the exact impact'\n",
-              row_plots(all, styles));
+  if (many)
+    add_small_panels(sheet, all, scale, last_number(all));
+  else
+    add_panels(sheet, all, scale, last_number(all));
   return sheet.finish();
 }
 

@@ -1,12 +1,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "comparisons/results/csv.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/layout.hpp"
+#include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
 
 namespace rockstack::plots {
@@ -63,80 +63,91 @@ double share_in(const Shares& shares, const std::string& pattern) {
   return found == shares.end() ? 0 : found->second;
 }
 
-/// Bars of one solver: the share, and the row's middle counted from above.
-Curve bars(const std::vector<std::string>& patterns, const Shares& shares, std::size_t order,
-           std::size_t solvers) {
+/// Marks of one run: the share, and the row's middle counted from above.
+Curve marks(const std::vector<std::string>& patterns, const Shares& shares, double aside) {
   Curve curve;
   for (std::size_t i = 0; i < patterns.size(); ++i) {
-    const double slot = 0.8 / static_cast<double>(solvers);
     curve.times.push_back(share_in(shares, patterns[i]));
-    curve.values.push_back(static_cast<double>(i) - 0.4 + (static_cast<double>(order) + 0.5) * slot);
+    curve.values.push_back(static_cast<double>(i) + aside);
   }
   return curve;
 }
 
-/// Filled for the exact motion; hatched otherwise, each its own way, so that grey tells them apart.
-std::string fill(const std::string& colour, std::size_t order) {
-  constexpr std::array hatches{1, 2, 4, 5, 6, 7};
-  const std::string style =
-      order == 0 ? "solid 0.55" : fmt::format("pattern {}", hatches[(order - 1) % hatches.size()]);
-  return fmt::format("fillcolor rgb '{0}' fillstyle {1} border lc rgb '{0}' lw 1.5", colour, style);
-}
-
-std::string bar_plot(const std::string& colour, std::size_t order, std::size_t solvers) {
-  return fmt::format("$bars_{0} using (0):2:(0):1:($2-{1}):($2+{1}) with boxxyerror {2} notitle", order,
-                     plain(0.36 / static_cast<double>(solvers)), fill(colour, order));
-}
-
-/// For how much of the time each is in the exact pattern, where the short bars leave room.
-std::string agreements(const std::vector<Occupancy>& all, double height) {
-  constexpr double row = 20, first = 16;  // pixels from below
-  std::string text;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    text += fmt::format("set label {} noenhanced at graph 0.985, graph {} right font ',12' front\n",
-                        in_quotes(fmt::format("{}: in the exact pattern for {:.1f} % of the time",
-                                              run_label(all[i].run), 100 * all[i].same)),
-                        plain((first + row * static_cast<double>(all.size() - 1 - i)) / height));
-  return text;
-}
+/// The exact share as a bar behind the marks of its row.
+constexpr auto exact_bar =
+    "$exact using (0):2:(0):1:($2-0.42):($2+0.42) with boxxyerror fillcolor rgb '#DADADA' fillstyle solid 1 "
+    "noborder notitle";
 
 std::string pattern_tics(const std::vector<std::string>& patterns) {
+  constexpr std::size_t longest = 52;  // letters beside the panel
   std::string tics;
-  for (std::size_t i = 0; i < patterns.size(); ++i)
-    tics += fmt::format("{}{} {}", i > 0 ? ", " : "", in_quotes(patterns[i]), i);
+  for (std::size_t i = 0; i < patterns.size(); ++i) {
+    const std::string name =
+        patterns[i].size() > longest ? patterns[i].substr(0, longest - 1) + "…" : patterns[i];
+    tics += fmt::format("{}{} {}", i > 0 ? ", " : "", in_quotes(name), i);
+  }
   return tics;
+}
+
+/// Where the panel begins, so that the longest name has room beside it.
+double names_room(const std::vector<std::string>& patterns) {
+  constexpr double letter = 0.0072, widest = 0.42;  // shares of the figure's width
+  std::size_t most = 0;
+  for (const std::string& pattern : patterns) most = std::max(most, pattern.size());
+  return std::clamp(0.045 + letter * static_cast<double>(most), left_edge, widest);
+}
+
+/// For how much of the time each is in the exact pattern.
+void add_agreements(Sheet& sheet, const std::vector<Occupancy>& all) {
+  for (const Occupancy& one : all)
+    sheet.note(
+        fmt::format("{}: in the exact pattern for {:.1f} % of the time", run_label(one.run), 100 * one.same),
+        style_of(one.run).colour);
+}
+
+std::string question(const std::vector<Occupancy>& all) {
+  std::vector<const Occupancy*> engines;
+  for (const Occupancy& one : all)
+    if (!is_variant(one.run)) engines.push_back(&one);
+  if (engines.empty()) engines.push_back(&all.front());
+  const auto [least, most] =
+      std::minmax_element(engines.begin(), engines.end(),
+                          [](const Occupancy* a, const Occupancy* b) { return a->same < b->same; });
+  const auto words = [](const Occupancy& one) {
+    return fmt::format("{} for {:.1f} % of the time", run_phrase(one.run), 100 * one.same);
+  };
+  const std::string range = engines.size() == 1 ? words(**most) : words(**most) + ", " + words(**least);
+  return "Are engines in the exact pattern? " + range;
 }
 
 }  // namespace
 
-Drawing occupancy(const Comparison& comparison, const ComparedScene& scene, const Styles& styles) {
+Drawing occupancy(const Comparison& comparison, const ComparedScene& scene) {
   std::vector<Occupancy> all;
   for (const Run& run : shown_runs(comparison, scene.name).engines)
     if (std::filesystem::exists(run.folder / "patterns.csv")) all.push_back(read_occupancy(run));
   if (all.empty()) return empty_sheet(heading(scene), "No engine run of this scene tells its patterns.");
   const std::vector<std::string> patterns = patterns_of(all);
-  const std::size_t solvers = all.size() + 1;
-  Legend legend{{"with boxes " + fill("#000000", 0), "exact"}};
-  std::vector<std::string> plots{bar_plot("#000000", 0, solvers)};
-  for (const Occupancy& one : all) {
-    const std::string& colour = styles.at(solver_name(one.run)).colour;
-    legend.emplace_back("with boxes " + fill(colour, plots.size()), run_label(one.run));
-    plots.push_back(bar_plot(colour, plots.size(), solvers));
+  Legend legend{{"with boxes fillcolor rgb '#DADADA' fillstyle solid 1 noborder", "exact"}};
+  std::vector<std::string> plots{exact_bar};
+  std::string data = data_block("exact", marks(patterns, all.front().exact, 0));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    legend.emplace_back(mark_style(all[i].run, 1.5), run_label(all[i].run));
+    const double aside = 0.8 * ((static_cast<double>(i) + 0.5) / static_cast<double>(all.size()) - 0.5);
+    data += data_block(fmt::format("marks_{}", i), marks(patterns, all[i].engine, aside));
+    plots.push_back(fmt::format("$marks_{} using 1:2 {} notitle", i, mark_style(all[i].run, 1.2)));
   }
-  Sheet sheet(heading(scene), legend);
-  sheet.data(data_block("bars_0", bars(patterns, all.front().exact, 0, solvers)));
-  for (std::size_t i = 0; i < all.size(); ++i)
-    sheet.data(data_block(fmt::format("bars_{}", i + 1), bars(patterns, all[i].engine, i + 1, solvers)));
+  Sheet sheet(heading(scene), legend, question(all));
+  sheet.data(data);
   const auto rows = static_cast<double>(patterns.size());
-  const double height = std::clamp(rows * (14 * static_cast<double>(solvers) + 10), 120.0, 900.0);
-  sheet.panel(
-      height, 0,
-      fmt::format("set yrange [{}:-0.6]\nset ytics ({}) noenhanced\nset ylabel 'pattern' offset 0\n"
-                  "set xrange [0:*]\nset format x '%g'\nset grid x lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
-                  "set xlabel 'share of time'\n",
-                  plain(rows - 0.4), pattern_tics(patterns)) +
-          agreements(all, height),
-      plots);
+  const double row = 16 + 8 * static_cast<double>(std::min(all.size(), most_series));
+  sheet.row(std::max(rows * row, 120.0), 0,
+            {{fmt::format("set yrange [{}:-0.6]\nset ytics ({}) noenhanced font ',11'\nset xrange [0:*]\n"
+                          "set grid x lt 1 dt solid lw 1 lc rgb '#E4E4E4'\nset xlabel 'share of time'\n",
+                          plain(rows - 0.4), pattern_tics(patterns)),
+              plots}},
+            1, names_room(patterns));
+  add_agreements(sheet, all);
   return sheet.finish();
 }
 

@@ -11,10 +11,17 @@ namespace rockstack::plots {
 struct SweepFacts {
   std::string title;
   std::string intensity;  ///< title of its axis
+  /// Of a scene of one block, whose intensity is an acceleration: g tan α, m/s², and p, rad/s; else 0.
+  double least_acceleration = 0, frequency_parameter = 0;
 };
 
 /// The title of an axis along which a scene's key varies, with its unit where the key has one.
 std::string axis_title(const std::string& key);
+
+/// A second axis, "x2" or "y2", opposite of "x" or "y" with its range, on which values are divided by `unit`;
+/// nothing where that is 0.
+std::string dimensionless_axis(const std::string& axis, double low, double high, double unit,
+                               const std::string& words);
 
 /// The share of runs that topple against intensity, with confidence bounds and the fitted curve.
 Drawing fragility(const std::filesystem::path& results, const SweepFacts& facts);

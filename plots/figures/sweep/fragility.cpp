@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <vector>
 
 #include "comparisons/results/csv.hpp"
+#include "plots/data/fragility_fit.hpp"
 #include "plots/drawing/layout.hpp"
+#include "plots/drawing/style.hpp"
 #include "plots/figures/sweep/drawings.hpp"
 
 namespace rockstack::plots {
@@ -14,16 +16,23 @@ namespace {
 constexpr auto counted_style = "with yerrorbars pt 7 ps 1.1*mark lw 1.4 lc rgb '#1A1A1A'";
 constexpr auto fitted_style = "with lines lw 2 lc rgb '#0B4F8A'";
 
-/// The fitted curve from zero to the highest intensity.
-Curve fitted_curve(double median, double beta, double end) {
+constexpr auto bounds_style = "with filledcurves fc rgb '#CFE0EE' fs solid 1 noborder";
+
+/// The fitted curve between its bounds, from zero to the highest intensity.
+std::string fitted_curve(const FragilityFit& fit, double end) {
   constexpr int points = 200;
-  Curve curve;
+  std::string text = "$fitted << END\n";
   for (int i = 1; i <= points; ++i) {
     const double x = end * i / points;
-    curve.times.push_back(x);
-    curve.values.push_back(0.5 * std::erfc(-std::log(x / median) / (beta * std::numbers::sqrt2)));
+    text += fmt::format("{} {} {} {}\n", plain(x), plain(fit.probability(x)), plain(fit.lower(x)),
+                        plain(fit.upper(x)));
   }
-  return curve;
+  return text + "END\n";
+}
+
+std::string fit_words(const FragilityFit& fit, double median, double beta) {
+  return fmt::format("lognormal fit, median {:.4g} ({:.3g}–{:.3g}), β {:.3g}", median, fit.median_lower(),
+                     fit.median_upper(), beta);
 }
 
 }  // namespace
@@ -36,36 +45,55 @@ std::string axis_title(const std::string& key) {
   return key;
 }
 
+std::string dimensionless_axis(const std::string& axis, double low, double high, double unit,
+                               const std::string& words) {
+  if (!(unit > 0)) return "";
+  return fmt::format("set {0}2range [{1}:{2}]\nset {0}tics nomirror\nset {0}2tics\nset {0}2label '{3}'\n",
+                     axis, plain(low / unit), plain(high / unit), words);
+}
+
 Drawing fragility(const std::filesystem::path& results, const SweepFacts& facts) {
   const auto levels =
       read_columns(results / "fragility.csv", {"intensity", "fraction", "lower", "upper", "runs"});
   const auto fit = read_columns(results / "fragility-fit.csv", {"median", "beta"});
   double end = 0, runs = 0;
+  std::vector<TestedLevel> tested;
   std::string data = "$levels << END\n";
   for (std::size_t i = 0; i < levels[0].size(); ++i) {
     end = std::max(end, levels[0][i]);
     runs = std::max(runs, levels[4][i]);
     if (std::isnan(levels[1][i])) continue;
+    tested.push_back({levels[0][i], levels[4][i]});
     data += fmt::format("{} {} {} {}\n", plain(levels[0][i]), plain(levels[1][i]), plain(levels[2][i]),
                         plain(levels[3][i]));
   }
   end *= 1.04;
+  data += "END\n";
   Legend legend{{counted_style, fmt::format("counted, up to {:g} runs a level, with 95 % bounds", runs)}};
   std::vector<std::string> elements{fmt::format("$levels using 1:2:3:4 {} notitle", counted_style)};
+  std::string answer = "No curve fits these counts";
   if (!fit[0].empty()) {
-    legend.emplace_back(fitted_style,
-                        fmt::format("lognormal fit, median {:.4g}, β {:.3g}", fit[0][0], fit[1][0]));
-    elements.insert(elements.begin(), fmt::format("$fitted using 1:2 {} notitle", fitted_style));
+    const double median = fit[0][0], beta = fit[1][0];
+    const FragilityFit fitted(median, beta, tested);
+    legend.emplace_back(fitted_style, fit_words(fitted, median, beta));
+    legend.emplace_back(bounds_style, "95 % bounds of the fit");
+    elements.insert(elements.begin(), {fmt::format("$fitted using 1:3:4 {} notitle", bounds_style),
+                                       fmt::format("$fitted using 1:2 {} notitle", fitted_style)});
+    answer = fmt::format("Half of the motions topple it at {:.3g}, {}", median, facts.intensity);
+    if (facts.least_acceleration > 0)
+      answer += fmt::format(", {:.3g} times g tan α", median / facts.least_acceleration);
+    data += fitted_curve(fitted, end);
   }
-  Sheet sheet(facts.title, legend);
-  sheet.data(data + "END\n");
-  if (!fit[0].empty()) sheet.data(data_block("fitted", fitted_curve(fit[0][0], fit[1][0], end)));
-  sheet.panel(460, 0,
-              fmt::format("set grid lt 1 dt solid lw 1 lc rgb '#DADADA'\nset xrange [0:{}]\n"
-                          "set yrange [-0.02:1.02]\nset ytics 0.2\nset xlabel {} noenhanced\n"
-                          "set ylabel 'share of runs that topple'\n",
-                          plain(end), in_quotes(facts.intensity)),
-              elements);
+  Sheet sheet(facts.title, legend, "How likely is toppling? " + answer);
+  sheet.data(data);
+  if (facts.least_acceleration > 0) sheet.leave_room_for_second_axes();
+  sheet.panel(
+      460, 0,
+      fmt::format("set xrange [0:{}]\nset yrange [-0.02:1.02]\nset ytics 0.2\nset xlabel {} noenhanced\n"
+                  "set ylabel 'share of runs that topple'\n",
+                  plain(end), in_quotes(facts.intensity)) +
+          grid_lines + dimensionless_axis("x", 0, end, facts.least_acceleration, "over g tan α, of uplift"),
+      elements);
   return sheet.finish();
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
 
 #include "comparisons/results/csv.hpp"
 #include "plots/drawing/layout.hpp"
@@ -76,6 +78,22 @@ std::vector<Box> boxes(const std::vector<std::vector<double>>& columns, const Ed
   return list;
 }
 
+/// The least intensity that topples in more than half of its runs.
+std::string question(const std::vector<std::vector<double>>& columns, const SweepFacts& facts) {
+  double least = std::numeric_limits<double>::infinity(), at = 0;
+  for (std::size_t row = 0; row < columns[0].size(); ++row) {
+    const std::string kind = kinds.at(commonest(columns, row)).column;
+    if (kind.starts_with("toppled") && columns[1][row] < least) least = columns[1][row], at = columns[0][row];
+  }
+  if (!std::isfinite(least)) return "What topples? Nothing within these bounds";
+  std::string answer =
+      fmt::format("What topples? At least {:.3g}, {}, at {:.3g} Hz", least, facts.intensity, at);
+  if (facts.least_acceleration > 0)
+    answer += fmt::format(": {:.3g} times g tan α at ω/p = {:.3g}", least / facts.least_acceleration,
+                          2 * std::numbers::pi * at / facts.frequency_parameter);
+  return answer;
+}
+
 }  // namespace
 
 Drawing overturning(const std::filesystem::path& results, const SweepFacts& facts) {
@@ -102,14 +120,19 @@ Drawing overturning(const std::filesystem::path& results, const SweepFacts& fact
     elements.push_back(fmt::format("$kind_{} using 1:2:3:4:5:6 with boxxyerror {} notitle", k, fill));
     data += fmt::format("$kind_{} << END\n{}END\n", k, lines.at(k));
   }
-  Sheet sheet(facts.title, legend);
+  Sheet sheet(facts.title, legend, question(columns, facts));
+  if (facts.least_acceleration > 0) sheet.leave_room_for_second_axes();
   sheet.data(data);
   sheet.panel(620, 0,
               fmt::format("set tics out nomirror\nset xrange [{}:{}]\nset yrange [{}:{}]\n"
                           "set xlabel 'frequency of the pulse (Hz)'\nset ylabel {} noenhanced\n",
                           plain(across.begin()->second.first), plain(across.rbegin()->second.second),
                           plain(up.begin()->second.first), plain(up.rbegin()->second.second),
-                          in_quotes(facts.intensity)),
+                          in_quotes(facts.intensity)) +
+                  dimensionless_axis("x", across.begin()->second.first, across.rbegin()->second.second,
+                                     facts.frequency_parameter / (2 * std::numbers::pi), "ω/p") +
+                  dimensionless_axis("y", up.begin()->second.first, up.rbegin()->second.second,
+                                     facts.least_acceleration, "over g tan α, of uplift"),
               elements);
   return sheet.finish();
 }

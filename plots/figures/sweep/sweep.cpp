@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -13,13 +14,29 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// What makes a block's motion dimensionless: it uplifts at a = g tan α and turns with p = √(3g/4R) (Housner
+/// 1963, for a rectangle).
+void add_scales(SweepFacts& facts, const Json& scene) {
+  constexpr double standard_gravity = 9.81;  // of scenes that do not say, m/s²
+  const Json blocks = scene.value("blocks", Json::array());
+  if (blocks.size() != 1 || !blocks[0].contains("width") || !blocks[0].contains("height")) return;
+  const double width = blocks[0].at("width").get<double>(), height = blocks[0].at("height").get<double>();
+  const double gravity = scene.value("gravity", standard_gravity);
+  facts.least_acceleration = gravity * width / height;
+  facts.frequency_parameter = std::sqrt(3 * gravity / (4 * std::hypot(width, height) / 2));
+}
+
 SweepFacts read_facts(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) throw InputError(file.string() + ": cannot be read");
   try {
     const Json json = Json::parse(stream);
     const Json& summary = json.at("summary");
-    return {json.at("title"), axis_title(summary.at("intensity").get<std::string>())};
+    const std::string intensity = summary.at("intensity").get<std::string>();
+    SweepFacts facts{json.at("title"), axis_title(intensity), 0, 0};
+    if (intensity.ends_with(".peak") || intensity.ends_with(".amplitude"))
+      add_scales(facts, json.value("scene", Json::object()));
+    return facts;
   } catch (const Json::exception& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }

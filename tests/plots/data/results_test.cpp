@@ -4,13 +4,10 @@
 
 #include <cmath>
 #include <fstream>
-#include <set>
-#include <tuple>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
-#include "plots/drawing/style.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {
@@ -87,18 +84,6 @@ TEST(Results, AnExtraImpactStandsBetweenTheExactOnesAroundIt) {
   EXPECT_EQ(impacts.missed, std::vector<double>{7});
   EXPECT_EQ(impacts.extra, std::vector<double>{7.5});
   EXPECT_EQ(impacts.matched.size(), 8u);
-}
-
-TEST(Results, EverySolverHasALookOfItsOwn) {
-  const fs::path folder = testing::fresh_folder();
-  testing::Sample sample = tuned_and_default();
-  sample.engines.push_back({"newton", "dynamics", "tuned", 1e-3});
-  testing::write_sample(folder, sample);
-  const Styles styles = assign_styles(read_comparison(folder).runs);
-  std::set<std::tuple<std::string, int, std::string>> seen;
-  for (const auto& [solver, style] : styles)
-    EXPECT_TRUE(seen.emplace(style.colour, style.mark, style.dash).second) << solver;
-  EXPECT_TRUE(styles.contains("newton:dynamics"));
 }
 
 TEST(Results, AMalformedDescriptionIsNamedByItsFile) {

@@ -4,13 +4,11 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <set>
 #include <stdexcept>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "plots/drawing/gnuplot.hpp"
 #include "plots/drawing/layout.hpp"
-#include "plots/drawing/style.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {
@@ -111,6 +109,26 @@ TEST(Figures, TwoEnginesThreeBlocksAndAFailedRow) {
   draw_sample({.blocks = 3, .engines = {{"bullet", "nncg", "tuned", 2e-3}, ode()}, .failed_row = true});
 }
 
+TEST(Figures, EachKindAsksWhatItsExplanationBeginsWith) {
+  for (const FigureKind& kind : figure_kinds())
+    EXPECT_NE(kind.explanation.substr(0, kind.explanation.find('.')).find('?'), std::string::npos)
+        << kind.name;
+}
+
+TEST(Figures, MoreSeriesThanOnePanelBearsHaveAPanelEach) {
+  testing::Sample sample{.blocks = 1, .engines = {}, .steps = {1e-2}};
+  for (const char* engine : {"bullet", "bullet-single"})
+    for (const char* solver : {"sequential-impulse", "nncg", "mlcp-dantzig", "mlcp-pgs"})
+      sample.engines.push_back({engine, solver, "tuned", 2e-3});
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, sample);
+  draw_figures(folder);
+  expect_figures(folder);
+  const std::string svg = testing::bytes_of(figure_stem(folder, "sample", "differences").concat(".svg"));
+  for (const testing::SampleEngine& engine : sample.engines)
+    EXPECT_NE(svg.find(engine.engine + " " + engine.solver + ", tuned"), std::string::npos);
+}
+
 TEST(Figures, AGroundThatMovesHasAFigureOfItsOwn) {
   draw_sample({.blocks = 1, .shaken = true});
 }
@@ -118,9 +136,9 @@ TEST(Figures, AGroundThatMovesHasAFigureOfItsOwn) {
 using Names = std::vector<std::string>;
 
 TEST(Figures, AreThoseThatTheResultsHaveDataFor) {
-  EXPECT_EQ(names_of_figures({}), (Names{"histories", "differences", "impact-times", "energy", "phase",
-                                         "occupancy", "error-time"}));
-  EXPECT_EQ(names_of_figures({.results = R"(["angles"])"}), Names{"error-time"});
+  EXPECT_EQ(names_of_figures({}), (Names{"differences", "impact-times", "impact-energy", "ranking",
+                                         "error-time", "histories", "energy", "phase", "occupancy"}));
+  EXPECT_EQ(names_of_figures({.results = R"(["angles"])"}), (Names{"ranking", "error-time"}));
   EXPECT_EQ(names_of_figures({.results = R"(["patterns"])"}), Names{"occupancy"});
   EXPECT_EQ(names_of_figures({.shaken = true, .results = "[]"}), Names{"ground-motion"});
 }
@@ -247,32 +265,15 @@ TEST(Figures, TextIsDrawnAsItStandsWhateverSignsItHas) {
   EXPECT_FALSE(fs::exists("ran"));
 }
 
+TEST(LinearTics, AreRoundAndHaveRoom) {
+  EXPECT_EQ(linear_tics("y", 0, 1, 300), "set ytics 0.1\n");
+  EXPECT_EQ(linear_tics("y", -3, 4, 110), "set ytics 2\n");
+  EXPECT_EQ(linear_tics("x", 0, 0.3, 340), "set xtics 0.1\n");
+}
+
 TEST(LogarithmicTics, ArePowersOfTenAndWithinTwoDecadesTheirMultiplesToo) {
   EXPECT_EQ(logarithmic_tics("x", 1e-4, 1e-2), "set format x '10^{%T}'\n");
   EXPECT_EQ(logarithmic_tics("y", 0.2, 0.9), "set ytics ('10^{-1}' 0.1, '2·10^{-1}' 0.2, '5·10^{-1}' 0.5)\n");
-}
-
-TEST(Style, DefaultsASetAndThoseWithAChangedParameterAreToldApart) {
-  const std::vector<std::string> all{"default", "tuned", "tuned+shaking=force", "tuned+shaking=ground"};
-  std::vector<plots::Run> runs;
-  for (const std::string& settings : all) {
-    runs.emplace_back();
-    runs.back().engine = "ode";
-    runs.back().solver = "step";
-    runs.back().settings = settings;
-  }
-  const Styles styles = assign_styles(runs);
-  const Style& style = styles.at("ode:step");
-  std::set<int> marks;
-  std::set<std::string> dashes, curves;
-  for (const plots::Run& run : runs) {
-    marks.insert(mark_of(style, run.settings));
-    dashes.insert(dash_of(style, run.settings, "solid"));
-    curves.insert(curve_style(styles, run, 0));
-  }
-  EXPECT_EQ(marks.size(), all.size());
-  EXPECT_EQ(dashes.size(), all.size());
-  EXPECT_EQ(curves.size(), all.size() - 1) << "default and tuned runs have curves of one style";
 }
 
 }  // namespace

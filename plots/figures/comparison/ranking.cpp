@@ -1,0 +1,165 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "plots/data/selection.hpp"
+#include "plots/data/spread.hpp"
+#include "plots/drawing/layout.hpp"
+#include "plots/drawing/style.hpp"
+#include "plots/figures/comparison/drawings.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+using Ranges = std::map<std::string, SpreadRange>;
+
+bool has_error(const Run& run) {
+  return !is_variant(run) && std::isfinite(run.rms_angle_difference) && run.rms_angle_difference > 0;
+}
+
+/// One row: the runs of a series that have errors, and the largest of them, by which rows are ordered.
+struct RankedSeries {
+  std::string label;
+  std::vector<Run> runs;
+  double largest = 0;
+};
+
+/// Rows by rising error, those with more steps first; at most so many that a page shows.
+std::vector<RankedSeries> rows_of(const Comparison& comparison, const std::string& scene) {
+  constexpr std::size_t most = 30;
+  std::vector<RankedSeries> rows;
+  for (const StepLine& line : step_lines(comparison, scene)) {
+    RankedSeries row{line_label(line), {}, 0};
+    for (const Run& run : line)
+      if (has_error(run)) {
+        row.runs.push_back(run);
+        row.largest = std::max(row.largest, run.rms_angle_difference);
+      }
+    if (!row.runs.empty()) rows.push_back(row);
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const RankedSeries& a, const RankedSeries& b) {
+    return a.runs.size() != b.runs.size() ? a.runs.size() > b.runs.size() : a.largest < b.largest;
+  });
+  rows.resize(std::min(rows.size(), most));
+  return rows;
+}
+
+/// The largest, the middle and the smallest of the time steps; or all, where there are fewer.
+std::vector<double> steps_of(const std::vector<RankedSeries>& rows) {
+  std::set<double> all;
+  for (const RankedSeries& row : rows)
+    for (const Run& run : row.runs) all.insert(run.dt);
+  std::vector<double> steps(all.rbegin(), all.rend());
+  if (steps.size() > 3) steps = {steps.front(), steps[steps.size() / 2], steps.back()};
+  return steps;
+}
+
+/// A run's error, its quartiles and its whole range over draws.
+std::string point(const Run& run, std::size_t row, const Ranges& ranges) {
+  const auto found = ranges.find(run.name);
+  const double error = run.rms_angle_difference;
+  const SpreadRange range = found == ranges.end() ? SpreadRange{error, error} : found->second;
+  return fmt::format(
+      "{} {} {} {} {} {}\n", plain(error), row, plain(quartile_or(run.rms_angle_difference_lower, error)),
+      plain(quartile_or(run.rms_angle_difference_upper, error)), plain(range.least), plain(range.greatest));
+}
+
+struct ErrorExtent {
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+};
+
+ErrorExtent extent_of(const std::vector<RankedSeries>& rows, const Ranges& ranges) {
+  ErrorExtent extent;
+  for (const RankedSeries& row : rows)
+    for (const Run& run : row.runs) {
+      const auto found = ranges.find(run.name);
+      const double error = run.rms_angle_difference;
+      extent.low =
+          std::min(extent.low, found == ranges.end() ? error : std::max(found->second.least, error / 100));
+      extent.high = std::max(extent.high, found == ranges.end() ? error : found->second.greatest);
+    }
+  return {extent.low / 1.5, extent.high * 1.5};
+}
+
+/// Powers of ten alone, for which the columns have room; where there is none within, its parts.
+std::string decades_of(const ErrorExtent& extent) {
+  const bool inside = std::floor(std::log10(extent.high)) > std::log10(extent.low);
+  return inside ? "set format x '10^{%T}'\n" : logarithmic_tics("x", extent.low, extent.high);
+}
+
+std::vector<std::string> column_plots(Sheet& sheet, const std::vector<RankedSeries>& rows, double dt,
+                                      std::size_t at, const Ranges& ranges) {
+  std::vector<std::string> plots;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const Run& run : rows[i].runs) {
+      if (run.dt != dt) continue;
+      const std::string name = fmt::format("rank_{}_{}_{}", at, i, plots.size());
+      const std::string colour = style_of(run).colour;
+      sheet.data("$" + name + " << END\n" + point(run, i, ranges) + "END\n");
+      plots.push_back(
+          fmt::format("${} using 1:2:5:6 with xerrorbars lw 1 lc rgb '{}' pt 0 notitle", name, colour));
+      plots.push_back(
+          fmt::format("${} using 1:2:3:4 with xerrorbars lw 4 lc rgb '{}' pt 0 notitle", name, colour));
+      plots.push_back(fmt::format("${} using 1:2 {} notitle", name, mark_style(run, 1.4)));
+    }
+  return plots;
+}
+
+/// The rows' words, which stand beside the first column alone.
+std::string label_tics(const std::vector<RankedSeries>& rows, bool first) {
+  constexpr std::size_t longest = 58;
+  std::string tics;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string& label = rows[i].label;
+    tics += fmt::format("{}{} {}", i > 0 ? ", " : "",
+                        in_quotes(!first                   ? ""
+                                  : label.size() > longest ? label.substr(0, longest - 3) + "…"
+                                                           : label),
+                        i);
+  }
+  return tics;
+}
+
+const Run& least_of(const std::vector<RankedSeries>& rows) {
+  const Run* least = &rows.front().runs.front();
+  for (const RankedSeries& row : rows)
+    for (const Run& run : row.runs)
+      if (run.rms_angle_difference < least->rms_angle_difference) least = &run;
+  return *least;
+}
+
+}  // namespace
+
+Drawing ranking(const Comparison& comparison, const ComparedScene& scene) {
+  const std::vector<RankedSeries> rows = rows_of(comparison, scene.name);
+  if (rows.empty()) return empty_sheet(heading(scene), "No engine run of this scene with an error.");
+  const Ranges ranges =
+      ranges_of(rows.front().runs.front().folder.parent_path().parent_path(), "rms_angle_difference");
+  const Run& least = least_of(rows);
+  Sheet sheet(heading(scene), {},
+              fmt::format("Which is nearest to the exact motion? {}, off by {:.2g} rad RMS",
+                          run_phrase(least), least.rms_angle_difference));
+  const ErrorExtent extent = extent_of(rows, ranges);
+  const std::vector<double> steps = steps_of(rows);
+  std::vector<SidePanel> cells;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    cells.push_back(
+        {fmt::format(
+             "set logscale x\nset xrange [{}:{}]\nset yrange [{}:-0.7]\nset ytics ({}) noenhanced font "
+             "',11'\n{}set grid x y lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
+             "set xlabel 'RMS (rad), step {}'\n",
+             plain(extent.low), plain(extent.high), static_cast<double>(rows.size()) - 0.3,
+             label_tics(rows, i == 0), decades_of(extent), duration_text(steps[i])),
+         column_plots(sheet, rows, steps[i], i, ranges)});
+  constexpr double row = 26, left = 0.37;
+  sheet.row(row * static_cast<double>(rows.size()) + 30, 0, cells, cells.size(), left);
+  sheet.note(ranges.empty() ? "one run each"
+                            : "marks: medians over draws; thick bars: quartiles; thin: least to greatest",
+             "#000000");
+  return sheet.finish();
+}
+
+}  // namespace rockstack::plots

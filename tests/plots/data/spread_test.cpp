@@ -1,0 +1,78 @@
+#include "plots/data/spread.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "plots/data/impact_losses.hpp"
+#include "tests/plots/sample.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+
+plots::Run run_with(const fs::path& folder, const std::string& file, const std::string& text) {
+  fs::create_directories(folder);
+  std::ofstream(folder / file) << text;
+  plots::Run run;
+  run.folder = folder;
+  return run;
+}
+
+TEST(Share, IsTheCountOfTheRows) {
+  const fs::path folder = testing::fresh_folder();
+  const plots::Run exact =
+      run_with(folder / "exact", "perturbed.csv", "run,impacts,toppled\n0,3,1\n1,3,0\n2,3,2\n3,3,0\n");
+  const plots::Run engine =
+      run_with(folder / "engine", "perturbed.csv", "run,impacts,toppled\n0,3,1\n1,3,1\n2,,\n3,3,0\n");
+  const Share own = toppled_share(exact, exact);
+  EXPECT_EQ(own.of, 4);
+  EXPECT_EQ(own.toppled, 2);
+  EXPECT_EQ(own.agree, own.of);
+  const Share share = toppled_share(engine, exact);
+  EXPECT_EQ(share.of, 3) << "a scene that could not be solved has no answer";
+  EXPECT_EQ(share.toppled, 2);
+  EXPECT_EQ(share.agree, 2);
+}
+
+// Wilson's bounds are the shares whose distance from the count is 1.96 of their own standard errors.
+TEST(Share, BoundsLieAsFarAsChanceReaches) {
+  const Share share{50, 32, 0};
+  for (const double bound : {share.lower(), share.upper()})
+    EXPECT_NEAR(std::abs(share.value() - bound), 1.959964 * std::sqrt(bound * (1 - bound) / share.of), 1e-12);
+  EXPECT_LT(share.lower(), share.value());
+  EXPECT_GT(share.upper(), share.value());
+}
+
+TEST(Draws, AreSortedAndThoseWithoutANumberDropped) {
+  const plots::Run run = run_with(testing::fresh_folder(), "draws.csv", "run,agreement_time\na,3\nb,\nc,1\n");
+  EXPECT_EQ(draws_of(run, "agreement_time"), (std::vector<double>{1, 3}));
+  EXPECT_TRUE(draws_of(plots::Run{}, "agreement_time").empty());
+}
+
+// An engine that is late but loses the same has the same losses, which add up to all that is lost.
+TEST(ImpactLosses, CountTheSameImpactsWheneverTheyCome) {
+  const fs::path folder = testing::fresh_folder();
+  std::string energy = "time,exact,balance\n";
+  for (int i = 0; i <= 40; ++i)
+    energy += std::to_string(i) + "," + std::to_string(100 - 30 * (i >= 10) - 20 * (i >= 20)) + "," +
+              std::to_string(100 - 30 * (i >= 13) - 20 * (i >= 24)) + "\n";
+  plots::Run run = run_with(folder, "energy.csv", energy);
+  run = run_with(folder, "impacts.csv",
+                 "number,interface,exact_time,engine_time,difference,verdict\n1,1,9.5,12.5,3,matched\n"
+                 "2,1,19.5,23.5,4,matched\n3,1,30,,,missed\n");
+  const std::vector<ImpactLoss> losses = read_impact_losses(run);
+  ASSERT_EQ(losses.size(), 2U);
+  double lost = 0;
+  for (const ImpactLoss& loss : losses) {
+    EXPECT_EQ(loss.engine, loss.exact) << loss.number;
+    lost += loss.exact;
+  }
+  EXPECT_EQ(losses.front().exact, 30);
+  EXPECT_EQ(lost, 50);
+}
+
+}  // namespace
+}  // namespace rockstack::plots
