@@ -9,9 +9,10 @@ namespace {
 
 using Draw = Drawing (*)(const Comparison&, const ComparedScene&);
 
-constexpr std::array<Draw, 15> draws{
-    differences,   impact_times, impact_energy, ranking, error_time, error_step, first_impact_step, toppling,
-    distributions, histories,    equations,     energy,  phase,      occupancy,  ground_motion};
+constexpr std::array<Draw, 15> draws{histories, differences,   impact_times, impact_energy,
+                                     ranking,   error_time,    error_step,   first_impact_step,
+                                     toppling,  distributions, equations,    energy,
+                                     phase,     occupancy,     ground_motion};
 
 bool sampled(const ComparedScene& scene) {
   return scene.has("histories");
@@ -25,6 +26,14 @@ bool fitted(const ComparedScene& scene) {
 
 const std::vector<FigureKind>& figure_kinds() {
   static const std::vector<FigureKind> kinds{
+      {"histories", "Angles over time",
+       "How do the blocks move? One panel a block. The thick grey line with a black core is the exact "
+       "solution; "
+       "each engine is shown with its smallest time step, tuned where it was tuned. Ticks along the upper "
+       "edge "
+       "are the exact impacts at the interface under that block; the band at the bottom names the exact "
+       "pattern. A curve that leaves its panel goes on beyond it.",
+       sampled},
       {"differences", "Angle differences over time",
        "How far is each engine from the exact angle, and from when? The largest absolute value of each short "
        "stretch of time, on a logarithmic axis; a curve that leaves its panel below is nearer still. The "
@@ -92,14 +101,6 @@ const std::vector<FigureKind>& figure_kinds() {
        "one "
        "distribution exceed once in twenty times.",
        [](const ComparedScene& scene) { return scene.perturbed; }},
-      {"histories", "Angles over time",
-       "How do the blocks move? One panel a block. The thick grey line with a black core is the exact "
-       "solution; "
-       "each engine is shown with its smallest time step, tuned where it was tuned. Ticks along the upper "
-       "edge "
-       "are the exact impacts at the interface under that block; the band at the bottom names the exact "
-       "pattern. A curve that leaves its panel goes on beyond it.",
-       sampled},
       {"equations", "Linear against nonlinear equations",
        "What does linearising change? The exact solver with the full equations and with those that the paper "
        "linearises, one panel a block. Ticks and band are the exact motion's.",

@@ -17,13 +17,12 @@ struct Orbit {
   std::vector<Curve> blocks;
 };
 
-/// At most 20,000 samples are looked at, of which those that bear the shape are kept.
-Orbit read_orbit(const Run& run, int blocks) {
+/// At most 20,000 samples are looked at, of which those that bear the shape within a tolerance are kept.
+Orbit read_orbit(const Run& run, int blocks, double tolerance) {
   std::vector<std::string> names = numbered("theta_", blocks);
   for (const std::string& name : numbered("omega_", blocks)) names.push_back(name);
   const auto columns = read_columns(run.folder / "history.csv", names);
   constexpr std::size_t most = 20'000;
-  constexpr double tolerance = 3e-4;
   const std::size_t stride = std::max<std::size_t>(1, columns[0].size() / most);
   Orbit orbit{run, {}};
   for (std::size_t k = 0; k < static_cast<std::size_t>(blocks); ++k) {
@@ -113,8 +112,12 @@ std::string question(const std::vector<Orbit>& orbits) {
 Drawing phase(const Comparison& comparison, const ComparedScene& scene) {
   const Shown shown = shown_runs(comparison, scene.name);
   std::vector<Orbit> orbits;
+  const auto curves = static_cast<double>(shown.engines.size() + 1) * scene.blocks;
+  constexpr double finest = 3e-4,
+                   few = 8;  // curves, more of which must be coarser for the file to stay small
+  const double tolerance = finest * std::max(1.0, curves / few);
   for (const std::vector<Run>& runs : {shown.exact, shown.engines})
-    for (const Run& run : runs) orbits.push_back(read_orbit(run, scene.blocks));
+    for (const Run& run : runs) orbits.push_back(read_orbit(run, scene.blocks, tolerance));
   if (orbits.empty()) return empty_sheet(heading(scene), "No run of this scene was done.");
   Sheet sheet(heading(scene), legend_of(orbits), question(orbits));
   constexpr double gap = 78;

@@ -136,8 +136,8 @@ TEST(Figures, AGroundThatMovesHasAFigureOfItsOwn) {
 using Names = std::vector<std::string>;
 
 TEST(Figures, AreThoseThatTheResultsHaveDataFor) {
-  EXPECT_EQ(names_of_figures({}), (Names{"differences", "impact-times", "impact-energy", "ranking",
-                                         "error-time", "histories", "energy", "phase", "occupancy"}));
+  EXPECT_EQ(names_of_figures({}), (Names{"histories", "differences", "impact-times", "impact-energy",
+                                         "ranking", "error-time", "energy", "phase", "occupancy"}));
   EXPECT_EQ(names_of_figures({.results = R"(["angles"])"}), (Names{"ranking", "error-time"}));
   EXPECT_EQ(names_of_figures({.results = R"(["patterns"])"}), Names{"occupancy"});
   EXPECT_EQ(names_of_figures({.shaken = true, .results = "[]"}), Names{"ground-motion"});
