@@ -14,15 +14,15 @@
 namespace rockstack {
 namespace {
 
-struct Kind {
+struct HistoryTable {
   const char* file;
   std::string (*csv)(const Scene&, const History&);
 };
 
-const std::map<std::string, Kind>& kinds() {
-  static const std::map<std::string, Kind> all{{"corners", {"corners.csv", &corners_csv}},
-                                               {"energies", {"energies.csv", &energies_csv}},
-                                               {"forces", {"reactions.csv", &reactions_csv}}};
+const std::map<std::string, HistoryTable>& history_tables() {
+  static const std::map<std::string, HistoryTable> all{{"corners", {"corners.csv", &corners_csv}},
+                                                       {"energies", {"energies.csv", &energies_csv}},
+                                                       {"forces", {"reactions.csv", &reactions_csv}}};
   return all;
 }
 
@@ -60,7 +60,7 @@ std::vector<double> corners_at(const Scene& scene, const Stack<double>& stack, c
 const std::vector<std::string>& kinds_of_histories() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> result;
-    for (const auto& [name, kind] : kinds()) result.push_back(name);
+    for (const auto& [name, kind] : history_tables()) result.push_back(name);
     return result;
   }();
   return names;
@@ -70,8 +70,8 @@ std::map<std::string, std::string> histories_csv(const Scene& scene, const Histo
                                                  const std::vector<std::string>& asked) {
   std::map<std::string, std::string> files;
   for (const std::string& name : asked) {
-    const auto found = kinds().find(name);
-    if (found == kinds().end())
+    const auto found = history_tables().find(name);
+    if (found == history_tables().end())
       throw InputError(
           fmt::format("--histories {}: must be {}", name, fmt::join(kinds_of_histories(), " or ")));
     files[found->second.file] = found->second.csv(scene, history);
