@@ -44,7 +44,7 @@ Number lasting(const Pulse& pulse) {
   const Number period = pulse.period;
   if (pulse.shape == PulseShape::half_sine) return period / 2;
   if (pulse.shape == PulseShape::ricker) return 4 * period;
-  return pulse.shape == PulseShape::mavroeidis_papageorgiou ? Number(pulse.cycles) * period : period;
+  return pulse.shape == PulseShape::rectangle ? period : Number(pulse.cycles) * period;
 }
 
 /// A stretch of time through which the same pulses act.
