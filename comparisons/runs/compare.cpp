@@ -31,7 +31,7 @@ Json predictable_json(const Suite& suite, const Scene& scene) {
   if (suite.draws.runs < 2) return {};
   try {
     return predictable_time(scene, suite.draws, suite.tolerance);
-  } catch (const std::runtime_error&) {
+  } catch (const std::exception&) {
     return {};
   }
 }

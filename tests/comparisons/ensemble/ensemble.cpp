@@ -111,7 +111,7 @@ TEST(Ensemble, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
             "ensemble.toml:14: blocks.1.height = -2: must be a number from 1e-20 to 1e+20");
   EXPECT_EQ(error("[[vary]]\nkey = \"blocks.1.colour\"\nvalues = [1]\n"),
             "ensemble.toml:14: blocks.1.colour: unknown key, must be one of width, height, density, mass, "
-            "inertia");
+            "inertia, center_of_mass");
   EXPECT_EQ(error("[[vary]]\nkey = \"blocks.2.height\"\nvalues = [1]\n"),
             "ensemble.toml:14: blocks.2: there is 1 block, must be 1 to 1");
   EXPECT_EQ(error(table + "values = [1]\n" + table + "values = [2]\n"),
