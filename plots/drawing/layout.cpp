@@ -20,8 +20,9 @@ std::size_t legend_rows(const Legend& legend) {
   return wide ? legend.size() : (legend.size() + 1) / 2;
 }
 
+/// Without a legend there is room for the words above a panel.
 double legend_height(const Legend& legend) {
-  return legend.empty() ? 0 : static_cast<double>(legend_rows(legend)) * legend_row + legend_gap;
+  return legend.empty() ? legend_row : static_cast<double>(legend_rows(legend)) * legend_row + legend_gap;
 }
 
 /// Nothing that one panel sets holds for the next.

@@ -98,10 +98,15 @@ std::string ranges(const std::vector<ErrorLine>& lines) {
          logarithmic_tics("y", small / room, large * room);
 }
 
+/// The model errors that no step takes away, where they lie among the marks.
 std::string floors(const std::vector<ErrorLine>& lines) {
+  double least = 1e300;
+  for (const ErrorLine& line : lines)
+    least = std::min(least, *std::min_element(line.lower.begin(), line.lower.end()));
   std::string text;
   for (const ErrorLine& line : lines)
-    if (line.fits()) text += floor_line(*line.fit, style_of(line.run).colour);
+    if (line.fits() && line.fit->model_error > least)
+      text += floor_line(*line.fit, style_of(line.run).colour);
   return text;
 }
 
