@@ -47,7 +47,7 @@ std::string KeyFile::text() const {
     text += std::string(table->header) + "\n";
     const auto written = values_.find(table);
     if (written == values_.end()) continue;
-    for (const auto& [name, value] : written->second) text += name + " = " + value + "\n";
+    for (const auto& [name, value] : written->second) text.append(name).append(" = ").append(value) += '\n';
   }
   return text;
 }
