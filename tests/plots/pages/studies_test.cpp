@@ -20,7 +20,7 @@ void put(const fs::path& file, const std::string& text) {
 
 /// A sweep of four runs, one failed, with a figure that no code knows.
 fs::path made_up_sweep() {
-  const fs::path folder = testing::fresh_folder();
+  fs::path folder = testing::fresh_folder();
   put(folder / "sweep.json",
       R"({"title": "A <made-up> sweep", "summary": {"intensity": "ground.horizontal.peak", "period": ""}})");
   put(folder / "runs.csv", "run,toppled,status\n0,0,done\n1,1,done\n2,,failed\n3,0,done\n");
