@@ -1,5 +1,6 @@
 #include "analytic/unilateral/contact_course.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rockstack {
@@ -26,23 +27,28 @@ Series sum(Series first, const Series& second) {
 class Collector {
  public:
   Collector(const FrictionStack& stack, const std::vector<Joint>& joints, const ModeSeries& series)
-      : stack_(stack), joints_(joints), series_(series) {}
+      : stack_(stack), joints_(joints), series_(series) {
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      inertia_ +=
+          2 * stack.blocks[k].mass * (std::abs(series.bodies[k].x[2]) + std::abs(series.bodies[k].y[2]));
+  }
 
   void add_interface(int k) {
     const Joint& joint = joints_[static_cast<std::size_t>(k)];
     if (joint.touch == Touch::flat) {
       add_pressure(k);
     } else if (joint.pivots()) {
-      push(force(k).normal, Change::force, k);
+      push_force(force(k).normal, 1, k);
       push(times(joint.side(), relative_angle(k)), Change::closing, k);
     } else {
       add_landings(k);
     }
     if (!joint.touches()) return;
     if (joint.slip == 0) {
-      const Series limit = times(stack_.friction[static_cast<std::size_t>(k)], force(k).normal);
-      push(sum(limit, times(-1, force(k).tangential)), Change::force, k);
-      push(sum(limit, force(k).tangential), Change::force, k);
+      const double friction = stack_.friction[static_cast<std::size_t>(k)];
+      const Series limit = times(friction, force(k).normal);
+      push_force(sum(limit, times(-1, force(k).tangential)), 1 + friction, k);
+      push_force(sum(limit, force(k).tangential), 1 + friction, k);
     } else {
       push(times(joint.slip, derivative(slip(k))), Change::halt, k);
       if (k > 0) joint.pivots() ? add_pivot_ends(k) : add_flat_ends(k);
@@ -71,6 +77,12 @@ class Collector {
     courses_.push_back({series, change, k, 0, false, {}, {}, 0});
     return courses_.back();
   }
+  /// A force, or one times `factor`. Of blocks that fly side by side it is rounding: no event may come of it.
+  void push_force(const Series& force, double factor, int k) {
+    const double rounding = 1e-14 * factor * inertia_;
+    if (std::any_of(force.begin(), force.end(), [&](double part) { return std::abs(part) > rounding; }))
+      push(force, Change::force, k);
+  }
 
   /// How far the right or left end of the lower face is beyond that of the upper one.
   Series overhang(int k, int side) const {
@@ -89,7 +101,8 @@ class Collector {
     for (const int side : {-1, 1}) {
       Series arm{half_width_of(stack_.blocks, k)};
       if (k > 0 && ends_below(k, side)) arm = line(half_width_of(stack_.blocks, k - 1), -side, slip(k));
-      push(sum(product(force(k).normal, arm), times(side, force(k).moment)), Change::force, k);
+      push_force(sum(product(force(k).normal, arm), times(side, force(k).moment)),
+                 half_width_of(stack_.blocks, k), k);
     }
   }
 
@@ -132,6 +145,7 @@ class Collector {
   const FrictionStack& stack_;
   const std::vector<Joint>& joints_;
   const ModeSeries& series_;
+  double inertia_ = 0;  ///< what all blocks' accelerations take, in the unit of forces
   std::vector<Course> courses_;
 };
 

@@ -76,6 +76,7 @@ bool is_still(const std::vector<Joint>& joints) {
 ContactSolver::ContactSolver(const Scene& scene, const ContactOptions& options)
     : scene_(scene),
       stack_(scene.blocks, options.friction),
+      smooth_(scene.blocks, std::vector<double>(scene.blocks.size(), 0)),
       pieces_(scene),
       chatter_(stack_, scene.gravity, options.resolution),
       sample_times_(options.sample_times) {
@@ -188,8 +189,9 @@ bool ContactSolver::is_fresh(const Course& course) const {
     case Change::halt:
       return slid_[k] == time();
     case Change::closing:
-    case Change::landing:
       return fresh_[k] == time();
+    case Change::landing:
+      return fresh_[k] == time() && (!fresh_of_[k].pivots() || fresh_of_[k].side() == course.side);
     default:
       return false;
   }
@@ -327,10 +329,24 @@ void ContactSolver::handle(const Found& found, const ModeSeries& series) {
   last_decision_ = time();
   const auto passes = [](const Course& course) { return course.change == Change::corner; };
   joints_ = touching;
-  place(stack_.blocks, joints_, bodies_);
+  hold();
   if (std::any_of(found.courses.begin(), found.courses.end(), passes))
     note(ContactEventKind::corner, found.courses.front().interface + 1, before, bodies_.rate);
   decide(before, series.at(found.s + moment_ / series.length), moment_);
+}
+
+/// The velocities that joints leave of these, by impulses without friction: a projection in the metric of
+/// kinetic energy, which never gains any.
+std::vector<BodyPlacement> ContactSolver::held_rates(const std::vector<Joint>& joints) const {
+  return placements_of(respond(smooth_, joints, bodies_, vector_of(bodies_.rate), Sought::velocities).motion);
+}
+
+void ContactSolver::hold() {
+  const std::vector<BodyPlacement> rates = bodies_.rate;
+  place(stack_.blocks, joints_, bodies_);
+  bodies_.rate = rates;
+  bodies_.rate = held_rates(joints_);
+  place(stack_.blocks, joints_, bodies_);
 }
 
 /// A mode after an impact in which what does not slide as it should sticks.
@@ -355,18 +371,17 @@ void ContactSolver::collide(const std::vector<Joint>& before, std::vector<Joint>
   const auto found = find_mode(stack_, touching, bodies_, free, Sought::velocities);
   if (!found) throw std::runtime_error("no impulses end an impact at t = " + std::to_string(time()) + " s");
   std::vector<Joint> mode = *found;
+  bodies_.rate = placements_of(respond(stack_, mode, bodies_, free, Sought::velocities).motion);
   bool closes = false;
   for (std::size_t rounds = 0; rounds <= 4 * mode.size(); ++rounds) {
-    bodies_.rate = placements_of(respond(stack_, mode, bodies_, free, Sought::velocities).motion);
-    const std::vector<Joint> sliding = with_slips(mode);
-    if (!same(sliding, mode)) {
-      mode = sliding;
-      continue;
+    std::vector<Joint> held = with_slips(mode);
+    if (same(held, mode)) {
+      held = chatter_.without_slow(touching, mode, bodies_, free_acceleration(0));
+      if (same(held, mode)) break;
+      closes = true;
     }
-    const std::vector<Joint> held = chatter_.without_slow(touching, mode, bodies_, free_acceleration(0));
-    if (same(held, mode)) break;
     mode = held;
-    closes = true;
+    bodies_.rate = held_rates(mode);
   }
   joints_ = mode;
   place(stack_.blocks, joints_, bodies_);
@@ -478,6 +493,7 @@ void ContactSolver::mark_fresh(const std::vector<Joint>& before) {
 
 void ContactSolver::decide(const std::vector<Joint>& before, const Bodies& moment, double later) {
   decided_ = true;
+  const std::vector<Joint> touching = joints_;
   const FreeVector free = free_acceleration(later);
   std::vector<Joint> joints = later > 0 ? with_fresh(joints_) : joints_;
   const Bodies* at = &moment;
@@ -493,8 +509,8 @@ void ContactSolver::decide(const std::vector<Joint>& before, const Bodies& momen
   const bool others = has_others(joints, *mode, *at, free);
   const std::vector<BodyPlacement> rates = bodies_.rate;
   joints_ = *mode;
-  mark_fresh(joints);
-  place(stack_.blocks, joints_, bodies_);
+  mark_fresh(touching);
+  hold();
   if (!same(before, joints_))
     note(kind_of(before, joints_), lowest_change(before, joints_), before, rates,
          others ? Solutions::several : Solutions::one);

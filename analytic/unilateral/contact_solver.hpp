@@ -36,6 +36,8 @@ class ContactSolver {
   void land_negligible(int interface, std::vector<Joint>& joints) const;
   void close_negligible(std::vector<Joint>& joints) const;
   void collide(const std::vector<Joint>& before, std::vector<Joint> touching, int interface);
+  std::vector<BodyPlacement> held_rates(const std::vector<Joint>& joints) const;
+  void hold();
   std::vector<Joint> with_slips(std::vector<Joint> mode) const;
   /// Decides by the laws of contact for the moment `later`, s.
   void decide(const std::vector<Joint>& before, const Bodies& moment, double later);
@@ -57,6 +59,7 @@ class ContactSolver {
 
   const Scene& scene_;
   FrictionStack stack_;
+  FrictionStack smooth_;  ///< the stack without friction
   GroundPieces<double> pieces_;
   ContactChatter chatter_;
   std::vector<double> toppling_angles_, sample_times_;

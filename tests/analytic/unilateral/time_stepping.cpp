@@ -79,7 +79,8 @@ struct Touching {
 };
 
 /// A corner of the upper block over the lower one's top, or of the lower one under the upper one's bottom.
-void add_corners(const Scene& scene, std::vector<Body>& bodies, std::size_t k, double friction,
+/// `reach` is how far apart, m, counts as touching.
+void add_corners(const Scene& scene, std::vector<Body>& bodies, std::size_t k, double friction, double reach,
                  std::vector<Touching>& touching) {
   const Block& block = scene.blocks[k];
   Body& upper = bodies[k];
@@ -87,17 +88,17 @@ void add_corners(const Scene& scene, std::vector<Body>& bodies, std::size_t k, d
   for (const int side : {-1, 1}) {
     const Vec corner = upper.point(side * block.half_width, -block.half_height);
     if (!lower) {
-      if (corner.y <= 0) touching.push_back({&upper, nullptr, corner, {0, 1}, {1, 0}, friction});
+      if (corner.y <= reach) touching.push_back({&upper, nullptr, corner, {0, 1}, {1, 0}, friction});
       continue;
     }
     const Block& base = scene.blocks[k - 1];
     const Vec on_base{corner.x - lower->at.x, corner.y - lower->at.y};
-    if (dot(on_base, lower->up()) <= base.half_height &&
+    if (dot(on_base, lower->up()) <= base.half_height + reach &&
         std::abs(dot(on_base, lower->along())) <= base.half_width)
       touching.push_back({&upper, lower, corner, lower->up(), lower->along(), friction});
     const Vec other = lower->point(side * base.half_width, base.half_height);
     const Vec on_block{other.x - upper.at.x, other.y - upper.at.y};
-    if (dot(on_block, upper.up()) >= -block.half_height &&
+    if (dot(on_block, upper.up()) + reach >= -block.half_height &&
         std::abs(dot(on_block, upper.along())) <= block.half_width)
       touching.push_back({&upper, lower, other, upper.up(), upper.along(), friction});
   }
@@ -105,7 +106,7 @@ void add_corners(const Scene& scene, std::vector<Body>& bodies, std::size_t k, d
 
 }  // namespace
 
-Bodies time_stepped(const Scene& scene, const ContactOptions& options, double step) {
+Bodies time_stepped(const Scene& scene, const ContactOptions& options, double step, double stop) {
   ContactOptions none = options;
   Scene start = scene;
   start.duration = 1e-9 * scene.duration;
@@ -130,6 +131,8 @@ Bodies time_stepped(const Scene& scene, const ContactOptions& options, double st
   };
   const auto steps = static_cast<int>(std::lround(scene.duration / step));
   const double length = scene.duration / steps;
+  // A share of a step's fall, so that what sweeps leave out does not decide whether a resting corner touches.
+  const double reach = 1e-3 * scene.gravity * length * length;
   std::vector<Touching> touching;
   for (int i = 0; i < steps; ++i) {
     move(length / 2);
@@ -140,13 +143,13 @@ Bodies time_stepped(const Scene& scene, const ContactOptions& options, double st
     }
     touching.clear();
     for (std::size_t k = 0; k < bodies.size(); ++k)
-      add_corners(scene, bodies, k, options.friction[k], touching);
+      add_corners(scene, bodies, k, options.friction[k], reach, touching);
     double scale = 0;
     for (const Body& body : bodies) scale += body.mass * scene.gravity * length;
     for (int sweep = 0; sweep < 1000; ++sweep) {
       double change = 0;
       for (Touching& point : touching) change += point.relax();
-      if (change <= 1e-9 * scale) break;
+      if (change <= stop * scale) break;
     }
     move(length / 2);
   }
