@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "analytic/unilateral/complementarity.hpp"
@@ -11,49 +12,9 @@ namespace {
 
 using Row = Eigen::RowVectorXd;
 
-/// The unknown forces of an interface that touches, with their gradients.
-struct Contact2D {
-  int interface;
-  std::vector<Row> normals;  ///< of one or two points: left end first
-  std::vector<double> normal_biases;
-  Row slip;
-  double slip_bias;
-  double friction;
-};
-
-Row angle_row(const FrictionStack& stack, int interface) {
-  Row row = Row::Zero(Eigen::Index{3} * stack.size());
-  row[Eigen::Index{3} * interface + 2] = 1;
-  if (interface > 0) row[Eigen::Index{3} * interface - 1] = -1;
-  return row;
-}
-
-std::vector<Contact2D> contacts_of(const FrictionStack& stack, const std::vector<Joint>& joints,
-                                   const Bodies& bodies, Sought sought) {
-  std::vector<Contact2D> contacts;
-  const double bias = sought == Sought::accelerations ? 1 : 0;
-  for (int k = 0; k < stack.size(); ++k) {
-    const auto index = static_cast<std::size_t>(k);
-    const Joint& joint = joints[index];
-    if (!joint.touches()) continue;
-    const PointRows rows = rows_of(stack.blocks, bodies, held_point(stack.blocks, k, joint));
-    Contact2D contact{k, {}, {}, rows.slip_row, bias * rows.slip_bias, stack.friction[index]};
-    if (joint.touch == Touch::flat) {
-      const Overlap ends = overlap(stack, k, joint.offset);
-      const Row turn = angle_row(stack, k);
-      contact.normals = {rows.gap_row - ends.left * turn, rows.gap_row - ends.right * turn};
-    } else {
-      contact.normals = {rows.gap_row};
-    }
-    contact.normal_biases.assign(contact.normals.size(), bias * rows.gap_bias);
-    contacts.push_back(std::move(contact));
-  }
-  return contacts;
-}
-
 /// A mode from what is active: which points push, and which way the interface slides.
-void set_mode(const FrictionStack& stack, const Contact2D& contact, const std::vector<bool>& pushes, int slip,
-              Joint& joint) {
+void set_mode(const FrictionStack& stack, const TouchingPoints& contact, const std::vector<bool>& pushes,
+              int slip, Joint& joint) {
   const bool any = std::find(pushes.begin(), pushes.end(), true) != pushes.end();
   if (!any) {
     joint.touch = Touch::apart;
@@ -66,48 +27,15 @@ void set_mode(const FrictionStack& stack, const Contact2D& contact, const std::v
   joint.corner_below = corner_is_below(stack, contact.interface, joint.offset, joint.side());
 }
 
-/// Unknowns λ with their gradients as rows, what they do as columns, and what else stands in the problem.
-struct Problem {
-  std::vector<Row> gradients, actions;
-  std::vector<double> biases;
-
-  void add(const Row& gradient, const Row& action, double bias) {
-    gradients.push_back(gradient);
-    actions.push_back(action);
-    biases.push_back(bias);
-  }
-  Eigen::Index size() const { return static_cast<Eigen::Index>(gradients.size()); }
-  Eigen::MatrixXd matrix(const FrictionStack& stack) const {
-    Eigen::MatrixXd result(size(), size());
-    for (Eigen::Index i = 0; i < size(); ++i)
-      for (Eigen::Index j = 0; j < size(); ++j)
-        result(i, j) = (gradients[static_cast<std::size_t>(i)].array() *
-                        stack.inverse_mass.transpose().array() * actions[static_cast<std::size_t>(j)].array())
-                           .sum();
-    return result;
-  }
-  Eigen::VectorXd free(const FreeVector& motion) const {
-    Eigen::VectorXd result(size());
-    for (Eigen::Index i = 0; i < size(); ++i)
-      result[i] = gradients[static_cast<std::size_t>(i)].dot(motion) + biases[static_cast<std::size_t>(i)];
-    return result;
-  }
-};
-
 constexpr double round_off = 1e-12;
-
-/// The slip of an interface before: a direction, or 0 where it is to be found.
-int slip_before(const Joint& joint, Sought sought) {
-  return sought == Sought::velocities ? 0 : joint.slip;
-}
 
 /// The mode in which all that sticks goes on to, if its forces allow that.
 std::optional<std::vector<Joint>> sticking_mode(const FrictionStack& stack, const std::vector<Joint>& joints,
-                                                const std::vector<Contact2D>& contacts,
+                                                const std::vector<TouchingPoints>& contacts,
                                                 const FreeVector& free, Sought sought) {
-  Problem held, points;
+  ContactProblem held, points;
   std::vector<Eigen::Index> held_at;
-  for (const Contact2D& contact : contacts) {
+  for (const TouchingPoints& contact : contacts) {
     const int slip = slip_before(joints[static_cast<std::size_t>(contact.interface)], sought);
     held_at.push_back(slip == 0 ? held.size() : -1);
     if (slip == 0) held.add(contact.slip, contact.slip, contact.slip_bias);
@@ -116,7 +44,7 @@ std::optional<std::vector<Joint>> sticking_mode(const FrictionStack& stack, cons
                  contact.normal_biases[i]);
   }
   const Eigen::Index held_size = held.size();
-  Problem all = held;
+  ContactProblem all = held;
   for (std::size_t i = 0; i < points.gradients.size(); ++i)
     all.add(points.gradients[i], points.actions[i], points.biases[i]);
   const Eigen::MatrixXd matrix = all.matrix(stack);
@@ -145,7 +73,7 @@ std::optional<std::vector<Joint>> sticking_mode(const FrictionStack& stack, cons
   std::vector<Joint> mode = joints;
   Eigen::Index at = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Contact2D& contact = contacts[c];
+    const TouchingPoints& contact = contacts[c];
     Joint& joint = mode[static_cast<std::size_t>(contact.interface)];
     std::vector<bool> pushes;
     double normal = 0;
@@ -163,12 +91,12 @@ std::optional<std::vector<Joint>> sticking_mode(const FrictionStack& stack, cons
 
 /// A mode by Lemke's method, for each interface points, friction to the right and to the left, and slip.
 std::optional<std::vector<Joint>> rubbing_mode(const FrictionStack& stack, const std::vector<Joint>& joints,
-                                               const std::vector<Contact2D>& contacts, const FreeVector& free,
-                                               Sought sought) {
-  Problem problem;
+                                               const std::vector<TouchingPoints>& contacts,
+                                               const FreeVector& free, Sought sought) {
+  ContactProblem problem;
   std::vector<Eigen::Index> cones;  // of each contact: where its friction stands, or −1
   const Row none = Row::Zero(Eigen::Index{3} * stack.size());
-  for (const Contact2D& contact : contacts) {
+  for (const TouchingPoints& contact : contacts) {
     const int slip = slip_before(joints[static_cast<std::size_t>(contact.interface)], sought);
     for (std::size_t i = 0; i < contact.normals.size(); ++i)
       problem.add(contact.normals[i], contact.normals[i] - contact.friction * slip * contact.slip,
@@ -211,97 +139,33 @@ std::optional<std::vector<Joint>> rubbing_mode(const FrictionStack& stack, const
   return mode;
 }
 
+/// Of all modes that obey, the one whose forces change the motion least.
+std::optional<std::vector<Joint>> nearest_mode(const FrictionStack& stack, const std::vector<Joint>& joints,
+                                               const Bodies& bodies, const FreeVector& free, Sought sought) {
+  constexpr std::size_t most = 100000;
+  std::optional<std::vector<Joint>> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (auto& mode : modes_that_obey(stack, joints, bodies, free, sought, most)) {
+    const FreeVector change = respond(stack, mode, bodies, free, sought).motion - free;
+    const double size = change.cwiseAbs2().cwiseQuotient(stack.inverse_mass).sum();
+    if (!(size < least)) continue;
+    least = size;
+    nearest = std::move(mode);
+  }
+  return nearest;
+}
+
 }  // namespace
-
-FrictionStack::FrictionStack(std::vector<Block> stacked, std::vector<double> coefficients)
-    : blocks(std::move(stacked)),
-      friction(std::move(coefficients)),
-      inverse_mass(3 * static_cast<Eigen::Index>(blocks.size())) {
-  for (int k = 0; k < size(); ++k) {
-    const Block& block = blocks[static_cast<std::size_t>(k)];
-    inverse_mass.segment<3>(Eigen::Index{3} * k) << 1 / block.mass, 1 / block.mass, 1 / block.inertia;
-  }
-}
-
-Overlap overlap(const FrictionStack& stack, int interface, double offset) {
-  const double upper = half_width_of(stack.blocks, interface);
-  const double lower = half_width_of(stack.blocks, interface - 1);
-  return {std::max(-upper, -lower - offset), std::min(upper, lower - offset)};
-}
-
-bool corner_is_below(const FrictionStack& stack, int interface, double offset, int side) {
-  return half_width_of(stack.blocks, interface - 1) - side * offset < half_width_of(stack.blocks, interface);
-}
-
-ModeResponse respond(const FrictionStack& stack, const std::vector<Joint>& joints, const Bodies& bodies,
-                     const FreeVector& free, Sought sought) {
-  Problem problem;
-  const double bias = sought == Sought::accelerations ? 1 : 0;
-  for (int k = 0; k < stack.size(); ++k) {
-    const auto index = static_cast<std::size_t>(k);
-    const Joint& joint = joints[index];
-    if (!joint.touches()) continue;
-    const PointRows rows = rows_of(stack.blocks, bodies, held_point(stack.blocks, k, joint));
-    // Turned by its half-width, all rows are of one unit.
-    const Row turn = half_width_of(stack.blocks, k) * angle_row(stack, k);
-    if (joint.touch == Touch::flat) problem.add(turn, turn, 0);
-    problem.add(rows.gap_row, rows.gap_row - joint.slip * stack.friction[index] * rows.slip_row,
-                bias * rows.gap_bias);
-    if (joint.slip == 0) problem.add(rows.slip_row, rows.slip_row, bias * rows.slip_bias);
-  }
-  ModeResponse response{free, std::vector<ContactForce>(joints.size())};
-  if (problem.size() == 0) return response;
-  const Eigen::VectorXd forces =
-      Eigen::PartialPivLU<Eigen::MatrixXd>(problem.matrix(stack)).solve(-problem.free(free));
-  for (Eigen::Index i = 0; i < forces.size(); ++i)
-    response.motion +=
-        forces[i] * stack.inverse_mass.cwiseProduct(problem.actions[static_cast<std::size_t>(i)].transpose());
-  Eigen::Index at = 0;
-  for (std::size_t k = 0; k < joints.size(); ++k) {
-    if (!joints[k].touches()) continue;
-    ContactForce& force = response.forces[k];
-    if (joints[k].touch == Touch::flat) force.moment = forces[at++] * stack.blocks[k].half_width;
-    force.normal = forces[at++];
-    force.tangential =
-        joints[k].slip == 0 ? forces[at++] : -joints[k].slip * stack.friction[k] * force.normal;
-  }
-  return response;
-}
 
 std::optional<std::vector<Joint>> find_mode(const FrictionStack& stack, const std::vector<Joint>& joints,
                                             const Bodies& bodies, const FreeVector& free, Sought sought) {
-  const std::vector<Contact2D> contacts = contacts_of(stack, joints, bodies, sought);
+  const std::vector<TouchingPoints> contacts = touching_points(stack, joints, bodies, sought);
   if (contacts.empty()) return joints;
   if (auto mode = sticking_mode(stack, joints, contacts, free, sought)) return mode;
-  return rubbing_mode(stack, joints, contacts, free, sought);
-}
-
-bool obeys(const FrictionStack& stack, const std::vector<Joint>& joints, const std::vector<Joint>& mode,
-           const Bodies& bodies, const FreeVector& free, Sought sought) {
-  const ModeResponse response = respond(stack, mode, bodies, free, sought);
-  double size = 0;
-  for (const ContactForce& force : response.forces)
-    size = std::max({size, std::abs(force.normal), std::abs(force.tangential)});
-  const double motion_rounding = 1e-9 * free.lpNorm<Eigen::Infinity>();
-  const double force_rounding = 1e-9 * size;
-  for (const Contact2D& contact : contacts_of(stack, joints, bodies, sought)) {
-    const auto index = static_cast<std::size_t>(contact.interface);
-    const Joint& joint = mode[index];
-    const ContactForce& force = response.forces[index];
-    for (std::size_t i = 0; i < contact.normals.size(); ++i)
-      if (contact.normals[i].dot(response.motion) + contact.normal_biases[i] < -motion_rounding) return false;
-    if (force.normal < -force_rounding) return false;
-    if (std::abs(force.tangential) > contact.friction * force.normal + force_rounding) return false;
-    if (joint.touch == Touch::flat) {
-      const Overlap ends = overlap(stack, contact.interface, joint.offset);
-      if (force.normal * ends.right + force.moment < -force_rounding * (ends.right - ends.left)) return false;
-      if (-force.moment - force.normal * ends.left < -force_rounding * (ends.right - ends.left)) return false;
-    }
-    const double slip = contact.slip.dot(response.motion) + contact.slip_bias;
-    if (joint.slip != 0 && slip_before(joints[index], sought) == 0 && slip * joint.slip < -motion_rounding)
-      return false;
-  }
-  return true;
+  auto mode = rubbing_mode(stack, joints, contacts, free, sought);
+  if (mode && obeys(stack, joints, *mode, bodies, free, sought)) return mode;
+  auto other = nearest_mode(stack, joints, bodies, free, sought);
+  return other ? other : mode;
 }
 
 }  // namespace rockstack

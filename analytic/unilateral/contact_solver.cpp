@@ -427,46 +427,22 @@ std::vector<Joint> ContactSolver::follow_without_solution(const std::vector<Join
 
 bool ContactSolver::has_others(const std::vector<Joint>& joints, const std::vector<Joint>& mode,
                                const Bodies& moment, const FreeVector& free) const {
-  std::vector<std::vector<Joint>> candidates{mode};
-  std::size_t touching = 0;
-  bool coupled = false;
-  for (std::size_t k = 0; k < joints.size(); ++k) {
-    const Joint& joint = joints[k];
-    if (!joint.touches()) continue;
-    ++touching;
+  const auto coupled = [&](std::size_t k) {
     const PointRows rows =
-        rows_of(stack_.blocks, moment, held_point(stack_.blocks, static_cast<int>(k), joint));
+        rows_of(stack_.blocks, moment, held_point(stack_.blocks, static_cast<int>(k), joints[k]));
     const auto dot = [&](const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) {
       return (a.array() * stack_.inverse_mass.transpose().array() * b.array()).sum();
     };
-    if (joint.pivots() &&
-        dot(rows.gap_row, rows.gap_row) <= stack_.friction[k] * std::abs(dot(rows.gap_row, rows.slip_row)))
-      coupled = true;
-    std::vector<std::vector<Joint>> longer;
-    for (const auto& candidate : candidates) {
-      for (const Touch touch : {Touch::apart, Touch::left, Touch::flat, Touch::right}) {
-        if (joint.pivots() && touch != joint.touch && touch != Touch::apart) continue;
-        for (const int slip : {-1, 0, 1}) {
-          if (touch == Touch::apart ? slip != 0 : joint.slip != 0 && slip != joint.slip) continue;
-          std::vector<Joint> next = candidate;
-          next[k].touch = touch;
-          next[k].slip = slip;
-          if (joint.touch == Touch::flat && next[k].pivots())
-            next[k].corner_below = corner_is_below(stack_, static_cast<int>(k), joint.offset, next[k].side());
-          longer.push_back(std::move(next));
-        }
-      }
-    }
-    candidates = std::move(longer);
-    if (candidates.size() > 200) return false;
-  }
-  if (!coupled || touching == 0) return false;
+    return dot(rows.gap_row, rows.gap_row) <= stack_.friction[k] * std::abs(dot(rows.gap_row, rows.slip_row));
+  };
+  bool any = false;
+  for (std::size_t k = 0; k < joints.size(); ++k) any = any || (joints[k].pivots() && coupled(k));
+  if (!any) return false;
+  constexpr std::size_t most = 200;
   const FreeVector motion = respond(stack_, mode, moment, free, Sought::accelerations).motion;
-  for (const auto& candidate : candidates) {
-    if (same(candidate, mode) || !obeys(stack_, joints, candidate, moment, free, Sought::accelerations))
-      continue;
-    const FreeVector other = respond(stack_, candidate, moment, free, Sought::accelerations).motion;
-    if ((other - motion).lpNorm<Eigen::Infinity>() > 1e-6 * free.lpNorm<Eigen::Infinity>()) return true;
+  for (const auto& other : modes_that_obey(stack_, joints, moment, free, Sought::accelerations, most)) {
+    const FreeVector otherwise = respond(stack_, other, moment, free, Sought::accelerations).motion;
+    if ((otherwise - motion).lpNorm<Eigen::Infinity>() > 1e-6 * free.lpNorm<Eigen::Infinity>()) return true;
   }
   return false;
 }
