@@ -69,6 +69,7 @@ Wanted read_wanted(const Node& array) {
 /// Those of some names, or the first solver of every engine of this build.
 std::vector<const WorkerEngine*> chosen_engines(const std::vector<std::string>& names) {
   std::vector<const WorkerEngine*> list;
+  list.reserve(names.size());
   for (const std::string& name : names) list.push_back(&find_engine(name));
   if (!names.empty()) return list;
   for (const WorkerEngine& engine : engines()) {
