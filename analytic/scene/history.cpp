@@ -5,12 +5,13 @@
 namespace rockstack {
 
 std::string name(EventKind kind) {
-  static constexpr std::array names{"opening", "impact", "closure", "rest", "topple"};
+  static constexpr std::array names{"opening",  "impact", "closure", "rest",   "topple",
+                                    "lift-off", "slip",   "stick",   "corner", "fall"};
   return names[static_cast<std::size_t>(kind)];
 }
 
 std::string name(Consistency consistency) {
-  static constexpr std::array names{"consistent", "other", "none"};
+  static constexpr std::array names{"consistent", "other", "none", "several"};
   return names[static_cast<std::size_t>(consistency)];
 }
 

@@ -17,15 +17,24 @@ enum class EventKind {
   closure,  ///< the last of ever smaller impacts: the interface stays closed
   rest,     ///< a closure after which no interface is open
   topple,   ///< a block passes its toppling angle; the history ends
+  // Law `unilateral` alone:
+  lift_off,  ///< blocks part, without impact
+  slip,      ///< what stuck starts to slide
+  stick,     ///< what slid sticks, or slides back
+  corner,    ///< a corner passes the end of a face: the contact goes on at another corner, or parts
+  fall,      ///< a block leaves the face that it was over; the history ends
 };
 
 std::string name(EventKind kind);
 
-/// Whether the pattern that was chosen after an impact is one that pushing impulses can bring about.
+/// Whether the pattern that was chosen after an event is one that the laws of contact allow, and the only
+/// one.
 enum class Consistency {
   consistent,  ///< the chosen pattern is the consistent one (or no impact took place)
   other,       ///< another pattern would have been consistent
-  none,        ///< no pattern is: the blocks would have to lift off
+  none,        ///< no pattern is: the blocks would have to lift off; or, of law `unilateral`, no forces let
+               ///< the motion go on, and an impulse does (Painlevé)
+  several,     ///< of law `unilateral`: more than one motion obeys all laws, and one of them follows
 };
 
 std::string name(Consistency consistency);
@@ -80,6 +89,10 @@ struct BasicHistory {
   /// Openings under tension: either side would do as well, and the one that was taken is as good as the
   /// other.
   std::vector<BasicGraze<Real>> choices;
+  /// Of law `unilateral`, times.size() × blocks each, m, or empty: how far each block has slipped to the
+  /// right along what is below it; the gap between them; the centre of each block, x and y in turn, from the
+  /// middle of the ground's interface.
+  std::vector<Real> slips, gaps, places;
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
   std::vector<BasicDemand<Real>> forces;    ///< one an interface, of the motion; empty unless asked for
   std::vector<BasicDemand<Real>> impulses;  ///< likewise, of the impacts

@@ -10,8 +10,9 @@ namespace rockstack {
 /// The most blocks a stack may have. States and patterns live on the stack memory up to this size.
 inline constexpr int max_blocks = 32;
 
-/// How an interface touches: closed (along its whole width), or open with the pivot at its left or right end.
-enum class Contact : std::int8_t { left = -1, closed = 0, right = 1 };
+/// How an interface touches: closed (along its whole width), or open with the pivot at its left or right end;
+/// or, under law `unilateral`, not at all.
+enum class Contact : std::int8_t { left = -1, closed = 0, right = 1, apart = 2 };
 
 inline int sign(Contact contact) {
   return static_cast<int>(contact);
@@ -28,12 +29,14 @@ inline Contact contact_of(int sign) {
 struct Pattern {
   int size = 0;  ///< number of blocks, 0 … max_blocks
   std::array<Contact, max_blocks> contacts{};
+  std::array<std::int8_t, max_blocks> slides{};  ///< the way each slides, 1 to the right; 0: it does not
 
   Contact& operator[](int interface) { return contacts[static_cast<std::size_t>(interface)]; }
   Contact operator[](int interface) const { return contacts[static_cast<std::size_t>(interface)]; }
   bool operator==(const Pattern& other) const {
     return size == other.size &&
-           std::equal(contacts.begin(), contacts.begin() + size, other.contacts.begin());
+           std::equal(contacts.begin(), contacts.begin() + size, other.contacts.begin()) &&
+           std::equal(slides.begin(), slides.begin() + size, other.slides.begin());
   }
 };
 
@@ -49,7 +52,8 @@ inline bool is_closed(const Pattern& pattern) {
 }
 
 /// The name of a pattern: for two blocks that of Spanos et al. 2001, Fig. 2 ("1a" … "4b", "rest"); otherwise
-/// a letter an interface from the ground up, L, C or R.
+/// a letter an interface from the ground up, L, C or R, and "-" where it is apart; "<" or ">" after it shows
+/// the way that it slides.
 std::string name(const Pattern& pattern);
 
 }  // namespace rockstack

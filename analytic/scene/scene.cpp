@@ -1,6 +1,7 @@
 #include "analytic/scene/scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -88,6 +89,7 @@ void validate_initial(const Scene& scene) {
   };
   check("initial.angles", scene.initial.angles);
   check("initial.velocities", scene.initial.velocities);
+  if (!scene.initial.slip_velocities.empty()) check("initial.slip_velocities", scene.initial.slip_velocities);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const double limit = toppling_angle(scene, static_cast<int>(k));
     if (std::abs(scene.initial.angles[k]) >= limit) {
@@ -96,6 +98,34 @@ void validate_initial(const Scene& scene) {
           "between ±" + number_text(limit) + " for block " + std::to_string(k + 1) + ", its toppling angle");
     }
   }
+}
+
+void validate_friction(const std::vector<double>& friction, std::size_t blocks) {
+  if (friction.empty()) return;
+  if (friction.size() != blocks)
+    throw FieldError("contact.friction", "an array of " + std::to_string(friction.size()),
+                     "a number, or as many as there are blocks, " + std::to_string(blocks));
+  for (std::size_t k = 0; k < blocks; ++k) {
+    if (!(friction[k] >= 0 && friction[k] <= largest_friction))
+      throw FieldError("contact.friction." + std::to_string(k + 1), number_text(friction[k]),
+                       "a number from 0 to " + number_text(largest_friction));
+  }
+}
+
+/// Of what is made for some laws alone.
+void validate_law(const Scene& scene) {
+  if (scene.law != Law::unilateral) {
+    const std::vector<double>& slips = scene.initial.slip_velocities;
+    if (std::any_of(slips.begin(), slips.end(), [](double slip) { return slip != 0; }))
+      throw FieldError("initial.slip_velocities", "not all 0",
+                       std::string("all 0 under law ") + name(scene.law) + ", where nothing slips");
+    return;
+  }
+  if (scene.equations != Equations::nonlinear)
+    throw FieldError("equations", scene.equations == Equations::linear ? "linear" : "small-angle",
+                     "nonlinear under law unilateral");
+  if (!scene.restitution.empty())
+    throw FieldError("restitution", "an array", "left out under law unilateral, where friction decides");
 }
 
 void validate_pulse(const Pulse& pulse, const std::string& key) {
@@ -140,7 +170,8 @@ void validate_duration(const Scene& scene) {
 }  // namespace
 
 const char* name(Law law) {
-  return law == Law::paper ? "paper" : "consistent";
+  static constexpr std::array names{"paper", "consistent", "unilateral"};
+  return names[static_cast<std::size_t>(law)];
 }
 
 double rectangle_inertia(double mass, double half_width, double half_height) {
@@ -150,6 +181,11 @@ double rectangle_inertia(double mass, double half_width, double half_height) {
 Block make_block(double width, double height, double density) {
   const double mass = density * width * height;
   return {width / 2, height / 2, mass, rectangle_inertia(mass, width / 2, height / 2)};
+}
+
+std::vector<double> friction_of(const Scene& scene) {
+  return scene.friction.empty() ? std::vector<double>(scene.blocks.size(), scene.engine.friction)
+                                : scene.friction;
 }
 
 Gravity gravity_of(const Scene& scene) {
@@ -184,6 +220,8 @@ void validate(const Scene& scene) {
   }
   validate_off_middle(scene);
   validate_restitution(scene);
+  validate_law(scene);
+  validate_friction(scene.friction, scene.blocks.size());
   validate_inclination(scene);
   validate_initial(scene);
   validate_motion(scene.horizontal, "ground.horizontal");

@@ -40,8 +40,12 @@ double rectangle_inertia(double mass, double half_width, double half_height);
 /// A uniform block of the given width and height in m and density in kg/m³ per metre of depth.
 Block make_block(double width, double height, double density);
 
-/// Which pattern follows an impact; see analytic/mechanics/impact.hpp.
-enum class Law { paper, consistent };
+/// The model of contact: which pattern follows an impact, and whether blocks may do more than turn.
+enum class Law {
+  paper,       ///< pivots; the paper's order of trials, see analytic/mechanics/impact.hpp
+  consistent,  ///< pivots; the pattern that pushing impulses can bring about, see there
+  unilateral,  ///< blocks push, rub by Coulomb's law, slip and lift off, see analytic/unilateral/
+};
 
 /// As scene files have it.
 const char* name(Law law);
@@ -58,6 +62,8 @@ enum class Equations {
 struct InitialState {
   std::vector<double> angles;      ///< rad, one a block, clockwise positive
   std::vector<double> velocities;  ///< rad/s, one a block
+  /// Of each block along what is below it, m/s, to the right positive, or none; law `unilateral` alone.
+  std::vector<double> slip_velocities = {};
 };
 
 /// What engines need and the exact model does not.
@@ -82,11 +88,20 @@ struct Scene {
   /// impacts, and all without it, have the ratio of the law.
   std::vector<double> restitution = {};
   std::vector<Block> blocks;  ///< bottom to top, 1 … max_blocks
+  /// Coulomb's coefficient of each interface, from the ground up, 0 … largest_friction; none:
+  /// engine.friction.
+  std::vector<double> friction = {};
   InitialState initial;
   GroundMotion horizontal;  ///< ẍg, positive to the right
   GroundMotion vertical;    ///< ÿg, positive up
   EngineSurface engine;
 };
+
+/// More friction than this is not told from it.
+inline constexpr double largest_friction = 1000;
+
+/// Coulomb's coefficient of each interface, from the ground up.
+std::vector<double> friction_of(const Scene& scene);
 
 /// Gravity in the ground's axes, along it to the right and across it downwards, m/s².
 struct Gravity {

@@ -13,9 +13,9 @@ namespace rockstack {
 template <class Real, int N>
 class Recorder {
  public:
-  /// Keeps references to `model` and `options`; `friction` is what surfaces have.
-  Recorder(const Model<Real, N>& model, const SolveOptions& options, const Real& friction)
-      : model_(model), options_(options), friction_(friction) {
+  /// Keeps references to `model` and `options`; `friction` is what each interface has.
+  Recorder(const Model<Real, N>& model, const SolveOptions& options, const std::vector<double>& friction)
+      : model_(model), options_(options), friction_(friction.begin(), friction.end()) {
     const int size = model.stack.size();
     rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model.gravity * model.stack.mass.sum());
     using std::sqrt;
@@ -147,15 +147,15 @@ class Recorder {
                           friction_, start);
     for (std::size_t k = 0; k < history_.forces.size(); ++k)
       if (!cleared.test(k))
-        note_demand_along(history_.forces[k], output.forces[k], s, rounding_, friction_, start,
+        note_demand_along(history_.forces[k], output.forces[k], s, rounding_, friction_[k], start,
                           output.length);
   }
 
   const Model<Real, N>& model_;
   const SolveOptions& options_;
-  Real friction_;              ///< that surfaces have
-  Real rounding_{};            ///< of forces, N
-  Real negligible_impulse_{};  ///< N·s
+  std::vector<Real> friction_;  ///< that each interface has
+  Real rounding_{};             ///< of forces, N
+  Real negligible_impulse_{};   ///< N·s
   std::size_t next_sample_ = 0;
   BasicHistory<Real> history_;
 };

@@ -31,7 +31,7 @@ class Solver {
         model_(make_model<Real, N>(scene)),
         pieces_(scene),
         steps_(model_, options),
-        recorder_(model_, options, Real(scene.engine.friction)),
+        recorder_(model_, options, friction_of(scene)),
         stall_guard_(model_),
         ties_(model_),
         resting_(model_),

@@ -50,7 +50,7 @@ void note_first(BasicDemand<Real>& demand, const Real& available, const Real& pu
 /// Takes a solution into account, but for interfaces that bear no more than is negligible.
 template <class Real, int N>
 void note_demands(std::vector<BasicDemand<Real>>& demands, const PatternSolution<Real, N>& solution,
-                  const Real& negligible, const Real& available, const Real& time) {
+                  const Real& negligible, const std::vector<Real>& available, const Real& time) {
   using std::abs;
   for (int k = 0; k < solution.pattern.size; ++k) {
     const Real& normal = solution.reactions.normal[k];
@@ -58,7 +58,8 @@ void note_demands(std::vector<BasicDemand<Real>>& demands, const PatternSolution
     if (abs(normal) <= negligible && abs(tangential) <= negligible) continue;
     BasicDemand<Real>& demand = demands[static_cast<std::size_t>(k)];
     note_demand(demand, normal, tangential, solution.rounding[k], time);
-    if (first_to_note(demand, available)) note_first(demand, available, time, time);
+    const Real& friction = available[static_cast<std::size_t>(k)];
+    if (first_to_note(demand, friction)) note_first(demand, friction, time, time);
   }
 }
 

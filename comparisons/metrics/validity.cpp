@@ -25,6 +25,7 @@ Json demand_json(const Demand& demand) {
 
 void add_warnings(const Scene& scene, const std::vector<Demand>& demands, const char* what, const char* unit,
                   std::vector<std::string>& lines) {
+  const std::vector<double> friction = friction_of(scene);
   for (std::size_t k = 0; k < demands.size(); ++k) {
     const Demand& demand = demands[k];
     if (demand.least_normal < 0) {
@@ -32,11 +33,11 @@ void add_warnings(const Scene& scene, const std::vector<Demand>& demands, const 
           "interface {} would have to pull, normal {} {:.4g} {} at t = {:.6g} s: blocks would lift off, "
           "first at t = {:.6g} s",
           k + 1, what, demand.least_normal, unit, demand.least_normal_time, demand.first_pull_time));
-    } else if (demand.friction > scene.engine.friction) {
+    } else if (demand.friction > friction[k]) {
       lines.push_back(fmt::format(
           "interface {} needs friction {:.4g} for the {} at t = {:.6g} s, the scene has {}: "
           "blocks would slip, first at t = {:.6g} s",
-          k + 1, demand.friction, what, demand.friction_time, scene.engine.friction, demand.first_slip_time));
+          k + 1, demand.friction, what, demand.friction_time, friction[k], demand.first_slip_time));
     }
   }
 }

@@ -10,7 +10,7 @@ namespace rockstack {
 namespace {
 
 /// Begins every message: "rockstk" and the version of the form.
-constexpr std::int64_t mark = 0x726f636b73746b04;
+constexpr std::int64_t mark = 0x726f636b73746b05;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ auto fields(Is<GroundMotion> auto& motion) {
 }
 
 auto fields(Is<InitialState> auto& state) {
-  return std::tie(state.angles, state.velocities);
+  return std::tie(state.angles, state.velocities, state.slip_velocities);
 }
 
 auto fields(Is<EngineSurface> auto& surface) {
@@ -41,7 +41,7 @@ auto fields(Is<EngineSurface> auto& surface) {
 auto fields(Is<Scene> auto& scene) {
   return std::tie(scene.title, scene.duration, scene.gravity, scene.inclination, scene.law, scene.equations,
                   scene.restitution, scene.blocks, scene.initial, scene.horizontal, scene.vertical,
-                  scene.engine);
+                  scene.friction, scene.engine);
 }
 
 auto fields(Is<Setting> auto& setting) {

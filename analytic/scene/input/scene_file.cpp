@@ -55,6 +55,7 @@ InitialState read_initial(const Node& root, std::size_t size) {
   require_table(*table, initial_keys);
   if (const Node* angles = find(*table, "angles")) initial.angles = numbers(*angles);
   if (const Node* velocities = find(*table, "velocities")) initial.velocities = numbers(*velocities);
+  if (const Node* slips = find(*table, "slip_velocities")) initial.slip_velocities = numbers(*slips);
   return initial;
 }
 
@@ -69,6 +70,17 @@ void read_ground(const SceneDocument& document, MotionLibrary& library, Scene& s
   if (const Node* table = find(*ground, "vertical")) {
     scene.vertical = read_ground_motion(*table, document.folder, library);
   }
+}
+
+/// Of each interface: the numbers given, or the one number for all.
+std::vector<double> read_friction(const Node& root, std::size_t size) {
+  const Node* table = find(root, "contact");
+  if (table == nullptr) return {};
+  require_table(*table, contact_keys);
+  const Node* friction = find(*table, "friction");
+  if (friction == nullptr) return {};
+  if (friction->kind == Node::Kind::array) return numbers(*friction);
+  return std::vector<double>(size, number(*friction));
 }
 
 EngineSurface read_engine(const Node& root) {
@@ -90,7 +102,8 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
   scene.duration = required_number(root, "duration");
   scene.gravity = number_or(root, "gravity", scene.gravity);
   if (const Node* law = find(root, "law")) {
-    scene.law = choice<Law>(*law, {{"paper", Law::paper}, {"consistent", Law::consistent}});
+    scene.law = choice<Law>(
+        *law, {{"paper", Law::paper}, {"consistent", Law::consistent}, {"unilateral", Law::unilateral}});
   }
   if (const Node* equations = find(root, "equations")) {
     scene.equations = choice<Equations>(*equations, {{"nonlinear", Equations::nonlinear},
@@ -104,6 +117,7 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
   scene.blocks = read_blocks(root);
   scene.initial = read_initial(root, scene.blocks.size());
   read_ground(document, library, scene);
+  scene.friction = read_friction(root, scene.blocks.size());
   scene.engine = read_engine(root);
   return scene;
 }

@@ -12,8 +12,10 @@ inline constexpr KeyTable scene_keys{
     {{"title", "\"Two blocks\"", "", "a text", "the name of the file", "heads tables and figures"},
      {"duration", "5.0", "s", "> 0, up to 10⁷ √(size/acceleration)", required_key, "of the motion"},
      {"gravity", "9.81", "m/s²", "> 0", "9.81", "acceleration of gravity, downwards"},
-     {"law", "\"consistent\"", "", "\"consistent\" or \"paper\"", "\"consistent\"",
-      "which pattern follows an impact: one whose impulses push, as engines have it, or that of the paper"},
+     {"law", "\"consistent\"", "", "\"consistent\", \"paper\" or \"unilateral\"", "\"consistent\"",
+      "of contact: pivots, with impacts whose impulses push or those of the paper; or blocks that rub, slip, "
+      "lift "
+      "off and land"},
      {"equations", "\"nonlinear\"", "", "\"nonlinear\", \"linear\" or \"small-angle\"", "\"nonlinear\"",
       "of motion: in full; with geometry frozen upright, Eqs. (19)–(28) of the paper; or the usual linear "
       "ones, "
@@ -21,6 +23,7 @@ inline constexpr KeyTable scene_keys{
      {"blocks", "", "", "1 to 32 tables [[blocks]]", required_key, "the stack"},
      {"initial", "", "", "a table [initial]", no_default, "how it starts"},
      {"ground", "", "", "tables [ground.horizontal], [ground.vertical]", no_default, "how the ground moves"},
+     {"contact", "", "", "a table [contact]", no_default, "how blocks rub"},
      {"engine", "", "", "a table [engine]", no_default, "what engines need besides"},
      {"restitution", "[0.9]", "", "a number from 0 to 1 for each block", "that of the law",
       "of the interface under each block, where all above it rocks as one body: relative angular velocity "
@@ -44,7 +47,17 @@ inline constexpr KeyTable initial_keys{
     "the state at t = 0; blocks that lean alike with equal velocities are in contact",
     {{"angles", "[0.1]", "rad", "a number for each block, below its toppling angle", "all 0",
       "from the vertical, clockwise positive"},
-     {"velocities", "[0.0]", "rad/s", "a number for each block", "all 0", "clockwise positive"}}};
+     {"velocities", "[0.0]", "rad/s", "a number for each block", "all 0", "clockwise positive"},
+     {"slip_velocities", "[0.0]", "m/s", "a number for each block; law \"unilateral\"", "all 0",
+      "along what is below, to the right positive"}}};
+
+inline constexpr KeyTable contact_keys{
+    "[contact]",
+    "how blocks rub",
+    {{"friction", "0.4", "", "a number from 0 to 1000, or one for each block", "that of [engine]",
+      "Coulomb's coefficient of the interface under each block, in law \"unilateral\" and in engines; laws "
+      "of "
+      "pivots never slip, and warn where they would have to"}}};
 
 inline constexpr KeyTable ground_keys{
     "[ground]",
@@ -117,7 +130,7 @@ inline constexpr KeyTable surface_keys{
 
 /// All tables of a scene file, in the order of a file; those of [ground.horizontal] are alternatives.
 inline constexpr std::initializer_list<const KeyTable*> scene_tables{
-    &scene_keys, &block_keys,    &initial_keys,    &ground_keys,    &record_keys, &samples_keys,
-    &pulse_keys, &harmonic_keys, &near_fault_keys, &synthetic_keys, &surface_keys};
+    &scene_keys,   &block_keys, &initial_keys,  &contact_keys,    &ground_keys,    &record_keys,
+    &samples_keys, &pulse_keys, &harmonic_keys, &near_fault_keys, &synthetic_keys, &surface_keys};
 
 }  // namespace rockstack

@@ -44,14 +44,14 @@ std::string numbers_of(const GroundMotion& motion) {
 /// The numbers of a scene that keys with a default give.
 std::string numbers_of(const Scene& scene) {
   return number_text(scene.gravity) + " " + number_text(scene.inclination) + " " + name(scene.law) + " " +
-         std::to_string(static_cast<int>(scene.equations)) + " " + number_text(scene.engine.friction) + " " +
-         number_text(scene.engine.depth) + " " + numbers_of(scene.horizontal);
+         std::to_string(static_cast<int>(scene.equations)) + " " + number_text(friction_of(scene).front()) +
+         " " + number_text(scene.engine.depth) + " " + numbers_of(scene.horizontal);
 }
 
 TEST(SceneKeys, AreThoseThatAreRead) {
   for (const KeyTable* motion : motions) {
     for (const KeyTable* table :
-         {&scene_keys, &block_keys, &initial_keys, &ground_keys, motion, &surface_keys})
+         {&scene_keys, &block_keys, &initial_keys, &ground_keys, &contact_keys, motion, &surface_keys})
       expect_keys_are_those_read(scene_file(*motion), *table,
                                  [](const auto& text) { return read_keys(text); });
   }
@@ -62,7 +62,7 @@ TEST(SceneKeys, MakeAWholeScene) {
   for (const KeyTable* motion : motions) {
     KeyFile file = scene_file(*motion);
     for (const KeyTable* table :
-         {&scene_keys, &block_keys, &initial_keys, &ground_keys, motion, &surface_keys}) {
+         {&scene_keys, &block_keys, &initial_keys, &ground_keys, &contact_keys, motion, &surface_keys}) {
       for (const InputKey& key : table->keys) {
         const std::string_view standard = key.standard;
         if (*key.example != '\0' && !standard.starts_with("instead of "))
@@ -79,7 +79,7 @@ TEST(SceneKeys, DefaultsAreThoseOfTheReader) {
     const KeyFile file = scene_file(*motion);
     Scene plain;
     ASSERT_EQ(read_keys(file.text(), &plain), "");
-    for (const KeyTable* table : {&scene_keys, &ground_keys, motion, &surface_keys}) {
+    for (const KeyTable* table : {&scene_keys, &ground_keys, &contact_keys, motion, &surface_keys}) {
       for (const InputKey& key : table->keys) {
         if (!parse_toml_value(key.standard, Node{})) continue;
         Scene given;
