@@ -6,6 +6,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solver/solver.hpp"
 #include "analytic/solver/to_double.hpp"
+#include "analytic/unilateral/unilateral_history.hpp"
 
 namespace rockstack {
 
@@ -40,6 +41,17 @@ History solve_in_double(const Scene& scene, const SolveOptions& options) {
   }
 }
 
+History solve_with_contacts(const Scene& scene, const SolveOptions& options) {
+  validate(options);
+  if (options.integrator != Integrator::taylor)
+    throw std::invalid_argument("integrator = rk4: must be taylor under law unilateral");
+  const ContactHistory motion = solve_unilateral(scene, {.friction = friction_of(scene),
+                                                         .slip_rates = scene.initial.slip_velocities,
+                                                         .sample_times = options.sample_times,
+                                                         .resolution = options.resolution});
+  return history_of(scene, motion);
+}
+
 }  // namespace
 
 History solve(const Scene& scene, const SolveOptions& options) {
@@ -47,6 +59,7 @@ History solve(const Scene& scene, const SolveOptions& options) {
   if (options.integrator == Integrator::rk4 && scene.duration / options.step > most_steps)
     throw std::invalid_argument("step = " + number_text(options.step) + ": must be at least " +
                                 number_text(scene.duration / most_steps) + " s, or there are too many");
+  if (scene.law == Law::unilateral) return solve_with_contacts(scene, options);
   try {
     return solve_in_double(scene, options);
   } catch (const IllConditioned&) {

@@ -177,8 +177,9 @@ void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveO
                  {true, made_by->two_blocks, options, deliver}};
   for (; std::optional<Scene> scene = next(); ++number) {
     const std::size_t kind = scene->equations == Equations::linear ? 1 : 0;
-    // Kernels know no levers.
-    switch (scene->equations == Equations::small_angle ? 0 : scene->blocks.size()) {
+    // Kernels know pivots alone, and no levers.
+    const bool alone = scene->equations == Equations::small_angle || scene->law == Law::unilateral;
+    switch (alone ? 0 : scene->blocks.size()) {
       case 1:
         one[kind].add(number, std::move(*scene));
         break;

@@ -27,6 +27,11 @@ enum class EventKind {
 
 std::string name(EventKind kind);
 
+/// Whether the history ends with it.
+inline bool ends_motion(EventKind kind) {
+  return kind == EventKind::topple || kind == EventKind::fall;
+}
+
 /// Whether the pattern that was chosen after an event is one that the laws of contact allow, and the only
 /// one.
 enum class Consistency {
@@ -75,6 +80,13 @@ struct BasicDemand {
   Real first_slip_time = std::numeric_limits<Real>::infinity();
 };
 
+/// What an interface carries, as the block above it feels it.
+template <class Real>
+struct BasicReaction {
+  Real normal{}, tangential{};  ///< N, up and to the right
+  Real centre{};                ///< of pressure, from the middle of the block above, m; no number where apart
+};
+
 /// Sampled motion of a stack, and the events where they are known. Engines know no patterns and no events:
 /// those two are empty then. Rows are samples; angles and velocities are stored row by row.
 template <class Real>
@@ -89,10 +101,12 @@ struct BasicHistory {
   /// Openings under tension: either side would do as well, and the one that was taken is as good as the
   /// other.
   std::vector<BasicGraze<Real>> choices;
-  /// Of law `unilateral`, times.size() × blocks each, m, or empty: how far each block has slipped to the
-  /// right along what is below it; the gap between them; the centre of each block, x and y in turn, from the
-  /// middle of the ground's interface.
-  std::vector<Real> slips, gaps, places;
+  // Of law `unilateral`, where angles do not tell where blocks are; else empty. Row by row as angles.
+  std::vector<Real> slips;  ///< how far each block has slipped to the right along what is below it, m
+  std::vector<Real> gaps;   ///< between each block and what is below it, m; infinite over nothing
+  /// Centres of mass, x and y in turn, from the middle of the ground's interface, m, and their rates, m/s.
+  std::vector<Real> places, place_rates;
+  std::vector<BasicReaction<Real>> reactions;  ///< times.size() × blocks
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
   std::vector<BasicDemand<Real>> forces;    ///< one an interface, of the motion; empty unless asked for
   std::vector<BasicDemand<Real>> impulses;  ///< likewise, of the impacts
@@ -110,6 +124,7 @@ struct BasicHistory {
 
 using Demand = BasicDemand<double>;
 using Event = BasicEvent<double>;
+using Reaction = BasicReaction<double>;
 using History = BasicHistory<double>;
 
 }  // namespace rockstack

@@ -42,7 +42,7 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
   if (!history.events.empty()) {
     const Event& last = history.events.back();
     outcome.last_event_time = last.time;
-    if (last.kind == EventKind::topple) {
+    if (ends_motion(last.kind)) {
       outcome.toppled = last.interface;
       outcome.topple_time = last.time;
     }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analytic/scene/kinematics.hpp"
+#include "comparisons/metrics/centres.hpp"
 
 namespace rockstack {
 
@@ -13,11 +13,8 @@ std::vector<double> energies(const Scene& scene, const History& history) {
   std::vector<double> list;
   list.reserve(history.size());
   for (std::size_t i = 0; i < history.size(); ++i) {
-    const Vector<double> angles = Vector<double>::Map(history.angles_at(i).data(), stack.size());
     const Vector<double> velocities = Vector<double>::Map(history.velocities_at(i).data(), stack.size());
-    const Chain<double> chain = make_chain(stack, history.patterns[i], angles);
-    const Points<double> places = centres(chain);
-    const Points<double> speeds = centre_velocities(chain, velocities);
+    const auto [places, speeds] = centres_at(stack, history, i);
     double energy = -at_rest;
     for (int k = 0; k < stack.size(); ++k) {
       energy += 0.5 * stack.mass[k] * speeds.col(k).squaredNorm() +

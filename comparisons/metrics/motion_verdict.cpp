@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/metrics/contact_summary.hpp"
 #include "comparisons/metrics/toppling.hpp"
 
 namespace rockstack {
@@ -53,6 +54,30 @@ std::string demand(const History& history) {
   return fmt::format("; needs friction {:.2g}", friction);
 }
 
+std::string in_millimetres(double length) {
+  return fmt::format("{:.3g} mm", 1000 * length);
+}
+
+/// How far blocks slipped and lifted, where they may; else what must hold for them not to.
+std::string freedom(const History& history) {
+  const std::vector<InterfaceSummary> interfaces = contact_summary(history);
+  if (interfaces.empty()) return demand(history);
+  std::string text;
+  const auto add_worst = [&](double InterfaceSummary::*length, const char* form, double least) {
+    const auto worst = std::max_element(
+        interfaces.begin(), interfaces.end(),
+        [&](const auto& a, const auto& b) { return std::abs(a.*length) < std::abs(b.*length); });
+    if (std::abs((*worst).*length) > least)
+      text +=
+          fmt::format(fmt::runtime(form), worst - interfaces.begin() + 1, in_millimetres((*worst).*length));
+  };
+  constexpr double visible = 1e-9;  // m
+  add_worst(&InterfaceSummary::largest_slip, "; block {} slips by up to {}", visible);
+  add_worst(&InterfaceSummary::final_slip, "; block {} is left {} off", visible);
+  add_worst(&InterfaceSummary::highest_lift, "; block {} lifts by up to {}", visible);
+  return text.empty() ? "; nothing slips or lifts" : text;
+}
+
 }  // namespace
 
 std::vector<double> peak_angles(const History& history) {
@@ -66,18 +91,19 @@ std::vector<double> peak_angles(const History& history) {
 }
 
 std::string motion_verdict(const Scene& scene, const History& history) {
-  const bool reported = ends_with(history, EventKind::topple);
+  const bool reported = !history.events.empty() && ends_motion(history.events.back().kind);
   const std::string toppled = reported ? reported_toppling(history) : observed_toppling(scene, history);
   if (!toppled.empty())
-    return fmt::format("{} topples at {:.4g} s{}", toppled.substr(0, toppled.find(" at ")),
-                       reported ? history.events.back().time : history.times.back(), demand(history));
+    return fmt::format("{} {} at {:.4g} s{}", toppled.substr(0, toppled.find(" at ")),
+                       ends_with(history, EventKind::fall) ? "falls off" : "topples",
+                       reported ? history.events.back().time : history.times.back(), freedom(history));
   const Lean most = largest_lean(scene, peak_angles(history));
-  if (history.events.empty() && most.ratio < 1e-3) return "rests throughout" + demand(history);
+  if (history.events.empty() && most.ratio < 1e-3) return "rests throughout" + freedom(history);
   const std::string rest = ends_with(history, EventKind::rest)
                                ? fmt::format(", at rest from {:.4g} s", history.events.back().time)
                                : "";
   return fmt::format("stands{}; block {} peaks at {:.2f} of its slenderness angle at {:.4g} s{}", rest,
-                     most.block + 1, most.ratio, peak_time(history, most.block), demand(history));
+                     most.block + 1, most.ratio, peak_time(history, most.block), freedom(history));
 }
 
 }  // namespace rockstack

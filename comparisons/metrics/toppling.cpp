@@ -15,7 +15,7 @@ constexpr std::array<const char*, 5> verdict_names{"", "neither", "both", "exact
 }  // namespace
 
 std::string reported_toppling(const History& history) {
-  if (history.events.empty() || history.events.back().kind != EventKind::topple) return "";
+  if (history.events.empty() || !ends_motion(history.events.back().kind)) return "";
   return fmt::format("block {} at {} s", history.events.back().interface, history.events.back().time);
 }
 

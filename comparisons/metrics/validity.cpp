@@ -42,6 +42,23 @@ void add_warnings(const Scene& scene, const std::vector<Demand>& demands, const 
   }
 }
 
+/// Where theory has no single answer.
+void add_open_questions(const History& history, std::vector<std::string>& lines) {
+  for (const Event& event : history.events) {
+    if (event.consistency == Consistency::several) {
+      lines.push_back(fmt::format(
+          "at t = {:.6g} s several motions obey the laws of contact: {} follows, where what sticks "
+          "goes on to stick if it can",
+          event.time, name(event.to)));
+    } else if (event.consistency == Consistency::none) {
+      lines.push_back(fmt::format(
+          "at t = {:.6g} s no forces let the motion go on (Painlevé): an impulse stops interface {}, "
+          "as in the limit of time steps",
+          event.time, event.interface));
+    }
+  }
+}
+
 }  // namespace
 
 Json validity_json(const History& history) {
@@ -56,8 +73,12 @@ Json validity_json(const History& history) {
 
 std::vector<std::string> validity_warnings(const Scene& scene, const History& history) {
   std::vector<std::string> lines;
-  add_warnings(scene, history.forces, "force", "N", lines);
-  add_warnings(scene, history.impulses, "impulse", "N s", lines);
+  if (scene.law == Law::unilateral) {
+    add_open_questions(history, lines);
+  } else {
+    add_warnings(scene, history.forces, "force", "N", lines);
+    add_warnings(scene, history.impulses, "impulse", "N s", lines);
+  }
   for (const auto& choice : history.choices) {
     lines.push_back(
         fmt::format("interface {} opens under tension at t = {:.6g} s, where either side would do: it took "

@@ -7,6 +7,7 @@
 
 #include "analytic/scene/kinematics.hpp"
 #include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/metrics/centres.hpp"
 #include "comparisons/results/csv.hpp"
 #include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/reactions.hpp"
@@ -30,6 +31,11 @@ Vector<double> vector_of(std::span<const double> values) {
   return Vector<double>::Map(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+Points<double> centres_at_rest(const Stack<double>& stack) {
+  const Vector<double> upright = Vector<double>::Zero(stack.size());
+  return centres(make_chain(stack, closed_pattern(stack.size()), upright));
+}
+
 /// A corner of a block and its sign from the middle.
 struct Corner {
   const char* name;
@@ -39,9 +45,8 @@ constexpr std::array corners{Corner{"lower_left", -1, -1}, Corner{"lower_right",
                              Corner{"upper_left", -1, 1}, Corner{"upper_right", 1, 1}};
 
 /// Where the corners of all blocks are, x and y in turn, m.
-std::vector<double> corners_at(const Scene& scene, const Stack<double>& stack, const Pattern& pattern,
+std::vector<double> corners_of(const Scene& scene, const Points<double>& places,
                                const Vector<double>& angles) {
-  const Points<double> places = centres(make_chain(stack, pattern, angles));
   std::vector<double> result;
   for (Eigen::Index k = 0; k < angles.size(); ++k) {
     const Block& block = scene.blocks[static_cast<std::size_t>(k)];
@@ -82,15 +87,13 @@ std::map<std::string, std::string> histories_csv(const Scene& scene, const Histo
 std::string energies_csv(const Scene& scene, const History& history) {
   const Stack<double> stack = make_stack<double>(scene);
   const Gravity gravity = gravity_of(scene);
-  const Vector<double> upright = Vector<double>::Zero(stack.size());
-  const Points<double> rest = centres(make_chain(stack, closed_pattern(stack.size()), upright));
+  const Points<double> rest = centres_at_rest(stack);
   CsvWriter csv;
   csv.line("time", numbered("kinetic_", history.blocks), numbered("potential_", history.blocks));
   for (std::size_t i = 0; i < history.size(); ++i) {
     const Vector<double> velocities = vector_of(history.velocities_at(i));
-    const Chain<double> chain = make_chain(stack, history.patterns[i], vector_of(history.angles_at(i)));
-    const Points<double> speeds = centre_velocities(chain, velocities);
-    const Points<double> moved = centres(chain) - rest;
+    const auto [places, speeds] = centres_at(stack, history, i);
+    const Points<double> moved = places - rest;
     csv.add(history.times[i]);
     for (int k = 0; k < stack.size(); ++k)
       csv.add(0.5 * stack.mass[k] * speeds.col(k).squaredNorm() +
@@ -104,8 +107,8 @@ std::string energies_csv(const Scene& scene, const History& history) {
 
 std::string corners_csv(const Scene& scene, const History& history) {
   const Stack<double> stack = make_stack<double>(scene);
-  const Vector<double> upright = Vector<double>::Zero(stack.size());
-  const std::vector<double> rest = corners_at(scene, stack, closed_pattern(stack.size()), upright);
+  const std::vector<double> rest =
+      corners_of(scene, centres_at_rest(stack), Vector<double>::Zero(stack.size()));
   CsvWriter csv;
   csv.add("time");
   for (int k = 1; k <= history.blocks; ++k)
@@ -114,7 +117,7 @@ std::string corners_csv(const Scene& scene, const History& history) {
   csv.end_line();
   for (std::size_t i = 0; i < history.size(); ++i) {
     std::vector<double> moved =
-        corners_at(scene, stack, history.patterns[i], vector_of(history.angles_at(i)));
+        corners_of(scene, centres_at(stack, history, i).at, vector_of(history.angles_at(i)));
     std::transform(moved.begin(), moved.end(), rest.begin(), moved.begin(), std::minus<>());
     csv.line(history.times[i], moved);
   }

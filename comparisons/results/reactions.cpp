@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <span>
+
 #include "analytic/mechanics/pattern_solution.hpp"
 #include "analytic/scene/ground/ground_motion.hpp"
 #include "comparisons/results/csv.hpp"
@@ -30,6 +33,20 @@ std::string shortened(double value) {
   return fmt::format("{:.7g}", value);
 }
 
+/// Of a motion that is told with its reactions.
+void add_told(const History& history, CsvWriter& csv) {
+  const auto blocks = static_cast<std::size_t>(history.blocks);
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const std::span<const Reaction> row(history.reactions.data() + i * blocks, blocks);
+    csv.add(history.times[i]);
+    for (const Reaction& reaction : row) csv.add(shortened(reaction.normal));
+    for (const Reaction& reaction : row) csv.add(shortened(reaction.tangential));
+    for (const Reaction& reaction : row)
+      csv.add(std::isfinite(reaction.centre) ? shortened(reaction.centre) : "");
+    csv.end_line();
+  }
+}
+
 }  // namespace
 
 std::string reactions_csv(const Scene& scene, const History& history) {
@@ -37,6 +54,10 @@ std::string reactions_csv(const Scene& scene, const History& history) {
   const int blocks = history.blocks;
   CsvWriter csv;
   csv.line("time", numbered("normal_", blocks), numbered("tangential_", blocks), numbered("centre_", blocks));
+  if (!history.reactions.empty()) {
+    add_told(history, csv);
+    return csv.text();
+  }
   for (std::size_t i = 0; i < history.size(); ++i) {
     const double time = history.times[i];
     const Point<double> ground{acceleration(scene.horizontal, time) - gravity_of(scene).along,

@@ -1,5 +1,7 @@
 #include "comparisons/results/tables.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -63,13 +65,27 @@ std::string csv_of(const Json& list) {
 
 std::string history_csv(const History& history) {
   const bool patterns = !history.patterns.empty();
+  const bool slips = !history.slips.empty();
+  const bool gaps = !history.gaps.empty();
+  const bool places = !history.places.empty();
+  const auto width = static_cast<std::size_t>(history.blocks);
+  const auto row = [width](const std::vector<double>& values, std::size_t sample) {
+    return std::span<const double>(values).subspan(sample * width, width);
+  };
   CsvWriter csv;
   csv.add("time", numbered("theta_", history.blocks), numbered("omega_", history.blocks));
   if (patterns) csv.add("pattern");
+  if (slips) csv.add(numbered("slip_", history.blocks));
+  if (gaps) csv.add(numbered("gap_", history.blocks));
+  if (places)
+    for (int k = 1; k <= history.blocks; ++k) csv.add(fmt::format("x_{}", k), fmt::format("y_{}", k));
   csv.end_line();
   for (std::size_t i = 0; i < history.size(); ++i) {
     csv.add(history.times[i], history.angles_at(i), history.velocities_at(i));
     if (patterns) csv.add(name(history.patterns[i]));
+    if (slips) csv.add(row(history.slips, i));
+    if (gaps) csv.add(row(history.gaps, i));
+    if (places) csv.add(row(history.places, 2 * i), row(history.places, 2 * i + 1));
     csv.end_line();
   }
   return csv.text();

@@ -11,6 +11,7 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/metrics/contact_patterns.hpp"
+#include "comparisons/metrics/contact_summary.hpp"
 #include "comparisons/metrics/impacts.hpp"
 #include "comparisons/metrics/motion_verdict.hpp"
 #include "comparisons/metrics/toppling.hpp"
@@ -52,6 +53,7 @@ Parameters all_parameters(const EngineSeries& series, const Scene& scene) {
 void add_validity(const Scene& scene, const History& history, Json& json) {
   json["validity"] = validity_json(history);
   json["validity_warnings"] = validity_warnings(scene, history);
+  if (scene.law == Law::unilateral) json["contact"] = contact_json(history);
 }
 
 /// Wall times of solving without samples, after a warm-up.

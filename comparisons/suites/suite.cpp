@@ -41,8 +41,11 @@ std::vector<Variant> read_variants(const Node& array) {
   std::vector<Variant> variants;
   for (const Node& child : array.children) {
     using enum Variant::Choice;
-    const auto chosen = choice<Variant::Choice>(
-        child, {{"linear", linear}, {"nonlinear", nonlinear}, {"paper", paper}, {"consistent", consistent}});
+    const auto chosen = choice<Variant::Choice>(child, {{"linear", linear},
+                                                        {"nonlinear", nonlinear},
+                                                        {"paper", paper},
+                                                        {"consistent", consistent},
+                                                        {"unilateral", unilateral}});
     const auto same = [&](const Variant& variant) { return variant.choice == chosen; };
     if (std::any_of(variants.begin(), variants.end(), same)) throw wrong_value(child, "named once");
     variants.push_back({chosen});
@@ -97,11 +100,12 @@ Scene Variant::apply(Scene scene) const {
   if (choice == Choice::nonlinear) scene.equations = Equations::nonlinear;
   if (choice == Choice::paper) scene.law = Law::paper;
   if (choice == Choice::consistent) scene.law = Law::consistent;
+  if (choice == Choice::unilateral) scene.law = Law::unilateral;
   return scene;
 }
 
 std::string Variant::name() const {
-  constexpr std::array names{"linear", "nonlinear", "paper", "consistent", "rk4"};
+  constexpr std::array names{"linear", "nonlinear", "paper", "consistent", "unilateral", "rk4"};
   return names.at(static_cast<std::size_t>(choice));
 }
 

@@ -23,7 +23,7 @@ struct NamedScene {
 /// The exact solver with one choice changed, to be compared as if it were another engine: linear against
 /// nonlinear equations, one impact law against the other, or Runge–Kutta steps in place of series.
 struct Variant {
-  enum class Choice { linear, nonlinear, paper, consistent, rk4 };
+  enum class Choice { linear, nonlinear, paper, consistent, unilateral, rk4 };
 
   Choice choice;
   double step = 0;  ///< of rk4, s
