@@ -35,6 +35,10 @@ double peak_time(const History& history, std::size_t block) {
   return history.times[furthest];
 }
 
+bool ends_at_rest(const History& history) {
+  return !history.events.empty() && history.events.back().to == closed_pattern(history.blocks);
+}
+
 bool ends_with(const History& history, EventKind kind) {
   return !history.events.empty() && history.events.back().kind == kind;
 }
@@ -54,27 +58,33 @@ std::string demand(const History& history) {
   return fmt::format("; needs friction {:.2g}", friction);
 }
 
-std::string in_millimetres(double length) {
-  return fmt::format("{:.3g} mm", 1000 * length);
+constexpr double visible = 1e-9;  // m
+
+/// The block that slips furthest, and where it is left.
+std::string slipping(const std::vector<InterfaceSummary>& interfaces) {
+  const auto most = std::max_element(interfaces.begin(), interfaces.end(), [](const auto& a, const auto& b) {
+    return a.largest_slip < b.largest_slip;
+  });
+  if (most->largest_slip <= visible) return "";
+  return fmt::format("; block {} slips by up to {:.3g} mm and is left {:.3g} mm to the {}",
+                     most - interfaces.begin() + 1, 1000 * most->largest_slip,
+                     1000 * std::abs(most->final_slip), most->final_slip < 0 ? "left" : "right");
 }
 
-/// How far blocks slipped and lifted, where they may; else what must hold for them not to.
+std::string lifting(const std::vector<InterfaceSummary>& interfaces) {
+  const auto most = std::max_element(interfaces.begin(), interfaces.end(), [](const auto& a, const auto& b) {
+    return a.highest_lift < b.highest_lift;
+  });
+  if (most->highest_lift <= visible) return "";
+  return fmt::format("; block {} lifts by up to {:.3g} mm", most - interfaces.begin() + 1,
+                     1000 * most->highest_lift);
+}
+
+/// How far blocks slip and lift, where they may; else what must hold for them not to.
 std::string freedom(const History& history) {
   const std::vector<InterfaceSummary> interfaces = contact_summary(history);
   if (interfaces.empty()) return demand(history);
-  std::string text;
-  const auto add_worst = [&](double InterfaceSummary::*length, const char* form, double least) {
-    const auto worst = std::max_element(
-        interfaces.begin(), interfaces.end(),
-        [&](const auto& a, const auto& b) { return std::abs(a.*length) < std::abs(b.*length); });
-    if (std::abs((*worst).*length) > least)
-      text +=
-          fmt::format(fmt::runtime(form), worst - interfaces.begin() + 1, in_millimetres((*worst).*length));
-  };
-  constexpr double visible = 1e-9;  // m
-  add_worst(&InterfaceSummary::largest_slip, "; block {} slips by up to {}", visible);
-  add_worst(&InterfaceSummary::final_slip, "; block {} is left {} off", visible);
-  add_worst(&InterfaceSummary::highest_lift, "; block {} lifts by up to {}", visible);
+  const std::string text = slipping(interfaces) + lifting(interfaces);
   return text.empty() ? "; nothing slips or lifts" : text;
 }
 
@@ -99,11 +109,14 @@ std::string motion_verdict(const Scene& scene, const History& history) {
                        reported ? history.events.back().time : history.times.back(), freedom(history));
   const Lean most = largest_lean(scene, peak_angles(history));
   if (history.events.empty() && most.ratio < 1e-3) return "rests throughout" + freedom(history);
-  const std::string rest = ends_with(history, EventKind::rest)
-                               ? fmt::format(", at rest from {:.4g} s", history.events.back().time)
-                               : "";
-  return fmt::format("stands{}; block {} peaks at {:.2f} of its slenderness angle at {:.4g} s{}", rest,
-                     most.block + 1, most.ratio, peak_time(history, most.block), freedom(history));
+  const std::string rest =
+      ends_at_rest(history) ? fmt::format(", at rest from {:.4g} s", history.events.back().time) : "";
+  const std::string lean =
+      most.ratio < 1e-3 && !history.slips.empty()
+          ? "; nothing rocks"
+          : fmt::format("; block {} peaks at {:.2f} of its slenderness angle at {:.4g} s", most.block + 1,
+                        most.ratio, peak_time(history, most.block));
+  return "stands" + rest + lean + freedom(history);
 }
 
 }  // namespace rockstack

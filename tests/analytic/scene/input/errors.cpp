@@ -49,6 +49,27 @@ TEST(SceneErrors, NumbersOutOfRange) {
   });
 }
 
+TEST(SceneErrors, FrictionAndSlip) {
+  expect_errors({
+      {12, "[contact]\nfriction = -0.1",
+       "scene.toml:13: contact.friction.1 = -0.1: must be a number from 0 to 1000"},
+      {12, "[contact]\nfriction = [0.1, 1e4]",
+       "scene.toml:13: contact.friction.2 = 10000: must be a number from 0 to 1000"},
+      {12, "[contact]\nfriction = [0.1]",
+       "scene.toml:13: contact.friction = an array of 1: must be a number, or as many as there are blocks, "
+       "2"},
+      {12, "[contact]\nfriction = \"high\"", "scene.toml:13: contact.friction = \"high\": must be a number"},
+      {12, "slip_velocities = [0, 1]",
+       "scene.toml:12: initial.slip_velocities = not all 0: must be all 0 under law consistent, where "
+       "nothing "
+       "slips"},
+      {1, "duration = 1\nlaw = \"unilateral\"\nequations = \"linear\"",
+       "scene.toml:3: equations = linear: must be nonlinear under law unilateral"},
+      {1, "duration = 1\nlaw = \"unilateral\"\nrestitution = [1, 1]",
+       "scene.toml:3: restitution = an array: must be left out under law unilateral, where friction decides"},
+  });
+}
+
 TEST(SceneErrors, AToppledStartNamesTheLimit) {
   const std::string line = error_of(with_line(11, "angles = [0, 2.0]"));
   EXPECT_EQ(line.substr(0, 49), "scene.toml:11: initial.angles.2 = 2: must be betw");
@@ -75,7 +96,7 @@ TEST(SceneErrors, WrongTypes) {
       {1, "duration = 1\ntitle = 3", "scene.toml:2: title = 3: must be a text in quotes"},
       {1, "duration = 1\nengine = [1]", "scene.toml:2: engine = an array of 1: must be a table"},
       {1, "duration = 1\nlaw = \"papr\"",
-       "scene.toml:2: law = \"papr\": must be \"paper\" or \"consistent\""},
+       "scene.toml:2: law = \"papr\": must be \"paper\" or \"consistent\" or \"unilateral\""},
       {1, "duration = 1\nequations = 2",
        "scene.toml:2: equations = 2: must be \"nonlinear\" or \"linear\" or \"small-angle\""},
   });
@@ -89,12 +110,12 @@ TEST(SceneErrors, UnknownKeysListTheKnownOnes) {
       {1, "durration = 5",
        "scene.toml:1: durration: unknown key, must be one of title, duration, gravity, law, equations, "
        "blocks, "
-       "initial, ground, engine, restitution"},
+       "initial, ground, contact, engine, restitution"},
       {7, "widht = 1.0",
        "scene.toml:7: blocks.2.widht: unknown key, must be one of width, height, density, mass, inertia, "
        "center_of_mass"},
       {12, "speeds = [0, 0]",
-       "scene.toml:12: initial.speeds: unknown key, must be one of angles, velocities"},
+       "scene.toml:12: initial.speeds: unknown key, must be one of angles, velocities, slip_velocities"},
       {12, "[ground]\nsideways = 1",
        "scene.toml:13: ground.sideways: unknown key, must be one of horizontal, vertical, inclination"},
       {12, "[ground.vertical]\nspectrum = 1",
@@ -151,8 +172,9 @@ TEST(SceneErrors, BrokenTomlNamesItsLine) {
 TEST(SceneErrors, OddTextStaysOnOneLine) {
   EXPECT_EQ(error_of(with_line(1, "duration = \"a\\nb\"")),
             "scene.toml:1: duration = \"a\\x0ab\": must be a number");
-  EXPECT_EQ(error_of(with_line(12, "\"a\\nb\" = 1")),
-            "scene.toml:12: initial.a\\x0ab: unknown key, must be one of angles, velocities");
+  EXPECT_EQ(
+      error_of(with_line(12, "\"a\\nb\" = 1")),
+      "scene.toml:12: initial.a\\x0ab: unknown key, must be one of angles, velocities, slip_velocities");
 }
 
 TEST(SceneErrors, AFileThatIsNotThereOrADirectory) {

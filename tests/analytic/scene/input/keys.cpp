@@ -16,7 +16,8 @@ const std::vector<const KeyTable*> motions{&record_keys,   &samples_keys,    &pu
                                            &harmonic_keys, &near_fault_keys, &synthetic_keys};
 
 KeyFile scene_file(const KeyTable& motion) {
-  return KeyFile({&scene_keys, &block_keys, &initial_keys, &ground_keys, &motion, &surface_keys});
+  return KeyFile(
+      {&scene_keys, &block_keys, &initial_keys, &contact_keys, &ground_keys, &motion, &surface_keys});
 }
 
 /// Reads a scene beside a record; fills `scene` where it is given.

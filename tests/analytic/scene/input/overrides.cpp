@@ -59,7 +59,8 @@ TEST(Overrides, AreThePlaceOfTheirErrors) {
             "--set initial.angles=[0, 0, inf]: initial.angles.3 = inf: must be a finite number");
   EXPECT_EQ(error_with("blocks.1.height=3 m"),
             "--set blocks.1.height=3 m: blocks.1.height = \"3 m\": must be a number");
-  EXPECT_EQ(error_with("law=papr"), "--set law=papr: law = \"papr\": must be \"paper\" or \"consistent\"");
+  EXPECT_EQ(error_with("law=papr"),
+            "--set law=papr: law = \"papr\": must be \"paper\" or \"consistent\" or \"unilateral\"");
   EXPECT_EQ(error_with("engine.grip=1"),
             "--set engine.grip=1: engine.grip: unknown key, must be one of friction, depth");
   EXPECT_EQ(error_with("ground.vertical.scale=2"),
