@@ -1,4 +1,4 @@
-#include "comparisons/metrics/response_spectrum.hpp"
+#include "comparisons/metrics/ground/response_spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "comparisons/metrics/response_spectrum.hpp"
+#include "comparisons/metrics/ground/response_spectrum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "analytic/scene/ground/synthetic.hpp"
-#include "comparisons/metrics/ground_measures.hpp"
+#include "comparisons/metrics/ground/ground_measures.hpp"
 
 namespace rockstack {
 namespace {

@@ -1,4 +1,4 @@
-#include "comparisons/metrics/ground_measures.hpp"
+#include "comparisons/metrics/ground/ground_measures.hpp"
 
 #include <algorithm>
 #include <array>
