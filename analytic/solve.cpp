@@ -45,11 +45,14 @@ History solve_with_contacts(const Scene& scene, const SolveOptions& options) {
   validate(options);
   if (options.integrator != Integrator::taylor)
     throw std::invalid_argument("integrator = rk4: must be taylor under law unilateral");
-  const ContactHistory motion = solve_unilateral(scene, {.friction = friction_of(scene),
-                                                         .slip_rates = scene.initial.slip_velocities,
-                                                         .sample_times = options.sample_times,
-                                                         .resolution = options.resolution});
-  return history_of(scene, motion);
+  try {
+    return history_of(scene, solve_unilateral(scene, {.sample_times = options.sample_times,
+                                                      .resolution = options.resolution,
+                                                      .validity = options.validity,
+                                                      .peaks = options.peaks}));
+  } catch (const UnfinishedContacts& unfinished) {
+    throw Unfinished(unfinished.what(), history_of(scene, unfinished.history));
+  }
 }
 
 }  // namespace

@@ -6,10 +6,10 @@ namespace {
 using Plane = Eigen::Vector2d;
 
 /// A body vector turned clockwise by an angle.
-Plane turned(double x, double y, double angle) {
+Plane turned(const Plane& vector, double angle) {
   const double cosine = std::cos(angle);
   const double sine = std::sin(angle);
-  return {x * cosine + y * sine, y * cosine - x * sine};
+  return {vector.x() * cosine + vector.y() * sine, vector.y() * cosine - vector.x() * sine};
 }
 
 /// Velocity of a point at an arm at unit clockwise rate.
@@ -55,6 +55,12 @@ double half_height_of(const std::vector<Block>& blocks, int body) {
   return body < 0 ? 0 : blocks[static_cast<std::size_t>(body)].half_height;
 }
 
+Eigen::Vector2d centre_of(const std::vector<Block>& blocks, int body) {
+  if (body < 0) return {0, 0};
+  const Block& block = blocks[static_cast<std::size_t>(body)];
+  return {block.offset_x, block.offset_y};
+}
+
 CornerOnFace upper_corner(const std::vector<Block>& blocks, int interface, int side) {
   return {interface - 1, interface, side * half_width_of(blocks, interface),
           -half_height_of(blocks, interface), 1};
@@ -75,22 +81,24 @@ PointRows rows_of(const std::vector<Block>& blocks, const Bodies& bodies, const 
   const BodyPlacement face_rate = placement(bodies.rate, corner.face);
   const BodyPlacement body = placement(bodies.at, corner.body);
   const BodyPlacement body_rate = placement(bodies.rate, corner.body);
-  const Plane tangent = turned(1, 0, face.angle);
-  const Plane normal = turned(0, 1, face.angle);
-  const Plane arm = turned(corner.x, corner.y, body.angle);
+  const Plane tangent = turned({1, 0}, face.angle);
+  const Plane normal = turned({0, 1}, face.angle);
+  const Plane arm = turned(Plane(corner.x, corner.y) - centre_of(blocks, corner.body), body.angle);
   const Plane turn = quarter_turned(arm);
   const Plane apart = Plane(body.x - face.x, body.y - face.y) + arm;
   const Plane speed = Plane(body_rate.x - face_rate.x, body_rate.y - face_rate.y) + turn * body_rate.angle;
   const Plane bend = -arm * (body_rate.angle * body_rate.angle);
+  // From the centre of mass of the face's body.
   const double along = apart.dot(tangent);
   const double above = apart.dot(normal);
+  const Plane centre = centre_of(blocks, corner.face);
   const double turning = face_rate.angle;
   const double along_rate = speed.dot(tangent) - turning * above;
   const double above_rate = speed.dot(normal) + turning * along;
   const double sign = corner.upward;
   PointRows rows;
-  rows.gap = sign * above - half_height_of(blocks, corner.face);
-  rows.slip = sign * along;
+  rows.gap = sign * (above + centre.y()) - half_height_of(blocks, corner.face);
+  rows.slip = sign * (along + centre.x());
   rows.gap_bias = sign * (bend.dot(normal) + turning * speed.dot(tangent) + turning * along_rate);
   rows.slip_bias = sign * (bend.dot(tangent) - turning * speed.dot(normal) - turning * above_rate);
   rows.gap_row = rows.slip_row = Eigen::RowVectorXd::Zero(3 * static_cast<Eigen::Index>(blocks.size()));
@@ -140,9 +148,9 @@ void place(const std::vector<Block>& blocks, std::vector<Joint>& joints, Bodies&
     // The contact point from the middle of either block.
     const double on_upper = below ? point.x - joint.offset : point.x;
     const double on_lower = below ? point.x : point.x + joint.offset;
-    const Plane lower_arm = turned(on_lower, lower_top, lower.angle);
-    const Plane upper_arm = turned(on_upper, upper_bottom, upper.angle);
-    const Plane tangent = turned(1, 0, below ? upper.angle : lower.angle);
+    const Plane lower_arm = turned(Plane(on_lower, lower_top) - centre_of(blocks, k - 1), lower.angle);
+    const Plane upper_arm = turned(Plane(on_upper, upper_bottom) - centre_of(blocks, k), upper.angle);
+    const Plane tangent = turned({1, 0}, below ? upper.angle : lower.angle);
     upper.x = lower.x + (lower_arm.x() - upper_arm.x());
     upper.y = lower.y + (lower_arm.y() - upper_arm.y());
     const Plane change = quarter_turned(lower_arm) * lower_rate.angle -

@@ -10,8 +10,8 @@
 
 namespace rockstack {
 
-/// A block as a free body in the frame of the ground: its centre from the middle of the ground's interface,
-/// and its angle, clockwise positive; or the rates of the three. SI units.
+/// A block as a free body in the frame of the ground: its centre of mass from the middle of the ground's
+/// interface, and its angle, clockwise positive; or the rates of the three. SI units.
 struct BodyPlacement {
   double x = 0, y = 0, angle = 0;
 };
@@ -31,7 +31,7 @@ std::vector<BodyPlacement> placements_of(const FreeVector& vector);
 struct CornerOnFace {
   int face = -1;  ///< the body that has the face
   int body = 0;   ///< the body that has the point
-  double x = 0;   ///< the point in its body's frame, m
+  double x = 0;   ///< the point from the middle of its body, in that body's frame, m
   double y = 0;
   double upward = 1;  ///< 1 for the top face of the lower body, −1 for the bottom face of the upper one
 };
@@ -45,6 +45,9 @@ CornerOnFace held_point(const std::vector<Block>& blocks, int interface, const J
 /// Half-sizes with the ground endless and without height.
 double half_width_of(const std::vector<Block>& blocks, int body);
 double half_height_of(const std::vector<Block>& blocks, int body);
+
+/// The centre of mass of a body from its middle, m; the ground has none.
+Eigen::Vector2d centre_of(const std::vector<Block>& blocks, int body);
 
 /// The distance of a point from a face and its place along it, upper against lower body, with their gradients
 /// and with the second derivatives that velocities alone make. m, m/s².

@@ -126,7 +126,7 @@ class Collector {
       for (const int side : {-1, 1}) {
         const CornerOnFace point =
             below ? lower_corner(stack_.blocks, k, side) : upper_corner(stack_.blocks, k, side);
-        const FaceSeries place = corner_series(series_, point);
+        const FaceSeries place = corner_series(stack_.blocks, series_, point);
         Course& course = push(line(-half_height_of(stack_.blocks, point.face), point.upward, place.above),
                               Change::landing, k);
         course.side = side;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analytic/polynomials/crossing.hpp"
+#include "analytic/polynomials/maximum.hpp"
 
 namespace rockstack {
 namespace {
@@ -75,7 +76,7 @@ bool is_still(const std::vector<Joint>& joints) {
 
 ContactSolver::ContactSolver(const Scene& scene, const ContactOptions& options)
     : scene_(scene),
-      stack_(scene.blocks, options.friction),
+      stack_(scene.blocks, friction_of(scene)),
       smooth_(scene.blocks, std::vector<double>(scene.blocks.size(), 0)),
       pieces_(scene),
       chatter_(stack_, scene.gravity, options.resolution),
@@ -88,10 +89,12 @@ ContactSolver::ContactSolver(const Scene& scene, const ContactOptions& options)
   unit_time_ = std::sqrt(height / scene.gravity);
   moment_ = shortest_moment * unit_time_;
   longest_ = unit_time_ / 8;
-  start(options);
+  if (options.validity) demands_.emplace(scene, scene.blocks.size());
+  if (options.peaks) history_.peaks.assign(scene.blocks.size(), 0);
+  start();
 }
 
-void ContactSolver::start(const ContactOptions& options) {
+void ContactSolver::start() {
   const std::size_t size = scene_.blocks.size();
   bodies_.at.resize(size);
   bodies_.rate.resize(size);
@@ -99,7 +102,7 @@ void ContactSolver::start(const ContactOptions& options) {
   fresh_.assign(size, -1);
   slid_ = fresh_;
   fresh_of_ = joints_;
-  std::vector<double> slip_rates = options.slip_rates;
+  std::vector<double> slip_rates = scene_.initial.slip_velocities;
   slip_rates.resize(size, 0);
   double below = 0;
   double below_rate = 0;
@@ -128,22 +131,30 @@ void ContactSolver::start(const ContactOptions& options) {
   }
 }
 
-ContactHistory ContactSolver::run() {
+void ContactSolver::run() {
   decide(std::vector<Joint>(joints_), bodies_, 0);
   while (!ended_ && !pieces_.finished()) advance();
   if (!ended_ && next_sample_ < sample_times_.size() &&
       sample_times_[next_sample_] <= scene_.duration * (1 + 1e-12))
     note_sample(sample_times_[next_sample_], bodies_);
+}
+
+ContactHistory ContactSolver::history() && {
+  if (demands_) {
+    history_.forces = demands_->forces();
+    history_.impulses = demands_->impulses();
+  }
   history_.last = bodies_;
-  history_.end_time = ended_ ? time() : scene_.duration;
+  history_.end_time = pieces_.finished() ? scene_.duration : time();
   return std::move(history_);
 }
 
 FreeVector ContactSolver::free_acceleration(double later) const {
   const Point<double> ground = pieces_.current().at(offset_ + later);
+  const double weight = gravity_of(scene_).across;
   FreeVector result(Eigen::Index{3} * stack_.size());
   for (int k = 0; k < stack_.size(); ++k)
-    result.segment<3>(Eigen::Index{3} * k) << -ground.x(), -(scene_.gravity + ground.y()), 0.0;
+    result.segment<3>(Eigen::Index{3} * k) << -ground.x(), -(weight + ground.y()), 0.0;
   return result;
 }
 
@@ -162,13 +173,14 @@ void ContactSolver::advance() {
   if (step.lengthens && length == longest_) longest_ *= 1.25;
   if (step.series.length < length) longest_ = step.series.length;
   const Found found = find(step.series);
-  sample(step.series, found.s);
   const bool whole = found.s == 1 && step.series.length >= remaining;
-  bodies_ = step.series.at(found.s);
-  for (const BodyPlacement& rate : bodies_.rate)
+  Bodies next = step.series.at(found.s);
+  for (const BodyPlacement& rate : next.rate)
     if (!std::isfinite(rate.x) || !std::isfinite(rate.y) || !std::isfinite(rate.angle))
       throw std::runtime_error(
           "velocities have become too large for numbers at t = " + std::to_string(time()) + " s");
+  note_step(step.series, found.s);
+  bodies_ = std::move(next);
   place(stack_.blocks, joints_, bodies_);
   offset_ += found.s * step.series.length;
   if (found.s > 0) decided_ = false;
@@ -371,7 +383,9 @@ void ContactSolver::collide(const std::vector<Joint>& before, std::vector<Joint>
   const auto found = find_mode(stack_, touching, bodies_, free, Sought::velocities);
   if (!found) throw std::runtime_error("no impulses end an impact at t = " + std::to_string(time()) + " s");
   std::vector<Joint> mode = *found;
-  bodies_.rate = placements_of(respond(stack_, mode, bodies_, free, Sought::velocities).motion);
+  const ModeResponse response = respond(stack_, mode, bodies_, free, Sought::velocities);
+  if (demands_) demands_->note_impact(response.forces, time());
+  bodies_.rate = placements_of(response.motion);
   bool closes = false;
   for (std::size_t rounds = 0; rounds <= 4 * mode.size(); ++rounds) {
     std::vector<Joint> held = with_slips(mode);
@@ -419,7 +433,9 @@ std::vector<Joint> ContactSolver::follow_without_solution(const std::vector<Join
   const auto mode = find_mode(stack_, joints, bodies_, kicked, Sought::velocities);
   if (!mode)
     throw std::runtime_error("no impulses let the motion go on at t = " + std::to_string(time()) + " s");
-  bodies_.rate = placements_of(respond(stack_, *mode, bodies_, velocities, Sought::velocities).motion);
+  const ModeResponse response = respond(stack_, *mode, bodies_, velocities, Sought::velocities);
+  if (demands_) demands_->note_impact(response.forces, time());
+  bodies_.rate = placements_of(response.motion);
   joints_ = *mode;
   note(ContactEventKind::impact, lowest_change(joints, joints_), joints, rates, Solutions::none);
   return joints_;
@@ -492,6 +508,25 @@ void ContactSolver::decide(const std::vector<Joint>& before, const Bodies& momen
          others ? Solutions::several : Solutions::one);
 }
 
+/// Keeps what was asked for of a step up to `end_s` of its length.
+void ContactSolver::note_step(const ModeSeries& series, double end_s) {
+  sample(series, end_s);
+  if (demands_) demands_->note_step(joints_, series, end_s, time());
+  if (!history_.peaks.empty()) note_peaks(series, end_s);
+}
+
+void ContactSolver::note_peaks(const ModeSeries& series, double end_s) {
+  for (std::size_t k = 0; k < history_.peaks.size(); ++k) {
+    double& peak = history_.peaks[k];
+    for (const double side : {1.0, -1.0}) {
+      Series lean;
+      add(series.bodies[k].angle, side, lean);
+      rescale(lean, end_s);
+      if (const auto top = maximum(lean, peak)) peak = top->height;
+    }
+  }
+}
+
 void ContactSolver::sample(const ModeSeries& series, double end_s) {
   for (; next_sample_ < sample_times_.size(); ++next_sample_) {
     const double s = (sample_times_[next_sample_] - time()) / series.length;
@@ -548,22 +583,25 @@ std::string name(ContactEventKind kind) {
 
 ContactHistory solve_unilateral(const Scene& scene, const ContactOptions& options) {
   validate(scene);
-  const auto refuse = [](const char* what) { throw std::invalid_argument(what); };
-  if (options.friction.size() != scene.blocks.size()) refuse("friction: must be one number an interface");
-  for (const double friction : options.friction)
-    if (!(friction >= 0) || !std::isfinite(friction)) refuse("friction: must be finite and ≥ 0");
-  if (options.slip_rates.size() > scene.blocks.size()) refuse("slip_rates: must be one number an interface");
-  if (!(options.resolution >= 0)) refuse("resolution: must be ≥ 0");
-  return ContactSolver(scene, options).run();
+  if (!(options.resolution >= 0)) throw std::invalid_argument("resolution: must be ≥ 0");
+  ContactSolver solver(scene, options);
+  try {
+    solver.run();
+  } catch (const std::runtime_error& failure) {
+    throw UnfinishedContacts(failure.what(), std::move(solver).history());
+  }
+  return std::move(solver).history();
 }
 
 double energy(const Scene& scene, const Bodies& bodies) {
+  const Gravity gravity = gravity_of(scene);
   double sum = 0;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const Block& block = scene.blocks[k];
     const BodyPlacement& rate = bodies.rate[k];
     sum += block.mass * (rate.x * rate.x + rate.y * rate.y) / 2 +
-           block.inertia * rate.angle * rate.angle / 2 + block.mass * scene.gravity * bodies.at[k].y;
+           block.inertia * rate.angle * rate.angle / 2 +
+           block.mass * (gravity.across * bodies.at[k].y - gravity.along * bodies.at[k].x);
   }
   return sum;
 }

@@ -3,6 +3,7 @@
 #include "analytic/steps/ground_pieces.hpp"
 #include "analytic/unilateral/contact_chatter.hpp"
 #include "analytic/unilateral/contact_course.hpp"
+#include "analytic/unilateral/contact_demands.hpp"
 #include "analytic/unilateral/solve_unilateral.hpp"
 
 namespace rockstack {
@@ -16,7 +17,10 @@ class ContactSolver {
  public:
   /// Keeps a reference to `scene`.
   ContactSolver(const Scene& scene, const ContactOptions& options);
-  ContactHistory run();
+  /// @throws std::runtime_error where the motion cannot go on.
+  void run();
+  /// Up to the end, or to where the motion could not go on.
+  ContactHistory history() &&;
 
  private:
   /// The first event of a step.
@@ -25,7 +29,7 @@ class ContactSolver {
     std::vector<Course> courses;  ///< those that end there
   };
 
-  void start(const ContactOptions& options);
+  void start();
   void advance();
   Found find(const ModeSeries& series) const;
   bool is_fresh(const Course& course) const;
@@ -51,7 +55,9 @@ class ContactSolver {
 
   FreeVector free_acceleration(double later) const;
   double time() const { return pieces_.current().start + offset_; }
+  void note_step(const ModeSeries& series, double end_s);
   void sample(const ModeSeries& series, double end_s);
+  void note_peaks(const ModeSeries& series, double end_s);
   void note_sample(double time, Bodies bodies);
   void note(ContactEventKind kind, int interface, const std::vector<Joint>& from,
             const std::vector<BodyPlacement>& before, Solutions solutions = Solutions::one);
@@ -78,6 +84,7 @@ class ContactSolver {
   double burst_start_ = 0;     ///< s
   int burst_ = 0;
   bool ended_ = false;
+  std::optional<ContactDemands> demands_;  ///< where they are asked for
   ContactHistory history_;
 };
 

@@ -48,33 +48,47 @@ struct PlaneCoefficient {
 };
 
 /// Coefficient n of a body vector in the frame of the ground.
-PlaneCoefficient arm(const BodySeries& body, const CornerOnFace& corner, std::size_t n) {
+PlaneCoefficient turned(const BodySeries& body, const Eigen::Vector2d& vector, std::size_t n) {
   const double cosine = coefficient(body.cosine, n);
   const double sine = coefficient(body.sine, n);
-  return {corner.x * cosine + corner.y * sine, corner.y * cosine - corner.x * sine};
+  return {vector.x() * cosine + vector.y() * sine, vector.y() * cosine - vector.x() * sine};
 }
 
 /// A point against a face while its series grow.
 struct GrowingPoint {
   CornerOnFace corner;
+  Eigen::Vector2d body_arm;     ///< from the centre of mass of the point's body, in its frame, m
+  Eigen::Vector2d face_centre;  ///< of mass of the face's body, from its middle, m
   const BodySeries* face;
   const BodySeries* body;
-  Series apart_x, apart_y;  ///< from the middle of the face's body
+  Series apart_x, apart_y;  ///< from the centre of mass of the face's body
   Series arm_x, arm_y;
-  FaceSeries place;
+  FaceSeries place;         ///< from there too
   Series force_x, force_y;  ///< on the point's body
 
-  GrowingPoint(const CornerOnFace& point, const BodySeries* face_body, const BodySeries* point_body)
-      : corner(point), face(face_body), body(point_body) {}
+  GrowingPoint(const std::vector<Block>& blocks, const CornerOnFace& point, const BodySeries* face_body,
+               const BodySeries* point_body)
+      : corner(point),
+        body_arm(Eigen::Vector2d(point.x, point.y) - centre_of(blocks, point.body)),
+        face_centre(centre_of(blocks, point.face)),
+        face(face_body),
+        body(point_body) {}
 
   void extend(std::size_t n) {
-    const PlaneCoefficient turned = arm(*body, corner, n);
-    put(arm_x, n, turned.x);
-    put(arm_y, n, turned.y);
-    put(apart_x, n, coefficient(body->x, n) - coefficient(face->x, n) + turned.x);
-    put(apart_y, n, coefficient(body->y, n) - coefficient(face->y, n) + turned.y);
+    const PlaneCoefficient arm = turned(*body, body_arm, n);
+    put(arm_x, n, arm.x);
+    put(arm_y, n, arm.y);
+    put(apart_x, n, coefficient(body->x, n) - coefficient(face->x, n) + arm.x);
+    put(apart_y, n, coefficient(body->y, n) - coefficient(face->y, n) + arm.y);
     put(place.along, n, convolution(apart_x, face->cosine, n) - convolution(apart_y, face->sine, n));
     put(place.above, n, convolution(apart_x, face->sine, n) + convolution(apart_y, face->cosine, n));
+  }
+
+  FaceSeries place_from_middle() const {
+    FaceSeries result = place;
+    result.along[0] += face_centre.x();
+    result.above[0] += face_centre.y();
+    return result;
   }
 
   void extend_force(const ForceSeries& force, std::size_t n) {
@@ -92,6 +106,7 @@ class SeriesMaker {
               const ScaledBodyForce<double>& body_force, double length)
       : stack_(stack), joints_(joints), body_force_(body_force), ground_(ground_series()) {
     series_.length = length;
+    series_.force_unit = 1 / (length * length);
     series_.bodies.resize(joints.size());
     series_.forces.resize(joints.size());
     series_.held.resize(joints.size());
@@ -148,7 +163,7 @@ class SeriesMaker {
   }
 
   ModeSeries finish(double ratio) && {
-    for (const GrowingPoint& point : points_) series_.held[interface_of(point)] = point.place;
+    for (const GrowingPoint& point : points_) series_.held[interface_of(point)] = point.place_from_middle();
     if (ratio < 1) {
       series_.length *= ratio;
       for (BodySeries& body : series_.bodies)
@@ -199,7 +214,7 @@ class SeriesMaker {
       if (!joint.touches()) continue;
       const auto interface = static_cast<int>(k);
       const CornerOnFace corner = held_point(stack_.blocks, interface, joint);
-      points_.emplace_back(corner, body_of(corner.face), body_of(corner.body));
+      points_.emplace_back(stack_.blocks, corner, body_of(corner.face), body_of(corner.body));
       points_.back().extend(0);
       points_.back().extend(1);
       const PointRows rows = rows_of(stack_.blocks, start, corner);
@@ -326,14 +341,15 @@ ModeStep mode_step(const FrictionStack& stack, const std::vector<Joint>& joints,
   return {std::move(maker).finish(std::min(ratio, 1.0)), orders + 2 < most};
 }
 
-FaceSeries corner_series(const ModeSeries& series, const CornerOnFace& corner) {
+FaceSeries corner_series(const std::vector<Block>& blocks, const ModeSeries& series,
+                         const CornerOnFace& corner) {
   const BodySeries ground = ground_series();
   const auto of = [&](int body) {
     return body < 0 ? &ground : &series.bodies[static_cast<std::size_t>(body)];
   };
-  GrowingPoint point(corner, of(corner.face), of(corner.body));
+  GrowingPoint point(blocks, corner, of(corner.face), of(corner.body));
   for (std::size_t n = 0; n < series.bodies.front().x.terms; ++n) point.extend(n);
-  return point.place;
+  return point.place_from_middle();
 }
 
 Series product(const Series& first, const Series& second) {

@@ -19,7 +19,7 @@ struct FaceSeries {
   Series along, above;
 };
 
-/// What an interface carries over a step, up to one positive factor; see ContactForce.
+/// What an interface carries over a step, in units of the step's own; see ContactForce.
 struct ForceSeries {
   Series normal, tangential, moment;
 };
@@ -29,7 +29,8 @@ struct ForceSeries {
 /// Gaps that are held stay zero: each order of the accelerations and forces solves the same linear equations,
 /// those of respond(), with what lower orders add to forces and gaps on their right side.
 struct ModeSeries {
-  double length = 0;  ///< s
+  double length = 0;      ///< s
+  double force_unit = 0;  ///< of the series of forces, N; that of moments is N·m
   std::vector<BodySeries> bodies;
   std::vector<ForceSeries> forces;
   std::vector<FaceSeries> held;  ///< of held points; empty where apart
@@ -47,7 +48,8 @@ ModeStep mode_step(const FrictionStack& stack, const std::vector<Joint>& joints,
                    const ScaledBodyForce<double>& body_force, double length);
 
 /// Any corner over any face along a step.
-FaceSeries corner_series(const ModeSeries& series, const CornerOnFace& corner);
+FaceSeries corner_series(const std::vector<Block>& blocks, const ModeSeries& series,
+                         const CornerOnFace& corner);
 
 Series product(const Series& first, const Series& second);
 

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "analytic/scene/history.hpp"
 #include "analytic/unilateral/bodies.hpp"
 
 namespace rockstack {
@@ -48,26 +51,38 @@ struct ContactHistory {
   };
   std::vector<Sample> samples;
   std::vector<ContactEvent> events;
+  std::vector<double> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
+  /// What acts at each interface, of the motion and of impacts; empty unless asked for. A least normal force
+  /// of zero is that of blocks that part; nothing pulls, and nothing rubs more than its friction, so that
+  /// first times are infinite. Of impulses that of chatter, less than a millionth of a fall's, is not told.
+  std::vector<Demand> forces, impulses;
   Bodies last;        ///< at the end
   double end_time{};  ///< s
 };
 
-/// What the scene does not say. Empty lists: no slip to start with; nothing sampled.
+/// A motion that could not be followed to its end: why, and what is known of it.
+class UnfinishedContacts : public std::runtime_error {
+ public:
+  UnfinishedContacts(const std::string& reason, ContactHistory known)
+      : std::runtime_error(reason), history(std::move(known)) {}
+  ContactHistory history;  ///< up to there
+};
+
+/// What the scene does not say.
 struct ContactOptions {
-  std::vector<double> friction = {};  ///< Coulomb's coefficient of each interface, ≥ 0, from the ground up
-  std::vector<double> slip_rates =
-      {};  ///< at the start, m/s, to the right positive, of interfaces that touch
-  std::vector<double> sample_times = {};  ///< s, ascending from ≥ 0
+  std::vector<double> sample_times = {};  ///< s, ascending from ≥ 0; none: events alone
   double resolution = 0;                  ///< chatter ends below it, rad, ≥ 0; 0: the rounding of 1
+  bool validity = false;                  ///< whether to keep what acts at each interface
+  bool peaks = false;                     ///< whether to keep the largest angle of each block
 };
 
 /// The exact motion of rigid blocks that push, rub by Coulomb's law, lift off, fly and land without bounce.
 /// The law and the equations of the scene are not asked for: they are unilateral and nonlinear.
 /// @throws FieldError for a scene out of range; std::invalid_argument for options out of range;
-/// std::runtime_error where events do not come to an end.
-ContactHistory solve_unilateral(const Scene& scene, const ContactOptions& options);
+/// UnfinishedContacts where events do not come to an end.
+ContactHistory solve_unilateral(const Scene& scene, const ContactOptions& options = {});
 
-/// Kinetic energy and that of weight, J, in the frame of the ground.
+/// Kinetic energy and that of weight, J, in the frame of the ground, from the middle of its interface.
 double energy(const Scene& scene, const Bodies& bodies);
 
 }  // namespace rockstack

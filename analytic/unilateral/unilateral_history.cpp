@@ -89,6 +89,9 @@ History history_of(const Scene& scene, const ContactHistory& motion) {
   history.blocks = stack.size();
   for (const ContactHistory::Sample& sample : motion.samples) add_sample(scene, stack, sample, history);
   for (const ContactEvent& event : motion.events) history.events.push_back(event_of(event));
+  history.peaks = motion.peaks;
+  history.forces = motion.forces;
+  history.impulses = motion.impulses;
   return history;
 }
 

@@ -10,22 +10,21 @@ namespace rockstack {
 namespace {
 
 /// Blocks that slide on a shaken ground which falls away under them for a while, and land.
-testing::RubbingScene thrown(std::uint64_t seed) {
+Scene thrown(std::uint64_t seed) {
   testing::Draw draw(900 + seed);
   const int size = 1 + static_cast<int>(seed % 2);
-  testing::RubbingScene result;
   std::vector<Block> blocks;
   blocks.reserve(2);
   for (int k = 0; k < size; ++k)
     blocks.push_back(testing::block(draw.between(0.5, 1), draw.between(0.5, 1.2)));
-  Scene& scene = result.scene;
-  scene = testing::released(std::move(blocks), std::vector<double>(static_cast<std::size_t>(size), 0), 0.45);
+  Scene scene =
+      testing::released(std::move(blocks), std::vector<double>(static_cast<std::size_t>(size), 0), 0.45);
   const double g = scene.gravity;
   scene.horizontal =
       testing::pulse_of(PulseShape::sine, draw.between(0.5, 1) * g * (draw.coin() ? 1 : -1), 0.3, 0.01);
   scene.vertical = testing::pulse_of(PulseShape::half_sine, -draw.between(1.5, 2.5) * g, 0.12, 0.1);
-  for (int k = 0; k < size; ++k) result.options.friction.push_back(draw.between(0.1, 0.5));
-  return result;
+  for (int k = 0; k < size; ++k) scene.friction.push_back(draw.between(0.1, 0.5));
+  return scene;
 }
 
 double distance(const Bodies& one, const Bodies& other) {
@@ -74,13 +73,13 @@ TEST(UnilateralConvergence, TimeStepsOfMoreauApproachItWithOrderOne) {
   double sum = 0;
   double squares = 0;
   for (std::uint64_t seed = 0; seed < scenes; ++seed) {
-    const auto [scene, options] = thrown(seed);
-    const ContactHistory history = solve_unilateral(scene, options);
+    const Scene scene = thrown(seed);
+    const ContactHistory history = solve_unilateral(scene);
     EXPECT_TRUE(slips_and_flies(history)) << seed;
     ASSERT_EQ(history.end_time, scene.duration) << seed;
     std::vector<std::pair<double, double>> errors;
     for (const double step : {1e-3, 0.8e-3, 0.125e-3, 0.1e-3}) {
-      const double error = distance(history.last, testing::time_stepped(scene, options, step));
+      const double error = distance(history.last, testing::time_stepped(scene, step));
       // No step of any scene leaves out more: the bound C, in m/s and rad/s.
       EXPECT_LT(error, 2 * step) << seed << ' ' << step;
       errors.emplace_back(std::log(step), std::log(error));
@@ -99,12 +98,12 @@ TEST(UnilateralConvergence, TimeStepsOfMoreauApproachItWithOrderOne) {
 TEST(UnilateralConvergence, SweepsOfTheTimeStepperHaveEnded) {
   constexpr double step = 1e-3;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const auto [scene, options] = thrown(seed);
+    const Scene scene = thrown(seed);
     const double left_out = 1e-9 * scene.gravity * scene.duration * scene.duration;
-    const Bodies stepped = testing::time_stepped(scene, options, step);
-    const Bodies swept = testing::time_stepped(scene, options, step, 1e-12);
+    const Bodies stepped = testing::time_stepped(scene, step);
+    const Bodies swept = testing::time_stepped(scene, step, 1e-12);
     EXPECT_LT(distance(stepped, swept), left_out) << seed;
-    EXPECT_LT(left_out, 1e-3 * distance(solve_unilateral(scene, options).last, stepped)) << seed;
+    EXPECT_LT(left_out, 1e-3 * distance(solve_unilateral(scene).last, stepped)) << seed;
   }
 }
 

@@ -9,9 +9,10 @@ namespace {
 
 /// A block on its right corner that slides as told.
 ContactHistory sliding_on_its_corner(double slip_rate, double friction, double duration) {
-  Scene scene = testing::single(0.5, 1, duration);
+  Scene scene = testing::with_friction(testing::single(0.5, 1, duration), friction);
   scene.initial.angles = {0.2};
-  return solve_unilateral(scene, {.friction = {friction}, .slip_rates = {slip_rate}});
+  scene.initial.slip_velocities = {slip_rate};
+  return solve_unilateral(scene);
 }
 
 bool tells(const ContactHistory& history, Solutions solutions) {

@@ -106,12 +106,10 @@ void add_corners(const Scene& scene, std::vector<Body>& bodies, std::size_t k, d
 
 }  // namespace
 
-Bodies time_stepped(const Scene& scene, const ContactOptions& options, double step, double stop) {
-  ContactOptions none = options;
+Bodies time_stepped(const Scene& scene, double step, double stop) {
   Scene start = scene;
   start.duration = 1e-9 * scene.duration;
-  none.sample_times = {0};
-  const Bodies first = solve_unilateral(start, none).samples.front().bodies;
+  const Bodies first = solve_unilateral(start, {.sample_times = {0}}).samples.front().bodies;
   std::vector<Body> bodies;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const Block& block = scene.blocks[k];
@@ -143,7 +141,7 @@ Bodies time_stepped(const Scene& scene, const ContactOptions& options, double st
     }
     touching.clear();
     for (std::size_t k = 0; k < bodies.size(); ++k)
-      add_corners(scene, bodies, k, options.friction[k], reach, touching);
+      add_corners(scene, bodies, k, scene.friction[k], reach, touching);
     double scale = 0;
     for (const Body& body : bodies) scale += body.mass * scene.gravity * length;
     for (int sweep = 0; sweep < 1000; ++sweep) {

@@ -11,6 +11,6 @@ namespace rockstack::testing {
 /// change impulses by less than `stop` times that of all weight in a step: over T seconds they leave out some
 /// stop · gT² of positions.
 /// @returns placements and rates at the end.
-Bodies time_stepped(const Scene& scene, const ContactOptions& options, double step, double stop = 1e-9);
+Bodies time_stepped(const Scene& scene, double step, double stop = 1e-9);
 
 }  // namespace rockstack::testing
