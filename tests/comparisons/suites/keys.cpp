@@ -75,11 +75,11 @@ TEST(Keys, OfSuitesAreThoseThatAreRead) {
   expect_tables_are_complete(suite_tables);
 }
 
-/// What keys with a default give.
-std::string defaults_in(const std::string& text) {
-  const TemporaryFolder folder;
-  folder.write("scene.toml", key_scene);
-  const Suite suite = read_suite(folder.write("input.toml", text), {});
+/// What reading a file gives, as text; its scene lies beside it.
+using Describe = std::string (*)(const std::filesystem::path& file);
+
+std::string suite_of(const std::filesystem::path& file) {
+  const Suite suite = read_suite(file, {});
   std::ostringstream found;
   found << suite.tolerance << ' ' << suite.repeats << ' ' << suite.limits.time << ' ' << suite.limits.memory
         << ' ' << suite.draws.runs << ' ' << suite.draws.steps << ' ' << suite.draws.scene << ' '
@@ -92,22 +92,56 @@ std::string defaults_in(const std::string& text) {
   return found.str();
 }
 
+std::string study_of(const std::filesystem::path& file) {
+  const StabilityStudy study = read_stability_study(file, {});
+  std::ostringstream found;
+  found << study.suite.repeats << ' ' << study.suite.limits.time << ' ' << study.axis.logarithmic;
+  return found.str();
+}
+
+std::string ensemble_of(const std::filesystem::path& file) {
+  MotionLibrary library;
+  const Ensemble ensemble = read_ensemble(file, {}, library);
+  std::ostringstream found;
+  found << ensemble.tolerance;
+  for (std::size_t run = 0; run < run_count(ensemble); ++run)
+    for (const Value& value : values_of(ensemble, run)) found << ' ' << value.text;
+  return found.str();
+}
+
+/// Holds every default of a table that is a value to what the reader takes without the key; tells how many.
+int expect_defaults_are_those_read(const KeyFile& file, const KeyTable& table, Describe describe) {
+  const TemporaryFolder folder;
+  folder.write("scene.toml", key_scene);
+  const auto read = [&](const KeyFile& one) { return describe(folder.write("input.toml", one.text())); };
+  int defaults = 0;
+  for (const InputKey& key : table.keys) {
+    const bool empty_list = std::string_view(key.standard) == "[]";  // which `set` refuses
+    if (empty_list || !parse_toml_value(key.standard, Node{})) continue;
+    EXPECT_EQ(read(KeyFile(file).set(table, key.name, key.standard)), read(file)) << key.name;
+    ++defaults;
+  }
+  return defaults;
+}
+
 TEST(Keys, OfSuitesHaveTheDefaultsOfTheReader) {
   int defaults = 0;
   for (const KeyTable* table : {&suite_keys, &engine_keys, &draws_keys, &perturbations_keys}) {
     std::vector<const KeyTable*> tables{&suite_keys, &engine_keys};
     if (table != &suite_keys && table != &engine_keys) tables.push_back(table);
-    const KeyFile file(tables);
-    for (const InputKey& key : table->keys) {
-      const bool empty_list = std::string_view(key.standard) == "[]";  // which `set` refuses
-      if (empty_list || !parse_toml_value(key.standard, Node{})) continue;
-      EXPECT_EQ(defaults_in(KeyFile(file).set(*table, key.name, key.standard).text()),
-                defaults_in(file.text()))
-          << key.name;
-      ++defaults;
-    }
+    defaults += expect_defaults_are_those_read(KeyFile(tables), *table, suite_of);
   }
   EXPECT_GE(defaults, 10);
+}
+
+TEST(Keys, OfStudiesAndEnsemblesHaveTheDefaultsOfTheReader) {
+  const KeyFile study({&stability_keys, &axis_keys, &engine_keys});
+  EXPECT_EQ(expect_defaults_are_those_read(study, stability_keys, study_of), 2);
+  EXPECT_EQ(expect_defaults_are_those_read(study, axis_keys, study_of), 1);
+  KeyFile ensemble({&ensemble_keys, &vary_keys, &range_keys});
+  ensemble.leave_out(vary_keys, "values");
+  EXPECT_EQ(expect_defaults_are_those_read(ensemble, ensemble_keys, ensemble_of), 1);
+  EXPECT_EQ(expect_defaults_are_those_read(ensemble, range_keys, ensemble_of), 1);
 }
 
 TEST(Keys, OfStudiesAreThoseThatAreRead) {
