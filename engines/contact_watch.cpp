@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rockstack {
 namespace {
@@ -34,9 +35,9 @@ std::vector<double> lighter_masses(const Scene& scene) {
 
 }  // namespace
 
-ContactWatch::ContactWatch(const Scene& scene, double dt, double friction)
+ContactWatch::ContactWatch(const Scene& scene, double dt, std::vector<double> friction)
     : dt_(dt),
-      friction_(friction),
+      friction_(std::move(friction)),
       widths_(overlap_widths(scene)),
       masses_(lighter_masses(scene)),
       last_ends_(scene.blocks.size()) {}
@@ -70,7 +71,7 @@ void ContactWatch::add_forces(const std::vector<ContactPoint>& points, BodyRecor
   for (const ContactPoint& point : points) {
     across = std::max(across, point.gap * point.normal / dt_);
     pushed_ += point.normal;
-    excess_ += std::max(0.0, point.tangential - friction_ * point.normal);
+    excess_ += std::max(0.0, point.tangential - friction_[point.interface] * point.normal);
   }
   record.complementarity = across;
   record.friction_excess = pushed_ > 0 ? excess_ / pushed_ : 0;

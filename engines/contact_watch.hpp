@@ -13,8 +13,8 @@ namespace rockstack {
 /// Adds to a BodyRecord what an engine's contacts tell while a simulation steps.
 class ContactWatch {
  public:
-  /// `friction`: the coefficient that acts; dt in s.
-  ContactWatch(const Scene& scene, double dt, double friction);
+  /// `friction`: the coefficient that acts at each interface; dt in s.
+  ContactWatch(const Scene& scene, double dt, std::vector<double> friction);
 
   /// To be called once at t = 0 and once after every step, with the contacts of that step and the state that
   /// it led to.
@@ -38,7 +38,8 @@ class ContactWatch {
                    BodyRecord& record) const;
   std::vector<Ends> ends_of(const std::vector<ContactPoint>& points) const;
 
-  double dt_, friction_;
+  double dt_;
+  std::vector<double> friction_;
   std::vector<double> widths_;  ///< of the faces' overlap at each interface, m
   std::vector<double> masses_;  ///< of the lighter body at each interface, kg
   std::size_t samples_ = 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -24,6 +25,14 @@ void append(History& history, double time, const Simulation& simulation) {
   history.angles.resize(start + width);
   history.velocities.resize(start + width);
   simulation.read(std::span(history.angles).subspan(start), std::span(history.velocities).subspan(start));
+}
+
+void append_places(History& history, const BodyWatch& watch) {
+  for (const InterfaceState& state : watch.interfaces()) {
+    history.slips.push_back(state.slip);
+    history.gaps.push_back(-state.depth);
+  }
+  for (const BlockPose& pose : watch.poses()) history.places.insert(history.places.end(), {pose.x, pose.y});
 }
 
 void require_finite(const History& history) {
@@ -51,6 +60,14 @@ bool moves_ground(const Parameters& parameters) {
   return shaking != parameters.end() && shaking->second != 0;
 }
 
+/// The coefficient that acts at each interface.
+std::vector<double> acting_friction(const Engine& engine, const Scene& scene) {
+  std::vector<double> friction = friction_of(scene);
+  std::transform(friction.begin(), friction.end(), friction.begin(),
+                 [&](double asked) { return engine.friction(asked); });
+  return friction;
+}
+
 double stepping_seconds(Simulation& simulation, std::size_t steps) {
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t step = 0; step < steps; ++step) simulation.step();
@@ -69,11 +86,13 @@ EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Pa
   history.angles.reserve((steps + 1) * scene.blocks.size());
   history.velocities.reserve((steps + 1) * scene.blocks.size());
   std::optional<BodyWatch> watch;
-  if (bodies)
-    watch.emplace(scene, dt, moves_ground(parameters), engine.friction(scene.engine.friction), *simulation);
+  const bool slips = scene.law == Law::unilateral;
+  if (bodies || slips)
+    watch.emplace(scene, dt, moves_ground(parameters), acting_friction(engine, scene), *simulation);
   const auto observe = [&](std::size_t step) {
     append(history, static_cast<double>(step) * dt, *simulation);
     if (watch) watch->observe(history.angles_at(step), history.velocities_at(step));
+    if (slips) append_places(history, *watch);
   };
   observe(0);
   for (std::size_t step = 1; step <= steps; ++step) {
@@ -83,7 +102,7 @@ EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Pa
     if (has_toppled(scene, history.angles_at(step))) break;
   }
   EngineRun run{std::move(history), simulation->warnings(), {}};
-  if (watch) run.bodies = watch->record();
+  if (bodies) run.bodies = watch->record();
   return run;
 }
 

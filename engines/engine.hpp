@@ -42,7 +42,9 @@ class Engine {
 
 /// What an engine made of a scene.
 struct EngineRun {
-  History history;  ///< the state at t = 0 and after every step; ends early where a block has toppled
+  /// The state at t = 0 and after every step; ends early where a block has toppled. Of law `unilateral` with
+  /// slips, gaps (negative: overlap) and places, whether or not the blocks touch.
+  History history;
   std::size_t warnings = 0;          ///< as Simulation::warnings()
   std::optional<BodyRecord> bodies;  ///< where asked for
 };

@@ -47,9 +47,11 @@ double deepest_corner(const Face& face, const Face& other) {
   return depth;
 }
 
-/// Of the shorter face on the longer one.
-double slip_of(const Face& shorter, const Face& longer, double leaning) {
-  return seen_from(longer, corner(shorter, leaning)).x() - leaning * shorter.half_length;
+/// Of `upper`, a bottom, on `lower`, a top. `leaning`: −1 or 1.
+double slip_of(const Face& lower, const Face& upper, double leaning) {
+  const double on_lower = seen_from(lower, corner(upper, leaning)).x();
+  if (leaning * on_lower <= lower.half_length) return on_lower - leaning * upper.half_length;
+  return leaning * lower.half_length - seen_from(upper, corner(lower, leaning)).x();
 }
 
 }  // namespace
@@ -57,17 +59,15 @@ double slip_of(const Face& shorter, const Face& longer, double leaning) {
 InterfaceState on_ground(const Block& block, const BlockPose& pose) {
   const Face ground{{}, std::numeric_limits<double>::infinity(), 1};
   const Face bottom = face_of(block, pose, -1);
-  return {deepest_corner(ground, bottom), slip_of(bottom, ground, pose.angle < 0 ? -1 : 1)};
+  return {deepest_corner(ground, bottom), slip_of(ground, bottom, pose.angle < 0 ? -1 : 1)};
 }
 
 InterfaceState on_block(const Block& lower, const BlockPose& lower_pose, const Block& upper,
                         const BlockPose& upper_pose) {
   const Face top = face_of(lower, lower_pose, 1);
   const Face bottom = face_of(upper, upper_pose, -1);
-  const bool overhangs = upper.half_width > lower.half_width;
   const double leaning = upper_pose.angle < lower_pose.angle ? -1 : 1;
-  return {std::max(deepest_corner(top, bottom), deepest_corner(bottom, top)),
-          overhangs ? slip_of(top, bottom, leaning) : slip_of(bottom, top, leaning)};
+  return {std::max(deepest_corner(top, bottom), deepest_corner(bottom, top)), slip_of(top, bottom, leaning)};
 }
 
 }  // namespace rockstack

@@ -15,8 +15,9 @@ struct InterfaceState {
   /// How deep a corner of either body lies below the face of the other that it is over, m, negative where it
   /// is above it; −∞ where none is over it.
   double depth = 0;
-  /// How far the pivot on the side to which the block leans has gone along the face, from where it is while
-  /// the blocks neither slip nor lift off, m. The pivot is the corner of the narrower body.
+  /// How far the block has slipped to the right along what is under it, m: by its pivot on the side to which
+  /// it leans, along the face. The pivot is the end of the faces' overlap there: a corner of the block, or of
+  /// the body below where that corner is past the end of its face.
   double slip = 0;
 };
 

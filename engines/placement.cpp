@@ -38,6 +38,20 @@ void require_for_engines(const Scene& scene) {
   }
 }
 
+/// What slip at the start adds to the velocity of each centre: that of its own interface and of all below.
+Points<double> slip_motions(const Stack<double>& stack, const InitialState& initial) {
+  Points<double> motions = Points<double>::Zero(2, stack.size());
+  Point<double> carried = Point<double>::Zero();
+  for (int k = 0; k < stack.size() && !initial.slip_velocities.empty(); ++k) {
+    const int along = face(stack, k);
+    const double angle = along < 0 ? 0 : initial.angles[static_cast<std::size_t>(along)];
+    carried +=
+        turned(initial.slip_velocities[static_cast<std::size_t>(k)], 0.0, std::cos(angle), std::sin(angle));
+    motions.col(k) = carried;
+  }
+  return motions;
+}
+
 }  // namespace
 
 std::vector<Placement> place(const Scene& scene) {
@@ -45,9 +59,10 @@ std::vector<Placement> place(const Scene& scene) {
   const Vector<double> angles = vector_of(scene.initial.angles);
   const Vector<double> velocities = vector_of(scene.initial.velocities);
   const Pattern pattern = pattern_of(relative(angles), relative(velocities));
-  const Chain<double> chain = make_chain(make_stack<double>(scene), pattern, angles);
+  const Stack<double> stack = make_stack<double>(scene);
+  const Chain<double> chain = make_chain(stack, pattern, angles);
   const Points<double> middles = centres(chain);
-  const Points<double> motions = centre_velocities(chain, velocities);
+  const Points<double> motions = centre_velocities(chain, velocities) + slip_motions(stack, scene.initial);
 
   std::vector<Placement> placements;
   for (Eigen::Index k = 0; k < angles.size(); ++k) {

@@ -18,7 +18,7 @@ struct Placement {
   double inertia_about_x = 0, inertia_about_y = 0, inertia = 0;  ///< `inertia` is about z, kg·m²
 };
 
-/// Bottom to top: pivots touch, centres move as the pattern of the initial state makes them.
+/// Bottom to top: pivots touch, centres move as the pattern and the slips of the initial state make them.
 /// @throws std::runtime_error for a restitution, or a centre of mass off a block's middle, in one line.
 std::vector<Placement> place(const Scene& scene);
 

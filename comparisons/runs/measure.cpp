@@ -32,7 +32,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json summary(const RunMetrics& row, const NamedScene& scene, const Parameters& parameters,
+Json summary(const RunMetrics& row, const NamedScene& scene, const Json& parameters,
              const std::vector<const WorkerEngine*>& engines, const std::string& command) {
   Json json = metrics_json(row);
   json["title"] = scene.scene.title;
@@ -43,10 +43,15 @@ Json summary(const RunMetrics& row, const NamedScene& scene, const Parameters& p
   return json;
 }
 
-/// Every number that shapes an engine run, with the friction that really acts.
-Parameters all_parameters(const EngineSeries& series, const Scene& scene) {
-  Parameters parameters = series.parameters;
-  parameters["friction"] = series.engine->friction(scene.engine.friction);
+/// Every number that shapes an engine run, with the friction that really acts: of each interface from the
+/// ground up, or one number where all are alike.
+Json all_parameters(const EngineSeries& series, const Scene& scene) {
+  std::vector<double> friction = friction_of(scene);
+  for (double& coefficient : friction) coefficient = series.engine->friction(coefficient);
+  const bool alike =
+      std::adjacent_find(friction.begin(), friction.end(), std::not_equal_to<>()) == friction.end();
+  Json parameters = series.parameters;
+  parameters["friction"] = alike ? Json(friction.front()) : Json(friction);
   return parameters;
 }
 
@@ -143,7 +148,7 @@ Json run_exact(const Job& job, RunMetrics& row, const std::string& command, RunF
   add_history(history, files);
   files["reactions.csv"] = reactions_csv(scene, history);
   run_perturbed(job, exact_tally, files);
-  Json json = summary(row, job.scene, {}, {}, command);
+  Json json = summary(row, job.scene, Json::object(), {}, command);
   add_validity(scene, history, json);
   return json;
 }
@@ -163,7 +168,7 @@ Json run_variant(const Job& job, RunMetrics& row, const std::string& command, Ru
   run_perturbed(
       job, [&](const Scene& other) { return exact_tally(job.variant->apply(other)); }, files);
   set_time(time_solving(scene, job.suite.repeats, options_for(job)), motion_time(scene, history), row);
-  Json json = summary(row, job.scene, {}, {}, command);
+  Json json = summary(row, job.scene, Json::object(), {}, command);
   add_validity(scene, history, json);
   return json;
 }
@@ -225,7 +230,7 @@ RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at
     row = describe(job);
     row.status = RunStatus::failed;
     row.reason = failure.what();
-    json = summary(row, job.scene, {}, {}, command);
+    json = summary(row, job.scene, Json::object(), {}, command);
   }
   thin_histories(files, job.suite.history_interval);
   json["identity"] = identity(job);
@@ -274,8 +279,8 @@ History simulate_into(const NamedScene& scene, const EngineSeries& series, doubl
   row.warnings = static_cast<int>(warnings);
   row.toppled = observed_toppling(scene.scene, history);
   history.patterns = sampled_patterns(scene.scene, history);
-  const Parameters parameters = all_parameters(series, scene.scene);
-  write_motion(scene, history, summary(row, scene, parameters, {series.engine}, command), folder);
+  write_motion(scene, history,
+               summary(row, scene, all_parameters(series, scene.scene), {series.engine}, command), folder);
   return std::move(history);
 }
 

@@ -5,8 +5,9 @@
 // against a plane (ground = "plane", btStaticPlaneShape) Bullet finds one corner a step and keeps those of
 // steps before. Blocks are boxes, which Bullet clips against each other; shape = "hull" makes them convex
 // hulls of their corners without a margin, which meet by GJK, one point a step. Bullet multiplies the two
-// bodies' friction and clamps the product at 10. Bullet's erp and frictionCFM are not here: without joints
-// they change no digit; frictionERP acts with frictionAnchor = 1 alone.
+// bodies' friction and clamps the product at 10; each interface has a coefficient of its own here, given by
+// the library's callback for pairs and clamped alike. Bullet's erp and frictionCFM are not here: without
+// joints they change no digit; frictionERP acts with frictionAnchor = 1 alone.
 //
 // contactStiffness k in N/m and contactDamping c in N s/m make each contact point a spring and a dashpot,
 // through Bullet's own erp = h k/(h k + c) and cfm = 1/(h k + c) with the step h; where both are zero, erp2
@@ -55,9 +56,6 @@ constexpr int usual_mode = 4 | 256;
 
 /// N/m and N s/m: what the library gives a body that has no stiffness of its own.
 constexpr double stiffest = 1e18;
-
-/// The library clamps a pair's coefficient of friction here (btManifoldResult.cpp).
-constexpr double largest_friction = 10;
 
 /// What the tuned set changes.
 struct Tuned {
@@ -152,7 +150,7 @@ class Bullet : public Engine {
                        single_precision ? "single" : "double");
   }
   std::vector<Setting> settings() const override { return settings_of(solver_); }
-  double friction(double asked) const override { return std::min(asked, largest_friction); }
+  double friction(double asked) const override { return std::min(asked, friction_clamp); }
   std::unique_ptr<Simulation> start(const Scene& scene, double dt,
                                     const Parameters& parameters) const override {
     check(name(), settings(), parameters, dt);

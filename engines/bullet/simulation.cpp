@@ -70,16 +70,27 @@ void apply(const Parameters& parameters, btContactSolverInfo& info) {
   info.m_leastSquaresResidualThreshold = scalar(parameters.at("leastSquaresResidualThreshold"));
 }
 
-/// What each body has for a pair of them to have what was asked for: Bullet multiplies friction and
-/// restitution, takes stiffnesses in series and adds dampings.
+/// A pair's coefficient, that of the interface under its upper body, which has it.
+btScalar friction_of_pair(const btCollisionObject* a, const btCollisionObject* b) {
+  return (a->getUserIndex() > b->getUserIndex() ? a : b)->getFriction();
+}
+
+/// One callback for all worlds, as pairs know all that it asks for.
+void combine_friction_by_interface() {
+  static const bool combined = (gCalculateCombinedFrictionCallback = friction_of_pair) != nullptr;
+  static_cast<void>(combined);
+}
+
+/// What each body has for a pair of them to have what was asked for: Bullet multiplies restitution, takes
+/// stiffnesses in series and adds dampings.
 struct Surface {
-  btScalar friction, restitution;
+  btScalar restitution;
   btScalar stiffness, damping;  ///< N/m, N·s/m; both zero: none of its own
   int flags;
 };
 
-Surface surface_of(double friction, double mass_factor, const Parameters& parameters) {
-  return {scalar(std::sqrt(friction)), scalar(std::sqrt(parameters.at("restitution"))),
+Surface surface_of(double mass_factor, const Parameters& parameters) {
+  return {scalar(std::sqrt(parameters.at("restitution"))),
           scalar(2 * mass_factor * parameters.at("contactStiffness")),
           scalar(0.5 * mass_factor * parameters.at("contactDamping")),
           parameters.at("frictionAnchor") != 0 ? btCollisionObject::CF_HAS_FRICTION_ANCHOR : 0};
@@ -116,9 +127,10 @@ class BulletSimulation : public Simulation {
         dt_(dt),
         shaking_(scene_, dt, parameters),
         mass_factor_(mass_factor(scene_, parameters)),
-        surface_(surface_of(scene_.engine.friction, mass_factor_, parameters)),
+        surface_(surface_of(mass_factor_, parameters)),
         dispatcher_(&configuration_),
         solver_(solver, parameters) {
+    combine_friction_by_interface();
     apply(parameters, world_.getSolverInfo());
     set_gravity(body_acceleration(scene_));
     const double breaking_factor = scalar(parameters.at("contactBreakingThreshold"));
@@ -129,8 +141,11 @@ class BulletSimulation : public Simulation {
       const double reach = ground_reach(scene_);
       add_ground(make_box(vector(reach, reach, reach), breaking_factor), vector(0, -reach, 0));
     }
-    for (const Placement& placement : place(scene_)) {
-      add_block(placement, shape(half_extents(placement), breaking_factor));
+    const std::vector<double> friction = friction_of(scene_);
+    const std::vector<Placement> placements = place(scene_);
+    for (std::size_t k = 0; k < placements.size(); ++k) {
+      add_block(placements[k], std::min(friction[k], friction_clamp),
+                shape(half_extents(placements[k]), breaking_factor));
     }
   }
 
@@ -236,11 +251,13 @@ class BulletSimulation : public Simulation {
     ground_velocity_ = vector(step.velocity_x, step.velocity_y, 0);
   }
 
-  void add_block(const Placement& placement, std::unique_ptr<btCollisionShape> shape) {
+  /// `friction`: of the interface under it.
+  void add_block(const Placement& placement, double friction, std::unique_ptr<btCollisionShape> shape) {
     shapes_.push_back(std::move(shape));
     btRigidBody::btRigidBodyConstructionInfo info(
         scalar(mass_factor_ * placement.mass), nullptr, shapes_.back().get(),
         mass_factor_ * vector(placement.inertia_about_x, placement.inertia_about_y, placement.inertia));
+    info.m_friction = scalar(friction);
     info.m_startWorldTransform = btTransform(btQuaternion(btVector3(0, 0, 1), scalar(-placement.angle)),
                                              vector(placement.x, placement.y, 0));
     btRigidBody& body = add(info);
@@ -253,7 +270,6 @@ class BulletSimulation : public Simulation {
   }
 
   btRigidBody& add(btRigidBody::btRigidBodyConstructionInfo& info, int flags = 0) {
-    info.m_friction = surface_.friction;
     info.m_restitution = surface_.restitution;
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     btRigidBody& body = *bodies_.back();

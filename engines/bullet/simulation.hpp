@@ -8,6 +8,9 @@
 
 namespace rockstack {
 
+/// The library clamps a pair's coefficient of friction here (btManifoldResult.cpp).
+inline constexpr double friction_clamp = 10;
+
 /// A scene inside Bullet. Precondition: `parameters` are checked.
 std::unique_ptr<Simulation> start_bullet(BulletSolver solver, const Scene& scene, double dt,
                                          const Parameters& parameters);

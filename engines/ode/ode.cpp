@@ -1,16 +1,16 @@
 // The Open Dynamics Engine beside the exact model: what is set, and why.
 //
 // The same in both sets, as the question asks for it: each body in a planar joint, no auto-disable, no
-// damping, no bounce. realign = 1 puts velocities and rotations back into the plane after every step, which
-// the planar joint leaves to the user; its time counts. maxContacts = 8 is what dCollide may return for a
-// pair (a box gives 4). contactApprox1 = 1 makes the scene's friction a coefficient; with 0 the limit is a
-// force, that coefficient times the stack's weight. ODE reports errors through handlers: an error throws from
-// the call; a message (the solver's "s <= 0": it goes on with a step half solved) is counted as a warning,
-// and the run goes on as it does for a user, who sees it printed. Which stacks bring it about follows no
-// plain rule. In columns of 2 to 8 equal blocks that stand for 0.2 s, upright or turned by 1e-9 rad, at steps
-// of 1e-2 to 1e-4 s and in both sets: blocks of 0.5 m × 1.2 m, at most once; of 1 m × 0.6 m, up to 29 times;
-// of 1 m × 1 m, from two on, never to at every step. In rocking columns of eight: in 9 steps of 30000 at
-// most.
+// damping, no bounce. realign = 1 puts velocities and rotations back into the plane after every step,
+// which the planar joint leaves to the user; its time counts. maxContacts = 8 is what dCollide may return
+// for a pair (a box gives 4). contactApprox1 = 1 makes the scene's friction a coefficient; with 0 the
+// limit is a force, that coefficient times the stack's weight; each interface has its own. ODE reports
+// errors through handlers: an error throws from the call; a message (the solver's "s <= 0": it goes on
+// with a step half solved) is counted as a warning, and the run goes on as it does for a user, who sees it
+// printed. Which stacks bring it about follows no plain rule. In columns of 2 to 8 equal blocks that stand
+// for 0.2 s, upright or turned by 1e-9 rad, at steps of 1e-2 to 1e-4 s and in both sets: blocks of 0.5 m ×
+// 1.2 m, at most once; of 1 m × 0.6 m, up to 29 times; of 1 m × 1 m, from two on, never to at every step.
+// In rocking columns of eight: in 9 steps of 30000 at most.
 //
 // contactStiffness k in N/m and contactDamping c in N s/m make each contact point a spring and a dashpot,
 // through ODE's own erp = h k/(h k + c) and cfm = 1/(h k + c) of that point with the step h; where both are

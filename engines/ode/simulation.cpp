@@ -132,15 +132,19 @@ class OdeSimulation : public Simulation {
   }
 
   void add_contacts(dGeomID one, dGeomID other) {
+    const dBodyID first = body_of(one), second = body_of(other);
     const int count =
         dCollide(one, other, static_cast<int>(contacts_.size()), &contacts_.front().geom, sizeof(dContact));
+    if (count == 0) return;
+    const double limit = friction_limits_[interface_of(first, second)];
     for (int i = 0; i < count; ++i) {
       dContact& contact = contacts_[static_cast<std::size_t>(i)];
+      contact.surface.mu = limit;
       contact.fdir1[0] = contact.geom.normal[1];
       contact.fdir1[1] = -contact.geom.normal[0];
       const dJointID joint = dJointCreateContact(world_.get(), group_.get(), &contact);
-      dJointAttach(joint, body_of(one), body_of(other));
-      if (watched_) watch(joint, contact.geom, body_of(one), body_of(other));
+      dJointAttach(joint, first, second);
+      if (watched_) watch(joint, contact.geom, first, second);
     }
   }
 
@@ -162,13 +166,18 @@ class OdeSimulation : public Simulation {
     return static_cast<std::size_t>(found - bodies_.begin());
   }
 
+  /// That under the upper of two bodies, from 0.
+  std::size_t interface_of(dBodyID first, dBodyID second) const {
+    return std::max(number_of(first), number_of(second)).value();
+  }
+
   ContactPoint point_of(const Touch& touch) const {
     const auto first = number_of(touch.first), second = number_of(touch.second);
     const dReal* normal = touch.geom.normal;
     const dReal* force = touch.feedback.f1;
     const double push = dCalcVectorDot3(force, normal);
     ContactPoint point;
-    point.interface = std::max(first, second).value();
+    point.interface = interface_of(touch.first, touch.second);
     point.along = (first > second ? touch.on_first : touch.on_second)[0];
     point.gap_before = -touch.geom.depth;
     point.gap = point.gap_before + height_along(normal, touch.first, touch.on_first, touch.geom.pos) -
@@ -193,8 +202,9 @@ class OdeSimulation : public Simulation {
     const bool coefficient = parameters.at("contactApprox1") != 0;
     double weight = 0;
     for (const Placement& placement : place(scene_)) weight += mass_factor_ * placement.mass * scene_.gravity;
+    friction_limits_ = friction_of(scene_);
+    for (double& limit : friction_limits_) limit *= coefficient ? 1 : weight;
     for (dContact& contact : contacts_) {
-      contact.surface.mu = scene_.engine.friction * (coefficient ? 1 : weight);
       if (coefficient) contact.surface.mode |= dContactApprox1;
       if (parameters.at("bounce") != 0) contact.surface.mode |= dContactBounce;
       contact.surface.bounce = parameters.at("bounce");
@@ -273,6 +283,8 @@ class OdeSimulation : public Simulation {
   std::size_t warnings_ = 0;
   std::vector<double> angles_;
   std::vector<dContact> contacts_;
+  std::vector<double>
+      friction_limits_;  ///< of each interface: coefficients, or N in the library's own masses
   bool realign_;
   bool watched_ = false;
   double mass_factor_;         ///< of every mass; no angle depends on it

@@ -59,7 +59,8 @@ auto fields(Is<RunRequest> auto& run) {
 
 /// Engines fill in samples alone.
 auto fields(Is<History> auto& history) {
-  return std::tie(history.blocks, history.times, history.angles, history.velocities);
+  return std::tie(history.blocks, history.times, history.angles, history.velocities, history.slips,
+                  history.gaps, history.places);
 }
 
 auto fields(Is<ContactImpact> auto& impact) {

@@ -29,6 +29,13 @@ void explain(const ProcessEnd& end, const Limits& limits, WorkerRun& result) {
   }
 }
 
+/// True where slips, gaps and places are of that many samples.
+bool tells_places(const History& history, std::size_t samples) {
+  const std::size_t values = samples * static_cast<std::size_t>(history.blocks);
+  return history.slips.size() == values && history.gaps.size() == values &&
+         history.places.size() == 2 * values;
+}
+
 /// @throws std::runtime_error where a run that is said to be done has no history of the scene, or not all
 /// times.
 void require_whole(const RunReply& run, const Scene& scene, int repeats) {
@@ -42,7 +49,9 @@ void require_whole(const RunReply& run, const Scene& scene, int repeats) {
   };
   const bool whole = run.seconds.size() == static_cast<std::size_t>(repeats) && samples > 0 &&
                      run.history.blocks == static_cast<int>(blocks) && fits(run.history.angles) &&
-                     fits(run.history.velocities) && (!run.bodies || samples_of(*run.bodies));
+                     fits(run.history.velocities) &&
+                     tells_places(run.history, scene.law == Law::unilateral ? samples : 0) &&
+                     (!run.bodies || samples_of(*run.bodies));
   if (!whole) throw std::runtime_error("the message is not about this run");
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "analytic/scene/kinematics.hpp"
 #include "engines/interface_state.hpp"
 #include "engines/placement.hpp"
 #include "tests/engines/linked_engines.hpp"
@@ -67,6 +68,44 @@ TEST(Interfaces, AStackThatIsPushedDownAndAlongShowsBoth) {
   }
 }
 
+// Over a time t slips grow by their rates, to the second order in t: here within 100 (m/s²) t².
+TEST(Interfaces, StacksThatStartToSlipSlipAtTheRateThatWasAskedFor) {
+  constexpr double t = 1e-6;
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> rate(-1, 1);
+  for (int round = 0; round < 200; ++round) {
+    Scene scene = random_stack(random);
+    scene.law = Law::unilateral;
+    for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+      scene.initial.velocities[k] = rate(random);
+      scene.initial.slip_velocities.push_back(rate(random));
+    }
+    auto placements = place(scene);
+    for (Placement& placement : placements) {
+      placement.x += t * placement.velocity_x;
+      placement.y += t * placement.velocity_y;
+      placement.angle += t * placement.angular_velocity;
+    }
+    for (std::size_t k = 0; k < placements.size(); ++k) {
+      EXPECT_NEAR(interface_of(scene, placements, k).slip, t * scene.initial.slip_velocities[k], 100 * t * t)
+          << round << " interface " << k;
+    }
+  }
+}
+
+/// A block that overhangs after it has slipped leans over the corner below.
+TEST(Interfaces, SlipPastTheEndOfAFaceIsThatOfTheCornerBelow) {
+  Scene scene;
+  scene.blocks = {make_block(2, 1, 2500), make_block(2, 1, 2500)};
+  const double slip = 0.25, angle = 0.1;
+  // The lower block's right corner is where the upper one's face has 1 − slip of its half-width left.
+  const Point<double> arm = turned(slip - 1, 0.5, std::cos(angle), std::sin(angle));
+  const InterfaceState state =
+      on_block(scene.blocks[0], {0, 0.5, 0}, scene.blocks[1], {1 + arm.x(), 1 + arm.y(), angle});
+  EXPECT_NEAR(state.slip, slip, rounding);
+  EXPECT_NEAR(state.depth, 0, rounding);
+}
+
 TEST(Interfaces, ABlockThatIsLiftedOffAnotherLeavesAGapOfThatSize) {
   Scene scene;
   scene.blocks = {make_block(2, 1, 2500), make_block(1, 2, 2500)};
@@ -110,7 +149,7 @@ TEST(BodyWatch, EnergyOfFreeFlightIsConstantAndDriftOutOfThePlaneIsSeen) {
   scene.initial = {{0}, {0.5}};
   constexpr double dt = 0.125;
   Stone stone(dt);
-  BodyWatch watch(scene, dt, false, 1, stone);
+  BodyWatch watch(scene, dt, false, {1}, stone);
   for (int step = 0; step <= 8; ++step) {
     if (step > 0) stone.step();
     watch.observe(std::vector<double>{0}, std::vector<double>{0.5});

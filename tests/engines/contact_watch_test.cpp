@@ -168,7 +168,7 @@ ContactPoint point(double along, double normal, double gap = 0) {
 
 TEST(ContactWatch, SpringsThatOverlapHoldHalfOfStiffnessTimesDepthSquared) {
   const Scene scene = stack(1, 1);
-  ContactWatch watch(scene, 1e-3, 0.5);
+  ContactWatch watch(scene, 1e-3, {0.5});
   BodyRecord record;
   const std::vector<double> still{0};
   ContactPoint soft = point(-0.5, 1, -0.01), apart = point(0.5, 0, 0.01);
@@ -179,7 +179,7 @@ TEST(ContactWatch, SpringsThatOverlapHoldHalfOfStiffnessTimesDepthSquared) {
 
 TEST(ContactWatch, ResidualsAreForcesAcrossAGapAndOutsideTheCone) {
   const Scene scene = stack(1, 1);
-  ContactWatch watch(scene, 1e-3, 0.5);
+  ContactWatch watch(scene, 1e-3, {0.5});
   BodyRecord record;
   const std::vector<double> still{0};
   watch.observe({}, still, still, record);
@@ -192,13 +192,25 @@ TEST(ContactWatch, ResidualsAreForcesAcrossAGapAndOutsideTheCone) {
   EXPECT_DOUBLE_EQ(*record.friction_excess, (3 - 0.5 * 4) / (2 + 4 + 1));
 }
 
+TEST(ContactWatch, EachInterfaceHasItsOwnCone) {
+  const Scene scene = stack(2, 1);
+  ContactWatch watch(scene, 1e-3, {0.5, 0.25});
+  BodyRecord record;
+  const std::vector<double> still{0, 0};
+  ContactPoint lower = point(0, 4), upper = point(0, 4);
+  upper.interface = 1;
+  lower.tangential = upper.tangential = 1.5;
+  watch.observe({lower, upper}, still, still, record);
+  EXPECT_DOUBLE_EQ(*record.friction_excess, (1.5 - 0.25 * 4) / (4 + 4));
+}
+
 /// A block 1 m wide that turns back from leaning to the right, at −1 rad/s in steps of 0.1 s.
 struct Landing {
   void observe(double angle, const std::vector<ContactPoint>& points) {
     watch.observe(points, std::vector<double>{angle}, std::vector<double>{speed}, record);
   }
   Scene scene = stack(1, 1);
-  ContactWatch watch{scene, 0.1, 1};
+  ContactWatch watch{scene, 0.1, {1}};
   BodyRecord record;
   double speed = -1;
 };

@@ -3,6 +3,11 @@
 namespace rockstack {
 
 std::string known_limit(const Engine& engine, const std::string& settings, const std::string& check) {
+  const bool slides = check == "SlidingBlockStops" || check == "EachInterfaceHasItsFriction" ||
+                      check == "WithoutFrictionBlocksSlideOn";
+  if (slides && engine.solver() == "mlcp-lemke") {
+    return "Bullet's Lemke solver takes the coefficient of friction for a bound on the impulse";
+  }
   if (settings != "default") return "";
   if (engine.solver() == "mlcp-lemke") {
     return "with its defaults, Bullet's Lemke solver throws resting blocks about";

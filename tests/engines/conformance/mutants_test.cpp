@@ -42,6 +42,11 @@ void slippery(Scene& scene, Parameters&) {
   scene.engine.friction = 0.3;
 }
 
+/// As where all interfaces share one coefficient.
+void alike(Scene& scene, Parameters&) {
+  std::fill(scene.friction.begin(), scene.friction.end(), scene.friction.front());
+}
+
 void bouncy(Scene&, Parameters& parameters) {
   for (const char* name : {"restitution", "bounce"}) {
     if (parameters.count(name) != 0) parameters[name] = 0.2;
@@ -82,6 +87,10 @@ TEST_P(Mutants, FrictionOfThreeTenthsIsSeenInAPushedBlock) {
     GTEST_SKIP() << "Bullet's Lemke solver takes the coefficient of friction for a bound on the impulse";
   }
   expect_caught(slippery, "PushedBlockDoesNotSlide");
+}
+
+TEST_P(Mutants, OneCoefficientForAllInterfacesIsSeenInTheirSlips) {
+  expect_caught(alike, "EachInterfaceHasItsFriction");
 }
 
 TEST_P(Mutants, RestitutionOfOneFifthIsSeenInAFlatLanding) {

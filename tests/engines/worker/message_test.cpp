@@ -106,13 +106,17 @@ TEST(Messages, EveryFieldOfAReplyIsInIt) {
   RunReply given{"done", "", {}, 4, {0.1, 0.2}, 1e6, full_record()};
   given.history.blocks = 1;
   given.history.times = {0, 0.1};
-  given.history.angles = given.history.velocities = {0, 0};
+  given.history.angles = given.history.velocities = given.history.slips = given.history.gaps = {0, 0};
+  given.history.places = {0, 0, 0, 0};
   const std::vector<Change<RunReply>> changes{[](RunReply& run) { run.status = "failed"; },
                                               [](RunReply& run) { run.reason = "why"; },
                                               [](RunReply& run) { run.history.blocks = 2; },
                                               [](RunReply& run) { run.history.times[1] = 7; },
                                               [](RunReply& run) { run.history.angles[1] = 7; },
                                               [](RunReply& run) { run.history.velocities[1] = 7; },
+                                              [](RunReply& run) { run.history.slips[1] = 7; },
+                                              [](RunReply& run) { run.history.gaps[1] = 7; },
+                                              [](RunReply& run) { run.history.places[3] = 7; },
                                               [](RunReply& run) { run.warnings = 7; },
                                               [](RunReply& run) { run.seconds[1] = 7; },
                                               [](RunReply& run) { run.peak_memory = 7; },
