@@ -6,13 +6,23 @@
 
 namespace rockstack {
 
-Difference difference(const History& first, const History& second) {
+namespace {
+
+/// How many samples both have, from the start.
+std::size_t common_samples(const History& first, const History& second) {
   const std::size_t count = std::min(first.size(), second.size());
   if (first.blocks != second.blocks ||
       !std::equal(first.times.begin(), first.times.begin() + static_cast<std::ptrdiff_t>(count),
                   second.times.begin())) {
     throw std::invalid_argument("histories can be compared only for the same blocks at the same times");
   }
+  return count;
+}
+
+}  // namespace
+
+Difference difference(const History& first, const History& second) {
+  const std::size_t count = common_samples(first, second);
   const auto blocks = static_cast<std::size_t>(first.blocks);
   Difference result{blocks,
                     {first.times.begin(), first.times.begin() + static_cast<std::ptrdiff_t>(count)},
@@ -39,6 +49,22 @@ double agreement_time(const Difference& difference, double tolerance) {
     if (std::abs(difference.angles[i]) > tolerance) return difference.times[i / difference.blocks];
   }
   return difference.times.back();
+}
+
+std::optional<SlipDifference> slip_difference(const History& first, const History& second) {
+  if (first.slips.empty() || second.slips.empty()) return {};
+  const std::size_t count = common_samples(first, second);
+  SlipDifference result;
+  for (std::size_t i = 0; i < count; ++i) {
+    result.last = 0;
+    for (int k = 0; k < first.blocks; ++k) {
+      if (first.patterns[i][k] == Contact::apart) continue;
+      const std::size_t at = i * static_cast<std::size_t>(first.blocks) + static_cast<std::size_t>(k);
+      result.last = std::max(result.last, std::abs(second.slips[at] - first.slips[at]));
+    }
+    result.largest = std::max(result.largest, result.last);
+  }
+  return result;
 }
 
 }  // namespace rockstack

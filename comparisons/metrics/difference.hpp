@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
@@ -24,5 +25,15 @@ double root_mean_square(const Difference& difference);
 
 /// The first time at which a block differs by more than `tolerance` rad; the last time where none does. s.
 double agreement_time(const Difference& difference, double tolerance);
+
+/// How far slips differ, m: of all interfaces that touch in the first history, at any time and at the last
+/// common one.
+struct SlipDifference {
+  double largest = 0, last = 0;
+};
+
+/// Nothing where either history tells no slips.
+/// @throws std::invalid_argument as difference().
+std::optional<SlipDifference> slip_difference(const History& first, const History& second);
 
 }  // namespace rockstack

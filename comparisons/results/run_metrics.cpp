@@ -232,6 +232,12 @@ std::vector<Column> impact_columns() {
                                            "exact settlings that the engine does not have"),
       drawn<&RunMetrics::settlings_extra>("settlings_extra",
                                           "engine settlings that the exact solution does not have"),
+      drawn<&RunMetrics::slip_error>("slip_error",
+                                     "largest difference of how far a block has slipped along what is below "
+                                     "it, of all blocks that touch "
+                                     "that in the exact solution and all times, m; law unilateral alone"),
+      drawn<&RunMetrics::final_slip_error>("final_slip_error",
+                                           "likewise at the last time that both cover, m"),
       drawn<&RunMetrics::pattern_agreement>(
           "pattern_agreement",
           "share of time in which the engine is in the exact pattern. An interface is closed while it stays "

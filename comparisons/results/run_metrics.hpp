@@ -35,6 +35,7 @@ struct RunMetrics {
   std::optional<double> largest_angle_difference_lower, largest_angle_difference_upper;
   std::optional<double> rms_angle_difference_lower, rms_angle_difference_upper;
   std::optional<double> magnitude_error, phase_error;
+  std::optional<double> slip_error, final_slip_error;
   std::optional<double> second_peak_difference;
   std::optional<double> first_impact_time_difference;
   std::optional<int> impacts_matched, impacts_missed, impacts_extra;

@@ -45,6 +45,10 @@ void add_angles(const History& exact, const History& other, const Difference& ap
     row.magnitude_error = parts.magnitude;
     row.phase_error = parts.phase;
   }
+  if (const auto slips = slip_difference(exact, other)) {
+    row.slip_error = slips->largest;
+    row.final_slip_error = slips->last;
+  }
   const auto expected = second_peak(exact), found = second_peak(other);
   if (expected && found) row.second_peak_difference = (*found - *expected) / *expected;
   row.residual_motion = residual_motion(exact, other);

@@ -45,5 +45,17 @@ TEST(Difference, RefusesHistoriesAtDifferentTimes) {
   EXPECT_THROW(difference(ramp(0, 3), other), std::invalid_argument);
 }
 
+TEST(Difference, SlipsAreComparedWhereTheFirstHistoryTouches) {
+  History first = ramp(0, 3), second = first;
+  EXPECT_FALSE(slip_difference(first, second));
+  first.patterns.assign(3, closed_pattern(2));
+  first.patterns[2][1] = Contact::apart;
+  first.slips.assign(6, 0);
+  second.slips = {0, 0, 0.25, -0.5, 0.125, 9};
+  const SlipDifference apart = slip_difference(first, second).value();
+  EXPECT_EQ(apart.largest, 0.5);
+  EXPECT_EQ(apart.last, 0.125);
+}
+
 }  // namespace
 }  // namespace rockstack
