@@ -43,8 +43,10 @@ std::vector<Reaction> reactions_of(const Scene& scene, const FrictionStack& stac
   for (int k = 0; k < stack.size(); ++k) {
     const Joint& joint = sample.joints[static_cast<std::size_t>(k)];
     const ContactForce& force = response.forces[static_cast<std::size_t>(k)];
-    const double held = held_point(stack.blocks, k, joint).x - (joint.corner_below ? joint.offset : 0);
-    const double centre = joint.touch == Touch::flat ? -force.moment / force.normal : held;
+    const int corner = joint.corner_below ? k - 1 : k;
+    const double pivot =
+        joint.side() * half_width_of(stack.blocks, corner) - (joint.corner_below ? joint.offset : 0);
+    const double centre = joint.touch == Touch::flat ? -force.moment / force.normal : pivot;
     reactions.push_back({force.normal, force.tangential,
                          force.normal > 0 ? centre : std::numeric_limits<double>::quiet_NaN()});
   }
