@@ -80,7 +80,7 @@ std::vector<std::string> together(const std::vector<Scene>& scenes, const SolveO
   return answers;
 }
 
-/// One to three blocks, under records, pulses or none, along both axes, for up to 4 s.
+/// One to three blocks, under records, pulses or none, along both axes, for up to 4 s; some may slip.
 std::vector<Scene> mixed_scenes(std::uint64_t seed, int count) {
   Draw draw(seed);
   std::vector<Scene> scenes;
@@ -89,6 +89,11 @@ std::vector<Scene> mixed_scenes(std::uint64_t seed, int count) {
     if (draw.below(4) > 0) shake(draw, scene);
     if (draw.below(4) == 0) scene.equations = Equations::linear;
     scene.duration = draw.between(0.05, 4);
+    if (i % 12 == 5) {
+      scene.equations = Equations::nonlinear;
+      scene.law = Law::unilateral;
+      scene.friction.assign(scene.blocks.size(), draw.between(0.1, 1));
+    }
     scenes.push_back(scene);
   }
   return scenes;
