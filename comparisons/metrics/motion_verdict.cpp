@@ -43,19 +43,32 @@ bool ends_with(const History& history, EventKind kind) {
   return !history.events.empty() && history.events.back().kind == kind;
 }
 
-/// What blocks and ground must do for the model to hold; empty where it was not asked for.
-std::string demand(const History& history) {
-  std::vector<Demand> demands = history.forces;
-  demands.insert(demands.end(), history.impulses.begin(), history.impulses.end());
-  if (demands.empty()) return "";
-  double friction = 0;
+/// When an interface would have to pull, from `demands` of forces or impulses; empty where none does.
+std::string pull(const std::vector<Demand>& demands) {
   for (std::size_t k = 0; k < demands.size(); ++k) {
     if (demands[k].least_normal < 0)
-      return fmt::format("; interface {} would have to pull at {:.4g} s", k % history.forces.size() + 1,
+      return fmt::format("; interface {} would have to pull at {:.4g} s", k + 1,
                          demands[k].least_normal_time);
-    friction = std::max(friction, demands[k].friction);
   }
-  return fmt::format("; needs friction {:.2g}", friction);
+  return "";
+}
+
+double largest_friction_of(const std::vector<Demand>& demands) {
+  double friction = 0;
+  for (const Demand& demand : demands) friction = std::max(friction, demand.friction);
+  return friction;
+}
+
+/// What blocks and ground must do for the model to hold; empty where it was not asked for.
+std::string demand(const History& history) {
+  if (history.forces.empty()) return "";
+  for (const auto* demands : {&history.forces, &history.impulses}) {
+    if (const std::string text = pull(*demands); !text.empty()) return text;
+  }
+  const double forces = largest_friction_of(history.forces);
+  const double impulses = largest_friction_of(history.impulses);
+  return impulses > forces ? fmt::format("; needs friction {:.2g}, {:.2g} in impacts", forces, impulses)
+                           : fmt::format("; needs friction {:.2g}", forces);
 }
 
 constexpr double visible = 1e-9;  // m
