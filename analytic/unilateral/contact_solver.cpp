@@ -211,23 +211,18 @@ bool ContactSolver::is_fresh(const Course& course) const {
 
 ContactSolver::Found ContactSolver::find(const ModeSeries& series) const {
   Found found;
-  const double skipped = moment_ / series.length;
+  const double skipped = std::min(moment_ / series.length, 1.0);
   for (Course& course : courses_of(stack_, joints_, toppling_angles_, series)) {
     Series& whole = course.series;
     const bool fresh = is_fresh(course);
-    if (fresh && skipped >= 1) continue;
     if (course.change == Change::landing) {
       if (whole[0] < -course.rounding) continue;
-      if (std::abs(whole[0]) <= course.rounding) whole[0] = 0;
+      // A corner that has not just parted may come down from within rounding above the face.
+      if (whole[0] <= (fresh ? course.rounding : 0)) whole[0] = 0;
     }
     const double first = fresh ? skipped : 0;
-    std::optional<double> crossing;
-    if (fresh) {
-      crossing = first_crossing(from(whole, first));
-      if (crossing) *crossing = first + (1 - first) * *crossing;
-    } else {
-      crossing = first_crossing(whole);
-    }
+    std::optional<double> crossing = first_crossing(fresh ? from(whole, first) : whole);
+    if (crossing) *crossing = first + (1 - first) * *crossing;
     if (!crossing || *crossing > found.s) continue;
     if (course.change == Change::landing && !lands(series, course, *crossing)) continue;
     if (*crossing < found.s) found = {*crossing, {}};

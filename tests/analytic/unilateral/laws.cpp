@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "tests/analytic/unilateral/scenes.hpp"
 
@@ -59,6 +61,30 @@ TEST(UnilateralLaws, ImpactsLeaveEnergyOrTakeIt) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Scene scene = rubbing_scene(seed);
     expect_no_event_to_add_energy(scene, solve_unilateral(scene), seed);
+  }
+}
+
+/// How deep a block is in the one below at any sample, m. Blocks that lie on each other's sides have no gap.
+double deepest(const ContactHistory& history) {
+  double least = 0;
+  for (const auto& sample : history.samples) {
+    double below = 0;
+    for (std::size_t k = 0; k < sample.gaps.size(); ++k) {
+      const double angle = sample.bodies.at[k].angle;
+      if (std::abs(angle - below) < std::numbers::pi / 2) least = std::min(least, sample.gaps[k]);
+      below = angle;
+    }
+  }
+  return -least;
+}
+
+// Where a block has just left another, its other corner may be above the face by rounding, and come down.
+TEST(UnilateralLaws, NoBlockSinksIntoAnother) {
+  for (const std::uint64_t seed : {0, 1, 2, 3, 4, 5, 71, 1532, 1561, 1563, 2916, 3751, 3882}) {
+    const Scene scene = testing::slippery(testing::seeded_scene(seed), seed);
+    const ContactHistory history =
+        solve_unilateral(scene, {.sample_times = regular(scene.duration / 50, scene.duration)});
+    EXPECT_LT(deepest(history), 1e-13) << seed;
   }
 }
 

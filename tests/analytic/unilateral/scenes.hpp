@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <utility>
+
 #include "analytic/unilateral/solve_unilateral.hpp"
 #include "tests/analytic/solver/stacks.hpp"
 
@@ -21,6 +24,17 @@ inline Scene rubbing_scene(std::uint64_t seed) {
   Scene scene = with_friction(seeded_scene(seed), 0);
   Draw draw(seed + 50000);
   for (double& friction : scene.friction) friction = draw.between(0.1, 0.9);
+  return scene;
+}
+
+/// A scene with friction drawn for each interface: none, 0 … 10, or 0.001 … 10 by decades.
+inline Scene slippery(Scene scene, std::uint64_t seed) {
+  scene = with_friction(std::move(scene), 0);
+  Draw draw(seed + 77000);
+  for (double& friction : scene.friction) {
+    const int kind = draw.below(4);
+    friction = kind == 0 ? 0 : kind == 1 ? draw.between(0, 10) : std::pow(10, draw.between(-3, 1));
+  }
   return scene;
 }
 
