@@ -5,81 +5,39 @@
 #include <limits>
 
 #include "tests/analytic/unilateral/scenes.hpp"
+#include "tests/analytic/unilateral/two_laws.hpp"
 
 namespace rockstack {
 namespace {
 
-bool holds(const std::vector<Joint>& joints) {
-  return std::all_of(joints.begin(), joints.end(),
-                     [](const Joint& joint) { return joint.touches() && joint.slip == 0; });
-}
-
-/// The largest deviation of an event, in s and in shares of the size of angles or velocities.
-double deviation(const Event& one, const ContactEvent& other) {
-  double largest = std::abs(one.time - other.time);
-  double size = 1;
-  for (const double rate : one.after) size = std::max(size, std::abs(rate));
-  for (std::size_t k = 0; k < one.after.size(); ++k) {
-    largest = std::max({largest, std::abs(one.angles[k] - other.at[k].angle),
-                        std::abs(one.after[k] - other.after[k].angle) / size});
-  }
-  return largest;
-}
-
-/// How many events of how many scenes there are, and how many of them agree to rounding.
-struct Agreement {
-  std::size_t events = 0, exact = 0;
-
-  void compare(Scene scene, std::uint64_t seed) {
-    scene.law = Law::consistent;
-    History one;
-    try {
-      one = solve(scene);
-    } catch (const Unfinished&) {
-      return;
-    }
-    const ContactHistory other = solve_unilateral(testing::with_friction(scene, 1.5));
-    for (std::size_t i = 0; i < one.events.size() && one.events[i].consistency == Consistency::consistent;
-         ++i) {
-      ASSERT_LT(i, other.events.size()) << seed;
-      const ContactEvent& event = other.events[i];
-      if (!holds(event.to)) break;
-      ASSERT_EQ(name(one.events[i].kind), name(event.kind)) << seed << ' ' << event.time;
-      ASSERT_EQ(one.events[i].interface, event.interface) << seed << ' ' << event.time;
-      for (int k = 0; k < one.events[i].to.size; ++k)
-        ASSERT_EQ(sign(one.events[i].to[k]), event.to[static_cast<std::size_t>(k)].side()) << seed;
-      ++events;
-      const double off = deviation(one.events[i], event);
-      ASSERT_LT(off, 1e-8) << seed << ' ' << event.time;
-      if (off < 1e-12) ++exact;
-    }
-  }
-};
-
-// With enough friction the law is `consistent` for as long as no block lifts off and an impact has a
-// consistent pattern. Roundings grow with the motion's own sensitivity, to 10⁻⁹ in one of these scenes.
-TEST(UnilateralWithoutSlip, EventsAreThoseOfLawConsistent) {
-  Agreement agreement;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) agreement.compare(testing::seeded_scene(seed), seed);
-  EXPECT_GT(agreement.events, 500U);
-  EXPECT_GT(agreement.exact, agreement.events * 9 / 10);
+// Ten thousand by the program without_slip_scenes.
+TEST(UnilateralWithoutSlip, MotionsAreThoseOfLawConsistentUntilThatOneReportsWhyNot) {
+  testing::LawTally tally;
+  for (std::uint64_t seed = 0; seed < 300; ++seed)
+    EXPECT_EQ(tally.add(seed, testing::gripping_scene(seed)), "");
+  const auto count = [&](testing::Parting parting) {
+    return tally.scenes[static_cast<std::size_t>(parting)];
+  };
+  EXPECT_GT(count(testing::Parting::none), 100U);
+  EXPECT_GT(count(testing::Parting::friction), 50U);
+  EXPECT_GT(tally.compared, 5000U);
+  EXPECT_LT(tally.beyond, tally.compared / 100);
 }
 
 // Likewise on inclined ground, with centres of mass off the middle of blocks.
 TEST(UnilateralWithoutSlip, SoTheyAreWhereWeightIsAskew) {
-  Agreement agreement;
+  testing::LawTally tally;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    Scene scene = testing::seeded_scene(seed);
+    Scene scene = testing::gripping_scene(seed);
     testing::Draw draw(seed + 70000);
     scene.inclination = draw.between(-0.05, 0.05);
     for (Block& block : scene.blocks) {
       block.offset_x = draw.between(-0.3, 0.3) * block.half_width;
       block.offset_y = draw.between(-0.5, 0.5) * block.half_height;
     }
-    agreement.compare(scene, seed);
+    EXPECT_EQ(tally.add(seed, scene), "");
   }
-  EXPECT_GT(agreement.events, 500U);
-  EXPECT_GT(agreement.exact, agreement.events * 9 / 10);
+  EXPECT_GT(tally.compared, 2500U);
 }
 
 /// Whether all that the pivots of a motion ask for is had with this friction.
