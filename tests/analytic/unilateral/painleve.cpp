@@ -40,5 +40,29 @@ TEST(UnilateralPainleve, WhereNoForcesDoAnImpulseIsToldAndTakesEnergy) {
   }
 }
 
+// Whether forces can be, and which, depends on two signs: that of p = m (G_NN − μ |G_NT|), and that of the
+// acceleration with which the corner would part without contact, c ω² − g. With p < 0 a corner that would
+// part may do so, or press itself onto the ground with N = m (c ω² − g)/−p and be braked; with p > 0 it
+// parts.
+TEST(UnilateralPainleve, SignsOfTheCornerTellHowManySolutionsThereAre) {
+  const double angle = 0.2;
+  const double a = 0.5 * std::cos(angle) - std::sin(angle);
+  const double c = std::cos(angle) + 0.5 * std::sin(angle);
+  const double critical = (1 + 3 * a * a / 1.25) / (3 * a * c / 1.25);
+  for (const double friction : {0.95 * critical, 1.05 * critical}) {
+    for (const double lift : {0.95, 1.05}) {
+      Scene scene = testing::with_friction(testing::single(0.5, 1, 1e-3), friction);
+      scene.initial = {{angle}, {std::sqrt(lift * scene.gravity / c)}, {1.0}};
+      const ContactHistory history = solve_unilateral(scene);
+      const bool jams = friction > critical;
+      EXPECT_EQ(tells(history, Solutions::several), jams && lift > 1) << friction << ' ' << lift;
+      EXPECT_EQ(tells(history, Solutions::none), jams && lift < 1) << friction << ' ' << lift;
+      if (lift < 1) continue;
+      ASSERT_FALSE(history.events.empty());
+      EXPECT_EQ(history.events.front().kind, ContactEventKind::lift_off);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rockstack
