@@ -39,6 +39,7 @@ struct Axis {
 struct SummaryKeys {
   std::string intensity;  ///< fragility and incremental dynamic analysis
   std::string period;     ///< with `intensity`: overturning spectrum of a pulse
+  std::string friction;   ///< with `intensity`: map of the modes of motion
 };
 
 /// Many runs of one scene with some values changed: a grid of fixed values, and at each of its points

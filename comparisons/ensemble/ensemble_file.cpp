@@ -122,6 +122,10 @@ void read_summary(Ensemble& ensemble, const Node& root) {
   if (const Node* period = find(*table, "period")) {
     ensemble.summary.period = read_axis_name(*period, ensemble);
   }
+  if (const Node* friction = find(*table, "friction")) {
+    if (!ensemble.summary.period.empty()) throw wrong_value(*friction, "left out where there is a period");
+    ensemble.summary.friction = read_axis_name(*friction, ensemble);
+  }
 }
 
 /// Makes the scene of the first value of everything, then of each value by itself; of very many, of some.

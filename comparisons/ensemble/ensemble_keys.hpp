@@ -56,12 +56,15 @@ inline constexpr KeyTable lognormal_keys{
     {{"median", "1.0", "the key's", "> 0", required_key, "of the values"},
      {"beta", "0.3", "", "> 0", required_key, "standard deviation of the natural logarithm"}}};
 
-inline constexpr KeyTable summary_keys{"[summary]",
-                                       "figures and tables of the whole sweep",
-                                       {{"intensity", "\"duration\"", "", "a key that is varied over numbers",
-                                         required_key, "fragility and incremental dynamic analysis over it"},
-                                        {"period", "\"duration\"", "", "a key that is varied over numbers",
-                                         no_default, "with intensity: the overturning spectrum of a pulse"}}};
+inline constexpr KeyTable summary_keys{
+    "[summary]",
+    "figures and tables of the whole sweep",
+    {{"intensity", "\"duration\"", "", "a key that is varied over numbers", required_key,
+      "fragility and incremental dynamic analysis over it"},
+     {"period", "\"duration\"", "", "a key that is varied over numbers", no_default,
+      "with intensity: the overturning spectrum of a pulse"},
+     {"friction", "\"duration\"", "", "a key that is varied over numbers, without period", no_default,
+      "with intensity: the map of rest, slide, rock, slide-rock and free flight"}}};
 
 /// All tables of an ensemble file, in the order of a file.
 inline constexpr std::initializer_list<const KeyTable*> ensemble_tables{

@@ -47,6 +47,8 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
       outcome.topple_time = last.time;
     }
   }
+  outcome.onset = onset_mode(scene, history);
+  outcome.motion = whole_mode(scene, history);
   outcome.force = worst(history.forces);
   outcome.impulse = worst(history.impulses);
   return outcome;

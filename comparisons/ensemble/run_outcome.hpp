@@ -6,6 +6,7 @@
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
 #include "analytic/scene/solve_options.hpp"
+#include "comparisons/ensemble/motion_modes.hpp"
 
 namespace rockstack {
 
@@ -18,8 +19,9 @@ struct RunOutcome {
   std::size_t impacts = 0;     ///< with those that end chatter
   std::size_t events = 0;      ///< of any kind
   double last_event_time = 0;  ///< s, where there is an event
-  Demand force;                ///< on whichever interface bears the most, by forces
-  Demand impulse;              ///< likewise, by impulses
+  MotionMode onset = MotionMode::rest, motion = MotionMode::rest;  ///< how it begins; all of it
+  Demand force;    ///< on whichever interface bears the most, by forces
+  Demand impulse;  ///< likewise, by impulses
 };
 
 /// How the runs of a sweep are solved: exactly, or to a tolerance that also ends chatter.

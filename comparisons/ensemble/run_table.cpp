@@ -24,6 +24,10 @@ const std::vector<ColumnMeaning>& outcome_columns() {
       {"force_friction", "largest friction coefficient needed between impacts"},
       {"least_normal_impulse", "least normal impulse of any impact, N s; negative: likewise"},
       {"impulse_friction", "largest friction coefficient needed by impacts"},
+      {"onset", "mode in which motion begins: slide, rock, slide-rock or free flight; or rest"},
+      {"motion",
+       "all of the motion: topple or fall where it ends so; else rest, slide, rock, slide-rock or free "
+       "flight"},
       {"status", "done or failed"},
       {"reason", "why a run failed"}};
   return list;
@@ -42,7 +46,7 @@ void add_outcome(CsvWriter& line, const RunOutcome& outcome) {
     const bool there = std::isfinite(demand.least_normal);
     line.add(cell(there, demand.least_normal), cell(there, demand.friction));
   }
-  line.add("done", "");
+  line.add(name(outcome.onset), name(outcome.motion), "done", "");
 }
 
 void add_failure(CsvWriter& line, std::size_t blocks, const std::string& reason) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/ensemble/motion_modes.hpp"
 #include "comparisons/results/csv.hpp"
 #include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/files.hpp"
@@ -18,11 +19,12 @@ namespace {
 
 /// What summaries take from one line of runs.csv.
 struct Run {
-  double intensity = 0, period = 0;
+  double intensity = 0, period = 0, friction = 0;
   std::string others;  ///< all other varied values, as "key=value"
   bool failed = false, toppled = false, moved = false;
   bool with_impact = false;
   double peak_ratio = 0;
+  std::string onset, motion;  ///< names of modes
 };
 
 /// Which columns of runs.csv these are; values of varied keys stand between `run` and `peak_1`.
@@ -35,12 +37,14 @@ class RunReader {
     Run run;
     run.intensity = at(cells, keys_.intensity);
     if (!keys_.period.empty()) run.period = at(cells, keys_.period);
+    if (!keys_.friction.empty()) run.friction = at(cells, keys_.friction);
     for (std::size_t c = 1; c < first_outcome_; ++c) {
-      if (names_[c] == keys_.intensity || names_[c] == keys_.period) continue;
+      if (names_[c] == keys_.intensity || names_[c] == keys_.period || names_[c] == keys_.friction) continue;
       run.others += (run.others.empty() ? "" : ", ") + names_[c] + "=" + cells[c];
     }
     run.failed = cells[index("status")] == "failed";
     if (run.failed) return run;
+    if (!keys_.friction.empty()) run.onset = cells[index("onset")], run.motion = cells[index("motion")];
     run.toppled = at(cells, "toppled") > 0;
     run.moved = at(cells, "events") > 0;
     run.with_impact = at(cells, "impacts") > 0;
@@ -164,16 +168,58 @@ void write_overturning(const std::vector<Run>& runs, const std::filesystem::path
   write_file(folder / "overturning.csv", csv.text());
 }
 
+/// "slide_rock" of slide-rock.
+std::string column_of(MotionMode mode) {
+  std::string column = name(mode);
+  std::replace_if(
+      column.begin(), column.end(), [](char c) { return c == '-' || c == ' '; }, '_');
+  return column;
+}
+
+/// Whether a motion may begin so; others are ends.
+bool begins(MotionMode mode) {
+  return mode <= MotionMode::free_flight;
+}
+
+void write_modes(const std::vector<Run>& runs, const std::filesystem::path& folder) {
+  struct Cell {
+    std::size_t runs = 0, failed = 0;
+    std::map<std::string, std::size_t> onset, motion;
+  };
+  std::map<std::pair<double, double>, Cell> cells;
+  for (const Run& run : runs) {
+    Cell& cell = cells[{run.intensity, run.friction}];
+    ++cell.runs;
+    ++(run.failed ? cell.failed : cell.onset[run.onset]);
+    if (!run.failed) ++cell.motion[run.motion];
+  }
+  CsvWriter csv;
+  csv.add("intensity", "friction", "runs");
+  for (const MotionMode mode : motion_modes)
+    if (begins(mode)) csv.add("onset_" + column_of(mode));
+  for (const MotionMode mode : motion_modes) csv.add(column_of(mode));
+  csv.line("failed");
+  for (auto& [place, cell] : cells) {
+    csv.add(number_text(place.first), number_text(place.second), cell.runs);
+    for (const MotionMode mode : motion_modes)
+      if (begins(mode)) csv.add(cell.onset[name(mode)]);
+    for (const MotionMode mode : motion_modes) csv.add(cell.motion[name(mode)]);
+    csv.line(cell.failed);
+  }
+  write_file(folder / "modes.csv", csv.text());
+}
+
 }  // namespace
 
 void write_summaries(const std::filesystem::path& folder, const SummaryKeys& keys) {
   for (const char* name : {"fragility.csv", "fragility-fit.csv", "incremental.csv",
-                           "incremental-fractiles.csv", "overturning.csv"}) {
+                           "incremental-fractiles.csv", "overturning.csv", "modes.csv"}) {
     std::filesystem::remove(folder / name);
   }
   if (keys.intensity.empty()) return;
   const std::vector<Run> runs = read_runs(folder / "runs.csv", keys);
   if (!keys.period.empty()) return write_overturning(runs, folder);
+  if (!keys.friction.empty()) return write_modes(runs, folder);
   write_fragility(runs, folder);
   write_incremental(runs, folder);
 }

@@ -17,6 +17,10 @@ namespace rockstack {
 ///   counting as infinitely far. Only where some curve has two points.
 /// By intensity and period:
 /// - overturning.csv: how many runs stay at rest, rock, topple after an impact and topple without one.
+/// By intensity and friction:
+/// - modes.csv: how many runs begin in each mode of motion, as columns onset_*, and how many are all in all
+/// of
+///   each.
 ///
 /// Files of summaries that are not asked for are removed. @throws std::runtime_error where a file cannot be
 /// written.

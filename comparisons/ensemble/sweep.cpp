@@ -71,7 +71,9 @@ Json description(const Ensemble& ensemble) {
             {"scene", to_json(ensemble.base.root)}};
   for (const Variation& variation : ensemble.variations) json["vary"].push_back(to_json(variation));
   for (const Axis& axis : ensemble.axes) json["axes"].push_back(axis.variations);
-  json["summary"] = {{"intensity", ensemble.summary.intensity}, {"period", ensemble.summary.period}};
+  json["summary"] = {{"intensity", ensemble.summary.intensity},
+                     {"period", ensemble.summary.period},
+                     {"friction", ensemble.summary.friction}};
   for (const auto& [name, meaning] : run_columns(ensemble)) json["columns"][name] = meaning;
   json["environment"] = environment({});
   return json;

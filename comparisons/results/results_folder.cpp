@@ -39,9 +39,10 @@ Kind kind_of(Results results) {
       return {"a study of impact laws",
               {"impact-laws.json", "impact-laws.csv", "impact-laws-engines.csv", "figures", "report.html"}};
     case Results::sweep:
-      return {"a sweep",
-              {"sweep.json", "runs.csv", "timing.json", "fragility.csv", "fragility-fit.csv",
-               "incremental.csv", "incremental-fractiles.csv", "overturning.csv", "figures", "report.html"}};
+      return {
+          "a sweep",
+          {"sweep.json", "runs.csv", "timing.json", "fragility.csv", "fragility-fit.csv", "incremental.csv",
+           "incremental-fractiles.csv", "overturning.csv", "modes.csv", "figures", "report.html"}};
     case Results::record:
       break;
   }

@@ -39,6 +39,12 @@ const std::map<std::string, std::string>& explanations() {
       {"overturning",
        "What becomes of the block at each period and intensity of the pulse: it stays at rest, rocks, "
        "topples after an impact, or topples without one."},
+      {"modes",
+       "What the stack does at each friction and intensity: on the left the mode in which motion begins, on "
+       "the "
+       "right all of it. Black lines, where there are some, are Shenton's boundaries of a single block under "
+       "a "
+       "rectangular pulse."},
       {"stability",
        "Each square is a run: across, the value that the study varies; up, the time step. Under the "
        "black line steps are stable."},
@@ -141,6 +147,15 @@ void add_overturning(const fs::path& results, Sentences& sentences) {
                   sum(counts[0]), sum(counts[1]), sum(counts[2]), sum(counts[3])));
 }
 
+void add_modes(const fs::path& results, Sentences& sentences) {
+  const fs::path file = results / "modes.csv";
+  if (!fs::exists(file)) return;
+  const auto counts = read_columns(file, {"rest", "slide", "rock", "slide_rock", "free_flight", "fall"});
+  sentences.push_back(fmt::format("{} rest, {} slide, {} rock, {} do both, {} lift off; {} fall off.",
+                                  sum(counts[0]), sum(counts[1]), sum(counts[2]), sum(counts[3]),
+                                  sum(counts[4]), sum(counts[5])));
+}
+
 /// How many engine runs have each verdict.
 std::string verdicts(const fs::path& results) {
   const Table runs = read_table(results / "stability.csv");
@@ -201,6 +216,7 @@ void write_sweep_report(const std::filesystem::path& results) {
                 add_fit(results, axis_title(json.at("summary").at("intensity").get<std::string>()),
                         study.answers);
                 add_overturning(results, study.answers);
+                add_modes(results, study.answers);
                 return study;
               }));
 }

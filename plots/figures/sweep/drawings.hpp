@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "plots/drawing/gnuplot.hpp"
+#include "plots/figures/sweep/initiation.hpp"
 
 namespace rockstack::plots {
 
@@ -13,6 +15,7 @@ struct SweepFacts {
   std::string intensity;  ///< title of its axis
   /// Of a scene of one block, whose intensity is an acceleration: g tan α, m/s², and p, rad/s; else 0.
   double least_acceleration = 0, frequency_parameter = 0;
+  std::optional<StruckBlock> struck = {};  ///< where a map over friction is of one under such pulses
 };
 
 /// The title of an axis along which a scene's key varies, with its unit where the key has one.
@@ -31,5 +34,8 @@ Drawing incremental(const std::filesystem::path& results, const SweepFacts& fact
 
 /// A map over frequency and intensity of what becomes of the stack.
 Drawing overturning(const std::filesystem::path& results, const SweepFacts& facts);
+
+/// Two maps over intensity and friction: the mode in which motion begins, and all of it.
+Drawing modes(const std::filesystem::path& results, const SweepFacts& facts);
 
 }  // namespace rockstack::plots

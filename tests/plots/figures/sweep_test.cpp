@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "plots/figures/sweep/initiation.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {
@@ -62,6 +65,57 @@ TEST(SweepFigures, AnOverturningSpectrumNamesOnlyWhatHappens) {
   EXPECT_NE(svg.find("topples without an impact"), std::string::npos);
   EXPECT_EQ(svg.find("topples after an impact"), std::string::npos);
   EXPECT_EQ(svg.find("could not be solved"), std::string::npos);
+}
+
+// Shenton's boundaries meet where a block slides and rocks at once, at a push and a friction of width over
+// height; towards ever stronger pushes the friction that holds a rocking block is (4 + r²)/(3 r).
+TEST(SweepFigures, TheBoundariesOfOnsetMeetAndLevelOff) {
+  for (const double r : {1.5, 2.0, 4.0}) {
+    EXPECT_NEAR(rocking_friction(r, 1 / r), 1 / r, 1e-15);
+    EXPECT_NEAR(rocking_friction(r, 1e12), (4 + r * r) / (3 * r), 1e-11);
+  }
+  EXPECT_NEAR(rocking_friction(2, 1), 0.608696, 5e-7);
+}
+
+TEST(SweepFigures, BoundariesOnFallingGroundEndWhereTheBlockFlies) {
+  // Gravity 10, falling with half the push: at a = 20 nothing is left of the weight.
+  std::istringstream lines(initiation_boundaries({2, 10, -0.5}, 30, 1.2));
+  double largest = 0, at_corner = 0;
+  for (double a = 0, friction = 0; lines >> a >> friction;) {
+    EXPECT_LE(friction, 1.2);
+    EXPECT_LE(a, 20 * (1 + 1e-8)) << "numbers have eight digits";
+    largest = std::max(largest, a);
+    // Tilting begins at a = 4, where 4/(10 − 2) is width over height.
+    if (a == 4 && friction == 0.5) ++at_corner;
+  }
+  EXPECT_EQ(largest, 20);
+  EXPECT_EQ(at_corner, 4) << "slide, rock, and slide-rock from below and from above";
+}
+
+TEST(SweepFigures, AMapOfModesHasBoundariesOnlyWhereTheyHold) {
+  const auto folder = folder_with("modes.csv",
+                                  "intensity,friction,runs,onset_rest,onset_slide,onset_rock,onset_slide_"
+                                  "rock,onset_free_flight,rest,slide,"
+                                  "rock,slide_rock,free_flight,topple,fall,failed\n"
+                                  "2,0.3,1,1,0,0,0,0,1,0,0,0,0,0,0,0\n2,0.6,1,1,0,0,0,0,1,0,0,0,0,0,0,0\n"
+                                  "4,0.3,1,0,1,0,0,0,0,1,0,0,0,0,0,0\n4,0.6,1,0,0,1,0,0,0,0,0,0,0,1,0,0\n");
+  const auto describe = [&](const std::string& scene) {
+    std::ofstream(folder / "sweep.json")
+        << R"({"title": "t", "summary": {"intensity": "ground.horizontal.amplitude", "period": "",
+            "friction": "contact.friction"}, "vary": [], "scene": {"blocks": [{"width": 1, "height": 2}], )"
+        << scene << "}}";
+    draw_sweep(folder);
+    return bytes_of(folder / "figures/modes.svg");
+  };
+  const std::string shaken = describe(R"("ground": {"horizontal": {"pulse": "rectangle", "period": 1}})");
+  EXPECT_NE(shaken.find("Shenton"), std::string::npos);
+  EXPECT_NE(shaken.find("topple"), std::string::npos);
+  EXPECT_EQ(shaken.find("free flight"), std::string::npos) << "nothing flies";
+  for (const char* other :
+       {R"("ground": {"horizontal": {"pulse": "sine", "period": 1}})",
+        R"("initial": {"angles": [0.1]}, "ground": {"horizontal": {"pulse": "rectangle"}})",
+        R"("ground": {"horizontal": {"pulse": "rectangle"}, "vertical": {"pulse": "sine"}})"})
+    EXPECT_EQ(describe(other).find("Shenton"), std::string::npos) << other;
 }
 
 TEST(SweepFigures, AMalformedFileIsNamed) {
