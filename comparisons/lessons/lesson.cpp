@@ -62,6 +62,9 @@ const std::vector<Lesson>& lessons() {
       {"chatter", chatter_values},
       {"sensitivity", sensitivity_values},
       {"limits", limits_values},
+      {"friction", friction_values},
+      {"lift-off", lift_off_values},
+      {"contact-models", contact_models_values},
   };
   return list;
 }

@@ -38,5 +38,8 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
 LessonValues chatter_values(const Suite& suite, const std::vector<RunMetrics>& rows);
 LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics>& rows);
 LessonValues limits_values(const Suite& suite, const std::vector<RunMetrics>& rows);
+LessonValues friction_values(const Suite& suite, const std::vector<RunMetrics>& rows);
+LessonValues lift_off_values(const Suite& suite, const std::vector<RunMetrics>& rows);
+LessonValues contact_models_values(const Suite& suite, const std::vector<RunMetrics>& rows);
 
 }  // namespace rockstack
