@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "analytic/solve.hpp"
+#include "comparisons/statistics/step_fit.hpp"
 #include "tests/engines/findings/draws.hpp"
 #include "tests/engines/linked_engines.hpp"
 
@@ -69,7 +72,7 @@ struct Onset {
 };
 
 /// Coulomb's law. It slips for μ below (4 + 3r + r²)/(1 + 3r + 4r²) (Shenton 1996).
-Onset coulomb(double r, double friction) {
+Onset onset_by_coulomb(double r, double friction) {
   if (friction * (1 + 3 * r + 4 * r * r) >= 4 + 3 * r + r * r) return {0.75 * (r - 1) / (1 + r * r), 0};
   const double rocking = 3 * (friction * r - 1) / (4 + r * r - 3 * friction * r);
   return {rocking, 1 - friction * (1 + rocking) - r * rocking};
@@ -78,7 +81,7 @@ Onset coulomb(double r, double friction) {
 /// Friction limited by μ times the normal force that there would be without friction: the weight m g on both
 /// corners, m g (1 + r²)/(4 + r²) on one. Where that of one corner cannot tip the block, μr(1 + r²) < 4 + r²,
 /// it goes to and fro between both and does not rock; friction is b/h of the weight then.
-Onset limited_by_frictionless(double r, double friction) {
+Onset onset_by_frictionless(double r, double friction) {
   const double limit = friction * (1 + r * r) / (4 + r * r);
   if (limit * r <= 1) return {0, 1 - 1 / r};
   const double sticking = 0.75 * (r - 1) / (1 + r * r);
@@ -96,11 +99,91 @@ TEST(Sliding, BlocksRockAndSlideByCoulombsLawOrByNormalsFoundWithoutFriction) {
         scene.horizontal.pulse = Pulse{PulseShape::rectangle, scene.gravity, 1, 0, 1, 0};
         const History history = simulate(*engine, scene, dt, rigid(*engine)).history;
         const double unit = 0.5 * scene.gravity * duration * duration;
-        const Onset expected = (direct ? limited_by_frictionless : coulomb)(r, scene.friction[0]);
+        const Onset expected = (direct ? onset_by_frictionless : onset_by_coulomb)(r, scene.friction[0]);
         EXPECT_NEAR(-history.angles.back() / unit, expected.rocking, 0.003)
             << engine->solver() << ", r = " << r << ", friction " << scene.friction[0];
         EXPECT_NEAR(-history.slips.back() / unit, expected.slipping, 0.01)
             << engine->solver() << ", r = " << r << ", friction " << scene.friction[0];
+      }
+    }
+  }
+}
+
+/// As above with r = 2 and μ = 0.6, over 0.2 s: the angle's error at its end by law `unilateral`, medians
+/// over draws.
+struct ErrorsByStep {
+  double exact = 0;  ///< the angle itself, rad
+  std::vector<StepError> errors;
+};
+
+ErrorsByStep errors_by_step(const Engine& engine) {
+  Scene scene = block(2, 0.6, 0.2);
+  scene.horizontal.pulse = Pulse{PulseShape::rectangle, scene.gravity, 1, 0, 1, 0};
+  ErrorsByStep result;
+  for (const double step : {4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4}) {
+    std::vector<double> list;
+    for (const Draw& draw : draws(scene, step, 7)) {
+      const History history = simulate(engine, draw.scene, draw.dt, rigid(engine)).history;
+      result.exact = solve(draw.scene, {.sample_times = {history.times.back()}}).angles.back();
+      list.push_back(std::abs(history.angles.back() - result.exact));
+    }
+    result.errors.push_back({step, quartiles(list).median});
+  }
+  return result;
+}
+
+TEST(Sliding, GapsToCoulombsLawCloseInProportionToTheStepOrNotAtAll) {
+  for (const Engine* engine : with_coefficients()) {
+    const auto [exact, errors] = errors_by_step(*engine);
+    if (engine->solver() == "step" || engine->solver() == "mlcp-dantzig") {
+      // It does not rock.
+      for (const StepError& at : errors) EXPECT_NEAR(at.error / std::abs(exact), 1, 0.05) << engine->solver();
+      continue;
+    }
+    const StepFit fit = fit_steps(errors);
+    EXPECT_TRUE(fit.holds()) << engine->solver() << ": " << fit.reason;
+    EXPECT_LT(fit.order.low, 1.02) << engine->solver();
+    EXPECT_GT(fit.order.high, 0.98) << engine->solver();
+    EXPECT_LT(fit.model_error.high, 1e-3 * std::abs(exact)) << engine->solver();
+  }
+}
+
+/// Speed along the ground that a flat landing and the five steps after it take, over what Coulomb's law
+/// gives: μ times the speed down and μg times their time.
+double braking(const Engine& engine, const Parameters& parameters, double dt) {
+  Scene scene = block(0.5, 0.4, 0.5);
+  scene.horizontal.pulse = Pulse{PulseShape::rectangle, -5, 0.2, 0, 1, 0};
+  scene.vertical.pulse = Pulse{PulseShape::rectangle, -11.81, 0.2, 0, 1, 0};
+  const auto simulation = engine.start(scene, dt, parameters);
+  BodyState before, after;
+  for (int step = 0; step < 500 && (before.velocity_y > -0.5 || after.velocity_y < before.velocity_y);
+       ++step) {
+    before = after;
+    simulation->step();
+    after = simulation->body(0);
+  }
+  for (int step = 0; step < 5; ++step) simulation->step();
+  const double taken = before.velocity_x - simulation->body(0).velocity_x;
+  return taken / (scene.friction[0] * (-before.velocity_y + 6 * scene.gravity * dt));
+}
+
+/// Bullet passes over the friction of a point that nothing presses, and what a warm start gave it stays.
+TEST(Sliding, AWarmStartBrakesABlockOnceMoreAfterItsLanding) {
+  for (const Engine* engine : with_coefficients()) {
+    const bool sequential = engine->solver() == "sequential-impulse" || engine->solver() == "nncg";
+    for (const double warm : {0.85, 0.0}) {
+      Parameters parameters = rigid(*engine);
+      if (parameters.count("warmstartingFactor") != 0) parameters["warmstartingFactor"] = warm;
+      std::vector<double> list;
+      for (int run = 0; run < 21; ++run)
+        list.push_back(braking(*engine, parameters, 1e-3 * (1 + 0.003 * (run - 10))));
+      const Quartiles found = quartiles(list);
+      if (sequential && warm > 0) {
+        EXPECT_GT(found.lower, 1.15) << engine->solver();
+      } else {
+        // What pushes the overlap out, a hundredth of it a step, presses as well.
+        EXPECT_NEAR(found.lower, 1, 0.01) << engine->solver() << " " << warm;
+        EXPECT_NEAR(found.upper, 1, 0.01) << engine->solver() << " " << warm;
       }
     }
   }
