@@ -11,7 +11,7 @@
 namespace rockstack {
 namespace {
 
-constexpr double rounding = 1e-11;  // of a solver's times and velocities, and of their differences
+constexpr double round_off = 1e-11;  // of a solver's times and velocities, and of their differences
 
 Scene shipped_scene(const std::string& name) {
   return read_scene(std::filesystem::path(ROCKSTACK_LESSONS) / "../scenes" / (name + ".toml"));
@@ -32,7 +32,7 @@ TEST(ContactLessons, ABlockThatLandsKeepsTheShareOfTheClosedForm) {
       ASSERT_FALSE(history.events.empty());
       const Event& impact = history.events.front();
       ASSERT_EQ(impact.kind, EventKind::impact);
-      EXPECT_NEAR(impact.after[0] / impact.before[0], impact_ratio(r, friction), rounding)
+      EXPECT_NEAR(impact.after[0] / impact.before[0], impact_ratio(r, friction), round_off)
           << r << ' ' << friction;
       EXPECT_EQ(impact.to.slides[0] != 0, friction < impact_friction(r)) << r << ' ' << friction;
     }
@@ -42,19 +42,19 @@ TEST(ContactLessons, ABlockThatLandsKeepsTheShareOfTheClosedForm) {
 TEST(ContactLessons, AnImpactNeedsTheFrictionOfTheClosedForm) {
   Scene scene = shipped_scene("rubbing-block");
   scene.duration = 0.6;  // the first impact alone
-  EXPECT_NEAR(contact_need(scene).impulse_friction, impact_friction(2), rounding);
+  EXPECT_NEAR(contact_need(scene).impulse_friction, impact_friction(2), round_off);
 }
 
 TEST(ContactLessons, AThrownBlockFliesAsTheClosedFormSays) {
   const Scene scene = shipped_scene("thrown-block");
   const Throw thrown =
       thrown_by_sine(scene.vertical.pulse->amplitude, scene.vertical.pulse->period, scene.gravity);
-  EXPECT_NEAR(thrown.lift_off, 0.4 * 7 / 12, rounding) << "at twice gravity the sine is −1/2 there";
+  EXPECT_NEAR(thrown.lift_off, 0.4 * 7 / 12, round_off) << "at twice gravity the sine is −1/2 there";
   const double top = thrown.lift_off + thrown.lift_off_rate / scene.gravity;
   const History history = solve(scene, {.sample_times = {top}});
-  EXPECT_NEAR(first_event(history, EventKind::lift_off)->time, thrown.lift_off, rounding);
-  EXPECT_NEAR(first_event(history, EventKind::impact)->time, thrown.landing, rounding);
-  EXPECT_NEAR(history.gaps[0], thrown.highest, rounding);
+  EXPECT_NEAR(first_event(history, EventKind::lift_off)->time, thrown.lift_off, round_off);
+  EXPECT_NEAR(first_event(history, EventKind::impact)->time, thrown.landing, round_off);
+  EXPECT_NEAR(history.gaps[0], thrown.highest, round_off);
   EXPECT_THROW(thrown_by_sine(9, 0.4, 9.81), std::domain_error);
   EXPECT_THROW(thrown_by_sine(10.5, 0.4, 9.81), std::domain_error) << "it lands before the pulse ends";
 }
@@ -68,9 +68,9 @@ TEST(ContactLessons, FlightSavesNoFriction) {
   scene.duration = 2;
   const Slide form = slide_through(thrown, 3, 0.2, scene.gravity);
   const History history = solve(scene, {.sample_times = {scene.duration}});
-  EXPECT_NEAR(history.events.back().time, 3 / (0.2 * scene.gravity), rounding);
-  EXPECT_NEAR(history.events.back().time, form.stop, rounding);
-  EXPECT_NEAR(history.slips.back(), form.distance, rounding);
+  EXPECT_NEAR(history.events.back().time, 3 / (0.2 * scene.gravity), round_off);
+  EXPECT_NEAR(history.events.back().time, form.stop, round_off);
+  EXPECT_NEAR(history.slips.back(), form.distance, round_off);
 }
 
 // Each branch of the flow, and the friction on either side of it.
