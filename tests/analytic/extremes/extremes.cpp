@@ -1,4 +1,5 @@
-// Solves seeded scenes from all over the range of what can be asked: extremes [COUNT [FIRST [reference]]].
+// Solves seeded scenes from all over the range of what can be asked: extremes [COUNT [FIRST [reference |
+// unilateral]]], the last under the law of that name, with friction.
 // Each scene goes through the laws that no motion may leave; each in a process that may end without taking
 // this one along. A scene that takes longer than half a minute is long where its motion gets on all the same:
 // of that, the first part goes through the laws. Prints a line for each scene that broke a law, is long, got
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <string>
 
 #include "analytic/solve.hpp"
 #include "analytic/solver/solver.hpp"
@@ -38,11 +40,16 @@ struct Shared {
   double halfway = 0, reached = 0;  ///< of a long scene, in half of the patience and in all of it, s
   std::size_t steps = 0;            ///< in that time
   bool moves = false;               ///< in the second half too
+  bool unilateral = false;          ///< law of all scenes
+
+  Scene scene() const { return unilateral ? slippery_extreme_scene(seed) : extreme_scene(seed); }
 };
 
 void note(Shared& shared, const Scene& scene) {
-  const Breaches found =
-      breaches(scene, solve(scene, {.sample_times = regular_times(scene.duration / 50, scene.duration)}));
+  const std::vector<double> times = regular_times(scene.duration / 50, scene.duration);
+  const Breaches found = scene.law == Law::unilateral
+                             ? breaches(scene, solve_unilateral(scene, {.sample_times = times}))
+                             : breaches(scene, solve(scene, {.sample_times = times}));
   shared.events += found.events;
   shared.impact_gain = std::max(shared.impact_gain, found.impact_gain);
   shared.flight_drift = std::max(shared.flight_drift, found.flight_drift);
@@ -100,7 +107,7 @@ void attempt(Shared& shared, const Scene& scene, const Work& work) {
 void solve_until(std::uint64_t end, bool reference, Shared& shared) {
   for (; shared.seed < end; ++shared.seed) {
     limit_time(patience);
-    const Scene scene = extreme_scene(shared.seed);
+    const Scene scene = shared.scene();
     attempt(shared, scene, [&] { reference ? compare_one(shared, scene) : note(shared, scene); });
   }
 }
@@ -143,8 +150,28 @@ bool apart(const Work& work) {
   return status == 0;
 }
 
+/// Goes through the laws with ever shorter parts of a motion with friction that took too long. Only where a
+/// thousandth of it takes too long as well does it not get on.
+void look_at_parts(Shared& shared) {
+  Scene scene = shared.scene();
+  shared.moves = false;
+  for (int tenths = 0; tenths < 3 && !shared.moves; ++tenths) {
+    scene.duration /= 10;
+    apart([&] {
+      limit_time(patience);
+      attempt(shared, scene, [&] { note(shared, scene); });
+      shared.moves = true;
+    });
+  }
+  ++(shared.moves ? shared.lengthy : shared.stuck);
+  std::printf("%llu %s: %g s; %s\n", static_cast<unsigned long long>(shared.seed),
+              shared.moves ? "long" : "stuck", scene.duration, features(scene).c_str());
+  std::fflush(stdout);
+}
+
 /// Tells whether the motion of a scene that took too long gets on.
 void look_closer(Shared& shared) {
+  if (shared.unilateral) return look_at_parts(shared);
   Scene scene = extreme_scene(shared.seed);
   const std::size_t diagnosed = shared.diagnosed;
   shared.moves = false;
@@ -171,10 +198,11 @@ void look_closer(Shared& shared) {
 int main(int arguments, char** values) {
   const std::uint64_t count = arguments > 1 ? std::strtoull(values[1], nullptr, 10) : 100000;
   const std::uint64_t first = arguments > 2 ? std::strtoull(values[2], nullptr, 10) : 0;
-  const bool reference = arguments > 3;
+  const bool unilateral = arguments > 3 && std::string(values[3]) == "unilateral";
+  const bool reference = arguments > 3 && !unilateral;
   void* memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) return 1;
-  Shared& shared = *new (memory) Shared{.seed = first};
+  Shared& shared = *new (memory) Shared{.seed = first, .unilateral = unilateral};
   while (shared.seed < first + count) {
     if (apart([&] { solve_until(first + count, reference, shared); })) break;
     if (reference) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/analytic/solver/stacks.hpp"
+#include "tests/analytic/unilateral/scenes.hpp"
 
 namespace rockstack::testing {
 namespace {
@@ -140,6 +141,12 @@ Scene extreme_scene(std::uint64_t seed) {
   return scene;
 }
 
+Scene slippery_extreme_scene(std::uint64_t seed) {
+  Scene scene = slippery(extreme_scene(seed), seed);
+  scene.equations = Equations::nonlinear;
+  return scene;
+}
+
 std::string features(const Scene& scene) {
   const auto range = [&](auto value) {
     double least = value(scene.blocks.front());
@@ -157,7 +164,7 @@ std::string features(const Scene& scene) {
   std::ostringstream text;
   text << scene.blocks.size() << " blocks, masses 1:" << heavy / light << ", heights " << low << "…" << high
        << " m, slenderness " << slender << "…" << squat << ", gravity " << scene.gravity << ", "
-       << scene.duration << " s, " << (scene.law == Law::paper ? "paper" : "consistent") << ' '
+       << scene.duration << " s, " << name(scene.law) << ' '
        << (scene.equations == Equations::linear ? "linear" : "nonlinear") << ", ground ("
        << (scene.horizontal.pulse ? "pulse " : "record ") << peak(scene.horizontal) / scene.gravity << ", "
        << (scene.vertical.pulse ? "pulse " : "record ") << peak(scene.vertical) / scene.gravity << ") g";

@@ -14,6 +14,9 @@ namespace rockstack::testing {
 /// both equations. Durations go with √(H/g), H the stack's height.
 Scene extreme_scene(std::uint64_t seed);
 
+/// The same under law `unilateral` with friction of 0 … 10 at each interface.
+Scene slippery_extreme_scene(std::uint64_t seed);
+
 /// What is extreme about a scene, in a few words.
 std::string features(const Scene& scene);
 

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "tests/analytic/extremes/laws.hpp"
+
+namespace rockstack::testing {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+bool all_finite(const std::vector<BodyPlacement>& placements) {
+  return std::all_of(placements.begin(), placements.end(), [](const BodyPlacement& placement) {
+    return std::isfinite(placement.x) && std::isfinite(placement.y) && std::isfinite(placement.angle);
+  });
+}
+
+double kinetic(Scene scene, const std::vector<BodyPlacement>& rates) {
+  scene.gravity = 0;
+  return energy(scene, {rates, rates});
+}
+
+/// How deep a block is in the one below, in shares of the largest length in the scene. Blocks that lie on
+/// each other's sides have no gap.
+double depth(const Scene& scene, const ContactHistory::Sample& sample) {
+  double length = 0;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k)
+    length = std::max({length, std::abs(sample.bodies.at[k].x), std::abs(sample.bodies.at[k].y),
+                       scene.blocks[k].half_width, scene.blocks[k].half_height});
+  double least = 0;
+  double below = 0;
+  for (std::size_t k = 0; k < sample.gaps.size(); ++k) {
+    const double angle = sample.bodies.at[k].angle;
+    if (std::abs(angle - below) < std::numbers::pi / 2) least = std::min(least, sample.gaps[k]);
+    below = angle;
+  }
+  return -least / length;
+}
+
+std::string broken(const Scene& scene, const ContactHistory& history) {
+  double time = 0;
+  for (const ContactEvent& event : history.events) {
+    if (!std::isfinite(event.time) || !all_finite(event.at) || !all_finite(event.before) ||
+        !all_finite(event.after))
+      return "an event holds a number that is none";
+    if (event.time < time) return "an event lies before the one it follows";
+    time = event.time;
+  }
+  if (time > scene.duration * (1 + 1e-12)) return "an event lies after the end";
+  const bool ends = !history.events.empty() && (history.events.back().kind == ContactEventKind::topple ||
+                                                history.events.back().kind == ContactEventKind::fall);
+  if (!ends && history.end_time < scene.duration * (1 - 1e-12)) return "the motion ends before its duration";
+  for (const auto& sample : history.samples) {
+    if (!all_finite(sample.bodies.at) || !all_finite(sample.bodies.rate)) return "a sample is no number";
+    if (depth(scene, sample) > 1e-9) return "a block sinks into the one below";
+  }
+  return {};
+}
+
+}  // namespace
+
+Breaches breaches(const Scene& scene, const ContactHistory& history) {
+  Breaches found;
+  found.fault = broken(scene, history);
+  found.events = history.events.size();
+  const bool still = scene.horizontal.empty() && scene.vertical.empty();
+  double left = std::numeric_limits<double>::infinity();
+  for (const ContactEvent& event : history.events) {
+    const double before = kinetic(scene, event.before);
+    const double total = energy(scene, {event.at, event.before});
+    found.impact_gain =
+        std::max(found.impact_gain, (kinetic(scene, event.after) - before) / (epsilon * before + 1e-300));
+    if (still)
+      found.flight_drift = std::max(found.flight_drift, (total - left) / (epsilon * std::abs(total)));
+    left = energy(scene, {event.at, event.after});
+  }
+  return found;
+}
+
+}  // namespace rockstack::testing

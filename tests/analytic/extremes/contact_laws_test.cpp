@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "analytic/solve.hpp"
+#include "tests/analytic/extremes/laws.hpp"
+#include "tests/analytic/extremes/scenes.hpp"
+
+namespace rockstack {
+namespace {
+
+using testing::slippery_extreme_scene;
+
+/// Up to three blocks whose masses are within a factor of a thousand, and their heights within ten.
+bool is_moderate(const Scene& scene) {
+  const auto within = [&](double factor, auto value) {
+    const auto less = [&](const Block& a, const Block& b) { return value(a) < value(b); };
+    const auto [least, most] = std::minmax_element(scene.blocks.begin(), scene.blocks.end(), less);
+    return value(*most) <= factor * value(*least);
+  };
+  return scene.blocks.size() <= 3 && within(1e3, [](const Block& block) { return block.mass; }) &&
+         within(10, [](const Block& block) { return block.half_height; });
+}
+
+// More, and more extreme ones, by the program `extremes`. An event decides by how the motion goes on up to
+// 10⁻⁴ √(H/g) later: a fall of 10⁻⁸ H, and as large a share of energy.
+TEST(SlipperyExtremes, NoMotionGainsEnergyOrSinksOrHoldsNumbersThatAreNone) {
+  constexpr double few = 1000;
+  constexpr double moment = 1e-4;
+  int solved = 0;
+  for (std::uint64_t seed = 0; seed < 80; ++seed) {
+    const Scene scene = slippery_extreme_scene(seed);
+    if (!is_moderate(scene)) continue;
+    const auto times = regular_times(scene.duration / 50, scene.duration);
+    const testing::Breaches found =
+        testing::breaches(scene, solve_unilateral(scene, {.sample_times = times}));
+    EXPECT_EQ(found.fault, "") << seed;
+    EXPECT_LE(found.impact_gain, few) << seed;
+    EXPECT_LE(found.flight_drift, moment * moment / std::numeric_limits<double>::epsilon()) << seed;
+    ++solved;
+  }
+  EXPECT_GT(solved, 20);
+}
+
+// Four times the lengths at the same gravity take twice the time; both factors round nothing.
+TEST(SlipperyExtremes, ALargerStackDoesTheSameMoreSlowly) {
+  for (std::uint64_t seed = 0; seed < 25; ++seed) {
+    const Scene scene = slippery_extreme_scene(seed);
+    if (!is_moderate(scene)) continue;
+    Scene large = scene;
+    large.duration *= 2;
+    for (Block& block : large.blocks) {
+      block.half_width *= 4;
+      block.half_height *= 4;
+      block.inertia *= 16;
+    }
+    for (double& velocity : large.initial.velocities) velocity /= 2;
+    for (GroundMotion* motion : {&large.horizontal, &large.vertical}) {
+      motion->interval *= 2;
+      if (!motion->pulse) continue;
+      motion->pulse->period *= 2;
+      motion->pulse->start *= 2;
+    }
+    const ContactHistory one = solve_unilateral(scene);
+    const ContactHistory other = solve_unilateral(large);
+    ASSERT_EQ(one.events.size(), other.events.size()) << seed;
+    for (std::size_t i = 0; i < one.events.size(); ++i)
+      EXPECT_EQ(2 * one.events[i].time, other.events[i].time) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace rockstack
