@@ -175,6 +175,7 @@ TEST(Sliding, AWarmStartBrakesABlockOnceMoreAfterItsLanding) {
       Parameters parameters = rigid(*engine);
       if (parameters.count("warmstartingFactor") != 0) parameters["warmstartingFactor"] = warm;
       std::vector<double> list;
+      list.reserve(21);
       for (int run = 0; run < 21; ++run)
         list.push_back(braking(*engine, parameters, 1e-3 * (1 + 0.003 * (run - 10))));
       const Quartiles found = quartiles(list);
