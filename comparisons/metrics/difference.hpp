@@ -29,7 +29,8 @@ double agreement_time(const Difference& difference, double tolerance);
 /// How far slips differ, m: of all interfaces that touch in the first history, at any time and at the last
 /// common one.
 struct SlipDifference {
-  double largest = 0, last = 0;
+  double largest = 0;
+  std::optional<double> last;  ///< nothing where none touches then
 };
 
 /// Nothing where either history tells no slips.

@@ -236,8 +236,9 @@ std::vector<Column> impact_columns() {
                                      "largest difference of how far a block has slipped along what is below "
                                      "it, of all blocks that touch "
                                      "that in the exact solution and all times, m; law unilateral alone"),
-      drawn<&RunMetrics::final_slip_error>("final_slip_error",
-                                           "likewise at the last time that both cover, m"),
+      drawn<&RunMetrics::final_slip_error>(
+          "final_slip_error",
+          "likewise at the last time that both cover, m; empty where no block touches then"),
       drawn<&RunMetrics::pattern_agreement>(
           "pattern_agreement",
           "share of time in which the engine is in the exact pattern. An interface is closed while it stays "

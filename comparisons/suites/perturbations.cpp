@@ -30,6 +30,7 @@ Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run)
   const double start = next_factor();
   scale(result.initial.angles, start);
   scale(result.initial.velocities, start);
+  scale(result.initial.slip_velocities, start);
   scale(result.horizontal, next_factor());
   scale(result.vertical, next_factor());
   return result;

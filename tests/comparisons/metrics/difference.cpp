@@ -55,6 +55,8 @@ TEST(Difference, SlipsAreComparedWhereTheFirstHistoryTouches) {
   const SlipDifference apart = slip_difference(first, second).value();
   EXPECT_EQ(apart.largest, 0.5);
   EXPECT_EQ(apart.last, 0.125);
+  first.patterns[2][0] = Contact::apart;
+  EXPECT_FALSE(slip_difference(first, second)->last);
 }
 
 }  // namespace

@@ -20,7 +20,9 @@ Scene two_blocks() {
 }
 
 TEST(Perturbations, ChangeEveryLengthAngleAndMotionByNoMoreThanTheirSize) {
-  const Scene scene = two_blocks();
+  Scene scene = two_blocks();
+  scene.law = Law::unilateral;
+  scene.initial.slip_velocities = {0.5, -0.5};
   const Perturbations around{.runs = 20, .size = 1e-3, .seed = 5};
   for (int run = 0; run < around.runs; ++run) {
     const Scene other = perturbed(scene, around, run);
@@ -34,6 +36,7 @@ TEST(Perturbations, ChangeEveryLengthAngleAndMotionByNoMoreThanTheirSize) {
       EXPECT_EQ(other.blocks[k].mass, scene.blocks[k].mass);
     }
     expect_near(other.initial.angles[0], scene.initial.angles[0]);
+    expect_near(other.initial.slip_velocities[1], scene.initial.slip_velocities[1]);
     EXPECT_EQ(other.initial.angles[0], other.initial.angles[1]);  // what is closed stays closed
     expect_near(other.horizontal.samples[2], scene.horizontal.samples[2]);
     expect_near(other.vertical.pulse->amplitude, scene.vertical.pulse->amplitude);
