@@ -81,6 +81,34 @@ std::vector<const WorkerEngine*> chosen_engines(const std::vector<std::string>& 
   return list;
 }
 
+/// Changes of a scene, and what they add to its name.
+struct SceneChange {
+  std::string name;
+  std::vector<std::string> overrides;
+};
+
+/// Every combination of the values of `vary`, after the changes that all scenes have.
+std::vector<SceneChange> read_vary(const Node& root, std::vector<std::string> changes) {
+  std::vector<SceneChange> list{{"", std::move(changes)}};
+  const Node* table = find(root, "vary");
+  if (table == nullptr) return list;
+  if (table->kind != Node::Kind::table)
+    throw wrong_value(*table, "a table of scene keys, each an array of numbers");
+  for (const Node& child : table->children) {
+    std::vector<SceneChange> extended;
+    for (const Node& value : entries(child, "an array of numbers")) {
+      const std::string text = fmt::format("{}", number(value));
+      for (SceneChange change : list) {
+        change.name += "-" + child.name.substr(child.name.rfind('.') + 1) + "-" + text;
+        change.overrides.push_back(child.name + "=" + text);
+        extended.push_back(std::move(change));
+      }
+    }
+    list = std::move(extended);
+  }
+  return list;
+}
+
 PaperScenes read_statements(const Node& table, const Suite& suite) {
   require_table(table, statements_keys);
   const auto scene = [&](const char* key) {
@@ -172,9 +200,14 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
     for (const Node& child : entries(*node, "an array of key=value texts")) changes.push_back(text(child));
   }
   changes.insert(changes.end(), overrides.begin(), overrides.end());
+  const std::vector<SceneChange> list = read_vary(root, std::move(changes));
   const char* scenes = "an array of at least one scene file";
   for (const Node& scene : entries(required(root, "scenes", scenes), scenes)) {
-    suite.scenes.push_back(read_named_scene(find_file(text(scene), "scenes", file.parent_path()), changes));
+    const std::filesystem::path scene_file = find_file(text(scene), "scenes", file.parent_path());
+    for (const SceneChange& change : list) {
+      suite.scenes.push_back(read_named_scene(scene_file, change.overrides));
+      suite.scenes.back().name += change.name;
+    }
   }
   if (const Node* node = find(root, "tolerance")) suite.tolerance = number_above_zero(*node);
   if (const Node* node = find(root, "repeats")) {

@@ -14,6 +14,8 @@ inline constexpr KeyTable suite_keys{
       "at least one file beside the suite, or name from `rockstack list scenes`", required_key,
       "what is run"},
      {"set", "[\"duration=2.0\"]", "", "key=value texts", "[]", "scene keys that are changed in every scene"},
+     {"vary", "{ \"contact.friction\" = [0.1, 1.0] }", "", "scene keys, each an array of numbers", "{}",
+      "every scene once for each value, in every combination"},
      {"variants", "[\"linear\"]", "",
       "of \"linear\", \"nonlinear\", \"paper\", \"consistent\", \"unilateral\"", "[]",
       "the exact solver with one choice changed, as one more run"},

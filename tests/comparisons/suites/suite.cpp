@@ -76,6 +76,23 @@ TEST(Suites, OverridesReachEveryScene) {
   EXPECT_EQ(read_suite(file, {"gravity=1.62"}).scenes.at(0).scene.gravity, 1.62);
 }
 
+TEST(Suites, ScenesVaryInEveryCombination) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n[vary]\n";
+  const auto file =
+      folder.write("suite.toml", head + "gravity = [1, 9.81]\n\"contact.friction\" = [0, 0.5, 1000]\n");
+  const std::vector<NamedScene> scenes = read_suite(file, {}).scenes;
+  ASSERT_EQ(scenes.size(), 6U);
+  EXPECT_EQ(scenes[0].name, "block-friction-0-gravity-1");
+  EXPECT_EQ(scenes[4].name, "block-friction-0.5-gravity-9.81");
+  EXPECT_EQ(scenes[4].scene.gravity, 9.81);
+  EXPECT_EQ(scenes[4].scene.friction, std::vector<double>{0.5});
+  EXPECT_TRUE(
+      error_of(head + "gravity = 1\n").starts_with("suite.toml:4: vary.gravity = 1: must be an array"));
+  EXPECT_TRUE(error_of(head + "mood = [1]\n").starts_with("--set mood=1: mood: unknown key"));
+}
+
 TEST(Suites, ParametersAreChangedOneSeriesEachCombination) {
   if (engines().empty()) GTEST_SKIP() << "this build has no engine";
   const WorkerEngine& engine = engines().front();
