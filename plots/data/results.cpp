@@ -156,6 +156,7 @@ Run read_run(const RowReader& row) {
   row.read("impacts_extra", run.impacts_extra);
   for (const auto& [name, field] : {std::pair{"rms_angle_difference_lower", &run.rms_angle_difference_lower},
                                     {"rms_angle_difference_upper", &run.rms_angle_difference_upper},
+                                    {"slip_error", &run.slip_error},
                                     {"draws", &run.draws},
                                     {"impacts_matched_null", &run.impacts_matched_null},
                                     {"impacts_missed_null", &run.impacts_missed_null},

@@ -19,7 +19,8 @@ struct Run {
   double first_impact_time_difference = 0;  ///< s
   /// Quartiles of the same over draws, where there are some; else NaN.
   double rms_angle_difference_lower = 0, rms_angle_difference_upper = 0;
-  double draws = 0;  ///< how many runs the numbers are medians of; NaN: one
+  double slip_error = 0;  ///< largest, m; law `unilateral` alone, else NaN
+  double draws = 0;       ///< how many runs the numbers are medians of; NaN: one
   double impacts_matched = 0, impacts_missed = 0, impacts_extra = 0;
   /// Of the exact motion read from samples at the same steps.
   double impacts_matched_null = 0, impacts_missed_null = 0, impacts_extra_null = 0;

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t shown_columns = 10;
 constexpr std::array wanted{"rms_angle_difference",
                             "largest_angle_difference",
+                            "slip_error",
                             "first_impact_time_difference",
                             "agreement_time",
                             "impacts_matched",

@@ -68,6 +68,17 @@ void add_nearest(const std::vector<Run>& runs, std::vector<std::string>& sentenc
                                     furthest->rms_angle_difference));
 }
 
+void add_slips(const std::vector<Run>& runs, std::vector<std::string>& sentences) {
+  const Run* nearest = least(runs, [](const Run& run) { return run.slip_error; });
+  const Run* furthest = least(runs, [](const Run& run) { return -run.slip_error; });
+  if (!nearest || furthest->slip_error == 0) return;
+  sentences.push_back(
+      fmt::format("Slips are within {:.3g} m with {}", nearest->slip_error, run_phrase(*nearest)));
+  sentences.back() += furthest == nearest ? "."
+                                          : fmt::format(", and within {:.3g} m with {}.",
+                                                        furthest->slip_error, run_phrase(*furthest));
+}
+
 void add_agreement(const Comparison& comparison, const std::vector<Run>& runs,
                    std::vector<std::string>& sentences) {
   const Run* longest = least(runs, [](const Run& run) { return -run.agreement_time; });
@@ -158,6 +169,7 @@ std::vector<std::string> summary(const Comparison& comparison, const ComparedSce
   }
   add_draws(runs, scene, sentences);
   add_nearest(runs, sentences);
+  add_slips(runs, sentences);
   add_agreement(comparison, runs, sentences);
   add_first_impact(runs, sentences);
   add_impacts(runs, sentences);
