@@ -63,7 +63,7 @@ double largest_friction_of(const std::vector<Demand>& demands) {
 std::string demand(const History& history) {
   if (history.forces.empty()) return "";
   for (const auto* demands : {&history.forces, &history.impulses}) {
-    if (const std::string text = pull(*demands); !text.empty()) return text;
+    if (std::string text = pull(*demands); !text.empty()) return text;
   }
   const double forces = largest_friction_of(history.forces);
   const double impulses = largest_friction_of(history.impulses);
