@@ -6,6 +6,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solver/solver.hpp"
 #include "analytic/solver/to_double.hpp"
+#include "analytic/unilateral/solve_unilateral.hpp"
 #include "analytic/unilateral/unilateral_history.hpp"
 
 namespace rockstack {

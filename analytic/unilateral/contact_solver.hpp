@@ -1,91 +1,246 @@
 #pragma once
 
-#include "analytic/steps/ground_pieces.hpp"
-#include "analytic/unilateral/contact_chatter.hpp"
-#include "analytic/unilateral/contact_course.hpp"
-#include "analytic/unilateral/contact_demands.hpp"
-#include "analytic/unilateral/solve_unilateral.hpp"
+#include <stdexcept>
+
+#include "analytic/unilateral/contact_changes.hpp"
+#include "analytic/unilateral/contact_decision.hpp"
+#include "analytic/unilateral/contact_impact.hpp"
+#include "analytic/unilateral/contact_recorder.hpp"
+#include "analytic/unilateral/series/mode_step.hpp"
 
 namespace rockstack {
 
 /// Goes from event to event of a stack that may slip and lift off.
 ///
 /// An event leaves a force, a gap or a speed at zero to rounding, so that what follows is decided by how it
-/// goes on: by the laws of contact as they stand a moment later (10⁻⁷ √(H/g)) on the course that just ended.
-/// Of what starts at zero by such a decision, courses are looked at from that moment on.
+/// goes on: by the laws of contact as they stand a moment later (6.7 √ε √(H/g), 10⁻⁷ √(H/g) in double) on the
+/// course that just ended. Of what starts at zero by such a decision, courses are looked at from
+/// that moment on.
+template <class Real>
 class ContactSolver {
  public:
-  /// Keeps a reference to `scene`.
-  ContactSolver(const Scene& scene, const ContactOptions& options);
+  /// Keeps references to `scene` and `options`.
+  ContactSolver(const Scene& scene, const ContactOptions& options)
+      : scene_(scene),
+        stack_(scene.blocks, friction_of(scene)),
+        smooth_(scene.blocks, std::vector<double>(scene.blocks.size(), 0)),
+        pieces_(scene),
+        chatter_(stack_, scene.gravity, options.resolution),
+        fresh_(scene.blocks.size()),
+        state_(initial_contacts(stack_, scene.initial)),
+        recorder_(scene, stack_, options) {
+    using std::cos;
+    using std::sqrt;
+    across_ = Real(scene.gravity) * cos(Real(scene.inclination));
+    Real height = 0;
+    for (int k = 0; k < stack_.size(); ++k) {
+      height += 2 * stack_.blocks[static_cast<std::size_t>(k)].half_height;
+      toppling_angles_.push_back(Real(toppling_angle(scene, k)));
+    }
+    unit_time_ = sqrt(height / Real(scene.gravity));
+    shortest_moment_ = root_tolerance<Real>(1e-7) * unit_time_;
+    moment_ = shortest_moment_;
+    longest_ = unit_time_ / 8;
+  }
+
   /// @throws std::runtime_error where the motion cannot go on.
-  void run();
+  void run() {
+    decide(Joints<Real>(state_.joints), state_.bodies, 0);
+    while (!ended_ && !pieces_.finished()) advance();
+    if (!ended_) recorder_.note_rest(state_, scene_.duration);
+  }
+
   /// Up to the end, or to where the motion could not go on.
-  ContactHistory history() &&;
+  BasicContactHistory<Real> history() && {
+    return std::move(recorder_).history(state_.bodies, pieces_.finished() ? Real(scene_.duration) : time());
+  }
 
  private:
-  /// The first event of a step.
-  struct Found {
-    double s = 1;
-    std::vector<Course> courses;  ///< those that end there
-  };
+  void advance() {
+    const GroundPiece<Real>& piece = pieces_.current();
+    const Real remaining = piece.length - offset_;
+    if (!(remaining > 0)) return next_piece();
+    const Real length = std::min<Real>({remaining, longest_, longest_series(piece)});
+    const ScaledBodyForce<Real> body_force = scaled_body_force(across_, piece, offset_, length);
+    const ModeStep<Real> step = mode_step(stack_, state_.joints, state_.bodies, body_force, length);
+    if (step.lengthens && length == longest_) longest_ *= Real(1.25);
+    if (step.series.length < length) longest_ = step.series.length;
+    const FirstChange<Real> found =
+        first_change(courses_of(stack_, state_.joints, toppling_angles_, step.series), step.series, fresh_,
+                     time(), decided_, std::min<Real>(moment_ / step.series.length, 1));
+    const bool whole = found.s == 1 && step.series.length >= remaining;
+    go(step.series, found.s);
+    if (!found.courses.empty()) {
+      handle(found, step.series);
+    } else if (whole) {
+      next_piece();
+    }
+  }
 
-  void start();
-  void advance();
-  Found find(const ModeSeries& series) const;
-  bool is_fresh(const Course& course) const;
-  void handle(const Found& found, const ModeSeries& series);
-  bool apply(const Found& found, std::vector<Joint>& joints);
-  void land(const Course& course, std::vector<Joint>& joints) const;
-  bool pass_corner(int interface, std::vector<Joint>& joints);
-  void land_negligible(int interface, std::vector<Joint>& joints) const;
-  void close_negligible(std::vector<Joint>& joints) const;
-  void collide(const std::vector<Joint>& before, std::vector<Joint> touching, int interface);
-  std::vector<BodyPlacement> held_rates(const std::vector<Joint>& joints) const;
-  void hold();
-  std::vector<Joint> with_slips(std::vector<Joint> mode) const;
+  void next_piece() {
+    pieces_.advance();
+    offset_ = 0;
+  }
+
+  /// Goes up to s of a step.
+  void go(const ModeSeries<Real>& series, const Real& s) {
+    using std::isfinite;
+    BasicBodies<Real> next = series.at(s);
+    for (const BasicBodyPlacement<Real>& rate : next.rate)
+      if (!isfinite(rate.x) || !isfinite(rate.y) || !isfinite(rate.angle))
+        stop("velocities have become too large for numbers at");
+    recorder_.note_step(state_.joints, series, s, time());
+    state_.bodies = std::move(next);
+    place(stack_.blocks, state_.joints, state_.bodies);
+    offset_ += s * series.length;
+    if (s > 0) decided_ = false;
+  }
+
+  void handle(const FirstChange<Real>& found, const ModeSeries<Real>& series) {
+    note_stall();
+    const Joints<Real> before = state_.joints;
+    for (const Course<Real>& course : found.courses) {
+      if (course.change != Change::topple && course.change != Change::fall) continue;
+      ended_ = true;
+      return note(course.change == Change::topple ? ContactEventKind::topple : ContactEventKind::fall,
+                  course.interface + 1, before, state_.bodies.rate);
+    }
+    Joints<Real> touching = state_.joints;
+    const int interface = found.courses.front().interface + 1;
+    if (apply(found, stack_, state_.bodies, touching)) return meet(before, std::move(touching), interface);
+    // A decision that does not last is taken for a later moment.
+    const Real longest_moment = Real(1e-4) * unit_time_;
+    moment_ = last_decision_ >= 0 && time() - last_decision_ <= 2 * moment_
+                  ? std::min<Real>(2 * moment_, longest_moment)
+                  : shortest_moment_;
+    last_decision_ = time();
+    const auto passes = [](const Course<Real>& course) { return course.change == Change::corner; };
+    state_.joints = std::move(touching);
+    hold();
+    if (std::any_of(found.courses.begin(), found.courses.end(), passes))
+      note(ContactEventKind::corner, interface, before, state_.bodies.rate);
+    decide(before, series.at(found.s + moment_ / series.length), moment_);
+  }
+
+  /// Puts bodies onto joints, and takes from velocities what joints do not leave.
+  void hold() {
+    const Placements<Real> rates = state_.bodies.rate;
+    place(stack_.blocks, state_.joints, state_.bodies);
+    state_.bodies.rate = rates;
+    state_.bodies.rate = held_rates(smooth_, state_.joints, state_.bodies);
+    place(stack_.blocks, state_.joints, state_.bodies);
+  }
+
+  /// An impact of joints that touch.
+  void meet(const Joints<Real>& before, Joints<Real> touching, int interface) {
+    const Placements<Real> rates = state_.bodies.rate;
+    close_negligible(stack_, chatter_, state_.bodies, touching);
+    place(stack_.blocks, touching, state_.bodies);
+    state_.bodies.rate = rates;
+    const auto impact = collide(stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0));
+    if (!impact) stop("no impulses end an impact at");
+    recorder_.note_impact(impact->impulses, time());
+    state_ = {{state_.bodies.at, impact->rates}, impact->mode};
+    place(stack_.blocks, state_.joints, state_.bodies);
+    const auto still = [](const BasicJoint<Real>& joint) {
+      return joint.touch == Touch::flat && joint.slip == 0;
+    };
+    note(!impact->closes                                                ? ContactEventKind::impact
+         : std::all_of(impact->mode.begin(), impact->mode.end(), still) ? ContactEventKind::rest
+                                                                        : ContactEventKind::closure,
+         interface, before, rates);
+    decide(impact->mode, state_.bodies, 0);
+  }
+
   /// Decides by the laws of contact for the moment `later`, s.
-  void decide(const std::vector<Joint>& before, const Bodies& moment, double later);
-  std::vector<Joint> follow_without_solution(const std::vector<Joint>& joints);
-  std::vector<Joint> with_corners(std::vector<Joint> joints, std::vector<Joint> mode, const Bodies& moment,
-                                  const FreeVector& free) const;
-  bool has_others(const std::vector<Joint>& joints, const std::vector<Joint>& mode, const Bodies& moment,
-                  const FreeVector& free) const;
-  void mark_fresh(const std::vector<Joint>& before);
-  std::vector<Joint> with_fresh(std::vector<Joint> joints) const;
+  void decide(const Joints<Real>& before, BasicBodies<Real> moment, const Real& later) {
+    decided_ = true;
+    const Joints<Real> touching = state_.joints;
+    const BasicFreeVector<Real> free = free_acceleration(later);
+    Joints<Real> joints = later > 0 ? fresh_.joined(touching, time(), 2 * moment_) : touching;
+    auto mode = find_mode(stack_, joints, moment, free, Sought::accelerations);
+    if (!mode) {
+      joints = follow_without_solution(joints);
+      moment = state_.bodies;
+      mode = find_mode(stack_, joints, moment, free, Sought::accelerations);
+      if (!mode) stop("no forces let the motion go on at");
+    }
+    mode = with_corners(stack_, joints, *mode, moment, free);
+    const bool others = has_others(stack_, joints, *mode, moment, free);
+    const Placements<Real> rates = state_.bodies.rate;
+    state_.joints = *mode;
+    fresh_.mark(touching, state_.joints, time());
+    hold();
+    if (!same_modes(before, state_.joints))
+      note(kind_of(before, state_.joints), lowest_change(before, state_.joints), before, rates,
+           others ? Solutions::several : Solutions::one);
+  }
 
-  FreeVector free_acceleration(double later) const;
-  double time() const { return pieces_.current().start + offset_; }
-  void note_step(const ModeSeries& series, double end_s);
-  void sample(const ModeSeries& series, double end_s);
-  void note_peaks(const ModeSeries& series, double end_s);
-  void note_sample(double time, Bodies bodies);
-  void note(ContactEventKind kind, int interface, const std::vector<Joint>& from,
-            const std::vector<BodyPlacement>& before, Solutions solutions = Solutions::one);
-  void note_stall();
+  /// The impulse that lets the motion go on where no forces do: that of a vanishing step of Moreau's.
+  Joints<Real> follow_without_solution(const Joints<Real>& joints) {
+    const Placements<Real> rates = state_.bodies.rate;
+    const BasicFreeVector<Real> velocities = vector_of(rates);
+    const BasicFreeVector<Real> kicked = velocities + shortest_moment_ * free_acceleration(0);
+    const auto mode = find_mode(stack_, joints, state_.bodies, kicked, Sought::velocities);
+    if (!mode) stop("no impulses let the motion go on at");
+    const BasicModeResponse<Real> response =
+        respond(stack_, *mode, state_.bodies, velocities, Sought::velocities);
+    recorder_.note_impact(response.forces, time());
+    state_.bodies.rate = placements_of(response.motion);
+    state_.joints = *mode;
+    note(ContactEventKind::impact, lowest_change(joints, state_.joints), joints, rates, Solutions::none);
+    return state_.joints;
+  }
+
+  BasicFreeVector<Real> free_acceleration(const Real& later) const {
+    const Point<Real> ground = pieces_.current().at(offset_ + later);
+    BasicFreeVector<Real> result(Eigen::Index{3} * stack_.size());
+    for (int k = 0; k < stack_.size(); ++k)
+      result.template segment<3>(Eigen::Index{3} * k) << -ground.x(), -(across_ + ground.y()), Real(0);
+    return result;
+  }
+
+  void note(ContactEventKind kind, int interface, const Joints<Real>& from, const Placements<Real>& before,
+            Solutions solutions = Solutions::one) {
+    recorder_.note_event({time(), kind, interface, from, state_.joints, state_.bodies.at, before,
+                          state_.bodies.rate, solutions});
+  }
+
+  void note_stall() {
+    if (time() - burst_start_ > unit_time_ / 1000) {
+      burst_start_ = time();
+      burst_ = 0;
+    }
+    if (++burst_ > 10000 * stack_.size()) stop("events do not come to an end after", burst_start_);
+  }
+
+  [[noreturn]] void stop(const char* what) const { stop(what, time()); }
+  [[noreturn]] static void stop(const char* what, const Real& time) {
+    throw std::runtime_error(std::string(what) + " t = " + std::to_string(static_cast<double>(time)) + " s");
+  }
+
+  Real time() const { return pieces_.current().start + offset_; }
 
   const Scene& scene_;
-  FrictionStack stack_;
-  FrictionStack smooth_;  ///< the stack without friction
-  GroundPieces<double> pieces_;
-  ContactChatter chatter_;
-  std::vector<double> toppling_angles_, sample_times_;
-  double unit_time_ = 0;  ///< √(H/g), s
-  double moment_ = 0;     ///< s
-  double longest_ = 0;    ///< step, s
-  double offset_ = 0;     ///< into the current piece, s
-  Bodies bodies_;
-  std::vector<Joint> joints_;
-  bool decided_ = false;         ///< the step starts at an event
-  std::vector<double> fresh_;    ///< when each joint parted from rest, s
-  std::vector<double> slid_;     ///< when each joint started to slide from rest, s
-  std::vector<Joint> fresh_of_;  ///< what it was before
-  std::size_t next_sample_ = 0;
-  double last_decision_ = -1;  ///< s
-  double burst_start_ = 0;     ///< s
+  BasicFrictionStack<Real> stack_;
+  BasicFrictionStack<Real> smooth_;  ///< the stack without friction
+  GroundPieces<Real> pieces_;
+  ContactChatter<Real> chatter_;
+  FreshJoints<Real> fresh_;
+  std::vector<Real> toppling_angles_;
+  Real across_{};           ///< gravity across the ground, m/s²
+  Real unit_time_{};        ///< √(H/g), s
+  Real shortest_moment_{};  ///< s
+  Real moment_{};           ///< s
+  Real longest_{};          ///< step, s
+  Real offset_ = 0;         ///< into the current piece, s
+  ContactState<Real> state_;
+  bool decided_ = false;     ///< the step starts at an event
+  Real last_decision_ = -1;  ///< s
+  Real burst_start_ = 0;     ///< s
   int burst_ = 0;
   bool ended_ = false;
-  std::optional<ContactDemands> demands_;  ///< where they are asked for
-  ContactHistory history_;
+  ContactRecorder<Real> recorder_;
 };
 
 }  // namespace rockstack

@@ -1,11 +1,110 @@
 #pragma once
 
+#include <array>
+#include <limits>
+
 #include "analytic/scene/history.hpp"
-#include "analytic/unilateral/solve_unilateral.hpp"
+#include "analytic/unilateral/contact/mode_response.hpp"
+#include "analytic/unilateral/contact_history.hpp"
 
 namespace rockstack {
 
-/// The motion as other laws tell theirs, with slips, gaps, places and reactions of its samples.
-History history_of(const Scene& scene, const ContactHistory& motion);
+/// In the order of ContactEventKind.
+inline constexpr std::array event_kinds{
+    EventKind::opening, EventKind::lift_off, EventKind::slip, EventKind::stick,  EventKind::corner,
+    EventKind::impact,  EventKind::closure,  EventKind::rest, EventKind::topple, EventKind::fall};
+/// In the order of Solutions.
+inline constexpr std::array consistencies{Consistency::consistent, Consistency::several, Consistency::none};
+
+template <class Real>
+Pattern pattern_of(const Joints<Real>& joints) {
+  Pattern pattern = closed_pattern(static_cast<int>(joints.size()));
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    pattern.contacts[k] = static_cast<Contact>(joints[k].touch);
+    if (joints[k].touches()) pattern.slides[k] = static_cast<std::int8_t>(joints[k].slip);
+  }
+  return pattern;
+}
+
+template <class Real>
+std::vector<Real> angles_of(const Placements<Real>& placements) {
+  std::vector<Real> angles;
+  for (const BasicBodyPlacement<Real>& placement : placements) angles.push_back(placement.angle);
+  return angles;
+}
+
+/// What the joints of a sample carry.
+template <class Real>
+std::vector<BasicReaction<Real>> reactions_of(const Scene& scene, const BasicFrictionStack<Real>& stack,
+                                              const BasicContactSample<Real>& sample) {
+  const Gravity gravity = gravity_of(scene);
+  const auto time = static_cast<double>(sample.time);
+  BasicFreeVector<Real> free(Eigen::Index{3} * stack.size());
+  for (int k = 0; k < stack.size(); ++k)
+    free.template segment<3>(Eigen::Index{3} * k)
+        << Real(gravity.along - acceleration(scene.horizontal, time)),
+        Real(-gravity.across - acceleration(scene.vertical, time)), Real(0);
+  const BasicModeResponse<Real> response =
+      respond(stack, sample.joints, sample.bodies, free, Sought::accelerations);
+  std::vector<BasicReaction<Real>> reactions;
+  for (int k = 0; k < stack.size(); ++k) {
+    const BasicJoint<Real>& joint = sample.joints[static_cast<std::size_t>(k)];
+    const BasicContactForce<Real>& force = response.forces[static_cast<std::size_t>(k)];
+    const int corner = joint.corner_below ? k - 1 : k;
+    const Real pivot = joint.side() * half_width_of<Real>(stack.blocks, corner) -
+                       (joint.corner_below ? joint.offset : Real(0));
+    const Real centre = joint.touch == Touch::flat ? Real(-force.moment / force.normal) : pivot;
+    reactions.push_back(
+        {force.normal, force.tangential, force.normal > 0 ? centre : std::numeric_limits<Real>::quiet_NaN()});
+  }
+  return reactions;
+}
+
+template <class Real>
+void add_sample(const Scene& scene, const BasicFrictionStack<Real>& stack,
+                const BasicContactSample<Real>& sample, BasicHistory<Real>& history) {
+  history.times.push_back(sample.time);
+  history.patterns.push_back(pattern_of(sample.joints));
+  history.slips.insert(history.slips.end(), sample.slips.begin(), sample.slips.end());
+  history.gaps.insert(history.gaps.end(), sample.gaps.begin(), sample.gaps.end());
+  for (std::size_t k = 0; k < sample.joints.size(); ++k) {
+    const BasicBodyPlacement<Real>& at = sample.bodies.at[k];
+    const BasicBodyPlacement<Real>& rate = sample.bodies.rate[k];
+    history.angles.push_back(at.angle);
+    history.velocities.push_back(rate.angle);
+    history.places.insert(history.places.end(), {at.x, at.y});
+    history.place_rates.insert(history.place_rates.end(), {rate.x, rate.y});
+  }
+  const std::vector<BasicReaction<Real>> reactions = reactions_of(scene, stack, sample);
+  history.reactions.insert(history.reactions.end(), reactions.begin(), reactions.end());
+}
+
+template <class Real>
+BasicEvent<Real> event_of(const BasicContactEvent<Real>& event) {
+  return {event.time,
+          event_kinds[static_cast<std::size_t>(event.kind)],
+          event.interface,
+          pattern_of(event.from),
+          pattern_of(event.to),
+          angles_of(event.at),
+          angles_of(event.before),
+          angles_of(event.after),
+          consistencies[static_cast<std::size_t>(event.solutions)]};
+}
+
+/// The motion as other laws tell theirs, with slips, gaps, places and reactions of its samples. Reactions are
+/// to the rounding of double.
+template <class Real>
+BasicHistory<Real> history_of(const Scene& scene, const BasicContactHistory<Real>& motion) {
+  const BasicFrictionStack<Real> stack(scene.blocks, friction_of(scene));
+  BasicHistory<Real> history;
+  history.blocks = stack.size();
+  for (const BasicContactSample<Real>& sample : motion.samples) add_sample(scene, stack, sample, history);
+  for (const BasicContactEvent<Real>& event : motion.events) history.events.push_back(event_of(event));
+  history.peaks = motion.peaks;
+  history.forces = motion.forces;
+  history.impulses = motion.impulses;
+  return history;
+}
 
 }  // namespace rockstack

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analytic/unilateral/contact_modes.hpp"
+#include "analytic/unilateral/contact/contact_modes.hpp"
 #include "tests/analytic/unilateral/scenes.hpp"
 
 namespace rockstack {

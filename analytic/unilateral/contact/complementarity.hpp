@@ -1,14 +1,24 @@
-#include "analytic/unilateral/complementarity.hpp"
+#pragma once
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
-namespace rockstack {
-namespace {
+#include "analytic/unilateral/contact/contact_problem.hpp"
+#include "analytic/unilateral/contact/tolerance.hpp"
 
-/// w − Az − e z₀ = q with columns w, z, z₀, q.
+namespace rockstack {
+
+/// z ≥ 0 with w = q + Az ≥ 0 and zᵀw = 0.
+template <class Real>
+struct ComplementarySolution {
+  BasicFreeVector<Real> z, w;
+};
+
+/// w − Az − e z₀ = q with columns w, z, z₀, q: Lemke's.
+template <class Real>
 struct Tableau {
-  Eigen::MatrixXd table;
+  SquareMatrix<Real> table;
   std::vector<Eigen::Index> basis;  ///< the column of each row
 
   Eigen::Index size() const { return table.rows(); }
@@ -16,10 +26,10 @@ struct Tableau {
   Eigen::Index right_side() const { return 2 * size() + 1; }
 
   void pivot(Eigen::Index row, Eigen::Index column) {
-    const double divisor = table(row, column);
+    const Real divisor = table(row, column);
     table.row(row) /= divisor;
     for (Eigen::Index i = 0; i < size(); ++i) {
-      const double factor = table(i, column);
+      const Real factor = table(i, column);
       if (i != row && factor != 0) table.row(i) -= factor * table.row(row);
     }
     basis[static_cast<std::size_t>(row)] = column;
@@ -27,20 +37,22 @@ struct Tableau {
 
   /// True where row i leaves before row j: the lexicographic order of right side and inverse basis.
   bool leaves_before(Eigen::Index i, Eigen::Index j, Eigen::Index column) const {
-    const double rounding = 1e-13;
+    using std::abs;
+    const Real rounding = tolerance<Real>(1e-13);
     for (Eigen::Index entry = -1; entry < size(); ++entry) {
       const Eigen::Index at = entry < 0 ? right_side() : entry;
-      const double first = table(i, at) / table(i, column);
-      const double second = table(j, at) / table(j, column);
-      if (std::abs(first - second) > rounding * (std::abs(first) + std::abs(second) + (entry < 0 ? 1e-3 : 1)))
+      const Real first = table(i, at) / table(i, column);
+      const Real second = table(j, at) / table(j, column);
+      if (abs(first - second) > rounding * (abs(first) + abs(second) + Real(entry < 0 ? 1e-3 : 1)))
         return first < second;
       if (entry < 0 && is_artificial(i)) return true;
       if (entry < 0 && is_artificial(j)) return false;
     }
     return false;
   }
-  ComplementarySolution solution() const {
-    ComplementarySolution result{Eigen::VectorXd::Zero(size()), Eigen::VectorXd::Zero(size())};
+  ComplementarySolution<Real> solution() const {
+    ComplementarySolution<Real> result{BasicFreeVector<Real>::Zero(size()),
+                                       BasicFreeVector<Real>::Zero(size())};
     for (Eigen::Index i = 0; i < size(); ++i) {
       const Eigen::Index column = basis[static_cast<std::size_t>(i)];
       if (column < size())
@@ -55,10 +67,12 @@ struct Tableau {
 };
 
 /// Lemke's method from one covering vector, of a problem whose entries are of the size of one.
-std::optional<ComplementarySolution> lemke(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& vector,
-                                           const Eigen::VectorXd& covering) {
+template <class Real>
+std::optional<ComplementarySolution<Real>> lemke(const SquareMatrix<Real>& matrix,
+                                                 const BasicFreeVector<Real>& vector,
+                                                 const BasicFreeVector<Real>& covering) {
   const Eigen::Index size = vector.size();
-  Tableau tableau{Eigen::MatrixXd::Zero(size, 2 * size + 2), {}};
+  Tableau<Real> tableau{SquareMatrix<Real>::Zero(size, 2 * size + 2), {}};
   tableau.table.leftCols(size).setIdentity();
   tableau.table.middleCols(size, size) = -matrix;
   tableau.table.col(2 * size) = -covering;
@@ -75,7 +89,7 @@ std::optional<ComplementarySolution> lemke(const Eigen::MatrixXd& matrix, const 
     entering = leaving < size ? leaving + size : leaving - size;
     row = -1;
     for (Eigen::Index i = 0; i < size; ++i) {
-      if (tableau.table(i, entering) <= 1e-11) continue;
+      if (tableau.table(i, entering) <= tolerance<Real>(1e-11)) continue;
       if (row < 0 || tableau.leaves_before(i, row, entering)) row = i;
     }
     if (row < 0) return std::nullopt;
@@ -84,34 +98,39 @@ std::optional<ComplementarySolution> lemke(const Eigen::MatrixXd& matrix, const 
 }
 
 /// Factors for unknowns and their conditions that bring the diagonal to one; where it is zero, the row.
-Eigen::VectorXd balance(const Eigen::MatrixXd& matrix) {
-  Eigen::VectorXd factors = Eigen::VectorXd::Ones(matrix.rows());
+template <class Real>
+BasicFreeVector<Real> balance(const SquareMatrix<Real>& matrix) {
+  using std::sqrt;
+  BasicFreeVector<Real> factors = BasicFreeVector<Real>::Ones(matrix.rows());
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-    if (matrix(i, i) > 0) factors[i] = 1 / std::sqrt(matrix(i, i));
+    if (matrix(i, i) > 0) factors[i] = 1 / sqrt(matrix(i, i));
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     if (matrix(i, i) > 0) continue;
-    const double size = matrix.row(i).cwiseAbs().cwiseProduct(factors.transpose()).maxCoeff();
+    const Real size = matrix.row(i).cwiseAbs().cwiseProduct(factors.transpose()).maxCoeff();
     if (size > 0) factors[i] = 1 / size;
   }
   return factors;
 }
 
-}  // namespace
-
-std::optional<ComplementarySolution> solve_complementarity(const Eigen::MatrixXd& matrix,
-                                                           const Eigen::VectorXd& vector) {
+/// A solution of a linear complementarity problem by Lemke's method with the lexicographic rule, so that it
+/// ends; nothing where it ends in a ray. It finds one wherever A is copositive and q is one of impacts:
+/// Stewart & Trinkle 1996, Int. J. Numer. Meth. Engng 39, 2673–2691.
+template <class Real>
+std::optional<ComplementarySolution<Real>> solve_complementarity(const SquareMatrix<Real>& matrix,
+                                                                 const BasicFreeVector<Real>& vector) {
   const Eigen::Index size = vector.size();
-  if (size == 0 || vector.minCoeff() >= 0) return ComplementarySolution{Eigen::VectorXd::Zero(size), vector};
-  const Eigen::VectorXd factors = balance(matrix);
-  const Eigen::MatrixXd balanced = factors.asDiagonal() * matrix * factors.asDiagonal();
-  const Eigen::VectorXd right_side = factors.cwiseProduct(vector);
-  const double scale = right_side.lpNorm<Eigen::Infinity>();
+  if (size == 0 || vector.minCoeff() >= 0)
+    return ComplementarySolution<Real>{BasicFreeVector<Real>::Zero(size), vector};
+  const BasicFreeVector<Real> factors = balance(matrix);
+  const SquareMatrix<Real> balanced = factors.asDiagonal() * matrix * factors.asDiagonal();
+  const BasicFreeVector<Real> right_side = factors.cwiseProduct(vector);
+  const Real scale = right_side.template lpNorm<Eigen::Infinity>();
   // Where rounding leads one path into a ray, another may get through.
   constexpr int paths = 8;
   for (int path = 0; path < paths; ++path) {
-    Eigen::VectorXd covering = Eigen::VectorXd::Ones(size);
-    for (Eigen::Index i = 0; i < size; ++i) covering[i] += 0.5 * std::sin(double(path) * double(i + 1));
-    auto solution = lemke(balanced, right_side / scale, covering);
+    BasicFreeVector<Real> covering = BasicFreeVector<Real>::Ones(size);
+    for (Eigen::Index i = 0; i < size; ++i) covering[i] += Real(0.5 * std::sin(double(path) * double(i + 1)));
+    auto solution = lemke<Real>(balanced, right_side / scale, covering);
     if (!solution) continue;
     solution->z = scale * factors.cwiseProduct(solution->z);
     solution->w = scale * solution->w.cwiseQuotient(factors);

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/history.hpp"
+#include "analytic/unilateral/contact/bodies.hpp"
+
+namespace rockstack {
+
+/// What changes the contacts of a stack that may slip and lift off.
+enum class ContactEventKind : std::uint8_t {
+  opening,   ///< a flat contact starts to rock, without impact
+  lift_off,  ///< a contact parts, without impact
+  slip,      ///< what stuck starts to slide
+  stick,     ///< what slid sticks, or slides back
+  corner,    ///< a corner passes the end of a face: the contact goes on at another corner, or parts
+  impact,    ///< blocks meet
+  closure,   ///< the last of ever smaller impacts
+  rest,      ///< a closure after which nothing moves
+  topple,    ///< a block passes its toppling angle; the motion ends
+  fall,      ///< a block leaves the face that it was over; the motion ends
+};
+
+std::string name(ContactEventKind kind);
+
+/// What theory has to say on an event: one solution; several, of which the one named by find_mode() follows;
+/// or none without an impulse, of which the limit of Moreau's time steps follows.
+enum class Solutions : std::uint8_t { one, several, none };
+
+/// One event with the motion on both sides of it. `interface` counts from 1; of topple it is the block.
+template <class Real>
+struct BasicContactEvent {
+  Real time = 0;  ///< s
+  ContactEventKind kind{};
+  int interface = 0;
+  Joints<Real> from, to;
+  Placements<Real> at, before, after;  ///< placements, and their rates
+  Solutions solutions = Solutions::one;
+};
+
+/// The motion at one time.
+template <class Real>
+struct BasicContactSample {
+  Real time;  ///< s
+  BasicBodies<Real> bodies;
+  Joints<Real> joints;
+  std::vector<Real> slips, gaps;  ///< of each interface, m; where apart, the slip that it parted with
+};
+
+/// A stack's motion under law `unilateral`.
+template <class Real>
+struct BasicContactHistory {
+  using Sample = BasicContactSample<Real>;
+  std::vector<Sample> samples;
+  std::vector<BasicContactEvent<Real>> events;
+  std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
+  /// What acts at each interface, of the motion and of impacts; empty unless asked for. A least normal force
+  /// of zero is that of blocks that part; nothing pulls, and nothing rubs more than its friction, so that
+  /// first times are infinite. Of impulses that of chatter, less than a millionth of a fall's, is not told.
+  std::vector<BasicDemand<Real>> forces, impulses;
+  BasicBodies<Real> last;  ///< at the end
+  Real end_time{};         ///< s
+};
+
+using ContactEvent = BasicContactEvent<double>;
+using ContactHistory = BasicContactHistory<double>;
+
+/// What the scene does not say.
+struct ContactOptions {
+  std::vector<double> sample_times = {};  ///< s, ascending from ≥ 0; none: events alone
+  double resolution = 0;                  ///< chatter ends below it, rad, ≥ 0; 0: the rounding of 1
+  bool validity = false;                  ///< whether to keep what acts at each interface
+  bool peaks = false;                     ///< whether to keep the largest angle of each block
+};
+
+}  // namespace rockstack

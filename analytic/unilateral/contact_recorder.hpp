@@ -1,0 +1,113 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "analytic/unilateral/contact_demands.hpp"
+#include "analytic/unilateral/contact_history.hpp"
+#include "analytic/unilateral/initial_contacts.hpp"
+
+namespace rockstack {
+
+/// The least gap of blocks that are apart, over all corners that are over a face, m.
+template <class Real>
+Real gap_of(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies, int interface) {
+  using std::abs;
+  Real gap = std::numeric_limits<Real>::infinity();
+  for (const bool below : {false, true}) {
+    for (const int side : {-1, 1}) {
+      if (below && interface == 0) continue;
+      const CornerOnFace<Real> point = below ? lower_corner<Real>(stack.blocks, interface, side)
+                                             : upper_corner<Real>(stack.blocks, interface, side);
+      const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, point);
+      if (abs(rows.slip) <= half_width_of<Real>(stack.blocks, point.face) * (1 + tolerance<Real>(1e-12)))
+        gap = std::min(gap, rows.gap);
+    }
+  }
+  return gap;
+}
+
+/// Keeps the history of a motion that goes by step by step: its events, and what the options ask for.
+template <class Real>
+class ContactRecorder {
+ public:
+  /// Keeps references to `stack` and `options`.
+  ContactRecorder(const Scene& scene, const BasicFrictionStack<Real>& stack, const ContactOptions& options)
+      : stack_(stack), options_(options) {
+    if (options.validity) demands_.emplace(scene, scene.blocks.size());
+    if (options.peaks) history_.peaks.assign(scene.blocks.size(), Real(0));
+  }
+
+  /// A step up to `end_s` of its length; it starts at `start` s.
+  void note_step(const Joints<Real>& joints, const ModeSeries<Real>& series, const Real& end_s,
+                 const Real& start) {
+    while (sample_due()) {
+      const Real s = (Real(options_.sample_times[next_sample_]) - start) / series.length;
+      if (s >= end_s) break;
+      note_sample({series.at(std::max(s, Real(0))), joints});
+    }
+    if (demands_) demands_->note_step(joints, series, end_s, start);
+    if (!history_.peaks.empty()) note_peaks(series, end_s);
+  }
+
+  void note_impact(const std::vector<BasicContactForce<Real>>& impulses, const Real& time) {
+    if (demands_) demands_->note_impact(impulses, time);
+  }
+
+  void note_event(BasicContactEvent<Real> event) { history_.events.push_back(std::move(event)); }
+
+  /// A sample at the end of the scene.
+  void note_rest(const ContactState<Real>& state, double duration) {
+    if (sample_due() && options_.sample_times[next_sample_] <= duration * (1 + 1e-12)) note_sample(state);
+  }
+
+  /// The motion up to where it has come.
+  BasicContactHistory<Real> history(const BasicBodies<Real>& last, const Real& end_time) && {
+    if (demands_) {
+      history_.forces = demands_->forces();
+      history_.impulses = demands_->impulses();
+    }
+    history_.last = last;
+    history_.end_time = end_time;
+    return std::move(history_);
+  }
+
+ private:
+  bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
+
+  void note_sample(ContactState<Real> state) {
+    place(stack_.blocks, state.joints, state.bodies);
+    BasicContactSample<Real> sample{Real(options_.sample_times[next_sample_++]),
+                                    std::move(state.bodies),
+                                    std::move(state.joints),
+                                    {},
+                                    {}};
+    for (int k = 0; k < stack_.size(); ++k) {
+      const BasicJoint<Real>& joint = sample.joints[static_cast<std::size_t>(k)];
+      sample.slips.push_back(joint.offset);
+      sample.gaps.push_back(joint.touches() ? Real(0) : gap_of(stack_, sample.bodies, k));
+    }
+    history_.samples.push_back(std::move(sample));
+  }
+
+  void note_peaks(const ModeSeries<Real>& series, const Real& end_s) {
+    for (std::size_t k = 0; k < history_.peaks.size(); ++k) {
+      Real& peak = history_.peaks[k];
+      for (const Real& side : {Real(1), Real(-1)}) {
+        Polynomial<Real> lean;
+        add(series.bodies[k].angle, side, lean);
+        rescale(lean, end_s);
+        if (const auto top = maximum(lean, peak)) peak = top->height;
+      }
+    }
+  }
+
+  const BasicFrictionStack<Real>& stack_;
+  const ContactOptions& options_;
+  std::size_t next_sample_ = 0;
+  std::optional<ContactDemands<Real>> demands_;  ///< where they are asked for
+  BasicContactHistory<Real> history_;
+};
+
+}  // namespace rockstack

@@ -1,0 +1,181 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "analytic/unilateral/contact/friction_stack.hpp"
+#include "analytic/unilateral/contact/tolerance.hpp"
+#include "analytic/unilateral/series/mode_series.hpp"
+
+namespace rockstack {
+
+/// What happens where a course becomes negative.
+enum class Change : std::uint8_t {
+  force,    ///< a force leaves its range: opening, lift-off, or slip
+  halt,     ///< sliding comes to a halt
+  closing,  ///< a pivot's angle returns to zero
+  landing,  ///< a corner meets a face
+  corner,   ///< a corner comes to the end of a face
+  topple,
+  fall,
+};
+
+/// Something that stays positive for as long as a mode lasts.
+template <class Real>
+struct Course {
+  Polynomial<Real> series;
+  Change change{};
+  int interface = 0;              ///< from 0; of topple the block
+  int side = 0;                   ///< of landing: which corner, −1 or 1
+  bool below = false;             ///< of landing: a corner of the block below
+  Polynomial<Real> within;        ///< of landing: how far the corner is inside the face's end on its side, m
+  Polynomial<Real> within_other;  ///< on the other side
+  Real rounding = 0;              ///< of landing: of these distances, m
+};
+
+/// Gathers what a mode ends by, interface by interface.
+template <class Real>
+class CourseCollector {
+ public:
+  CourseCollector(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
+                  const ModeSeries<Real>& series)
+      : stack_(stack), joints_(joints), series_(series) {
+    using std::abs;
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      inertia_ += 2 * stack.blocks[k].mass * (abs(series.bodies[k].x[2]) + abs(series.bodies[k].y[2]));
+  }
+
+  void add_interface(int k) {
+    const BasicJoint<Real>& joint = joints_[static_cast<std::size_t>(k)];
+    if (joint.touch == Touch::flat) {
+      add_pressure(k);
+    } else if (joint.pivots()) {
+      push_force(force(k).normal, 1, k);
+      push(times(joint.side(), opening_angle(k)), Change::closing, k);
+    } else {
+      add_landings(k);
+    }
+    if (!joint.touches()) return;
+    if (joint.slip == 0) {
+      const Real friction = stack_.friction[static_cast<std::size_t>(k)];
+      const Polynomial<Real> limit = times(friction, force(k).normal);
+      push_force(sum(limit, times(-1, force(k).tangential)), 1 + friction, k);
+      push_force(sum(limit, force(k).tangential), 1 + friction, k);
+    } else {
+      push(times(joint.slip, derivative(slip(k))), Change::halt, k);
+      if (k > 0) joint.pivots() ? add_pivot_ends(k) : add_flat_ends(k);
+    }
+  }
+
+  void add_toppling(int k, const Real& angle) {
+    const Polynomial<Real>& lean = series_.bodies[static_cast<std::size_t>(k)].angle;
+    push(line(angle, -1, lean), Change::topple, k);
+    push(line(angle, 1, lean), Change::topple, k);
+  }
+
+  std::vector<Course<Real>> take() && { return std::move(courses_); }
+
+ private:
+  const ForceSeries<Real>& force(int k) const { return series_.forces[static_cast<std::size_t>(k)]; }
+  Polynomial<Real> slip(int k) const {
+    const CornerOnFace<Real> point = held_point(stack_.blocks, k, joints_[static_cast<std::size_t>(k)]);
+    return times(point.upward, series_.held[static_cast<std::size_t>(k)].along);
+  }
+  Polynomial<Real> opening_angle(int k) const {
+    const Polynomial<Real>& upper = series_.bodies[static_cast<std::size_t>(k)].angle;
+    return k == 0 ? upper : sum(upper, times(-1, series_.bodies[static_cast<std::size_t>(k - 1)].angle));
+  }
+  Course<Real>& push(const Polynomial<Real>& series, Change change, int k) {
+    courses_.push_back({series, change, k, 0, false, {}, {}, 0});
+    return courses_.back();
+  }
+  /// A force, or one times `factor`. Of blocks that fly side by side it is rounding: no event may come of it.
+  void push_force(const Polynomial<Real>& force, const Real& factor, int k) {
+    using std::abs;
+    const Real rounding = tolerance<Real>(1e-14) * factor * inertia_;
+    if (std::any_of(force.begin(), force.end(), [&](const Real& part) { return abs(part) > rounding; }))
+      push(force, Change::force, k);
+  }
+
+  /// How far the right or left end of the lower face is beyond that of the upper one.
+  Polynomial<Real> overhang(int k, int side) const {
+    return line(half_width_of<Real>(stack_.blocks, k - 1) - half_width_of<Real>(stack_.blocks, k), -side,
+                slip(k));
+  }
+  /// Which of a flat contact's corners ends the overlap; even ones: that which the sliding makes end it.
+  bool ends_below(int k, int side) const {
+    const BasicJoint<Real>& joint = joints_[static_cast<std::size_t>(k)];
+    const Real beyond = half_width_of<Real>(stack_.blocks, k - 1) - half_width_of<Real>(stack_.blocks, k) -
+                        side * joint.offset;
+    return beyond < 0 || (beyond == 0 && joint.slip * side > 0);
+  }
+
+  /// N (end − centre of pressure), towards either end of the overlap; the moment is −N times the centre.
+  void add_pressure(int k) {
+    for (const int side : {-1, 1}) {
+      Polynomial<Real> arm{half_width_of<Real>(stack_.blocks, k)};
+      if (k > 0 && ends_below(k, side)) arm = line(half_width_of<Real>(stack_.blocks, k - 1), -side, slip(k));
+      push_force(sum(product(force(k).normal, arm), times(side, force(k).moment)),
+                 half_width_of<Real>(stack_.blocks, k), k);
+    }
+  }
+
+  void add_flat_ends(int k) {
+    for (const int side : {-1, 1})
+      push(times(ends_below(k, side) ? -1 : 1, overhang(k, side)), Change::corner, k);
+  }
+
+  void add_pivot_ends(int k) {
+    const BasicJoint<Real>& joint = joints_[static_cast<std::size_t>(k)];
+    const CornerOnFace<Real> point = held_point(stack_.blocks, k, joint);
+    const Polynomial<Real>& along = series_.held[static_cast<std::size_t>(k)].along;
+    const Real end = half_width_of<Real>(stack_.blocks, point.face);
+    push(line(end, -joint.side(), along), Change::corner, k);
+    push(line(end, joint.side(), along), Change::fall, k);
+  }
+
+  void add_landings(int k) {
+    for (const bool below : {false, true}) {
+      if (below && k == 0) continue;
+      for (const int side : {-1, 1}) {
+        const CornerOnFace<Real> point =
+            below ? lower_corner<Real>(stack_.blocks, k, side) : upper_corner<Real>(stack_.blocks, k, side);
+        const FaceSeries<Real> place = corner_series(stack_.blocks, series_, point);
+        Course<Real>& course =
+            push(line(-half_height_of<Real>(stack_.blocks, point.face), point.upward, place.above),
+                 Change::landing, k);
+        course.side = side;
+        course.below = below;
+        course.rounding = tolerance<Real>(1e-13) * half_width_of<Real>(stack_.blocks, k);
+        if (point.face < 0) continue;
+        const Real end = half_width_of<Real>(stack_.blocks, point.face);
+        course.within = line(end, -side, place.along);
+        course.within_other = line(end, side, place.along);
+        // A block that is wholly beyond an end of the face below falls.
+        if (!below) push(course.within_other, Change::fall, k);
+      }
+    }
+  }
+
+  const BasicFrictionStack<Real>& stack_;
+  const Joints<Real>& joints_;
+  const ModeSeries<Real>& series_;
+  Real inertia_ = 0;  ///< what all blocks' accelerations take, in the unit of forces
+  std::vector<Course<Real>> courses_;
+};
+
+/// All courses of a mode, along a step.
+template <class Real>
+std::vector<Course<Real>> courses_of(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
+                                     const std::vector<Real>& toppling_angles,
+                                     const ModeSeries<Real>& series) {
+  CourseCollector<Real> collector(stack, joints, series);
+  for (int k = 0; k < stack.size(); ++k) {
+    collector.add_interface(k);
+    collector.add_toppling(k, toppling_angles[static_cast<std::size_t>(k)]);
+  }
+  return std::move(collector).take();
+}
+
+}  // namespace rockstack

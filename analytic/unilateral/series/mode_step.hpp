@@ -1,0 +1,188 @@
+#pragma once
+
+#include <utility>
+
+#include "analytic/steps/body_force.hpp"
+#include "analytic/unilateral/series/held_rows.hpp"
+#include "analytic/unilateral/series/mode_series.hpp"
+
+namespace rockstack {
+
+/// Lets the series of a step grow, order by order.
+template <class Real>
+class SeriesMaker {
+ public:
+  SeriesMaker(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
+              const BasicBodies<Real>& start, const ScaledBodyForce<Real>& body_force, const Real& length)
+      : stack_(stack),
+        joints_(joints),
+        body_force_(body_force),
+        ground_(ground_series<Real>()),
+        held_(stack) {
+    series_.length = length;
+    series_.force_unit = 1 / (length * length);
+    series_.bodies.resize(joints.size());
+    series_.forces.resize(joints.size());
+    series_.held.resize(joints.size());
+    for (std::size_t k = 0; k < joints.size(); ++k) begin(series_.bodies[k], start.at[k], start.rate[k]);
+    start_points(start);
+  }
+
+  void extend(std::size_t n) {
+    const std::size_t m = n + 2;
+    const Real factor = Real(m) * Real(m - 1);
+    for (BodySeries<Real>& body : series_.bodies) {
+      for (Polynomial<Real>* part : {&body.x, &body.y, &body.angle}) put(*part, m, 0);
+      extend_direction(body, m);
+    }
+    for (ForceSeries<Real>& force : series_.forces)
+      for (Polynomial<Real>* part : {&force.normal, &force.tangential, &force.moment}) put(*part, n, 0);
+    for (GrowingPoint<Real>& point : points_) {
+      point.extend(m);
+      point.extend_force(series_.forces[point.interface()], n);
+    }
+    BasicFreeVector<Real> motion = stack_.inverse_mass.cwiseProduct(forces(n));
+    held_.constrain(points_, n, motion, series_.forces);
+    for (std::size_t k = 0; k < series_.bodies.size(); ++k) {
+      BodySeries<Real>& body = series_.bodies[k];
+      const auto first = 3 * static_cast<Eigen::Index>(k);
+      body.x[m] = motion[first] / factor;
+      body.y[m] = motion[first + 1] / factor;
+      body.angle[m] = motion[first + 2] / factor;
+      extend_direction(body, m);
+    }
+    for (GrowingPoint<Real>& point : points_) {
+      point.extend(m);
+      point.extend_force(series_.forces[point.interface()], n);
+    }
+  }
+
+  /// The largest coefficient of order m, positions over a length, angles and directions as they are.
+  Real size_of(std::size_t m, const Real& unit) const {
+    using std::abs;
+    Real size = 0;
+    for (const BodySeries<Real>& body : series_.bodies) {
+      size = std::max<Real>({size, abs(body.x[m]) / unit, abs(body.y[m]) / unit, abs(body.angle[m]),
+                             abs(body.cosine[m]), abs(body.sine[m])});
+    }
+    return size * Real(m);
+  }
+
+  ModeSeries<Real> finish(const Real& ratio) && {
+    for (const GrowingPoint<Real>& point : points_)
+      series_.held[point.interface()] = point.place_from_middle();
+    if (ratio < 1) {
+      series_.length *= ratio;
+      for (BodySeries<Real>& body : series_.bodies)
+        for (Polynomial<Real>* part : {&body.x, &body.y, &body.angle, &body.cosine, &body.sine})
+          rescale(*part, ratio);
+      for (ForceSeries<Real>& force : series_.forces)
+        for (Polynomial<Real>* part : {&force.normal, &force.tangential, &force.moment})
+          rescale(*part, ratio);
+      for (FaceSeries<Real>& point : series_.held)
+        for (Polynomial<Real>* part : {&point.along, &point.above}) rescale(*part, ratio);
+    }
+    return std::move(series_);
+  }
+
+ private:
+  void begin(BodySeries<Real>& body, const BasicBodyPlacement<Real>& at,
+             const BasicBodyPlacement<Real>& rate) const {
+    using std::cos;
+    using std::sin;
+    const Real length = series_.length;
+    body.x = {at.x, rate.x * length};
+    body.y = {at.y, rate.y * length};
+    body.angle = {at.angle, rate.angle * length};
+    body.cosine = {cos(at.angle)};
+    body.sine = {sin(at.angle)};
+    extend_direction(body, 1);
+  }
+
+  const BodySeries<Real>* body_of(int body) const {
+    return body < 0 ? &ground_ : &series_.bodies[static_cast<std::size_t>(body)];
+  }
+
+  void start_points(const BasicBodies<Real>& start) {
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+      const BasicJoint<Real>& joint = joints_[k];
+      if (!joint.touches()) continue;
+      const CornerOnFace<Real> corner = held_point(stack_.blocks, static_cast<int>(k), joint);
+      points_.emplace_back(stack_.blocks, corner, body_of(corner.face), body_of(corner.body));
+      points_.back().extend(0);
+      points_.back().extend(1);
+      held_.add(joint, points_.size() - 1, rows_of(stack_.blocks, start, corner), k);
+    }
+    held_.prepare();
+  }
+
+  /// Coefficient n of all forces and moments, of those contact forces that are known.
+  BasicFreeVector<Real> forces(std::size_t n) const {
+    BasicFreeVector<Real> result = BasicFreeVector<Real>::Zero(Eigen::Index{3} * stack_.size());
+    for (int k = 0; k < stack_.size(); ++k) {
+      const Real mass = stack_.blocks[static_cast<std::size_t>(k)].mass;
+      result[Eigen::Index{3} * k] = mass * coefficient(body_force_.x, n);
+      result[Eigen::Index{3} * k + 1] = mass * coefficient(body_force_.y, n);
+    }
+    for (const GrowingPoint<Real>& point : points_) {
+      const ForceSeries<Real>& force = series_.forces[point.interface()];
+      if (point.corner.body >= 0) {
+        result[Eigen::Index{3} * point.corner.body] += point.force_x[n];
+        result[Eigen::Index{3} * point.corner.body + 1] += point.force_y[n];
+        result[Eigen::Index{3} * point.corner.body + 2] +=
+            convolution(point.force_x, point.arm_y, n) - convolution(point.force_y, point.arm_x, n);
+      }
+      if (point.corner.face >= 0) {
+        result[Eigen::Index{3} * point.corner.face] -= point.force_x[n];
+        result[Eigen::Index{3} * point.corner.face + 1] -= point.force_y[n];
+        result[Eigen::Index{3} * point.corner.face + 2] +=
+            point.corner.upward * (convolution(force.normal, point.place.along, n) -
+                                   convolution(force.tangential, point.place.above, n));
+      }
+    }
+    return result;
+  }
+
+  const BasicFrictionStack<Real>& stack_;
+  const Joints<Real>& joints_;
+  const ScaledBodyForce<Real>& body_force_;
+  BodySeries<Real> ground_;
+  ModeSeries<Real> series_;
+  std::vector<GrowingPoint<Real>> points_;
+  HeldRows<Real> held_;
+};
+
+/// A step's series. `lengthens` tells whether they reached a length early.
+template <class Real>
+struct ModeStep {
+  ModeSeries<Real> series;
+  bool lengthens;
+};
+
+/// The series over `length`, or less of it where they would leave out more than rounding.
+template <class Real>
+ModeStep<Real> mode_step(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
+                         const BasicBodies<Real>& bodies, const ScaledBodyForce<Real>& body_force,
+                         const Real& length) {
+  const Real negligible = std::numeric_limits<Real>::epsilon() / 16;
+  Real unit = 0;
+  for (const Block& block : stack.blocks) unit += 2 * block.half_height;
+  SeriesMaker<Real> maker(stack, joints, bodies, body_force, length);
+  const std::size_t body_force_terms = std::max(body_force.x.terms, body_force.y.terms);
+  constexpr std::size_t most = max_orders<Real>;
+  std::size_t orders = 0;
+  Real last = 0;
+  Real before = 0;
+  bool reached = false;
+  while (orders < most && !(reached && orders >= body_force_terms)) {
+    maker.extend(orders++);
+    before = std::exchange(last, maker.size_of(orders + 1, unit));
+    reached = orders > 2 && std::max(last, before) <= negligible;
+  }
+  const Real left = std::max(last, before);
+  using std::pow;
+  const Real ratio = reached ? Real(1) : Real(0.9) * pow(negligible / left, 1 / Real(most));
+  return {std::move(maker).finish(std::min(ratio, Real(1))), orders + 2 < most};
+}
+
+}  // namespace rockstack
