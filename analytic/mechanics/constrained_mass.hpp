@@ -31,8 +31,9 @@ class ConstrainedMass {
   /// Of D: what is left of a diagonal entry when the motions of the interfaces below are taken out of it.
   const Real& diagonal(std::size_t k) const { return factors_[k][k]; }
 
-  /// The relative motions that take up generalised momenta; zero where an interface is closed.
-  PerBlock<Real, N> solve(const PerBlock<Real, N>& momenta) const {
+  /// The relative motions that take up generalised momenta; zero where an interface is closed. Series ask for
+  /// them at every order, and a call costs more than the answer.
+  [[gnu::always_inline]] PerBlock<Real, N> solve(const PerBlock<Real, N>& momenta) const {
     PerBlock<Real, N> x;
     for (std::size_t i = 0; i < size(); ++i) {
       x[i] = momenta[i] * free_[i];

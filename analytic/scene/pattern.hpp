@@ -34,9 +34,10 @@ struct Pattern {
   Contact& operator[](int interface) { return contacts[static_cast<std::size_t>(interface)]; }
   Contact operator[](int interface) const { return contacts[static_cast<std::size_t>(interface)]; }
   bool operator==(const Pattern& other) const {
-    return size == other.size &&
-           std::equal(contacts.begin(), contacts.begin() + size, other.contacts.begin()) &&
-           std::equal(slides.begin(), slides.begin() + size, other.slides.begin());
+    bool same = size == other.size;
+    for (std::size_t k = 0; same && k < static_cast<std::size_t>(size); ++k)
+      same = contacts[k] == other.contacts[k] && slides[k] == other.slides[k];
+    return same;
   }
 };
 

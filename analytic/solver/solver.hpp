@@ -31,7 +31,7 @@ class Solver {
         model_(make_model<Real, N>(scene)),
         pieces_(scene),
         steps_(model_, options),
-        recorder_(model_, options, friction_of(scene)),
+        recorder_(model_, options, options.validity ? friction_of(scene) : std::vector<double>()),
         stall_guard_(model_),
         ties_(model_),
         resting_(model_),
