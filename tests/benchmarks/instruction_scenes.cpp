@@ -66,12 +66,29 @@ Question with_validity(Question question) {
   return question;
 }
 
+Question with_friction(Question question, double friction) {
+  question.scene.law = Law::unilateral;
+  question.scene.friction.assign(question.scene.blocks.size(), friction);
+  return question;
+}
+
+constexpr double rough = 2;        // nothing slips
+constexpr double slippery = 0.15;  // blocks slip while they rock
+
 const std::map<std::string, std::function<Question()>> questions = {
     {"one-block", one_block},
     {"one-block-record", [] { return with_record(one_block()); }},
     {"one-block-record-vertical", [] { return with_vertical(one_block()); }},
     {"one-block-samples", [] { return with_samples(one_block()); }},
     {"one-block-validity", [] { return with_validity(one_block()); }},
+    {"one-block-rough", [] { return with_friction(one_block(), rough); }},
+    {"one-block-rough-record", [] { return with_friction(with_record(one_block()), rough); }},
+    {"one-block-slippery", [] { return with_friction(one_block(), slippery); }},
+    {"one-block-slippery-record", [] { return with_friction(with_record(one_block()), slippery); }},
+    {"two-blocks-rough", [] { return with_friction(two_blocks(), rough); }},
+    {"two-blocks-rough-record", [] { return with_friction(with_record(two_blocks()), rough); }},
+    {"two-blocks-slippery", [] { return with_friction(two_blocks(), slippery); }},
+    {"two-blocks-slippery-record", [] { return with_friction(with_record(two_blocks()), slippery); }},
     {"two-blocks", two_blocks},
     {"two-blocks-record", [] { return with_record(two_blocks()); }},
     {"two-blocks-record-vertical", [] { return with_vertical(two_blocks()); }},
