@@ -42,13 +42,12 @@ bool pass_corner(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>&
   return speed < -rounding;
 }
 
-/// Lands what is above its face by rounding.
+/// Lands what is above its face by no more than `gap`, m.
 template <class Real>
 void land_negligible(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies, int interface,
-                     Joints<Real>& joints) {
+                     const Real& gap, Joints<Real>& joints) {
   using std::abs;
   const Real angle = relative_angle(bodies.at, static_cast<std::size_t>(interface));
-  const Real rounding = tolerance<Real>(1e-13) * half_width_of<Real>(stack.blocks, interface);
   for (const bool below : {true, false}) {
     if (below && interface == 0) continue;
     for (const int side : {-1, 1}) {
@@ -56,8 +55,7 @@ void land_negligible(const BasicFrictionStack<Real>& stack, const BasicBodies<Re
       const CornerOnFace<Real> corner = below ? lower_corner<Real>(stack.blocks, interface, side)
                                               : upper_corner<Real>(stack.blocks, interface, side);
       const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner);
-      if (abs(rows.gap) <= rounding &&
-          abs(rows.slip) <= half_width_of<Real>(stack.blocks, corner.face) + rounding)
+      if (abs(rows.gap) <= gap && abs(rows.slip) <= half_width_of<Real>(stack.blocks, corner.face) + gap)
         land(stack, bodies, interface, below, joints);
     }
   }
@@ -68,7 +66,9 @@ template <class Real>
 void close_negligible(const BasicFrictionStack<Real>& stack, const ContactChatter<Real>& chatter,
                       const BasicBodies<Real>& bodies, Joints<Real>& joints) {
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    if (!joints[k].touches()) land_negligible(stack, bodies, static_cast<int>(k), joints);
+    const auto interface = static_cast<int>(k);
+    const Real gap = chatter.negligible_gap() * half_width_of<Real>(stack.blocks, interface);
+    if (!joints[k].touches()) land_negligible(stack, bodies, interface, gap, joints);
     if (chatter.negligibly_open(joints[k], relative_angle(bodies.at, k), relative_angle(bodies.rate, k)))
       joints[k].touch = Touch::flat;
   }

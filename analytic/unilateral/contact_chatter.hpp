@@ -21,9 +21,14 @@ class ContactChatter {
     Real height = 0;
     for (const Block& block : stack.blocks) height += 2 * block.half_height;
     rate_ = gravity / height;
-    const Real rounding = std::numeric_limits<double>::epsilon();
-    settling_speed_ = 500 * std::min(resolution_, rounding) * sqrt(rate_);
+    const Real rounding = std::min<Real>(resolution_, std::numeric_limits<double>::epsilon());
+    settling_speed_ = 500 * rounding * sqrt(rate_);
+    negligible_gap_ = std::max<Real>(tolerance<Real>(1e-13),
+                                     Real(1e-13) * (rounding / Real(std::numeric_limits<double>::epsilon())));
   }
+
+  /// What is apart by less has not parted, in shares of a block's half-width: some roundings of it.
+  const Real& negligible_gap() const { return negligible_gap_; }
 
   /// Open by what rounding makes of angles and speeds.
   bool negligibly_open(const BasicJoint<Real>& joint, const Real& angle, const Real& angle_rate) const {
@@ -91,6 +96,7 @@ class ContactChatter {
   Real resolution_;        ///< rad
   Real rate_{};            ///< g/H, 1/s²
   Real settling_speed_{};  ///< rad/s
+  Real negligible_gap_{};
 };
 
 }  // namespace rockstack

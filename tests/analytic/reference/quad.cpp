@@ -1,12 +1,26 @@
 #include "tests/analytic/reference/quad.hpp"
 
 #include "analytic/solver/solver.hpp"
+#include "analytic/unilateral/contact_solver.hpp"
+#include "analytic/unilateral/unilateral_history.hpp"
 
 namespace rockstack::testing {
+namespace {
+
+QuadHistory reference_of_contacts(const Scene& scene, const ContactOptions& options) {
+  ContactSolver<Quad> solver(scene, options);
+  solver.run();
+  return history_of(scene, std::move(solver).history());
+}
+
+}  // namespace
 
 QuadHistory reference(const Scene& scene, std::vector<double> sample_times) {
+  constexpr double resolution = std::numeric_limits<double>::epsilon();
+  if (scene.law == Law::unilateral)
+    return reference_of_contacts(scene, {.sample_times = std::move(sample_times), .resolution = resolution});
   SolveOptions options;
-  options.resolution = std::numeric_limits<double>::epsilon();
+  options.resolution = resolution;
   options.sample_times = std::move(sample_times);
   switch (scene.blocks.size()) {
     case 1:

@@ -70,6 +70,14 @@ Scene seeded_scene(std::uint64_t seed, Equations equations) {
   return scene;
 }
 
+Scene rubbing_scene_of(std::uint64_t seed) {
+  Scene scene = seeded_scene(seed, Equations::nonlinear);
+  scene.law = Law::unilateral;
+  Draw draw(seed + 50000);
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) scene.friction.push_back(draw.between(0.1, 0.9));
+  return scene;
+}
+
 std::string Tally::add(std::uint64_t seed, const Scene& scene) {
   const auto found = attempt<double>([&] { return solve(scene); });
   const auto expected = attempt<Quad>([&] { return reference(scene); });
