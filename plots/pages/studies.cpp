@@ -33,11 +33,11 @@ const std::map<std::string, std::string>& explanations() {
        "Marks: the share of runs that topple at each intensity, with its confidence bounds. Line: the "
        "fitted lognormal curve, where there is one."},
       {"incremental",
-       "A curve for each choice of all other values: the largest angle over the slenderness against "
-       "the intensity, and the 16, 50 and 84 % fractiles of the curves. A block that topples counts "
-       "as infinitely far."},
+       "Marks: runs, each motion at each intensity. Lines: the angle over the slenderness that half of the "
+       "motions, and 16 and 84 % of them, stay within up to an intensity; they never turn back. Blocks that "
+       "topple stand at the right."},
       {"overturning",
-       "What becomes of the block at each period and intensity of the pulse: it stays at rest, rocks, "
+       "What becomes of the block at each frequency and intensity of the pulse: it stays at rest, rocks, "
        "topples after an impact, or topples without one."},
       {"modes",
        "What the stack does at each friction and intensity: on the left the mode in which motion begins, on "
@@ -95,7 +95,7 @@ Study study_of(const fs::path& file, const std::function<Study(const Json&)>& re
   const Json json = read_json(file);
   try {
     Study study = read(json);
-    study.command = json.value("command", "");
+    study.command = json.value("command", study.command);
     study.facts = facts_of(json);
     std::erase_if(study.facts,
                   [](const auto& fact) { return fact.first == "command" || fact.first == "title"; });
@@ -203,6 +203,12 @@ std::string peak(const Json& json, const char* unit) {
                      json.at("time").get<double>());
 }
 
+/// Of a sweep the command stands beside its results, which are the same bytes whatever the command.
+std::string command_of_sweep(const fs::path& results) {
+  const fs::path file = results / "timing.json";
+  return fs::exists(file) ? read_json(file).value("command", "") : "";
+}
+
 }  // namespace
 
 void write_sweep_report(const std::filesystem::path& results) {
@@ -217,6 +223,7 @@ void write_sweep_report(const std::filesystem::path& results) {
                         study.answers);
                 add_overturning(results, study.answers);
                 add_modes(results, study.answers);
+                study.command = command_of_sweep(results);
                 return study;
               }));
 }
