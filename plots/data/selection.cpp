@@ -61,6 +61,10 @@ std::vector<StepLine> step_lines(const Comparison& comparison, const std::string
   return lines;
 }
 
+bool varies_iterations(const StepLine& line) {
+  return line.size() > 1 && line.front().dt == line.back().dt && iterations_of(line.front()) > 0;
+}
+
 Shown shown_runs(const Comparison& comparison, const std::string& scene) {
   Shown shown;
   for (const Run& run : done_runs(comparison, scene))

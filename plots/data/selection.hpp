@@ -20,6 +20,9 @@ Shown shown_runs(const Comparison& comparison, const std::string& scene);
 /// too, by falling iterations.
 using StepLine = std::vector<Run>;
 
+/// Whether the runs of a line differ in their iterations, at one step.
+bool varies_iterations(const StepLine& line);
+
 /// All engine runs of a scene that are done, line by line in the order of the file.
 std::vector<StepLine> step_lines(const Comparison& comparison, const std::string& scene);
 

@@ -9,8 +9,8 @@
 namespace rockstack::plots {
 namespace {
 
-constexpr double between = 0.012;
-constexpr double title_height = 56, question_height = 46, legend_row = 28, legend_gap = 14, axis_height = 80;
+constexpr double between = 0.03;
+constexpr double title_height = 56, question_height = 46, legend_row = 23, legend_gap = 14, axis_height = 80;
 constexpr std::size_t half_a_figure = 46;  // letters of a legend
 
 /// In two columns, or in one where some words are too long for half of the figure.
@@ -78,6 +78,43 @@ std::string question_line(const std::string& words, double height) {
                      in_quotes(words), plain(height), words_size(words, 14, 118));
 }
 
+/// Where words may be broken next: behind a comma, or before a further parameter, "…+name=value".
+std::size_t next_break(const std::string& words, std::size_t from) {
+  for (std::size_t at = from + 1; at < words.size(); ++at)
+    if (words.compare(at - 1, 2, ", ") == 0)
+      return at + 1;
+    else if (words[at] == '+' && words[at - 1] != ' ')
+      return at;
+  return words.size();
+}
+
+/// Long words of a small panel in lines.
+std::vector<std::string> lines_of(const std::string& words) {
+  constexpr std::size_t fitting = 41;
+  std::vector<std::string> lines{""};
+  for (std::size_t from = 0, to = 0; from < words.size(); from = to) {
+    to = next_break(words, from);
+    const std::string part = words.substr(from, to - from);
+    if (!lines.back().empty() && lines.back().size() + part.size() > fitting)
+      lines.push_back(part);
+    else
+      lines.back() += part;
+  }
+  return lines;
+}
+
+/// The words above a small panel, each line in a size that stays above it.
+std::string words_above(const Multiple& one) {
+  const std::vector<std::string> lines = lines_of(one.words);
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    text += fmt::format(
+        "set label {} noenhanced at graph 0, graph 1 left offset 0,{} font ',{}' tc rgb '{}' front\n",
+        in_quotes(lines[i]), 0.5 + 0.8 * static_cast<double>(lines.size() - 1 - i),
+        words_size(lines[i], 12, 40), one.colour);
+  return text;
+}
+
 }  // namespace
 
 std::string in_quotes(const std::string& text) {
@@ -126,9 +163,8 @@ void Sheet::row(double height, double gap, const std::vector<SidePanel>& cells, 
   below_ += height;
 }
 
-void Sheet::leave_room_for_second_axes() {
-  constexpr double above = 52, beside = 0.07;
-  below_ += above;
+void Sheet::leave_room_beside() {
+  constexpr double beside = 0.07;
   right_ = right_edge - beside;
 }
 
@@ -162,37 +198,8 @@ Drawing Sheet::finish() const {
   return {.height = static_cast<int>(height), .data = blocks_, .commands = text + "unset multiplot"};
 }
 
-std::string logarithmic_tics(const std::string& axis, double low, double high) {
-  constexpr double enough = 100;
-  if (high / low >= enough) return fmt::format("set format {} '10^{{%T}}'\n", axis);
-  std::string tics;
-  for (int power = static_cast<int>(std::floor(std::log10(low))); std::pow(10, power) <= high; ++power)
-    for (const int times : {1, 2, 5})
-      tics +=
-          fmt::format("{}'{}10^{{{}}}' {}", tics.empty() ? "" : ", ",
-                      times == 1 ? "" : fmt::format("{}·", times), power, plain(times * std::pow(10, power)));
-  return fmt::format("set {}tics ({})\n", axis, tics);
-}
-
-std::string decade_tics(double low, double high, double height) {
-  constexpr double room = 26;  // pixels a number
-  const double decades = std::log10(high / low);
-  const int stride = std::max(1, static_cast<int>(std::ceil(decades * room / height)));
-  return fmt::format("set format y '10^{{%T}}'\nset ytics {}, {}\n", plain(low), plain(std::pow(10, stride)));
-}
-
-std::string linear_tics(const std::string& axis, double low, double high, double pixels) {
-  const double room = axis == "x" ? 70 : 30;  // of a number
-  const double least = (high - low) * room / pixels;
-  const double power = std::pow(10, std::floor(std::log10(least)));
-  double step = 10 * power;
-  for (const double times : {5.0, 2.0, 1.0})
-    if (times * power >= least) step = times * power;
-  return fmt::format("set {}tics {}\n", axis, plain(step));
-}
-
 std::string without_horizontal_labels() {
-  return "set format x ''\nunset xlabel\n";
+  return "set xtics textcolor rgb '#FF000000'\nunset xlabel\n";
 }
 
 Drawing empty_sheet(const std::string& title, const std::string& text) {
@@ -206,50 +213,32 @@ Drawing empty_sheet(const std::string& title, const std::string& text) {
 }
 
 void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std::vector<std::string>& context,
-                   const std::string& settings, const std::string& across, const std::string& up) {
+                   const std::string& settings, const std::string& across, const std::string& up,
+                   double left) {
   constexpr std::size_t columns = 3;
-  constexpr double gap = 34, before = 92;
+  constexpr double line = 16, gap = 34, before = 92;
+  std::size_t most_lines = 1;
+  for (const Multiple& one : series) most_lines = std::max(most_lines, lines_of(one.words).size());
+  const double further_lines = line * static_cast<double>(most_lines - 1);
+  sheet.leave_room_above(further_lines);
   for (std::size_t from = 0; from < series.size(); from += columns) {
     std::vector<SidePanel> cells;
     for (std::size_t i = from; i < std::min(from + columns, series.size()); ++i) {
       std::vector<std::string> plots = context;
       plots.insert(plots.end(), series[i].plots.begin(), series[i].plots.end());
-      std::string words = fmt::format(
-          "{}set label {} noenhanced at graph 0, graph 1 left offset 0,0.5 font ',12' tc rgb '{}' front\n",
-          settings, in_quotes(series[i].words), series[i].colour);
+      std::string words = settings + words_above(series[i]);
       words += i + columns < series.size() ? without_horizontal_labels()
                                            : fmt::format("set xlabel {}\n", in_quotes(across));
       words += i == from ? fmt::format("set ylabel {} offset 0.5\n", in_quotes(up)) : unseen_numbers;
       cells.push_back({words, plots});
     }
-    sheet.row(multiple_height, from == 0 ? before : gap, cells, columns, left_edge);
+    sheet.row(multiple_height, from == 0 ? before : gap + further_lines, cells, columns, left);
   }
 }
 
 double aside(std::size_t series, std::size_t of) {
   constexpr double room = 0.6;
   return of > most_series ? 0 : room * ((static_cast<double>(series) + 0.5) / static_cast<double>(of) - 0.5);
-}
-
-double SignedLog::place(double value) const {
-  const double size = std::abs(value) / std::pow(10, first);
-  const double height = size <= 1 ? size : 1 + std::log10(size);
-  return std::copysign(height, value);
-}
-
-std::string SignedLog::tics() const {
-  std::string text = "'0' 0";
-  const int stride = 1 + (last - first) / 4;
-  for (int power = last; power >= first; power -= stride) {
-    text += fmt::format(", '+10^{{{0}}}' {1}, '−10^{{{0}}}' -{1}", power, power - first + 1);
-  }
-  return text;
-}
-
-SignedLog signed_log(double low, double high) {
-  constexpr int most_decades = 8;
-  const int last = static_cast<int>(std::ceil(std::log10(high) - 1e-9));
-  return {std::clamp(static_cast<int>(std::floor(std::log10(low))), last - most_decades, last), last};
 }
 
 std::string angle_name(int block) {

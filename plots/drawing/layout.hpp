@@ -45,8 +45,11 @@ class Sheet {
   /// Adds panels side by side, as wide as one of `columns`, from `left` on, a share of the figure's width.
   void row(double height, double gap, const std::vector<SidePanel>& cells, std::size_t columns, double left);
 
-  /// Leaves room for axes along the upper edge of the next panel and the right edge of all that follow.
-  void leave_room_for_second_axes();
+  /// Leaves room above the next panel, pixels.
+  void leave_room_above(double height) { below_ += height; }
+
+  /// Leaves room for a second axis along the right edge of all panels that follow.
+  void leave_room_beside();
 
   /// Adds a line of words in a colour, #rrggbb, under the last panel's axis.
   void note(const std::string& text, const std::string& colour) { notes_.emplace_back(text, colour); }
@@ -81,47 +84,23 @@ struct Multiple {
 inline constexpr std::size_t most_series = 6;
 
 /// The size of their panels, pixels.
-inline constexpr double multiple_width = 340, multiple_height = 160;
+inline constexpr double multiple_width = 328, multiple_height = 160;
 
-/// Adds a panel for each series, three in a row, over `context`, which all of them show. `settings` are of
-/// every panel, `across` and `up` the words of the axes.
+/// Adds a panel for each series, three in a row from `left` on, over `context`, which all of them show.
+/// `settings` are of every panel, `across` and `up` the words of the axes.
 void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std::vector<std::string>& context,
-                   const std::string& settings, const std::string& across, const std::string& up);
+                   const std::string& settings, const std::string& across, const std::string& up,
+                   double left = left_edge);
 
 /// How far from a whole number, of an impact or a row, a series stands, so that series do not hide each
 /// other: nought where each has a panel of its own.
 double aside(std::size_t series, std::size_t of);
-
-/// A scale that is linear up to 10^first and logarithmic beyond, on both sides of zero; one unit a power of
-/// ten.
-struct SignedLog {
-  int first = -6;
-  int last = 0;
-
-  double place(double value) const;
-  double edge() const { return last - first + 1.5; }  ///< of the axis, on either side
-  std::string tics() const;                           ///< for "set ytics (…)"
-};
-
-/// The scale that shows values whose absolute values lie between `low` and `high`; at most eight decades.
-SignedLog signed_log(double low, double high);
-
-/// Numbers along a logarithmic axis, "x" or "y": powers of ten, or where there are too few of them 1, 2 and 5
-/// times each.
-std::string logarithmic_tics(const std::string& axis, double low, double high);
-
-/// Numbers along a linear axis, "x" or "y", of that many pixels: as many round ones as there is room for.
-std::string linear_tics(const std::string& axis, double low, double high, double pixels);
 
 /// Settings of a panel whose horizontal axis is labelled in the panel under it.
 std::string without_horizontal_labels();
 
 /// A sheet with one frame that says why there is nothing to show.
 Drawing empty_sheet(const std::string& title, const std::string& text);
-
-/// Numbers up a logarithmic axis whose panel is that many pixels high: as many powers of ten as there is room
-/// for.
-std::string decade_tics(double low, double high, double height);
 
 /// "θ₁" for block 1.
 std::string angle_name(int block);

@@ -93,12 +93,9 @@ std::string mark_style(const Run& run, double size) {
   return fmt::format("with points lw 2 lc rgb '{}' pt {} ps {:.2f}*mark", style.colour, style.mark, size);
 }
 
-std::string floor_line(const Fit& fit, const std::string& colour) {
-  if (!(fit.model_error > 0)) return "";
-  return fmt::format(
-      "set arrow from graph 0, first {0:.8g} to graph 1, first {0:.8g} nohead lw 1.5 dt {1} lc rgb '{2}' "
-      "back\n",
-      fit.model_error, fit.model_error_low > 0 ? "(8,8)" : "(1,9)", colour);
+std::string floor_plot(const Fit& fit, const std::string& colour) {
+  return fmt::format("{} with lines lw 1.5 dt {} lc rgb '{}' notitle", fit.model_error,
+                     fit.model_error_low > 0 ? "(8,8)" : "(1,9)", colour);
 }
 
 }  // namespace rockstack::plots

@@ -39,8 +39,8 @@ std::string curve_style(const Run& run, std::size_t order);
 /// "with points …" for a run's marks.
 std::string mark_style(const Run& run, double size);
 
-/// A line across the panel at the model error of a fit: dashed where the bounds tell it from none, dotted
-/// where they do not, empty where it is none.
-std::string floor_line(const Fit& fit, const std::string& colour);
+/// The model error of a fit as a plot, a line across the panel: dashed where the bounds tell it from none,
+/// dotted where they do not.
+std::string floor_plot(const Fit& fit, const std::string& colour);
 
 }  // namespace rockstack::plots

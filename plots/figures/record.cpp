@@ -8,6 +8,7 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/results/csv.hpp"
 #include "plots/data/json_file.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 
 namespace rockstack::plots {
@@ -61,6 +62,23 @@ double largest(const Curve& curve) {
   return value;
 }
 
+/// Weak records have small units, so that the numbers beside a panel stay short.
+struct Scale {
+  double factor;
+  std::string prefix, power;  ///< of a unit; for one that takes no prefix
+};
+
+Scale scale_of(double largest) {
+  constexpr double least = 1e-2, tiny = 1e-5;
+  if (largest >= least || largest == 0) return {1, "", ""};
+  return largest >= tiny ? Scale{1e3, "m", "10⁻³ "} : Scale{1e6, "µ", "10⁻⁶ "};
+}
+
+Curve scaled(Curve curve, double factor) {
+  for (double& value : curve.values) value *= factor;
+  return curve;
+}
+
 /// A mark where a curve is furthest from zero, and its value in the panel's other right corner.
 std::string peak_mark(const Mark& mark, const std::string& unit) {
   constexpr auto colour = "#B03A00";
@@ -84,14 +102,19 @@ std::string time_settings(const RecordFacts& facts, double end) {
          significant_band(facts);
 }
 
-void add_history(Sheet& sheet, const RecordFacts& facts, const std::string& name, const std::string& unit,
+void add_history(Sheet& sheet, const RecordFacts& facts, const std::string& name, const std::string& base,
                  const Mark& peak, const Curve& curve) {
-  const double reach = 1.12 * std::max(largest(curve), 1e-12);
+  constexpr double height = 175;
+  const Scale scale = scale_of(largest(curve));
+  const double reach = 1.12 * std::max(largest(curve), 1e-12) * scale.factor;
+  const std::string unit = scale.prefix + base;
   const std::string label = fmt::format("set ylabel '{} ({})' offset 0.5\n", name, unit);
-  sheet.data(data_block(name, thin(curve, bins)));
-  sheet.panel(175, 16,
+  sheet.data(data_block(name, thin(scaled(curve, scale.factor), bins)));
+  sheet.panel(height, 16,
               time_settings(facts, curve.times.back()) + without_horizontal_labels() + label +
-                  fmt::format("set yrange [{}:{}]\n", plain(-reach), plain(reach)) + peak_mark(peak, unit),
+                  fmt::format("set yrange [{}:{}]\n", plain(-reach), plain(reach)) +
+                  linear_tics("y", -reach, reach, height) +
+                  peak_mark({peak.value * scale.factor, peak.time}, unit),
               {fmt::format("${} using 1:2 {}", name, line_style)});
 }
 
@@ -109,7 +132,8 @@ void add_husid(Sheet& sheet, const RecordFacts& facts, const Curve& shares) {
 }
 
 void add_spectrum(Sheet& sheet, const RecordFacts& facts, Curve spectrum) {
-  for (double& value : spectrum.values) value /= facts.gravity;
+  const Scale scale = scale_of(largest(spectrum) / facts.gravity);
+  spectrum = scaled(spectrum, scale.factor / facts.gravity);
   sheet.data(data_block("spectrum", spectrum));
   sheet.panel(
       260, 96,
@@ -118,9 +142,9 @@ void add_spectrum(Sheet& sheet, const RecordFacts& facts, Curve spectrum) {
                   plain(1.1 * std::max(largest(spectrum), 1e-12))) +
           "unset object\nset grid xtics ytics mxtics lt 1 dt solid lw 1 lc rgb '#DADADA', lt 1 dt solid lw 1 "
           "lc rgb '#EEEEEE'\nset format x '%g'\nset xlabel 'period (s)'\n" +
-          fmt::format("set ylabel 'pseudo-acceleration (g)' offset 0.5\n"
+          fmt::format("set ylabel 'pseudo-acceleration ({}g)' offset 0.5\n"
                       "set label '{:g} % damped' noenhanced at graph 0.985, graph 0.93 right font ',12'\n",
-                      100 * facts.damping),
+                      scale.power, 100 * facts.damping),
       {fmt::format("$spectrum using 1:2 {}", line_style)});
 }
 

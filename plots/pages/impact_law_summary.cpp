@@ -133,7 +133,31 @@ void add_velocities(const LawResults& results, const LawTally& all, std::vector<
                                   all.farthest->run.scene));
 }
 
+LawTally all_runs(const LawResults& results) {
+  return tallies_by(results.runs, [](const LawRun&) { return std::string(); }).front();
+}
+
+LawShare all_cells(const std::vector<LawCell>& cells) {
+  return shares_by(cells, [](const LawCell&) { return std::string(); }).front();
+}
+
 }  // namespace
+
+std::vector<std::string> law_answer(const LawResults& results) {
+  std::vector<std::string> sentences;
+  if (!results.runs.empty()) {
+    const LawTally all = all_runs(results);
+    sentences.push_back(
+        fmt::format("Where the laws differ, engines take the pattern of law consistent in {} of {}, and that "
+                    "of law paper "
+                    "in {}.",
+                    all.consistent, counted(results.runs.size(), "run"), all.paper));
+  }
+  if (!results.cells.empty())
+    sentences.push_back(fmt::format("The laws differ after {:.1f} % of the impacts of random stacks.",
+                                    all_cells(results.cells).differ_percent()));
+  return sentences;
+}
 
 std::vector<std::string> law_summary(const LawResults& results) {
   std::map<int, std::vector<LawCell>> by_blocks;
@@ -148,7 +172,7 @@ std::vector<std::string> engine_summary(const LawResults& results) {
   if (results.runs.empty()) {
     sentences.emplace_back("No engine was asked.");
   } else {
-    const LawTally all = tallies_by(results.runs, [](const LawRun&) { return std::string(); }).front();
+    const LawTally all = all_runs(results);
     add_patterns(results, all, sentences);
     if (all.farthest != nullptr) add_velocities(results, all, sentences);
   }

@@ -7,6 +7,9 @@
 
 namespace rockstack::plots {
 
+/// The shortest answer: whose pattern engines take where the laws differ, and how often the laws do.
+std::vector<std::string> law_answer(const LawResults& results);
+
 /// How often and where the laws differ over the stacks that were drawn, one sentence an entry, as plain text.
 std::vector<std::string> law_summary(const LawResults& results);
 

@@ -202,6 +202,7 @@ std::string content(const fs::path& folder, const LawResults& results) {
   return filled_in(
       impact_laws_html,
       {{"title", escaped(results.title)},
+       {"answer", answer_box(law_answer(results))},
        {"law_summary", sentence_list(law_summary(results))},
        {"engine_summary", sentence_list(engine_summary(results))},
        {"maps", maps(folder, results.cells)},
@@ -214,7 +215,7 @@ std::string content(const fs::path& folder, const LawResults& results) {
             "How far every engine run is from either law",
             "Each mark is a run: across, how far its velocities after the impact are from those of law "
             "paper; up, from those of law consistent, on logarithmic axes. Under the dashed line it is "
-            "nearer to law consistent. Marks of a solver's shortest time step are filled.")},
+            "nearer to law consistent. Small marks are runs at longer time steps.")},
        {"solvers", solvers_table(results.runs)},
        {"states", states_table(results)},
        {"runs", runs_table(results)},

@@ -6,6 +6,7 @@
 #include "comparisons/results/csv.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/data/spread.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
@@ -89,7 +90,7 @@ double last_time(const std::vector<Departure>& departures) {
 std::string settings_of(const std::vector<Departure>& departures, const LogRange& range, double height) {
   return fmt::format("set xrange [0:{}]\nset logscale y\nset yrange [{}:{}]\n", plain(last_time(departures)),
                      plain(range.low), plain(range.high)) +
-         decade_tics(range.low, range.high, height) + grid_lines;
+         logarithmic_tics("y", range.low, range.high, height) + grid_lines;
 }
 
 void add_panels(Sheet& sheet, const std::vector<Departure>& departures, const LogRange& range,
@@ -120,6 +121,15 @@ void add_small_panels(Sheet& sheet, const std::vector<Departure>& departures, co
                 "largest |Δθ| (rad)");
 }
 
+/// The runs' names beside their rows, where no legend has them.
+std::string row_names(const std::vector<Departure>& departures) {
+  std::string tics;
+  for (std::size_t i = 0; i < departures.size(); ++i)
+    tics += fmt::format("{}{} {}", i > 0 ? ", " : "", in_quotes(line_label(departures[i].run)),
+                        departures.size() - i);
+  return "set ytics (" + tics + ") noenhanced font ',11'\n";
+}
+
 /// A row a run: when each draw first passes the tolerance, and their median, filled.
 void add_agreements(Sheet& sheet, const std::vector<Departure>& departures) {
   std::vector<std::string> plots;
@@ -135,22 +145,28 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures) {
     plots.push_back(fmt::format("'+' every ::0::0 using ({}):({}) {} notitle", plain(one.run.agreement_time),
                                 plain(row), mark_style(one.run, 1.6)));
   }
-  constexpr double row_height = 22;
-  sheet.panel(
-      row_height * (static_cast<double>(departures.size()) + 1), departures.size() > most_series ? 74 : 20,
-      fmt::format("set xrange [0:{}]\nset yrange [0:{}]\nunset ytics\nset ylabel 'agrees until' offset "
-                  "-3.5\nset xlabel 'time (s)'\n",
-                  plain(end), departures.size() + 1) +
-          grid_lines,
-      plots);
+  constexpr double row_height = 22, room_for_names = 0.34;
+  const bool named = departures.size() > most_series;
+  const std::string rows = named ? row_names(departures)
+                                 : "unset ytics\nset label 2 'agrees until' at graph 0, graph 0.5 right "
+                                   "offset -0.6,0 font ',12'\n";
+  sheet.row(row_height * (static_cast<double>(departures.size()) + 1), named ? 84 : 20,
+            {{fmt::format("set xrange [0:{}]\nset yrange [0:{}]\nset xlabel '{}time (s)'\n", plain(end),
+                          departures.size() + 1, named ? "agrees until " : "") +
+                  grid_lines + rows,
+              plots}},
+            1, named ? room_for_names : left_edge);
 }
 
 std::string question(const std::vector<Departure>& departures, double tolerance) {
-  const auto longest = std::max_element(
-      departures.begin(), departures.end(),
-      [](const Departure& a, const Departure& b) { return a.run.agreement_time < b.run.agreement_time; });
-  return fmt::format("How far off, and from when? Longest within {} rad: {}, {} of {:.4g} s", tolerance,
-                     run_phrase(longest->run), duration_text(longest->run.agreement_time), longest->end);
+  const auto longest =
+      std::max_element(departures.begin(), departures.end(), [](const Departure& a, const Departure& b) {
+        if (is_variant(a.run) != is_variant(b.run)) return is_variant(a.run);
+        return a.run.agreement_time < b.run.agreement_time;
+      });
+  return fmt::format(
+      "How far off is each engine, and from when? Longest within {} rad: {}, {:.3g} of {:.3g} s", tolerance,
+      run_phrase(longest->run), longest->run.agreement_time, longest->end);
 }
 
 Legend legend_of(const std::vector<Departure>& departures) {

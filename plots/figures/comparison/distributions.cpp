@@ -5,6 +5,7 @@
 
 #include "comparisons/results/csv.hpp"
 #include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
@@ -99,7 +100,7 @@ void add_distances(Sheet& sheet, const Comparison& comparison, const ComparedSce
                              axis.substr(0, axis.find(" (")));
         critical = one->critical;
       }
-    if (!words.empty()) sheet.note(line_label(run) + words, style_of(run).colour);
+    if (!words.empty()) sheet.note(run_label(run) + words, style_of(run).colour);
   }
   if (critical > 0)
     sheet.note(fmt::format("by chance D is above {:.2f} once in twenty times", critical), "#000000");
@@ -119,31 +120,68 @@ std::string question(const Comparison& comparison, const ComparedScene& scene) {
       beyond, all);
 }
 
+std::string block_of(const std::string& quantity, std::size_t i) {
+  return fmt::format("{}_{}", quantity, i);
+}
+
+void add_panel(Sheet& sheet, const Quantity& quantity, const std::vector<Sample>& samples,
+               const std::string& settings) {
+  std::vector<std::string> plots;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::string block = block_of(quantity.name, i);
+    plots.push_back(fmt::format("${} using 1:2 {} notitle", block, style(samples[i].run)));
+    if (!samples[i].run.exact()) plots.push_back(marks_on(block, samples[i].run, i));
+  }
+  sheet.panel(
+      320, 84,
+      settings + fmt::format("set xlabel {}\nset ylabel 'share of scenes'\n", in_quotes(quantity.axis)),
+      plots);
+}
+
+/// A panel an engine's run, beside the exact distribution and over those of the others.
+void add_small_panels(Sheet& sheet, const Quantity& quantity, const std::vector<Sample>& samples,
+                      const std::string& settings) {
+  std::vector<Multiple> series;
+  std::vector<std::string> context;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (!samples[i].run.exact())
+      context.push_back(fmt::format("${} using 1:2 with steps lw 1 lc rgb '{}' notitle",
+                                    block_of(quantity.name, i), context_colour));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::string plot =
+        fmt::format("${} using 1:2 {} notitle", block_of(quantity.name, i), style(samples[i].run));
+    if (samples[i].run.exact())
+      context.push_back(plot);
+    else
+      series.push_back({run_label(samples[i].run), style_of(samples[i].run).colour, {plot}});
+  }
+  add_multiples(sheet, series, context, settings, quantity.axis, "share");
+}
+
 }  // namespace
 
 Drawing distributions(const Comparison& comparison, const ComparedScene& scene) {
   const std::vector<Run> runs = perturbed_runs(comparison, scene.name);
+  const bool many = runs.size() > most_series + 1;
   Legend legend;
   for (const Run& run : runs)
-    legend.emplace_back(run.exact() ? style(run) : mark_style(run, 1.6), run_label(run));
+    if (!many || run.exact())
+      legend.emplace_back(run.exact() ? style(run) : mark_style(run, 1.6), run_label(run));
   Sheet sheet(heading(scene), legend, question(comparison, scene));
-  for (const auto& [name, axis] : quantities_of(scene)) {
-    const std::vector<Sample> samples = samples_of(runs, name);
+  for (const Quantity& quantity : quantities_of(scene)) {
+    const std::vector<Sample> samples = samples_of(runs, quantity.name);
     if (samples.empty()) continue;
     const Span span = span_of(samples);
-    std::vector<std::string> plots;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const std::string block = fmt::format("{}_{}", name, i);
-      sheet.data(data_block(block, shares(samples[i].values, span)));
-      plots.push_back(fmt::format("${} using 1:2 {} notitle", block, style(samples[i].run)));
-      if (!samples[i].run.exact()) plots.push_back(marks_on(block, samples[i].run, i));
-    }
-    sheet.panel(320, 84,
-                fmt::format("set xrange [{}:{}]\nset yrange [-0.02:1.02]\nset ytics 0.2\nset xlabel {}\n"
-                            "set ylabel 'share of scenes'\n",
-                            plain(span.from), plain(span.to), in_quotes(axis)) +
-                    grid_lines,
-                plots);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      sheet.data(data_block(block_of(quantity.name, i), shares(samples[i].values, span)));
+    const std::string settings = fmt::format("set xrange [{}:{}]\nset yrange [-0.02:1.02]\nset ytics 0.2\n",
+                                             plain(span.from), plain(span.to)) +
+                                 linear_tics("x", span.from, span.to, many ? multiple_width : 1056) +
+                                 grid_lines;
+    if (many)
+      add_small_panels(sheet, quantity, samples, settings);
+    else
+      add_panel(sheet, quantity, samples, settings);
   }
   add_distances(sheet, comparison, scene, runs);
   return sheet.finish();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 /// What a figure shows on its vertical axis.
 struct Errors {
-  std::string column, axis, question, unit;
+  std::string column, axis, short_axis, question, unit;
   double (*of)(const Run&);
   double Run::*lower = nullptr;  ///< quartiles over draws, where the file has them
   double Run::*upper = nullptr;
@@ -81,7 +82,7 @@ Curve fitted(const ErrorLine& line) {
 }
 
 /// Half a decade of room around all marks.
-std::string ranges(const std::vector<ErrorLine>& lines) {
+std::string ranges(const std::vector<ErrorLine>& lines, double across, double up) {
   double shortest = 1e300, longest = 0, small = 1e300, large = 0;
   for (const ErrorLine& line : lines) {
     const auto low = std::min_element(line.lower.begin(), line.lower.end());
@@ -94,20 +95,8 @@ std::string ranges(const std::vector<ErrorLine>& lines) {
   constexpr double room = 1.6;
   return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", plain(shortest / room),
                      plain(longest * room), plain(small / room), plain(large * room)) +
-         logarithmic_tics("x", shortest / room, longest * room) +
-         logarithmic_tics("y", small / room, large * room);
-}
-
-/// The model errors that no step takes away, where they lie among the marks.
-std::string floors(const std::vector<ErrorLine>& lines) {
-  double least = 1e300;
-  for (const ErrorLine& line : lines)
-    least = std::min(least, *std::min_element(line.lower.begin(), line.lower.end()));
-  std::string text;
-  for (const ErrorLine& line : lines)
-    if (line.fits() && line.fit->model_error > least)
-      text += floor_line(*line.fit, style_of(line.run).colour);
-  return text;
+         logarithmic_tics("x", shortest / room, longest * room, across) +
+         logarithmic_tics("y", small / room, large * room, up);
 }
 
 /// The least error of all, with its step.
@@ -122,30 +111,66 @@ std::string question(const std::vector<ErrorLine>& lines, const Errors& errors) 
                      duration_text(dt));
 }
 
+/// Marks, quartiles and fitted curve of a series, with the model error that no step takes away.
+std::vector<std::string> plots_of(const ErrorLine& line, std::size_t i, double size) {
+  const Style style = style_of(line.run);
+  std::vector<std::string> plots;
+  if (line.fits()) {
+    plots.push_back(fmt::format("$fitted_{} using 1:2 with lines lw 2 lc rgb '{}' dt {} notitle", i,
+                                style.colour, style.dash));
+    if (line.fit->model_error > 0) plots.push_back(floor_plot(*line.fit, style.colour));
+  }
+  plots.push_back(fmt::format("$errors_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i,
+                              style.colour));
+  plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark_style(line.run, size)));
+  return plots;
+}
+
+constexpr auto across_axis = "time step (s)";
+
+void add_panel(Sheet& sheet, const std::vector<ErrorLine>& lines, const Errors& errors) {
+  constexpr double across = 1056, up = 560;
+  std::vector<std::string> plots;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (const std::string& plot : plots_of(lines[i], i, 1.5)) plots.push_back(plot);
+  sheet.panel(
+      up, 0,
+      "set logscale xy\n" + std::string(grid_lines) +
+          fmt::format("set xlabel '{}'\nset ylabel {} offset 0\n", across_axis, in_quotes(errors.axis)) +
+          ranges(lines, across, up),
+      plots);
+}
+
+void add_small_panels(Sheet& sheet, const std::vector<ErrorLine>& lines, const Errors& errors) {
+  std::vector<Multiple> series;
+  std::vector<std::string> context;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    context.push_back(fmt::format("$errors_{} using 1:2 with points pt 7 ps 0.6*mark lc rgb '{}' notitle", i,
+                                  context_colour));
+    series.push_back({lines[i].label, style_of(lines[i].run).colour, plots_of(lines[i], i, 1.1)});
+  }
+  add_multiples(
+      sheet, series, context,
+      "set logscale xy\n" + std::string(grid_lines) + ranges(lines, multiple_width, multiple_height),
+      across_axis, errors.short_axis);
+}
+
 Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, const Errors& errors) {
   const std::vector<ErrorLine> lines = error_lines(comparison, scene.name, errors);
   if (lines.empty()) return empty_sheet(heading(scene), "No engine run of this scene with an error.");
+  const bool many = lines.size() > most_series;
   Legend legend;
-  std::vector<std::string> plots;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Style style = style_of(lines[i].run);
-    legend.emplace_back(mark_style(lines[i].run, 1.5), lines[i].label);
-    if (lines[i].fits())
-      plots.push_back(fmt::format("$fitted_{} using 1:2 with lines lw 2 lc rgb '{}' dt {} notitle", i,
-                                  style.colour, style.dash));
-    plots.push_back(fmt::format("$errors_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i,
-                                style.colour));
-    plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark_style(lines[i].run, 1.5)));
-  }
+  if (!many)
+    for (const ErrorLine& line : lines) legend.emplace_back(mark_style(line.run, 1.5), line.label);
   Sheet sheet(heading(scene), legend, question(lines, errors));
   for (std::size_t i = 0; i < lines.size(); ++i) {
     sheet.data(errors_block(i, lines[i]));
     if (lines[i].fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted(lines[i])));
   }
-  sheet.panel(560, 0,
-              "set logscale xy\n" + std::string(grid_lines) + "set xlabel 'time step (s)'\nset ylabel " +
-                  in_quotes(errors.axis) + " offset 0\n" + ranges(lines) + floors(lines),
-              plots);
+  if (many)
+    add_small_panels(sheet, lines, errors);
+  else
+    add_panel(sheet, lines, errors);
   for (const ErrorLine& line : lines)
     if (line.fit != nullptr) sheet.note(line.label + ": " + fit_label(*line.fit), style_of(line.run).colour);
   if (const std::string note = draws_note(comparison, scene.name); !note.empty()) sheet.note(note, "#000000");
@@ -155,16 +180,17 @@ Drawing draw_errors(const Comparison& comparison, const ComparedScene& scene, co
 }  // namespace
 
 Drawing error_step(const Comparison& comparison, const ComparedScene& scene) {
-  return draw_errors(comparison, scene,
-                     {"rms_angle_difference", "RMS angle difference (rad)", "What does a smaller step bring?",
-                      "rad", [](const Run& run) { return run.rms_angle_difference; },
-                      &Run::rms_angle_difference_lower, &Run::rms_angle_difference_upper});
+  return draw_errors(
+      comparison, scene,
+      {"rms_angle_difference", "RMS angle difference (rad)", "RMS (rad)", "What does a smaller step bring?",
+       "rad", [](const Run& run) { return run.rms_angle_difference; }, &Run::rms_angle_difference_lower,
+       &Run::rms_angle_difference_upper});
 }
 
 Drawing first_impact_step(const Comparison& comparison, const ComparedScene& scene) {
   return draw_errors(comparison, scene,
                      {"first_impact_time_difference", "|engine − exact| of the first impact (s)",
-                      "Does the first impact come in time?", "s",
+                      "off by (s)", "Does the first impact come in time?", "s",
                       [](const Run& run) { return std::abs(run.first_impact_time_difference); }});
 }
 

@@ -6,6 +6,7 @@
 
 #include "comparisons/results/csv.hpp"
 #include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
@@ -23,21 +24,24 @@ struct Cost {
 constexpr double panel_across = 1056, panel_up = 520;  ///< pixels
 
 struct CostLine {
-  Run run;  ///< any of the line
-  std::string label;
-  const Fit* fit;  ///< of the errors over time steps; null where there is none
+  Run run;                  ///< any of the line
+  std::string label, unit;  ///< " iterations" where these vary
+  const Fit* fit;           ///< of the errors over time steps; null where there is none
   std::vector<Cost> costs;
 };
 
 std::string words_of(const Run& run, const StepLine& line) {
-  const bool iterations = line.front().dt == line.back().dt && iterations_of(run) > 0;
-  return iterations ? std::to_string(iterations_of(run)) : duration_text(run.dt);
+  return varies_iterations(line) ? std::to_string(iterations_of(run)) : duration_text(run.dt);
 }
 
 std::vector<CostLine> cost_lines(const Comparison& comparison, const std::string& scene) {
   std::vector<CostLine> lines;
   for (const StepLine& runs : step_lines(comparison, scene)) {
-    CostLine line{runs.front(), line_label(runs), fit_of(comparison, runs, "rms_angle_difference"), {}};
+    CostLine line{runs.front(),
+                  line_label(runs),
+                  varies_iterations(runs) ? " iterations" : "",
+                  fit_of(comparison, runs, "rms_angle_difference"),
+                  {}};
     for (const Run& run : runs) {
       const Cost cost{run.stepping_time / (run.steps * run.dt), run.rms_angle_difference, words_of(run, runs),
                       quartile_or(run.rms_angle_difference_lower, run.rms_angle_difference),
@@ -82,8 +86,9 @@ std::string pieces(std::size_t index, const CostLine& line, bool comparable) {
   return text + "EOD\n";
 }
 
+/// Scenes are perturbed where histories part; elsewhere results may say until when they can be compared.
 bool are_comparable(const ComparedScene& scene, double end) {
-  return std::isnan(scene.predictable_time) || scene.predictable_time >= 0.99 * end;
+  return !scene.perturbed && (std::isnan(scene.predictable_time) || scene.predictable_time >= 0.99 * end);
 }
 
 /// The last time of the motion, s.
@@ -96,10 +101,10 @@ struct Frame {
   double fast = 1e300, slow = 0, small = 1e300, large = 0;
 
   void add(double time) { fast = std::min(fast, time), slow = std::max(slow, time); }
-  std::string ranges() const {
+  std::string ranges(double across_pixels, double up_pixels) const {
     return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", plain(fast), plain(slow), plain(small),
                        plain(large)) +
-           logarithmic_tics("x", fast, slow) + logarithmic_tics("y", small, large);
+           logarithmic_tics("x", fast, slow, across_pixels) + logarithmic_tics("y", small, large, up_pixels);
   }
   double across(double time) const { return panel_across * std::log(time / fast) / std::log(slow / fast); }
   double up(double error) const { return panel_up * std::log(error / small) / std::log(large / small); }
@@ -213,10 +218,12 @@ std::vector<std::string> plots_of(const std::vector<CostLine>& lines, std::size_
 }
 
 /// What a method of order one and of order two would gain by smaller steps, from the fastest run on; nothing
-/// where no solver has more than one.
+/// where no solver has more than one, or where errors differ too little for slopes to be told apart.
 std::string slope_guides(const std::vector<CostLine>& lines, const Frame& frame, bool named) {
-  if (std::none_of(lines.begin(), lines.end(), [](const CostLine& line) { return line.costs.size() > 1; }))
-    return "";
+  constexpr double enough = 30;
+  const bool single =
+      std::none_of(lines.begin(), lines.end(), [](const CostLine& line) { return line.costs.size() > 1; });
+  if (single || frame.large < enough * frame.small) return "";
   std::string text;
   for (const int order : {1, 2}) {
     const double from = frame.fast * std::pow(frame.slow / frame.fast, 0.04 + 0.05 * (order - 1));
@@ -260,20 +267,33 @@ std::string question(const std::vector<CostLine>& lines, double tolerance) {
                           (within == held && (within ? cost.time < best->time : cost.error < best->error));
       if (better) best = &cost, of = &line;
     }
-  return fmt::format("What does accuracy cost? {} {}: {} ({}), {} a second of motion",
+  return fmt::format("What does accuracy cost? {}: {} ({}{}), off by {:.2g} rad, {} a second of motion",
                      best->error <= tolerance ? fmt::format("Cheapest within {:g} rad", tolerance)
                                               : fmt::format("None within {:g} rad; nearest", tolerance),
-                     fmt::format("({:.2g} rad)", best->error), of->label, best->label,
-                     rounded_duration(best->time));
+                     of->label, best->label, of->unit, best->error, rounded_duration(best->time));
 }
 
-/// The model errors that no step takes away, where they lie within the panel.
-std::string floors(const std::vector<CostLine>& lines, const Frame& frame) {
-  std::string text;
+/// The model errors that no step takes away, as plots.
+std::vector<std::string> floors(const std::vector<CostLine>& lines) {
+  std::vector<std::string> plots;
   for (const CostLine& line : lines)
-    if (line.fit != nullptr && line.fit->holds && line.fit->model_error > frame.small)
-      text += floor_line(*line.fit, style_of(line.run).colour);
-  return text;
+    if (line.fit != nullptr && line.fit->holds && line.fit->model_error > 0)
+      plots.push_back(floor_plot(*line.fit, style_of(line.run).colour));
+  return plots;
+}
+
+/// What the figure's lines, and in small panels its marks, stand for.
+void add_notes(Sheet& sheet, const std::vector<CostLine>& lines, bool guided, bool many) {
+  if (guided)
+    sheet.note(
+        "lines join runs whose errors tell a trend; dotted slopes: a method of order one, and of two; black: "
+        "the exact solver",
+        "#000000");
+  const bool changed = std::any_of(lines.begin(), lines.end(), [](const CostLine& line) {
+    return line.run.settings.find('+') != std::string::npos;
+  });
+  if (many && changed)
+    sheet.note("stars and crosses: sets with a parameter changed, which the ranking names", "#000000");
 }
 
 std::string exact_line(double cost, bool named) {
@@ -298,13 +318,16 @@ Drawing error_time(const Comparison& comparison, const ComparedScene& scene) {
   if (!many)
     for (const CostLine& line : lines) legend.emplace_back(mark_style(line.run, 1.7), line.label);
   Sheet sheet(heading(scene), legend, question(lines, comparison.tolerance));
-  std::vector<std::string> plots;
+  std::vector<std::string> plots = floors(lines);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     sheet.data(line_data(i, lines[i]) + pieces(i, lines[i], comparable));
     for (const std::string& plot : plots_of(lines, i, 1.7)) plots.push_back(plot);
   }
-  const std::string settings = "set logscale xy\n" + std::string(grid_lines) + frame.ranges() +
-                               slope_guides(lines, frame, !many) + exact_line(exact, !many);
+  const std::string guides = slope_guides(lines, frame, !many);
+  const std::string settings =
+      "set logscale xy\n" + std::string(grid_lines) +
+      frame.ranges(many ? multiple_width : panel_across, many ? multiple_height : panel_up) + guides +
+      exact_line(exact, !many);
   if (many)
     add_small_panels(sheet, lines, settings);
   else
@@ -312,14 +335,10 @@ Drawing error_time(const Comparison& comparison, const ComparedScene& scene) {
                 settings +
                     "set xlabel 'stepping time for one second of motion (s)'\n"
                     "set ylabel 'RMS angle difference (rad)' offset 0\n" +
-                    labels(lines, frame) + floors(lines, frame),
+                    labels(lines, frame),
                 plots);
   if (const std::string note = draws_note(comparison, scene.name); !note.empty()) sheet.note(note, "#000000");
-  sheet.note(
-      "lines join runs whose errors tell a trend; dotted slopes: a method of order one, and of two; black: "
-      "the exact "
-      "solver",
-      "#000000");
+  add_notes(sheet, lines, !guides.empty(), many);
   return sheet.finish();
 }
 

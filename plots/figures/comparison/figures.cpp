@@ -35,7 +35,7 @@ const std::vector<FigureKind>& figure_kinds() {
        "pattern. A curve that leaves its panel goes on beyond it.",
        sampled},
       {"differences", "Angle differences over time",
-       "How far is each engine from the exact angle, and from when? The largest absolute value of each short "
+       "How far off is each engine, and from when? The largest absolute value of each short "
        "stretch of time, on a logarithmic axis; a curve that leaves its panel below is nearer still. The "
        "dashed "
        "line is the tolerance. The rows at the bottom say when each draw first passes it, in whichever "
@@ -60,10 +60,9 @@ const std::vector<FigureKind>& figure_kinds() {
          return sampled(scene) && scene.has("bodies") && scene.has("impacts") && scene.ground_motion.empty();
        }},
       {"ranking", "Ranking",
-       "Which is nearest to the exact motion? A row a solver and set, a column a time step: marks are "
-       "medians "
-       "over draws, thick bars quartiles, thin ones the whole range. Rows whose bars overlap are not told "
-       "apart.",
+       "Which is nearest to the exact motion? A row a solver and set, or a number of iterations where these "
+       "vary; a column a time step. Marks are medians over draws, thick bars quartiles, thin ones the whole "
+       "range. Rows whose bars overlap are not told apart.",
        [](const ComparedScene& scene) { return scene.has("angles"); }},
       {"error-time", "Error against computing time",
        "What does accuracy cost? Each mark is a run, labelled with its time step where there is room, or in "
@@ -89,7 +88,8 @@ const std::vector<FigureKind>& figure_kinds() {
        "which no impact before it has disturbed.",
        fitted},
       {"toppling", "Scenes that topple",
-       "Does the stack topple? The share of slightly perturbed scenes in which it does, with 95 % bounds, "
+       "How many scenes that differ a little topple? The share of slightly perturbed scenes in which it "
+       "does, with 95 % bounds, "
        "and in "
        "how many of them the engine's answer is the exact one.",
        [](const ComparedScene& scene) { return scene.perturbed; }},
@@ -113,9 +113,10 @@ const std::vector<FigureKind>& figure_kinds() {
        "curve rises without a ground that moves, contacts make energy.",
        [](const ComparedScene& scene) { return sampled(scene) && scene.has("bodies"); }},
       {"phase", "Phase portraits",
-       "Does each swing lose its energy as it should? Each block's angle against its angular velocity, from "
-       "the "
-       "release inwards. Impacts are the jumps; a curve that leaves its panel goes on beyond it.",
+       "Which path does each block take? Its angle against its angular velocity: a swing is a loop, an "
+       "impact a "
+       "jump, and a path inside the exact one has lost more energy. A curve that leaves its panel goes on "
+       "beyond it.",
        sampled},
       {"occupancy", "Time in each pattern",
        "Are engines in the exact pattern? The share of time spent in each pattern of contacts, read from the "

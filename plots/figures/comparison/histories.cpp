@@ -8,6 +8,7 @@
 #include "comparisons/results/csv.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"

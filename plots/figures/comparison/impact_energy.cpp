@@ -5,6 +5,7 @@
 
 #include "plots/data/impact_losses.hpp"
 #include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
@@ -19,11 +20,13 @@ struct Losses {
 
 /// The difference over what the exact impact loses, in percent, of those that lose a counted part of all.
 struct Excess {
-  Curve curve;        ///< over the impact's number
-  double median = 0;  ///< of the absolute values
+  Curve curve;         ///< over the impact's number
+  double median = 0;   ///< of the absolute values
+  double largest = 0;  ///< of them
 };
 
-constexpr double counted = 1e-3;  // of the largest loss
+constexpr double counted = 1e-3;      // of the largest loss
+constexpr double most_percent = 100;  // where marks beyond stand on the edge
 
 double largest_loss(const std::vector<Losses>& all) {
   double largest = 0;
@@ -38,13 +41,12 @@ Excess excess_of(const Losses& one, double largest, double aside) {
   for (const ImpactLoss& loss : one.impacts) {
     if (!(loss.exact > counted * largest)) continue;
     const double percent = 100 * (loss.engine / loss.exact - 1);
-    constexpr double most = 100;
     excess.curve.times.push_back(loss.number + aside);
-    excess.curve.values.push_back(std::clamp(percent, -most, most));
+    excess.curve.values.push_back(std::clamp(percent, -most_percent, most_percent));
     sizes.push_back(std::abs(percent));
   }
   std::sort(sizes.begin(), sizes.end());
-  if (!sizes.empty()) excess.median = sizes[sizes.size() / 2];
+  if (!sizes.empty()) excess.median = sizes[sizes.size() / 2], excess.largest = sizes.back();
   return excess;
 }
 
@@ -68,30 +70,36 @@ std::string numbers(double last) {
          grid_lines;
 }
 
-constexpr auto percent_settings = "set yrange [-108:108]\nset ytics 50\n";
+/// As wide as the largest difference asks for.
+std::string percent_settings(double largest, double height) {
+  const double edge = 1.08 * std::min(largest, most_percent);
+  return fmt::format("set yrange [-{0}:{0}]\n", plain(edge)) + linear_tics("y", -edge, edge, height);
+}
+
 void add_exact_panel(Sheet& sheet, const Curve& exact, double largest, double last) {
   sheet.data(data_block("exact", exact));
   sheet.panel(200, 0,
               numbers(last) + without_horizontal_labels() +
                   fmt::format("set logscale y\nset yrange [{}:{}]\n", plain(counted * largest / 1.5),
                               plain(largest * 2)) +
-                  decade_tics(counted * largest / 1.5, largest * 2, 200) +
-                  "set format y '10^{%T}'\nset ytics autofreq\nset ylabel 'exact loss (J)'\n",
+                  logarithmic_tics("y", counted * largest / 1.5, largest * 2, 200) +
+                  "set ylabel 'exact loss (J)'\n",
               {"$exact using 1:2 with impulses lw 3 lc rgb '#9A9A9A' notitle",
                "$exact using 1:2 with points pt 7 ps 1.1*mark lc rgb '#000000' notitle"});
 }
 
-void add_panel(Sheet& sheet, const std::vector<Losses>& all, double last) {
+void add_panel(Sheet& sheet, const std::vector<Losses>& all, double last, double widest) {
+  constexpr double height = 330;
   std::vector<std::string> plots{zero_line};
   for (std::size_t i = 0; i < all.size(); ++i)
     plots.push_back(fmt::format("$excess_{} using 1:2 {} notitle", i, mark_style(all[i].run, 1.6)));
-  sheet.panel(330, 16,
-              numbers(last) + percent_settings +
+  sheet.panel(height, 16,
+              numbers(last) + percent_settings(widest, height) +
                   "set xlabel 'number of the exact impact'\nset ylabel 'engine loses more (%)'\n",
               plots);
 }
 
-void add_small_panels(Sheet& sheet, const std::vector<Losses>& all, double last) {
+void add_small_panels(Sheet& sheet, const std::vector<Losses>& all, double last, double widest) {
   std::vector<Multiple> series;
   std::vector<std::string> context{zero_line};
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -101,8 +109,8 @@ void add_small_panels(Sheet& sheet, const std::vector<Losses>& all, double last)
                       style_of(all[i].run).colour,
                       {data + mark_style(all[i].run, 1.1) + " notitle"}});
   }
-  add_multiples(sheet, series, context, numbers(last) + percent_settings, "number of the exact impact",
-                "loses more (%)");
+  add_multiples(sheet, series, context, numbers(last) + percent_settings(widest, multiple_height),
+                "number of the exact impact", "loses more (%)");
 }
 
 }  // namespace
@@ -124,10 +132,11 @@ Drawing impact_energy(const Comparison& comparison, const ComparedScene& scene) 
   Legend legend;
   std::string data;
   std::size_t best = 0;
-  double least = 1e300;
+  double least = 1e300, widest = 1e-3;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Excess excess = excess_of(all[i], largest, aside(i, all.size()));
     data += data_block(fmt::format("excess_{}", i), excess.curve);
+    widest = std::max(widest, excess.largest);
     if (excess.median < least) least = excess.median, best = i;
     if (!many) legend.emplace_back(mark_style(all[i].run, 1.6), run_label(all[i].run));
   }
@@ -137,9 +146,9 @@ Drawing impact_energy(const Comparison& comparison, const ComparedScene& scene) 
   sheet.data(data);
   add_exact_panel(sheet, exact, largest, last);
   if (many)
-    add_small_panels(sheet, all, last);
+    add_small_panels(sheet, all, last, widest);
   else
-    add_panel(sheet, all, last);
+    add_panel(sheet, all, last, widest);
   return sheet.finish();
 }
 

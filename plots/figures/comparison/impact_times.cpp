@@ -6,6 +6,7 @@
 
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
@@ -127,14 +128,14 @@ std::string question(const std::vector<Verdicts>& all) {
                      best->impacts.extra.size());
 }
 
-std::string difference_settings(const SignedLog& scale) {
-  return fmt::format("set yrange [-{0}:{0}]\nset ytics ({1})\n", plain(scale.edge()), scale.tics());
+std::string difference_settings(const SignedLog& scale, double height) {
+  return fmt::format("set yrange [-{0}:{0}]\nset ytics ({1})\n", plain(scale.edge()), scale.tics(height));
 }
 
 void add_panels(Sheet& sheet, const std::vector<Verdicts>& all, const SignedLog& scale, double last) {
-  constexpr double few = 40, most = 20;
-  sheet.panel(380, 0,
-              number_settings(last, most) + without_horizontal_labels() + difference_settings(scale) +
+  constexpr double few = 40, most = 20, height = 380;
+  sheet.panel(height, 0,
+              number_settings(last, most) + without_horizontal_labels() + difference_settings(scale, height) +
                   "set ylabel 'engine − exact impact time (s)' offset 0\n",
               matched_plots(all, last > few ? 1.1 : 1.6));
   sheet.panel(static_cast<double>(all.size()) * 28 + 16, 12,
@@ -160,7 +161,8 @@ void add_small_panels(Sheet& sheet, const std::vector<Verdicts>& all, const Sign
     }
     series.push_back(one);
   }
-  add_multiples(sheet, series, context, number_settings(last, 8) + difference_settings(scale),
+  add_multiples(sheet, series, context,
+                number_settings(last, 8) + difference_settings(scale, multiple_height),
                 "number of the exact impact", "late (s)");
   sheet.note("−: exact impacts that the engine misses; +: impacts of its own that match none", "#000000");
 }

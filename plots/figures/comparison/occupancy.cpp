@@ -5,6 +5,7 @@
 
 #include "comparisons/results/csv.hpp"
 #include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
@@ -120,6 +121,49 @@ std::string question(const std::vector<Occupancy>& all) {
   return "Are engines in the exact pattern? " + range;
 }
 
+/// The largest share of time of any motion in any pattern.
+double largest_share(const std::vector<Occupancy>& all) {
+  double largest = 0;
+  for (const Occupancy& one : all)
+    for (const Shares* shares : {&one.exact, &one.engine})
+      for (const auto& [pattern, share] : *shares) largest = std::max(largest, share);
+  return largest;
+}
+
+std::string panel_settings(const std::vector<Occupancy>& all, const std::vector<std::string>& patterns,
+                           double width) {
+  const double end = 1.06 * largest_share(all);
+  return fmt::format(
+             "set yrange [{}:-0.6]\nset ytics ({}) noenhanced font ',11'\nset xrange [0:{}]\n"
+             "set grid x lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n",
+             plain(static_cast<double>(patterns.size()) - 0.4), pattern_tics(patterns), plain(end)) +
+         linear_tics("x", 0, end, width);
+}
+
+void add_panel(Sheet& sheet, const std::vector<Occupancy>& all, const std::vector<std::string>& patterns) {
+  std::vector<std::string> plots{exact_bar};
+  for (std::size_t i = 0; i < all.size(); ++i)
+    plots.push_back(fmt::format("$marks_{} using 1:2 {} notitle", i, mark_style(all[i].run, 1.2)));
+  const double row = 16 + 8 * static_cast<double>(all.size());
+  sheet.row(std::max(static_cast<double>(patterns.size()) * row, 120.0), 0,
+            {{panel_settings(all, patterns, 1056) + "set xlabel 'share of time'\n", plots}}, 1,
+            names_room(patterns));
+  add_agreements(sheet, all);
+}
+
+/// A panel a run, whose words say for how much of the time it is in the exact pattern.
+void add_small_panels(Sheet& sheet, const std::vector<Occupancy>& all,
+                      const std::vector<std::string>& patterns) {
+  std::vector<Multiple> series;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    series.push_back({fmt::format("{}: {:.1f} %", line_label(all[i].run), 100 * all[i].same),
+                      style_of(all[i].run).colour,
+                      {fmt::format("$marks_{} using 1:2 {} notitle", i, mark_style(all[i].run, 1.2))}});
+  add_multiples(sheet, series, {exact_bar}, panel_settings(all, patterns, multiple_width), "share of time",
+                "", names_room(patterns));
+  sheet.note("in percent: for how much of the time each is in the exact pattern", "#000000");
+}
+
 }  // namespace
 
 Drawing occupancy(const Comparison& comparison, const ComparedScene& scene) {
@@ -128,26 +172,19 @@ Drawing occupancy(const Comparison& comparison, const ComparedScene& scene) {
     if (std::filesystem::exists(run.folder / "patterns.csv")) all.push_back(read_occupancy(run));
   if (all.empty()) return empty_sheet(heading(scene), "No engine run of this scene tells its patterns.");
   const std::vector<std::string> patterns = patterns_of(all);
+  const bool many = all.size() > most_series;
   Legend legend{{"with boxes fillcolor rgb '#DADADA' fillstyle solid 1 noborder", "exact"}};
-  std::vector<std::string> plots{exact_bar};
   std::string data = data_block("exact", marks(patterns, all.front().exact, 0));
   for (std::size_t i = 0; i < all.size(); ++i) {
-    legend.emplace_back(mark_style(all[i].run, 1.5), run_label(all[i].run));
-    const double aside = 0.8 * ((static_cast<double>(i) + 0.5) / static_cast<double>(all.size()) - 0.5);
-    data += data_block(fmt::format("marks_{}", i), marks(patterns, all[i].engine, aside));
-    plots.push_back(fmt::format("$marks_{} using 1:2 {} notitle", i, mark_style(all[i].run, 1.2)));
+    if (!many) legend.emplace_back(mark_style(all[i].run, 1.5), run_label(all[i].run));
+    data += data_block(fmt::format("marks_{}", i), marks(patterns, all[i].engine, aside(i, all.size())));
   }
   Sheet sheet(heading(scene), legend, question(all));
   sheet.data(data);
-  const auto rows = static_cast<double>(patterns.size());
-  const double row = 16 + 8 * static_cast<double>(std::min(all.size(), most_series));
-  sheet.row(std::max(rows * row, 120.0), 0,
-            {{fmt::format("set yrange [{}:-0.6]\nset ytics ({}) noenhanced font ',11'\nset xrange [0:*]\n"
-                          "set grid x lt 1 dt solid lw 1 lc rgb '#E4E4E4'\nset xlabel 'share of time'\n",
-                          plain(rows - 0.4), pattern_tics(patterns)),
-              plots}},
-            1, names_room(patterns));
-  add_agreements(sheet, all);
+  if (many)
+    add_small_panels(sheet, all, patterns);
+  else
+    add_panel(sheet, all, patterns);
   return sheet.finish();
 }
 

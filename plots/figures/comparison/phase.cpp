@@ -4,6 +4,7 @@
 
 #include "comparisons/results/csv.hpp"
 #include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
@@ -82,7 +83,7 @@ void add_small_panels(Sheet& sheet, const std::vector<Orbit>& orbits, std::size_
     if (orbits[i].run.exact()) continue;
     const std::string colour = style_of(orbits[i].run).colour;
     series.push_back(
-        {run_label(orbits[i].run),
+        {line_label(orbits[i].run),
          colour,
          {fmt::format("${} using 1:2 with lines lw 1.5 lc rgb '{}' notitle", name_of(i, block), colour)}});
   }
@@ -97,12 +98,12 @@ Legend legend_of(const std::vector<Orbit>& orbits) {
   return legend;
 }
 
-/// The largest exact angle of any block.
+/// The largest angle of any block, the exact motion's where there is one.
 std::string question(const std::vector<Orbit>& orbits) {
   double largest = 0;
   for (const Curve& curve : orbits.front().blocks)
     for (const double angle : curve.times) largest = std::max(largest, std::abs(angle));
-  return fmt::format("Does each swing lose its energy as it should? {} reaches {:.3g} rad",
+  return fmt::format("Which path does each block take? {} goes as far as {:.3g} rad",
                      orbits.front().run.exact() ? "The exact motion" : run_phrase(orbits.front().run),
                      largest);
 }

@@ -7,6 +7,7 @@
 
 #include "plots/data/selection.hpp"
 #include "plots/data/spread.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
@@ -20,28 +21,41 @@ bool has_error(const Run& run) {
   return !is_variant(run) && std::isfinite(run.rms_angle_difference) && run.rms_angle_difference > 0;
 }
 
-/// One row: the runs of a series that have errors, and the largest of them, by which rows are ordered.
+/// One row: the runs of a series that have errors, and what the rows are ordered by.
 struct RankedSeries {
   std::string label;
   std::vector<Run> runs;
-  double largest = 0;
+  std::size_t steps = 0;  ///< of the whole line
+  double largest = 0;     ///< error of the whole line
 };
 
+/// A row for the whole line, or one for each number of iterations, rising, where these vary.
+std::vector<RankedSeries> rows_of(const StepLine& line) {
+  RankedSeries whole{line_label(line), {}, 0, 0};
+  for (const Run& run : line)
+    if (has_error(run)) {
+      whole.runs.push_back(run);
+      whole.largest = std::max(whole.largest, run.rms_angle_difference);
+    }
+  if (whole.runs.empty()) return {};
+  if (!varies_iterations(line)) {
+    whole.steps = whole.runs.size();
+    return {whole};
+  }
+  std::vector<RankedSeries> rows;
+  for (auto run = whole.runs.rbegin(); run != whole.runs.rend(); ++run)
+    rows.push_back({line_label(*run), {*run}, 1, whole.largest});
+  return rows;
+}
+
 /// Rows by rising error, those with more steps first; at most so many that a page shows.
-std::vector<RankedSeries> rows_of(const Comparison& comparison, const std::string& scene) {
+std::vector<RankedSeries> ranked(const Comparison& comparison, const std::string& scene) {
   constexpr std::size_t most = 30;
   std::vector<RankedSeries> rows;
-  for (const StepLine& line : step_lines(comparison, scene)) {
-    RankedSeries row{line_label(line), {}, 0};
-    for (const Run& run : line)
-      if (has_error(run)) {
-        row.runs.push_back(run);
-        row.largest = std::max(row.largest, run.rms_angle_difference);
-      }
-    if (!row.runs.empty()) rows.push_back(row);
-  }
+  for (const StepLine& line : step_lines(comparison, scene))
+    for (const RankedSeries& row : rows_of(line)) rows.push_back(row);
   std::stable_sort(rows.begin(), rows.end(), [](const RankedSeries& a, const RankedSeries& b) {
-    return a.runs.size() != b.runs.size() ? a.runs.size() > b.runs.size() : a.largest < b.largest;
+    return a.steps != b.steps ? a.steps > b.steps : a.largest < b.largest;
   });
   rows.resize(std::min(rows.size(), most));
   return rows;
@@ -84,12 +98,6 @@ ErrorExtent extent_of(const std::vector<RankedSeries>& rows, const Ranges& range
   return {extent.low / 1.5, extent.high * 1.5};
 }
 
-/// Powers of ten alone, for which the columns have room; where there is none within, its parts.
-std::string decades_of(const ErrorExtent& extent) {
-  const bool inside = std::floor(std::log10(extent.high)) > std::log10(extent.low);
-  return inside ? "set format x '10^{%T}'\n" : logarithmic_tics("x", extent.low, extent.high);
-}
-
 std::vector<std::string> column_plots(Sheet& sheet, const std::vector<RankedSeries>& rows, double dt,
                                       std::size_t at, const Ranges& ranges) {
   std::vector<std::string> plots;
@@ -108,19 +116,29 @@ std::vector<std::string> column_plots(Sheet& sheet, const std::vector<RankedSeri
   return plots;
 }
 
+/// How the rows' words stand beside the first column.
+struct RowWords {
+  double left;  ///< where the columns begin, a share of the figure's width
+  int size;     ///< of the letters
+};
+
+/// As wide as the longest words ask for, up to half of the figure; words that need more are set smaller.
+RowWords row_words(const std::vector<RankedSeries>& rows) {
+  constexpr double letter = 0.0070, margin = 0.025, widest = 0.5;
+  constexpr int usual = 11;
+  std::size_t longest = 0;
+  for (const RankedSeries& row : rows) longest = std::max(longest, row.label.size());
+  const double room = letter * static_cast<double>(longest);
+  return {std::clamp(room + margin, left_edge, widest),
+          static_cast<int>(usual * std::min(1.0, (widest - margin) / room))};
+}
+
 /// The rows' words, which stand beside the first column alone.
-std::string label_tics(const std::vector<RankedSeries>& rows, bool first) {
-  constexpr std::size_t longest = 58;
+std::string label_tics(const std::vector<RankedSeries>& rows, bool first, int size) {
   std::string tics;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string& label = rows[i].label;
-    tics += fmt::format("{}{} {}", i > 0 ? ", " : "",
-                        in_quotes(!first                   ? ""
-                                  : label.size() > longest ? label.substr(0, longest - 3) + "…"
-                                                           : label),
-                        i);
-  }
-  return tics;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    tics += fmt::format("{}{} {}", i > 0 ? ", " : "", in_quotes(first ? rows[i].label : ""), i);
+  return fmt::format("set ytics ({}) noenhanced font ',{}'\n", tics, size);
 }
 
 const Run& least_of(const std::vector<RankedSeries>& rows) {
@@ -134,7 +152,7 @@ const Run& least_of(const std::vector<RankedSeries>& rows) {
 }  // namespace
 
 Drawing ranking(const Comparison& comparison, const ComparedScene& scene) {
-  const std::vector<RankedSeries> rows = rows_of(comparison, scene.name);
+  const std::vector<RankedSeries> rows = ranked(comparison, scene.name);
   if (rows.empty()) return empty_sheet(heading(scene), "No engine run of this scene with an error.");
   const Ranges ranges =
       ranges_of(rows.front().runs.front().folder.parent_path().parent_path(), "rms_angle_difference");
@@ -144,18 +162,21 @@ Drawing ranking(const Comparison& comparison, const ComparedScene& scene) {
                           run_phrase(least), least.rms_angle_difference));
   const ErrorExtent extent = extent_of(rows, ranges);
   const std::vector<double> steps = steps_of(rows);
+  const RowWords words = row_words(rows);
+  constexpr double row = 26, pixels = 1200;
+  const double width = (right_edge - words.left) * pixels / static_cast<double>(steps.size());
   std::vector<SidePanel> cells;
   for (std::size_t i = 0; i < steps.size(); ++i)
-    cells.push_back(
-        {fmt::format(
-             "set logscale x\nset xrange [{}:{}]\nset yrange [{}:-0.7]\nset ytics ({}) noenhanced font "
-             "',11'\n{}set grid x y lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
-             "set xlabel 'RMS (rad), step {}'\n",
-             plain(extent.low), plain(extent.high), static_cast<double>(rows.size()) - 0.3,
-             label_tics(rows, i == 0), decades_of(extent), duration_text(steps[i])),
-         column_plots(sheet, rows, steps[i], i, ranges)});
-  constexpr double row = 26, left = 0.37;
-  sheet.row(row * static_cast<double>(rows.size()) + 30, 0, cells, cells.size(), left);
+    cells.push_back({fmt::format("set logscale x\nset xrange [{}:{}]\nset yrange [{}:-0.7]\n"
+                                 "set grid x y lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
+                                 "set xlabel 'step {}'\n",
+                                 plain(extent.low), plain(extent.high),
+                                 static_cast<double>(rows.size()) - 0.3, duration_text(steps[i])) +
+                         label_tics(rows, i == 0, words.size) +
+                         logarithmic_tics("x", extent.low, extent.high, width),
+                     column_plots(sheet, rows, steps[i], i, ranges)});
+  sheet.row(row * static_cast<double>(rows.size()) + 30, 0, cells, cells.size(), words.left);
+  sheet.note("RMS angle differences (rad)", "#000000");
   sheet.note(ranges.empty() ? "one run each"
                             : "marks: medians over draws; thick bars: quartiles; thin: least to greatest",
              "#000000");

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/impact_laws/engines.hpp"
@@ -85,11 +86,12 @@ std::string data_of(const Marks& marks, std::size_t index, const LawFrame& frame
   return text + "END\n";
 }
 
-std::string settings_of(const LawFrame& frame) {
-  return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", plain(frame.across.low),
+std::string settings_of(const LawFrame& frame, double across, double up) {
+  return "set logscale xy\nset samples 200\n" + std::string(grid_lines) +
+         fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", plain(frame.across.low),
                      plain(frame.across.high), plain(frame.up.low), plain(frame.up.high)) +
-         logarithmic_tics("x", frame.across.low, frame.across.high) +
-         logarithmic_tics("y", frame.up.low, frame.up.high);
+         logarithmic_tics("x", frame.across.low, frame.across.high, across) +
+         logarithmic_tics("y", frame.up.low, frame.up.high, up);
 }
 
 std::string question(const LawResults& results) {
@@ -103,6 +105,35 @@ std::string question(const LawResults& results) {
                      all, consistent, paper);
 }
 
+constexpr auto border_style = "with lines lw 2 dt (8,8) lc rgb '#606060'";
+
+/// The series of all solvers in one panel, small marks where the step is not their shortest.
+struct LawPlots {
+  std::vector<Multiple> solvers;     ///< by their labels, in the order of the file
+  std::vector<std::string> context;  ///< all marks in grey
+  Legend legend;
+};
+
+LawPlots plots_of(const std::vector<Marks>& list) {
+  const auto shortest = shortest_steps(list);
+  LawPlots plots;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Run& run = list[i].run;
+    const std::string label = line_label(run);
+    const bool short_step = run.dt <= shortest.at(label);
+    const std::string style = mark_style(run, short_step ? 1.3 : 0.8), marks = fmt::format("$marks_{}", i);
+    auto found = std::find_if(plots.solvers.begin(), plots.solvers.end(),
+                              [&](const Multiple& one) { return one.words == label; });
+    if (found == plots.solvers.end())
+      found = plots.solvers.insert(plots.solvers.end(), {label, style_of(run).colour, {}});
+    found->plots.push_back(marks + " using 1:2 " + style + " notitle");
+    plots.context.push_back(
+        fmt::format("{} using 1:2 with points pt 7 ps 0.4*mark lc rgb '{}' notitle", marks, context_colour));
+    if (short_step) plots.legend.emplace_back(style, label);
+  }
+  return plots;
+}
+
 }  // namespace
 
 Drawing law_engines(const LawResults& results) {
@@ -110,29 +141,29 @@ Drawing law_engines(const LawResults& results) {
   const std::string title = "Velocities after an impact: engines beside both laws";
   if (list.empty()) return empty_sheet(title, "No engine run that came to its end.");
   const LawFrame frame = frame_of(list);
-  const auto shortest = shortest_steps(list);
-  Legend legend;
-  std::vector<std::string> elements;
-  std::string data;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const Run& run = list[i].run;
-    const bool short_step = run.dt <= shortest.at(line_label(run));
-    const std::string style = mark_style(run, short_step ? 1.3 : 0.8);
-    if (short_step) legend.emplace_back(style, line_label(run));
-    elements.push_back(fmt::format("$marks_{} using 1:2 {} notitle", i, style));
-    data += data_of(list[i], i, frame);
+  LawPlots plots = plots_of(list);
+  const bool many = plots.solvers.size() > most_series;
+  if (many) plots.legend.clear();
+  plots.legend.emplace_back(border_style, "as far from either law");
+  Sheet sheet(title, plots.legend, question(results));
+  for (std::size_t i = 0; i < list.size(); ++i) sheet.data(data_of(list[i], i, frame));
+  const std::string border = fmt::format("x {} notitle", border_style);
+  if (many) {
+    plots.context.push_back(border);
+    add_multiples(sheet, plots.solvers, plots.context, settings_of(frame, multiple_width, multiple_height),
+                  "from law paper", "from consistent");
+    sheet.note("distances of velocities, over the largest rate before the impact", "#000000");
+  } else {
+    constexpr double width = 1056, height = 640;
+    std::vector<std::string> elements{border};
+    for (const Multiple& solver : plots.solvers)
+      elements.insert(elements.end(), solver.plots.begin(), solver.plots.end());
+    sheet.panel(
+        height, 0,
+        "set xlabel 'from law paper, over the largest rate before'\nset ylabel 'from law consistent'\n" +
+            settings_of(frame, width, height),
+        elements);
   }
-  elements.emplace_back("x with lines lw 2 dt (8,8) lc rgb '#606060' notitle");
-  legend.emplace_back("with lines lw 2 dt (8,8) lc rgb '#606060'", "as far from either law");
-  Sheet sheet(title, legend, question(results));
-  sheet.data(data);
-  constexpr double height = 640;
-  sheet.panel(height, 0,
-              "set logscale xy\n" + std::string(grid_lines) +
-                  "set samples 200\nset xlabel 'from law paper, over the largest rate before'\n"
-                  "set ylabel 'from law consistent'\n" +
-                  settings_of(frame),
-              elements);
   sheet.note("small marks: longer steps", "#000000");
   if (frame.beyond > 0)
     sheet.note(fmt::format("marks on the edge: {} that lie beyond it", frame.beyond), "#000000");

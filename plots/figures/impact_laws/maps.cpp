@@ -30,6 +30,11 @@ double sum(const std::vector<LawCell>& cells, double LawCell::*count) {
   return total;
 }
 
+/// Of all impacts of the kind, percent.
+double share_of(const Map& map) {
+  return 100 * sum(map.cells, map.count) / sum(map.cells, &LawCell::impacts);
+}
+
 constexpr double least_share = 0.01;  ///< of a kind's impacts that a map is drawn for
 
 std::vector<Map> maps_of(const std::vector<LawCell>& cells) {
@@ -89,7 +94,7 @@ std::string data_of(const Map& map, std::size_t index) {
 }
 
 constexpr int width = 1200;
-constexpr double left = 104, right = 128, top = 116, gap_across = 66, gap_down = 92, bottom = 84;
+constexpr double left = 104, right = 128, top = 158, gap_across = 66, gap_down = 92, bottom = 84;
 
 /// Where panels lie, in pixels.
 struct Grid {
@@ -111,7 +116,6 @@ std::string panel(const Map& map, std::size_t index, std::size_t panels, const G
   const int row = place / grid.columns;
   const double y = top + row * (grid.side + gap_down);
   const bool lowest = index + static_cast<std::size_t>(grid.columns) >= panels;
-  const double share = 100 * sum(map.cells, map.count) / sum(map.cells, &LawCell::impacts);
   const auto across = edges(map, &LawCell::aspect_ratio_from, &LawCell::aspect_ratio_to);
   const auto up = edges(map, &LawCell::mass_ratio_from, &LawCell::mass_ratio_to);
   std::string text = fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", plain(x / width),
@@ -125,10 +129,25 @@ std::string panel(const Map& map, std::size_t index, std::size_t panels, const G
   text += fmt::format("set label 1 {} noenhanced at graph 0, graph 1 offset 0,1.7 font ',13'\n",
                       in_quotes(map.kind));
   text += fmt::format("set label 2 {} noenhanced at graph 0, graph 1 offset 0,0.7 font ',12'\n",
-                      in_quotes(fmt::format("{}: {:.1f} %", map.heading, share)));
+                      in_quotes(fmt::format("{}: {:.1f} %", map.heading, share_of(map))));
   text += fmt::format("plot $map_{} using 1:2:3:4:5 with boxxyerror fs solid noborder lc palette notitle\n",
                       index);
   return text;
+}
+
+/// The kind of impact after which the laws differ most.
+std::string answer_of(const std::vector<Map>& maps) {
+  const Map* most = nullptr;
+  for (const Map& map : maps)
+    if (map.count == &LawCell::differ && (most == nullptr || share_of(map) > share_of(*most))) most = &map;
+  return most == nullptr ? "After no kind of impact"
+                         : fmt::format("Most after {}: {:.1f} % of its states", most->kind, share_of(*most));
+}
+
+std::string words_under_title(int label, const std::string& words, double below, double height) {
+  return fmt::format(
+      "set label {} {} noenhanced at screen 0.5, screen {} center font ',14' tc rgb '#404040'\n", label,
+      in_quotes(words), plain(1 - below / height));
 }
 
 Drawing drawing(int blocks, const std::vector<Map>& maps) {
@@ -145,10 +164,12 @@ Drawing drawing(int blocks, const std::vector<Map>& maps) {
       plain(grid.side / grid.height()),
       in_quotes(fmt::format("Which pattern follows an impact of {} blocks", blocks)),
       plain(1 - 22 / grid.height()));
+  result.commands += words_under_title(7, "Where do the laws differ?", 56, grid.height()) +
+                     words_under_title(8, answer_of(maps), 78, grid.height());
   for (std::size_t i = 0; i < maps.size(); ++i) {
     result.data += data_of(maps[i], i);
     result.commands += panel(maps[i], i, maps.size(), grid);
-    if (i == 0) result.commands += "unset label 9\nunset colorbox\n";
+    if (i == 0) result.commands += "unset label 7\nunset label 8\nunset label 9\nunset colorbox\n";
   }
   result.commands += "unset multiplot";
   return result;

@@ -45,6 +45,14 @@ std::string axis_title(const std::string& key) {
   return key;
 }
 
+std::string value_on(const std::string& axis, double value) {
+  const std::size_t unit = axis.find(" (");
+  if (unit == std::string::npos) return fmt::format("{} = {:.3g}", axis, value);
+  const bool vowel = std::string("aeiou").find(axis.front()) != std::string::npos;
+  return fmt::format("{} {} of {:.3g} {}", vowel ? "an" : "a", axis.substr(0, unit), value,
+                     axis.substr(unit + 2, axis.size() - unit - 3));
+}
+
 std::string dimensionless_axis(const std::string& axis, double low, double high, double unit,
                                const std::string& words) {
   if (!(unit > 0)) return "";
@@ -79,14 +87,14 @@ Drawing fragility(const std::filesystem::path& results, const SweepFacts& facts)
     legend.emplace_back(bounds_style, "95 % bounds of the fit");
     elements.insert(elements.begin(), {fmt::format("$fitted using 1:3:4 {} notitle", bounds_style),
                                        fmt::format("$fitted using 1:2 {} notitle", fitted_style)});
-    answer = fmt::format("Half of the motions topple it at {:.3g}, {}", median, facts.intensity);
+    answer = fmt::format("Half of the motions topple it at {}", value_on(facts.intensity, median));
     if (facts.least_acceleration > 0)
       answer += fmt::format(", {:.3g} times g tan α", median / facts.least_acceleration);
     data += fitted_curve(fitted, end);
   }
   Sheet sheet(facts.title, legend, "How likely is toppling? " + answer);
   sheet.data(data);
-  if (facts.least_acceleration > 0) sheet.leave_room_for_second_axes();
+  if (facts.least_acceleration > 0) sheet.leave_room_above(axis_above);
   sheet.panel(
       460, 0,
       fmt::format("set xrange [0:{}]\nset yrange [-0.02:1.02]\nset ytics 0.2\nset xlabel {} noenhanced\n"

@@ -72,8 +72,7 @@ Curve capacity(const std::vector<ScaledMotion>& motions, double share) {
 std::string answer_of(const Curve& median, const std::string& axis) {
   for (std::size_t i = 0; i < median.size(); ++i)
     if (median.times[i] >= 1)
-      return fmt::format("Half of the motions turn it by its slenderness at {:.3g}, {}", median.values[i],
-                         axis);
+      return "Half of the motions turn it by its slenderness at " + value_on(axis, median.values[i]);
   return "Half of the motions turn it by less than its slenderness throughout";
 }
 
@@ -99,7 +98,7 @@ Drawing incremental(const std::filesystem::path& results, const SweepFacts& fact
   sheet.data(data);
   double top = 1e-9;
   for (const ScaledMotion& motion : motions) top = std::max(top, 1.04 * motion.intensities.back());
-  if (facts.least_acceleration > 0) sheet.leave_room_for_second_axes();
+  if (facts.least_acceleration > 0) sheet.leave_room_beside();
   sheet.panel(560, 0,
               fmt::format("set xrange [0:{0}]\nset yrange [0:{1}]\n"
                           "set xtics (0, 0.2, 0.4, 0.6, 0.8, 1, 'toppled' {2})\n"

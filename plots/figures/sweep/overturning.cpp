@@ -32,7 +32,7 @@ std::string question(const std::vector<double>& frequencies, const std::vector<d
   }
   if (!std::isfinite(least)) return "What topples? Nothing within these bounds";
   std::string answer =
-      fmt::format("What topples? At least {:.3g}, {}, at {:.3g} Hz", least, facts.intensity, at);
+      fmt::format("What topples? No less than {}, at {:.3g} Hz", value_on(facts.intensity, least), at);
   if (facts.least_acceleration > 0)
     answer += fmt::format(": {:.3g} times g tan α at ω/p = {:.3g}", least / facts.least_acceleration,
                           2 * std::numbers::pi * at / facts.frequency_parameter);
@@ -50,7 +50,10 @@ Drawing overturning(const std::filesystem::path& results, const SweepFacts& fact
   if (places[0].empty()) return empty_sheet(facts.title, "There are no runs.");
   const CellMap map = cell_map("kind", places[0], places[1], counts, outcomes());
   Sheet sheet(facts.title, map_legend(outcomes(), map.there), question(places[0], places[1], counts, facts));
-  if (facts.least_acceleration > 0) sheet.leave_room_for_second_axes();
+  if (facts.least_acceleration > 0) {
+    sheet.leave_room_above(axis_above);
+    sheet.leave_room_beside();
+  }
   sheet.data(map.data);
   sheet.panel(
       620, 0,

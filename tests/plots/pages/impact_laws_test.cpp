@@ -77,6 +77,18 @@ TEST(ImpactLawPage, TheSummaryCountsWhereTheLawsDiffer) {
             "After 2.0 % no pattern is consistent; law consistent then takes that of law paper.\n");
 }
 
+TEST(ImpactLawPage, BeginsWithItsAnswer) {
+  EXPECT_EQ(
+      lines(law_answer(read_law_results(study_folder(runs)))),
+      "Where the laws differ, engines take the pattern of law consistent in 2 of 4 runs, and that of law "
+      "paper in 1.\n"
+      "The laws differ after 12.5 % of the impacts of random stacks.\n");
+  const std::string page = page_of(study_folder(runs));
+  EXPECT_LT(page.find("class=\"answer\""), page.find("<main>"));
+  EXPECT_EQ(lines(law_answer(read_law_results(study_folder("")))),
+            "The laws differ after 12.5 % of the impacts of random stacks.\n");
+}
+
 TEST(ImpactLawPage, TheSummarySaysWhichLawEnginesFollow) {
   EXPECT_EQ(
       lines(engine_summary(read_law_results(study_folder(runs)))),

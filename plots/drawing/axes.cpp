@@ -1,0 +1,96 @@
+#include "plots/drawing/axes.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "plots/drawing/layout.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// What stands between powers of ten where these alone are too few, from coarse to fine.
+const std::vector<std::vector<double>>& finer_multiples() {
+  static const std::vector<std::vector<double>> all{
+      {1, 3}, {1, 2, 5}, {1, 2, 3, 5, 7}, {1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 5, 5.5, 6, 7, 8, 9}};
+  return all;
+}
+
+/// These multiples of powers of ten, as far as they lie between two values.
+std::vector<double> between_decades(const std::vector<double>& multiples, double low, double high) {
+  constexpr double rounding = 1e-9;
+  std::vector<double> places;
+  for (int power = static_cast<int>(std::floor(std::log10(low))); std::pow(10, power) <= high; ++power)
+    for (const double times : multiples)
+      if (const double place = times * std::pow(10, power);
+          place >= low * (1 - rounding) && place <= high * (1 + rounding))
+        places.push_back(place);
+  return places;
+}
+
+/// "2·10^{-3}", as gnuplot's enhanced text.
+std::string in_decades(double value) {
+  constexpr double rounding = 1e-9;
+  const int power = static_cast<int>(std::floor(std::log10(value) + rounding));
+  const double times = value / std::pow(10, power);
+  return fmt::format("{}10^{{{}}}", times < 1 + rounding ? "" : fmt::format("{:.2g}·", times), power);
+}
+
+}  // namespace
+
+std::string logarithmic_tics(const std::string& axis, double low, double high, double pixels) {
+  const double room = axis == "x" ? 75 : 26;  // of a number
+  const auto most = static_cast<std::size_t>(std::max(2.0, pixels / room));
+  constexpr std::size_t enough = 3;
+  std::vector<double> chosen = between_decades({1}, low, high);
+  if (chosen.size() >= enough) {
+    const std::size_t stride = (chosen.size() + most - 1) / most;
+    return fmt::format("set format {0} '10^{{%T}}'\nset {0}tics {1}, {2}\n", axis, plain(chosen.front()),
+                       plain(std::pow(10, static_cast<double>(stride))));
+  }
+  for (const std::vector<double>& times : finer_multiples()) {
+    const std::vector<double> finer = between_decades(times, low, high);
+    if (finer.size() > most || chosen.size() >= enough) break;
+    chosen = finer;
+  }
+  std::string tics;
+  for (const double place : chosen)
+    tics += fmt::format("{}'{}' {}", tics.empty() ? "" : ", ", in_decades(place), plain(place));
+  return fmt::format("set {}tics ({})\n", axis, tics);
+}
+
+std::string linear_tics(const std::string& axis, double low, double high, double pixels) {
+  const double room = axis == "x" ? 70 : 30;  // of a number
+  const double least = (high - low) * room / pixels;
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  double step = 10 * power;
+  for (const double times : {5.0, 2.0, 1.0})
+    if (times * power >= least) step = times * power;
+  return fmt::format("set {}tics {}\n", axis, plain(step));
+}
+
+double SignedLog::place(double value) const {
+  const double size = std::abs(value) / std::pow(10, first);
+  const double height = size <= 1 ? size : 1 + std::log10(size);
+  return std::copysign(height, value);
+}
+
+std::string SignedLog::tics(double height) const {
+  constexpr double room = 26;  // pixels a number
+  const double unit = height / (2 * edge());
+  const int stride = std::max(1 + (last - first) / 4, static_cast<int>(std::ceil(room / unit)));
+  std::string text = "'0' 0";
+  for (int power = last; power >= first && (power - first + 1) * unit >= room; power -= stride)
+    text += fmt::format(", '+10^{{{0}}}' {1}, '−10^{{{0}}}' -{1}", power, power - first + 1);
+  return text;
+}
+
+SignedLog signed_log(double low, double high) {
+  constexpr int most_decades = 8;
+  const int last = static_cast<int>(std::ceil(std::log10(high) - 1e-9));
+  return {std::clamp(static_cast<int>(std::floor(std::log10(low))), last - most_decades, last), last};
+}
+
+}  // namespace rockstack::plots
