@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <sstream>
+#include <string_view>
 
 #include "plots/drawing/gnuplot.hpp"
 #include "tests/benchmarks/measurement.hpp"
@@ -17,9 +19,25 @@ std::vector<std::string> distinct(const std::vector<Measurement>& measurements,
   return result;
 }
 
-/// Colours of Okabe & Ito's palette, which the colour-blind tell apart; ours is black.
-constexpr const char* colours[] = {"#000000", "#999999", "#D55E00", "#0072B2",
-                                   "#009E73", "#E69F00", "#CC79A7"};
+struct MethodStyle {
+  std::string_view method, colour;
+  int mark;
+};
+
+/// Ours and the engines as in every other figure; other integrators in colours that no solver has.
+constexpr std::array<MethodStyle, 7> styles{{{"taylor", "#000000", 7},
+                                             {"rk4, exact events", "#8A8A8A", 13},
+                                             {"rk4 of the paper", "#5A5A5A", 9},
+                                             {"odeint dopri5", "#007A7A", 11},
+                                             {"CVODE Adams", "#8A5AA8", 15},
+                                             {"bullet", "#0072B2", 5},
+                                             {"ode", "#C04A00", 7}}};
+
+MethodStyle style_of(const std::string& method) {
+  const auto found = std::find_if(styles.begin(), styles.end(),
+                                  [&](const MethodStyle& style) { return style.method == method; });
+  return found == styles.end() ? MethodStyle{method, "#000000", 1} : *found;
+}
 
 std::string block_name(std::size_t scene, std::size_t method) {
   return "$points_" + std::to_string(scene) + "_" + std::to_string(method);
@@ -32,10 +50,12 @@ void draw(const std::vector<Measurement>& measurements, const std::filesystem::p
   const auto methods = distinct(measurements, &Measurement::method);
   std::ostringstream data;
   std::ostringstream commands;
-  commands << "set multiplot layout 2,2 margins 0.08,0.98,0.13,0.96 spacing 0.07,0.09\n"
-              "set logscale xy\nset format xy '10^{%T}'\nset grid lc rgb '#E4E4E4'\n"
-              "set yrange [1e-17:1]\nset ytics 1e-16,1e4\nset mytics 1\nset xrange [1e-5:20]\nset key at "
-              "screen 0.53,0.005 center bottom maxrows 2 samplen 1.5 width -1 font ',12'\n";
+  commands
+      << "set multiplot layout 2,2 margins 0.08,0.98,0.13,0.89 spacing 0.07,0.09\n"
+         "set logscale xy\nset format xy '10^{%T}'\nset grid lc rgb '#E4E4E4'\n"
+         "set yrange [1e-17:1]\nset ytics 1e-16,1e4\nset mytics 1\nset xrange [1e-5:20]\nset key at "
+         "screen 0.53,0.005 center bottom maxrows 2 samplen 1.5 width -1 font ',12'\n"
+         "set label 1 'What does accuracy cost, by which method?' at screen 0.53,0.97 center font ',17'\n";
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     commands << "set title '" << scenes[i] << "' noenhanced offset 0,-0.5\n"
              << (i >= 2 ? "set xlabel 'processor time (s)' offset 0,0.7\n" : "unset xlabel\n")
@@ -46,11 +66,11 @@ void draw(const std::vector<Measurement>& measurements, const std::filesystem::p
       for (const Measurement& m : measurements)
         if (m.scene == scenes[i] && m.method == methods[j]) data << m.seconds << ' ' << m.error << '\n';
       data << "EOD\n";
-      commands << (j > 0 ? ", " : "") << block_name(i, j) << " using 1:2 with linespoints lw 2 pt " << j + 4
-               << " ps 1.2*mark lc rgb '" << colours[j % std::size(colours)] << "' title '" << methods[j]
-               << "'";
+      const MethodStyle style = style_of(methods[j]);
+      commands << (j > 0 ? ", " : "") << block_name(i, j) << " using 1:2 with linespoints lw 2 pt "
+               << style.mark << " ps 1.2*mark lc rgb '" << style.colour << "' title '" << methods[j] << "'";
     }
-    commands << '\n';
+    commands << "\nunset label 1\n";
   }
   commands << "unset multiplot\n";
   plots::draw({1200, 900, data.str(), commands.str()}, stem);
