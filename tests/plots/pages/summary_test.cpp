@@ -20,11 +20,11 @@ Run slipping(const std::string& solver, double slip_error) {
   return run;
 }
 
-bool tells(const std::vector<Run>& runs, const std::string& sentence) {
+bool tells(const std::vector<Run>& rows, const std::string& sentence) {
   Comparison comparison;
   comparison.scenes.resize(1);
   comparison.scenes[0].name = "a";
-  comparison.runs = runs;
+  comparison.runs = rows;
   const std::vector<std::string> sentences = summary(comparison, comparison.scenes[0]);
   return std::any_of(sentences.begin(), sentences.end(),
                      [&](const std::string& one) { return one.find(sentence) != std::string::npos; });
