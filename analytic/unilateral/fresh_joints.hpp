@@ -9,7 +9,8 @@ namespace rockstack {
 template <class Real>
 class FreshJoints {
  public:
-  explicit FreshJoints(std::size_t size) : parted_(size, Real(-1)), slid_(parted_), parted_from_(size) {}
+  explicit FreshJoints(std::size_t size)
+      : parted_(size, Real(-1)), slid_(parted_), parted_from_(size), parted_to_(size) {}
 
   void mark(const Joints<Real>& before, const Joints<Real>& after, const Real& time) {
     for (std::size_t k = 0; k < after.size(); ++k) {
@@ -17,6 +18,7 @@ class FreshJoints {
       if (before[k].touch == after[k].touch || !before[k].touches()) continue;
       parted_[k] = time;
       parted_from_[k] = before[k];
+      parted_to_[k] = after[k].touch;
     }
   }
 
@@ -39,10 +41,11 @@ class FreshJoints {
     }
   }
 
-  /// Joints as they were before they parted, where that was `window` s ago or less.
+  /// Joints as they were before they parted, where that was `window` s ago or less and they have not met
+  /// since.
   Joints<Real> joined(Joints<Real> joints, const Real& time, const Real& window) const {
     for (std::size_t k = 0; k < joints.size(); ++k) {
-      if (parted_[k] < 0 || time - parted_[k] > window) continue;
+      if (parted_[k] < 0 || time - parted_[k] > window || joints[k].touch != parted_to_[k]) continue;
       joints[k].touch = parted_from_[k].touch;
       joints[k].corner_below = parted_from_[k].corner_below;
     }
@@ -52,6 +55,7 @@ class FreshJoints {
  private:
   std::vector<Real> parted_, slid_;  ///< when, s
   Joints<Real> parted_from_;         ///< what each joint was before
+  std::vector<Touch> parted_to_;
 };
 
 }  // namespace rockstack
