@@ -108,9 +108,11 @@ class ContactSolver {
     Joints<Real> touching = state_.joints;
     const int interface = found.courses.front().interface + 1;
     if (apply(found, stack_, state_.bodies, touching)) return meet(before, std::move(touching), interface);
-    // A decision that does not last is taken for a later moment.
+    // A decision that does not last beyond its moment is taken for a later one. What lasts longer is motion,
+    // however small: to look beyond its next event would make energy.
     const Real longest_moment = Real(1e-4) * unit_time_;
-    moment_ = last_decision_ >= 0 && time() - last_decision_ <= 2 * moment_
+    const Real moment_and_rounding = Real(1.001) * moment_;
+    moment_ = last_decision_ >= 0 && time() - last_decision_ <= moment_and_rounding
                   ? std::min<Real>(2 * moment_, longest_moment)
                   : shortest_moment_;
     last_decision_ = time();
