@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "analytic/scene/ground/records/record_file.hpp"
@@ -36,19 +38,36 @@ Perturbations read_perturbations(const Node& table) {
   return perturbations;
 }
 
+constexpr std::string_view friction_key = "friction=";
+
+/// Of a text that begins with friction_key.
+Variant read_friction(const Node& node) {
+  const std::string_view digits = std::string_view(node.text).substr(friction_key.size());
+  Variant variant{Variant::Choice::friction};
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), variant.friction);
+  const bool whole = error == std::errc() && end == digits.data() + digits.size();
+  if (!whole || !(variant.friction >= 0 && variant.friction <= largest_friction))
+    throw wrong_value(node, fmt::format("{}MU with a number from 0 to {}", friction_key, largest_friction));
+  return variant;
+}
+
+Variant read_variant(const Node& node) {
+  if (node.kind == Node::Kind::text && node.text.starts_with(friction_key)) return read_friction(node);
+  using enum Variant::Choice;
+  return {choice<Variant::Choice>(node, {{"linear", linear},
+                                         {"nonlinear", nonlinear},
+                                         {"paper", paper},
+                                         {"consistent", consistent},
+                                         {"unilateral", unilateral}})};
+}
+
 std::vector<Variant> read_variants(const Node& array) {
   if (array.kind != Node::Kind::array) throw wrong_value(array, "an array of names, e.g. [\"linear\"]");
   std::vector<Variant> variants;
   for (const Node& child : array.children) {
-    using enum Variant::Choice;
-    const auto chosen = choice<Variant::Choice>(child, {{"linear", linear},
-                                                        {"nonlinear", nonlinear},
-                                                        {"paper", paper},
-                                                        {"consistent", consistent},
-                                                        {"unilateral", unilateral}});
-    const auto same = [&](const Variant& variant) { return variant.choice == chosen; };
-    if (std::any_of(variants.begin(), variants.end(), same)) throw wrong_value(child, "named once");
-    variants.push_back({chosen});
+    variants.push_back(read_variant(child));
+    if (std::find(variants.begin(), variants.end() - 1, variants.back()) != variants.end() - 1)
+      throw wrong_value(child, "named once");
   }
   return variants;
 }
@@ -128,12 +147,14 @@ Scene Variant::apply(Scene scene) const {
   if (choice == Choice::nonlinear) scene.equations = Equations::nonlinear;
   if (choice == Choice::paper) scene.law = Law::paper;
   if (choice == Choice::consistent) scene.law = Law::consistent;
-  if (choice == Choice::unilateral) scene.law = Law::unilateral;
+  if (choice == Choice::unilateral || choice == Choice::friction) scene.law = Law::unilateral;
+  if (choice == Choice::friction) scene.friction.assign(scene.blocks.size(), friction);
   return scene;
 }
 
 std::string Variant::name() const {
-  constexpr std::array names{"linear", "nonlinear", "paper", "consistent", "unilateral", "rk4"};
+  if (choice == Choice::friction) return fmt::format("{}{}", friction_key, friction);
+  constexpr std::array names{"linear", "nonlinear", "paper", "consistent", "unilateral", "", "rk4"};
   return names.at(static_cast<std::size_t>(choice));
 }
 

@@ -21,14 +21,18 @@ struct NamedScene {
 };
 
 /// The exact solver with one choice changed, to be compared as if it were another engine: linear against
-/// nonlinear equations, one impact law against the other, or Runge–Kutta steps in place of series.
+/// nonlinear equations, one law of contact against another, friction, or Runge–Kutta steps in place of
+/// series.
 struct Variant {
-  enum class Choice { linear, nonlinear, paper, consistent, unilateral, rk4 };
+  enum class Choice { linear, nonlinear, paper, consistent, unilateral, friction, rk4 };
 
   Choice choice;
-  double step = 0;  ///< of rk4, s
+  double step = 0;      ///< of rk4, s
+  double friction = 0;  ///< of friction: law `unilateral` with this coefficient at every interface
 
-  /// "linear", …
+  bool operator==(const Variant&) const = default;
+
+  /// "linear", "friction=0.5", …
   std::string name() const;
 
   /// The scene with that choice made.

@@ -69,6 +69,25 @@ TEST(Suites, ErrorsNameLineKeyAndWhatIsAllowed) {
   EXPECT_TRUE(error_of("title = \"a\"\nscenes = []\n").starts_with("suite.toml:2: scenes"));
 }
 
+TEST(Suites, VariantsOfFrictionAreOfLawUnilateral) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block);
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
+  const Suite suite =
+      read_suite(folder.write("suite.toml", head + "variants = [\"friction=0\", \"friction=0.5\"]\n"), {});
+  ASSERT_EQ(suite.variants.size(), 2U);
+  EXPECT_EQ(suite.variants[1].name(), "friction=0.5");
+  const Scene changed = suite.variants[1].apply(suite.scenes.front().scene);
+  EXPECT_EQ(changed.law, Law::unilateral);
+  EXPECT_EQ(friction_of(changed), std::vector<double>{0.5});
+  for (const char* wrong : {"friction=", "friction=-1", "friction=1e4", "friction=1x", "friction=nan"})
+    EXPECT_TRUE(
+        error_of(head + "variants = [\"" + wrong + "\"]\n")
+            .starts_with(std::string("suite.toml:3: variants.1 = \"") + wrong + "\": must be friction="))
+        << wrong;
+  EXPECT_NE(error_of(head + "variants = [\"friction=0.5\", \"friction=0.50\"]\n"), "");
+}
+
 TEST(Suites, OverridesReachEveryScene) {
   const TemporaryFolder folder;
   folder.write("block.toml", block);
