@@ -23,7 +23,9 @@ Json stack_json(const Scene& scene) {
     list.push_back({{"width", 2 * block.half_width},
                     {"height", 2 * block.half_height},
                     {"mass", block.mass},
-                    {"inertia", block.inertia}});
+                    {"inertia", block.inertia},
+                    {"offset_x", block.offset_x},
+                    {"offset_y", block.offset_y}});
   }
   return list;
 }
@@ -39,7 +41,8 @@ Json scene_json(const Scene& scene) {
           {"ground", ground_of(scene)},
           {"chatter_speed", chatter_speed(scene)},
           {"settling_duration", settling_duration(scene)},
-          {"law", name(scene.law)}};
+          {"law", name(scene.law)},
+          {"friction", friction_of(scene)}};
 }
 
 }  // namespace rockstack

@@ -65,18 +65,23 @@ std::string starting_pattern(const Run& run) {
   return table.rows.front()[static_cast<std::size_t>(found - table.columns.begin())];
 }
 
-std::vector<PatternChange> read_impact_changes(const Run& exact, int blocks) {
+std::vector<PatternChange> read_changes(const Run& exact, int blocks) {
   const Cells cells{.file = exact.folder / "events.csv"};
   std::vector<PatternChange> changes;
   for (std::size_t i = 0; i < cells.table.rows.size(); ++i) {
-    if (cells.text(i, "kind") != "impact") continue;
     const int interface = whole_number(cells.text(i, "interface"), cells.place(i), "interface", 1, blocks);
     const auto speed = [&](int block) {
       return block == 0 ? 0 : cells.value(i, fmt::format("omega_before_{}", block));
     };
-    changes.push_back({cells.value(i, "time"), interface, cells.text(i, "from"), cells.text(i, "to"),
-                       std::abs(speed(interface) - speed(interface - 1))});
+    changes.push_back({cells.value(i, "time"), cells.text(i, "kind"), interface, cells.text(i, "from"),
+                       cells.text(i, "to"), std::abs(speed(interface) - speed(interface - 1))});
   }
+  return changes;
+}
+
+std::vector<PatternChange> read_impact_changes(const Run& exact, int blocks) {
+  std::vector<PatternChange> changes = read_changes(exact, blocks);
+  std::erase_if(changes, [](const PatternChange& change) { return change.kind != "impact"; });
   return changes;
 }
 

@@ -31,15 +31,19 @@ ExactEvents read_events(const Run& exact, int blocks, double end, const std::str
 /// The pattern of the first line of a run's history, "" where it names none.
 std::string starting_pattern(const Run& run);
 
-/// An impact of the exact run with the patterns on both sides of it.
+/// An event of the exact run with the patterns on both sides of it.
 struct PatternChange {
-  double time = 0;  ///< s
+  double time = 0;   ///< s
+  std::string kind;  ///< as events.csv names it
   int interface = 0;
   std::string from, to;
   double approach = 0;  ///< relative speed just before, rad/s
 };
 
-/// All impacts of an exact run's events.csv. @throws InputError naming file and line.
+/// All events of an exact run's events.csv. @throws InputError naming file and line.
+std::vector<PatternChange> read_changes(const Run& exact, int blocks);
+
+/// The impacts among them.
 std::vector<PatternChange> read_impact_changes(const Run& exact, int blocks);
 
 /// A name of the paper's for two blocks, and the sides that its interfaces pivot about: −1 left, 0 closed, 1

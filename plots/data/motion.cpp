@@ -19,7 +19,8 @@ ComparedScene scene_of(const Json& summary) {
   scene.title = described.at("title").get<std::string>();
   for (const Json& block : described.at("stack"))
     scene.stack.push_back({block.at("width").get<double>(), block.at("height").get<double>(),
-                           block.at("mass").get<double>(), block.at("inertia").get<double>()});
+                           block.at("mass").get<double>(), block.at("inertia").get<double>(),
+                           block.value("offset_x", 0.0), block.value("offset_y", 0.0)});
   scene.blocks = static_cast<int>(scene.stack.size());
   scene.toml = summary.at("scene_file").get<std::string>();
   scene.ground = described.at("ground").get<std::string>();
@@ -27,6 +28,7 @@ ComparedScene scene_of(const Json& summary) {
   scene.gravity = described.at("gravity").get<double>();
   scene.chatter_speed = described.at("chatter_speed").get<double>();
   scene.results = {"histories"};
+  scene.friction = described.value("friction", std::vector<double>());
   return scene;
 }
 
@@ -49,6 +51,7 @@ Motion motion_of(const Json& summary, const fs::path& results) {
   motion.comparison.scenes = {scene_of(summary)};
   motion.comparison.runs = {run_of(summary, results)};
   ComparedScene& scene = motion.comparison.scenes.front();
+  scene.slips = has_column(motion.comparison.runs.front(), "slip_1");
   if (!motion.comparison.runs.front().exact()) scene.law.clear();
   motion.comparison.title = scene.title;
   motion.comparison.command = summary.at("command").get<std::string>();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
@@ -45,7 +46,8 @@ std::vector<StackBlock> stack_of(const Json& scene) {
   std::vector<StackBlock> stack;
   for (const Json& block : scene.value("stack", Json::array()))
     stack.push_back({block.at("width").get<double>(), block.at("height").get<double>(),
-                     block.at("mass").get<double>(), block.at("inertia").get<double>()});
+                     block.at("mass").get<double>(), block.at("inertia").get<double>(),
+                     block.value("offset_x", 0.0), block.value("offset_y", 0.0)});
   return stack;
 }
 
@@ -64,7 +66,7 @@ void read_distances(const Json& json, Comparison& comparison) {
 void read_description(const Json& json, Comparison& comparison) {
   comparison.title = json.at("title").get<std::string>();
   comparison.command = json.at("command").get<std::string>();
-  for (const Json& scene : json.at("scenes"))
+  for (const Json& scene : json.at("scenes")) {
     comparison.scenes.push_back({scene.at("name").get<std::string>(),
                                  scene.at("title").get<std::string>(),
                                  block_count(scene.at("blocks")),
@@ -79,6 +81,8 @@ void read_description(const Json& json, Comparison& comparison) {
                                  scene.value("results", all_results),
                                  false,
                                  false});
+    comparison.scenes.back().friction = scene.value("friction", std::vector<double>());
+  }
   comparison.definitions = facts_of(json.at("definitions"));
   comparison.environment = facts_of(json.at("environment"));
   comparison.tolerance = json.at("tolerance_rad").get<double>();
@@ -169,6 +173,13 @@ Run read_run(const RowReader& row) {
   return run;
 }
 
+/// What a scene's figures are chosen by.
+void note_kind(const Run& run, ComparedScene& scene) {
+  scene.both_equations = scene.both_equations || has_other_equations(run);
+  scene.frictions = scene.frictions || has_own_friction(run);
+  scene.slips = scene.slips || has_column(run, "slip_1");
+}
+
 }  // namespace
 
 bool ComparedScene::has(const std::string& result) const {
@@ -200,7 +211,7 @@ Comparison read_comparison(const std::filesystem::path& results) {
     run.cells = table.rows[i];
     run.folder = results / "runs" / file_name(run.name, fmt::format("{}:{}: run", file.string(), i + 2));
     for (ComparedScene& scene : comparison.scenes)
-      if (scene.name == run.scene && run.done() && has_other_equations(run)) scene.both_equations = true;
+      if (scene.name == run.scene && run.done()) note_kind(run, scene);
     comparison.runs.push_back(std::move(run));
   }
   return comparison;
@@ -208,6 +219,14 @@ Comparison read_comparison(const std::filesystem::path& results) {
 
 Facts read_summary(const Run& run) {
   return facts_of(read_json(run.folder / "summary.json"));
+}
+
+bool has_column(const Run& run, const std::string& column) {
+  std::ifstream file(run.folder / "history.csv");
+  std::string header;
+  std::getline(file, header);
+  if (!header.empty() && header.back() == '\r') header.pop_back();
+  return ("," + header + ",").find("," + column + ",") != std::string::npos;
 }
 
 std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene) {
@@ -226,8 +245,13 @@ bool has_other_equations(const Run& run) {
   return run.engine == "linear" || run.engine == "nonlinear";
 }
 
+bool has_own_friction(const Run& run) {
+  return run.engine.starts_with("friction=");
+}
+
 bool is_variant(const Run& run) {
-  return has_other_equations(run) || run.engine == "paper" || run.engine == "consistent";
+  return has_other_equations(run) || has_own_friction(run) || run.engine == "paper" ||
+         run.engine == "consistent" || run.engine == "unilateral";
 }
 
 std::string solver_name(const Run& run) {

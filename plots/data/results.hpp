@@ -37,6 +37,7 @@ struct Run {
 /// One block as it was run. SI units.
 struct StackBlock {
   double width = 0, height = 0, mass = 0, inertia = 0;
+  double offset_x = 0, offset_y = 0;  ///< of the centre of mass from the middle
 };
 
 struct ComparedScene {
@@ -55,6 +56,10 @@ struct ComparedScene {
   bool fitted = false;                       ///< whether errors were fitted over the time steps
 
   bool perturbed = false;  ///< whether there are distributions over perturbed scenes
+
+  std::vector<double> friction = {};  ///< of each interface; none where the results do not say
+  bool slips = false;                 ///< whether a run tells how far blocks have slipped
+  bool frictions = false;             ///< whether the exact solver ran with other friction too
 
   bool has(const std::string& result) const;
 };
@@ -110,6 +115,9 @@ Comparison read_comparison(const std::filesystem::path& results);
 /// @throws InputError naming the file that is missing or malformed.
 Facts read_summary(const Run& run);
 
+/// Whether a run's history has a column. False where there is no history.
+bool has_column(const Run& run, const std::string& column);
+
 /// The runs of one scene that are done: the exact one first, engines in the order of the file.
 std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene);
 
@@ -119,7 +127,10 @@ bool has_motion(const Comparison& comparison, const ComparedScene& scene);
 /// True for a run of the exact solver with the other kind of equations than the scene's.
 bool has_other_equations(const Run& run);
 
-/// True for a run of the exact solver in another way than the scene's: other equations, or another law.
+/// True for a run of the exact solver with a coefficient of friction of its own.
+bool has_own_friction(const Run& run);
+
+/// True for a run of the exact solver in another way than the scene's: other equations, friction or law.
 bool is_variant(const Run& run);
 
 /// The engine with its solver, "bullet:sequential-impulse"; "exact" for the exact solver.

@@ -94,7 +94,8 @@ int iterations_of(const Run& run) {
 std::string line_label(const Run& run) {
   if (run.exact()) return "exact";
   if (has_other_equations(run)) return "exact, " + run.engine + " equations";
-  if (run.engine == "paper" || run.engine == "consistent") return "exact, law " + run.engine;
+  if (has_own_friction(run)) return "exact, " + std::string(run.engine).replace(8, 1, " ");
+  if (is_variant(run)) return "exact, law " + run.engine;
   std::string label = run.engine;
   if (!run.solver.empty()) label += " " + run.solver;
   if (!run.settings.empty()) label += ", " + run.settings;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <string_view>
 
 namespace rockstack::plots {
@@ -23,12 +24,13 @@ constexpr int plus = 1, cross = 2, star = 3, square = 4, circle = 6, triangle = 
 // Colours that keep apart under any form of colour blindness, after Okabe & Ito (2008) and Tol (2021), each
 // with a contrast of 4.5 on white at least. A solver in single precision has the colour of its double twin
 // and another mark. Gaps are wide because the line's round ends reach into them.
-constexpr std::array<NamedStyle, 17> named{{
+constexpr std::array<NamedStyle, 18> named{{
     {"exact", "#000000", circle, "solid"},
     {"linear:taylor", "#AA4499", diamond, "(12,9)"},
     {"nonlinear:taylor", "#AA4499", triangle, "(12,9)"},
     {"paper:taylor", "#5A5A5A", diamond, "(12,9)"},
     {"consistent:taylor", "#5A5A5A", triangle, "(5,8)"},
+    {"unilateral:taylor", "#5A5A5A", circle, "(12,8,1,8)"},
     {"bullet:sequential-impulse", "#0072B2", square, "solid"},
     {"bullet:nncg", "#332288", diamond, "(12,9)"},
     {"bullet:mlcp-dantzig", "#117733", triangle, "(8,7,1,7)"},
@@ -53,6 +55,24 @@ std::size_t number_of(const std::string& text) {
   return hash >> 4U;
 }
 
+/// Of the exact motion with a friction of its own: the slipperier, the redder.
+struct FrictionStyle {
+  double least;  ///< the coefficient from which on it is this one
+  NamedStyle style;
+};
+constexpr std::array<FrictionStyle, 5> frictions{{{1, {"", "#0072B2", square, "solid"}},
+                                                  {0.45, {"", "#117733", triangle, "(12,9)"}},
+                                                  {0.25, {"", "#C04A00", circle, "(8,7,1,7)"}},
+                                                  {0.12, {"", "#882255", diamond, "(5,8)"}},
+                                                  {0, {"", "#332288", pentagon, "(12,8,1,8)"}}}};
+
+NamedStyle of_friction(const std::string& solver) {
+  const double value = std::strtod(solver.c_str() + solver.find('=') + 1, nullptr);
+  return std::find_if(frictions.begin(), frictions.end() - 1,
+                      [&](const FrictionStyle& one) { return value >= one.least; })
+      ->style;
+}
+
 NamedStyle of_solver(const std::string& solver) {
   const auto found =
       std::find_if(named.begin(), named.end(), [&](const NamedStyle& one) { return one.solver == solver; });
@@ -62,7 +82,8 @@ NamedStyle of_solver(const std::string& solver) {
 }  // namespace
 
 Style style_of(const Run& run) {
-  const NamedStyle own = of_solver(solver_name(run));
+  const std::string solver = solver_name(run);
+  const NamedStyle own = has_own_friction(run) ? of_friction(solver) : of_solver(solver);
   Style style{std::string(own.colour), own.mark + 1, std::string(own.dash)};
   if (run.settings == "default") {
     style.mark = own.mark;

@@ -7,6 +7,7 @@
 
 #include "analytic/scene/kinematics.hpp"
 #include "comparisons/results/csv.hpp"
+#include "plots/data/contacts.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/layout.hpp"
@@ -22,7 +23,7 @@ constexpr double frame_rate = 25;  // 1/s
 struct Actor {
   Run run;
   std::string colour;
-  std::vector<std::vector<double>> samples;  ///< times, then angles of each block
+  std::vector<std::vector<double>> samples;  ///< times, then angles of each block, then its x and y if told
 };
 
 /// Everything that frames are made of.
@@ -49,18 +50,38 @@ Stack<double> stack_of(const std::vector<StackBlock>& blocks) {
   return stack;
 }
 
-/// Angles between samples on straight lines; held after the end.
-Vector<double> angles_at(const Actor& actor, double time) {
+/// All columns but the time, between samples on straight lines; held after the end.
+Vector<double> values_at(const Actor& actor, double time) {
   const std::vector<double>& times = actor.samples.front();
   const auto after = std::upper_bound(times.begin(), times.end(), time) - times.begin();
   const auto high = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after, 1, std::ssize(times) - 1));
   const double span = times[high] - times[high - 1];
   const double part = span > 0 ? std::clamp((time - times[high - 1]) / span, 0.0, 1.0) : 1;
-  Vector<double> angles(static_cast<Eigen::Index>(actor.samples.size()) - 1);
+  Vector<double> values(static_cast<Eigen::Index>(actor.samples.size()) - 1);
   for (std::size_t k = 1; k < actor.samples.size(); ++k)
-    angles[static_cast<Eigen::Index>(k) - 1] =
+    values[static_cast<Eigen::Index>(k) - 1] =
         actor.samples[k][high - 1] * (1 - part) + actor.samples[k][high] * part;
-  return angles;
+  return values;
+}
+
+/// Where the middle of a block is: its centre of mass as the results have it, less its way from the middle.
+Point<double> told_middle(const StackBlock& block, double x, double y, double angle) {
+  return Point<double>(x, y) - turned(block.offset_x, block.offset_y, std::cos(angle), std::sin(angle));
+}
+
+/// The middles of all blocks: as the results tell them, else from the angles, about the corners.
+Points<double> middles_at(const Stage& stage, const Vector<double>& values) {
+  const auto blocks = std::ssize(stage.scene.stack);
+  const Vector<double> angles = values.head(blocks);
+  if (values.size() == blocks) {
+    const Vector<double> gaps = relative(angles);
+    return centres(make_chain(stage.stack, pattern_of(gaps, gaps), angles));
+  }
+  Points<double> middles(2, blocks);
+  for (Eigen::Index k = 0; k < blocks; ++k)
+    middles.col(k) = told_middle(stage.scene.stack[static_cast<std::size_t>(k)], values[blocks + 2 * k],
+                                 values[blocks + 2 * k + 1], angles[k]);
+  return middles;
 }
 
 /// The corners of a block as a polygon, `middle` m along the picture.
@@ -77,17 +98,15 @@ std::string polygon(const StackBlock& block, const Point<double>& centre, double
 
 std::string drawn(const Stage& stage, std::size_t index, double time) {
   const Actor& actor = stage.actors[index];
-  const Vector<double> angles = angles_at(actor, time);
-  const Vector<double> gaps = relative(angles);
-  const Pattern pattern = pattern_of(gaps, gaps);
-  const Points<double> middles = centres(make_chain(stage.stack, pattern, angles));
+  const Vector<double> values = values_at(actor, time);
+  const Points<double> middles = middles_at(stage, values);
   const double middle = (2 * static_cast<double>(index) + 1) * stage.side;
   std::string text;
-  for (Eigen::Index k = 0; k < angles.size(); ++k)
+  for (Eigen::Index k = 0; k < middles.cols(); ++k)
     text += fmt::format(
         "set object polygon from {} fillstyle transparent solid 0.18 border lc rgb '{}' fillcolor rgb '{}' "
         "lw 2\n",
-        polygon(stage.scene.stack[static_cast<std::size_t>(k)], middles.col(k), angles[k], middle),
+        polygon(stage.scene.stack[static_cast<std::size_t>(k)], middles.col(k), values[k], middle),
         actor.colour, actor.colour);
   return text;
 }
@@ -104,7 +123,7 @@ std::string frame(const Stage& stage, double time) {
   for (std::size_t i = 0; i < stage.actors.size(); ++i) text += drawn(stage, i, time);
   const std::string pattern = pattern_at(stage.spans, time);
   const std::string label =
-      fmt::format("{:.2f} s{}", time, pattern.empty() ? "" : ", exact pattern " + pattern);
+      fmt::format("{:.2f} s{}", time, pattern.empty() ? "" : ", exact pattern " + shown_pattern(pattern));
   return text + fmt::format("set label 1 {} noenhanced at graph 0.5, graph 0.965 center\nplot NaN notitle\n",
                             in_quotes(label));
 }
@@ -125,10 +144,13 @@ std::vector<Actor> actors_of(const Comparison& comparison, const ComparedScene& 
   std::vector<Run> runs = shown.exact;
   for (const Run& run : shown.engines)
     if (runs.size() < shown.exact.size() + 2 && !std::isnan(run.dt)) runs.push_back(run);
-  std::vector<std::string> names{"time"};
-  for (const std::string& name : numbered("theta_", scene.blocks)) names.push_back(name);
   std::vector<Actor> actors;
   for (const Run& run : runs) {
+    std::vector<std::string> names = numbered("theta_", scene.blocks);
+    names.insert(names.begin(), "time");
+    if (has_column(run, "x_1"))
+      for (int k = 1; k <= scene.blocks; ++k)
+        names.insert(names.end(), {fmt::format("x_{}", k), fmt::format("y_{}", k)});
     Actor actor{run, style_of(run).colour, read_columns(run.folder / "history.csv", names)};
     if (actor.samples.front().size() > 1) actors.push_back(std::move(actor));
   }
@@ -138,19 +160,26 @@ std::vector<Actor> actors_of(const Comparison& comparison, const ComparedScene& 
 Stage stage_of(const Comparison& comparison, const ComparedScene& scene) {
   Stage stage{
       .scene = scene, .actors = actors_of(comparison, scene), .spans = {}, .stack = stack_of(scene.stack)};
-  double height = 0, width = 0, most = 0;
+  const auto blocks = static_cast<std::size_t>(scene.blocks);
+  double height = 0, width = 0, most = 0, across = 0, up = 0;
   for (const StackBlock& block : scene.stack) height += block.height, width = std::max(width, block.width);
   for (const Actor& actor : stage.actors) {
     stage.end = std::max(stage.end, actor.samples.front().back());
-    for (std::size_t k = 1; k < actor.samples.size(); ++k)
+    for (std::size_t k = 1; k <= blocks; ++k)
       for (const double angle : actor.samples[k]) most = std::max(most, std::abs(angle));
+    for (std::size_t c = blocks + 1; c < actor.samples.size() && actor.run.exact(); ++c) {
+      const StackBlock& block = scene.stack[(c - blocks - 1) / 2];
+      double& far = (c - blocks) % 2 == 1 ? across : up;
+      for (const double place : actor.samples[c])
+        far = std::max(far, std::abs(place) + std::hypot(block.width, block.height) / 2);
+    }
     if (actor.run.exact())
       stage.spans =
           read_events(actor.run, scene.blocks, actor.samples.front().back(), starting_pattern(actor.run))
               .spans;
   }
-  stage.side = 0.6 * width + height * std::max(0.2, std::sin(std::min(most, 1.4)));
-  stage.above = 1.25 * std::hypot(height, width / 2);
+  stage.side = std::max(across, 0.6 * width + height * std::max(0.2, std::sin(std::min(most, 1.4))));
+  stage.above = std::max(1.05 * up, 1.25 * std::hypot(height, width / 2));
   return stage;
 }
 

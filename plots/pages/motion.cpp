@@ -7,6 +7,7 @@
 #include "plots/data/selection.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
+#include "plots/pages/runs_table.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -26,6 +27,10 @@ std::string figures(const fs::path& results, const ComparedScene& scene) {
       drawn_figure(results / "figures" / "histories.svg", "histories-", "Angles over time",
                    "Angles of the blocks, clockwise positive. Where events are known, ticks along "
                    "the upper edge are impacts under that block, and the band names the pattern.");
+  if (scene.slips)
+    text += drawn_figure(results / "figures" / "slip.svg", "slip-", "Slip and gap",
+                         "How far each block has slipped to the right along what is below it, and its "
+                         "distance from it where there ever is one.");
   if (!scene.ground_motion.empty())
     text += drawn_figure(results / "figures" / "ground-motion.svg", "ground-", "Ground acceleration",
                          "What shakes the blocks, to the right and upwards positive.");
@@ -49,7 +54,8 @@ std::string content(const fs::path& results, const Motion& motion) {
                             element("p", "The tables as files: " + file_links(results));
   return element("header", header) + "\n" +
          element("main", "\n" + section("The motion", ground + player_part(comparison, 0)) +
-                             section("Figures", figures(results, scene)) + section("To run it again", again));
+                             contact_section(comparison) + section("Figures", figures(results, scene)) +
+                             section("To run it again", again));
 }
 
 }  // namespace

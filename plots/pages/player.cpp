@@ -1,11 +1,15 @@
 #include "plots/pages/player.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "comparisons/results/csv.hpp"
+#include "plots/data/contacts.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/style.hpp"
@@ -52,18 +56,35 @@ std::vector<double> own_impacts(const Run& run) {
   return times;
 }
 
-/// A motion with its events, whose exact times lie between samples, among the samples.
-Columns with_events(Columns motion, const Run& run, int blocks) {
+/// The columns that say how blocks lie, each group as the history has it: angles, slips, and x and y of each
+/// block in turn.
+std::vector<std::string> motion_columns(const Run& run, int blocks) {
+  std::vector<std::string> names = numbered("theta_", blocks);
+  if (has_column(run, "slip_1"))
+    for (const std::string& name : numbered("slip_", blocks)) names.push_back(name);
+  if (has_column(run, "x_1"))
+    for (int k = 1; k <= blocks; ++k)
+      names.insert(names.end(), {fmt::format("x_{}", k), fmt::format("y_{}", k)});
+  names.insert(names.begin(), "time");
+  return names;
+}
+
+/// A motion with its events, whose exact times lie between samples, among the samples. What events do not say
+/// is on the straight line between samples.
+Columns with_events(const Columns& motion, const Run& run, int blocks) {
   const Columns events = read_samples(run.folder / "events.csv", {"theta_"}, blocks);
   Columns merged(motion.size());
   std::size_t next = 0;
-  const auto add = [&](const Columns& from, std::size_t row) {
-    for (std::size_t c = 0; c < merged.size(); ++c) merged[c].push_back(from[c][row]);
-  };
   for (std::size_t i = 0; i < motion[0].size(); ++i) {
-    for (; next < events[0].size() && events[0][next] < motion[0][i]; ++next)
-      if (i > 0 && events[0][next] > merged[0].back()) add(events, next);
-    add(motion, i);
+    for (; next < events[0].size() && events[0][next] < motion[0][i]; ++next) {
+      const double time = events[0][next];
+      if (i == 0 || time <= merged[0].back()) continue;
+      const double part = (time - motion[0][i - 1]) / (motion[0][i] - motion[0][i - 1]);
+      for (std::size_t c = 0; c < merged.size(); ++c)
+        merged[c].push_back(c < events.size() ? events[c][next]
+                                              : motion[c][i - 1] * (1 - part) + motion[c][i] * part);
+    }
+    for (std::size_t c = 0; c < merged.size(); ++c) merged[c].push_back(motion[c][i]);
   }
   return merged;
 }
@@ -76,47 +97,65 @@ void add_reactions(Json& track, const Run& run, int blocks, std::size_t samples)
   track["reactions"] = packed_rows(reactions, 1, kept);
 }
 
+/// Each group of a motion's columns under its own name.
+void add_motion(Json& track, const Columns& motion, int blocks, bool slips,
+                const std::vector<std::size_t>& kept) {
+  const auto width = static_cast<std::ptrdiff_t>(blocks);
+  auto from = motion.begin() + 1;
+  const auto add = [&](const char* name, std::ptrdiff_t count) {
+    track[name] = packed_rows(Columns(from, from + count), 0, kept);
+    from += count;
+  };
+  add("angles", width);
+  if (slips) add("slips", width);
+  if (from != motion.end()) add("places", 2 * width);
+}
+
 Json track(const Run& run, int blocks, const Style& style, std::size_t samples, bool shown) {
-  Columns motion = read_samples(run.folder / "history.csv", {"theta_"}, blocks);
-  if (run.exact()) motion = with_events(std::move(motion), run, blocks);
+  Columns motion = read_columns(run.folder / "history.csv", motion_columns(run, blocks));
+  if (run.exact()) motion = with_events(motion, run, blocks);
   const std::vector<std::size_t> kept = kept_samples(motion[0].size(), samples);
-  Json json{{"label", run_label(run)},
-            {"colour", style.colour},
-            {"dash", style.dash},
-            {"shown", shown},
-            {"times", packed_rows({motion[0]}, 0, kept)},
-            {"angles", packed_rows(motion, 1, kept)},
+  Json json{{"label", run_label(run)},    {"colour", style.colour},
+            {"dash", style.dash},         {"shown", shown},
+            {"exact", run.exact()},       {"times", packed_rows({motion[0]}, 0, kept)},
             {"impacts", own_impacts(run)}};
+  add_motion(json, motion, blocks, has_column(run, "slip_1"), kept);
   if (run.exact() && std::filesystem::exists(run.folder / "reactions.csv"))
     add_reactions(json, run, blocks, samples);
   return json;
 }
 
-/// −1, 0 or 1 an interface.
-std::vector<int> sides_of(const std::string& pattern, int blocks) {
-  for (const auto& [name, sides] : two_block_patterns())
-    if (blocks == 2 && pattern == name) return {sides[0], sides[1]};
-  std::vector<int> sides;
-  for (const char letter : pattern) sides.push_back(letter == 'L' ? -1 : letter == 'R' ? 1 : 0);
-  sides.resize(static_cast<std::size_t>(blocks), 0);
-  return sides;
-}
-
 Json spans_of(const std::vector<PatternSpan>& spans, int blocks) {
   Json list = Json::array();
-  for (const PatternSpan& span : spans)
-    list.push_back({span.from, span.pattern, sides_of(span.pattern, blocks)});
+  for (const PatternSpan& span : spans) {
+    Json sides = Json::array(), slides = Json::array();
+    for (const NamedContact& contact : contacts_in(span.pattern, blocks)) {
+      sides.push_back(contact.side);
+      slides.push_back(contact.slide);
+    }
+    list.push_back({span.from, shown_pattern(span.pattern), sides, slides});
+  }
   return list;
 }
 
-/// Impacts by time; chatter beyond what a page can hold is left out.
-Json impacts_of(const std::vector<PatternChange>& changes, double chatter_speed) {
+/// What the player stops at.
+constexpr std::array stops{"impact", "lift-off", "slip", "stick", "corner", "fall"};
+
+/// Events by time, with 1 for chatter: slow impacts, and the starts and ends of sliding that follow them; a
+/// landing is none. Chatter beyond what a page can hold is left out.
+Json stops_of(const std::vector<PatternChange>& changes, double chatter_speed, int blocks) {
   constexpr std::size_t most = 4000;
   Json list = Json::array();
+  bool chatter = false;
   for (const PatternChange& change : changes) {
-    const bool chatter = change.approach < chatter_speed;
-    if (list.size() < most || !chatter)
-      list.push_back({change.time, change.interface, change.from, change.to, chatter ? 1 : 0});
+    if (std::find(stops.begin(), stops.end(), change.kind) == stops.end()) continue;
+    const auto interface = static_cast<std::size_t>(change.interface) - 1;
+    if (change.kind == "impact")
+      chatter = change.approach < chatter_speed && contacts_in(change.from, blocks)[interface].side != 2;
+    const bool slow = chatter && (change.kind == "impact" || change.kind == "slip" || change.kind == "stick");
+    if (list.size() < most || !slow)
+      list.push_back({change.time, change.interface, shown_pattern(change.from), shown_pattern(change.to),
+                      slow ? 1 : 0, change.kind});
   }
   return list;
 }
@@ -131,10 +170,10 @@ std::set<std::string> shown_at_first(const std::vector<Run>& runs) {
   return names;
 }
 
-std::size_t samples_for(std::size_t tracks, int blocks, std::size_t players) {
+std::size_t samples_for(std::size_t tracks, int blocks, bool slips, std::size_t players) {
   constexpr std::size_t numbers = 400'000, most = 20'000, fewest = 500;  // 400,000 numbers are 2.1 MB
-  const std::size_t columns =
-      tracks * (1 + static_cast<std::size_t>(blocks)) + 1 + 3 * static_cast<std::size_t>(blocks);
+  const std::size_t columns = tracks * (1 + (slips ? 4 : 1) * static_cast<std::size_t>(blocks)) + 1 +
+                              3 * static_cast<std::size_t>(blocks);
   return std::clamp(numbers / (players * columns), fewest, most);
 }
 
@@ -148,7 +187,8 @@ Json ground_of(const ComparedScene& scene) {
 Json stack_of(const ComparedScene& scene) {
   Json list = Json::array();
   for (const StackBlock& block : scene.stack)
-    list.push_back({{"width", block.width}, {"height", block.height}});
+    list.push_back(
+        {{"width", block.width}, {"height", block.height}, {"offset", {block.offset_x, block.offset_y}}});
   return list;
 }
 
@@ -159,19 +199,19 @@ double weight_of(const ComparedScene& scene) {
 }
 
 Json events_of(const Run& run, const ComparedScene& scene) {
-  Json events{{"spans", Json::array()}, {"impacts", Json::array()}};
+  Json events{{"spans", Json::array()}, {"stops", Json::array()}};
   if (!run.exact()) return events;
   const std::vector<double> times = read_columns(run.folder / "history.csv", {"time"})[0];
   const double end = times.empty() ? 0 : times.back();
   events["spans"] = spans_of(read_events(run, scene.blocks, end, starting_pattern(run)).spans, scene.blocks);
-  events["impacts"] = impacts_of(read_impact_changes(run, scene.blocks), scene.chatter_speed);
+  events["stops"] = stops_of(read_changes(run, scene.blocks), scene.chatter_speed, scene.blocks);
   return events;
 }
 
 /// The exact motion's impacts above the chatter speed are its row in the strip.
 void add_exact_impacts(Json& track, const Json& events) {
-  for (const Json& impact : events["impacts"])
-    if (impact[4] == 0) track["impacts"].push_back(impact[0]);
+  for (const Json& stop : events["stops"])
+    if (stop[4] == 0 && stop[5] == "impact") track["impacts"].push_back(stop[0]);
 }
 
 Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size_t players) {
@@ -179,7 +219,7 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
   std::vector<Run> runs = shown.exact;
   runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
   const std::set<std::string> first = shown_at_first(runs);
-  const std::size_t samples = samples_for(runs.size(), scene.blocks, players);
+  const std::size_t samples = samples_for(runs.size(), scene.blocks, scene.slips, players);
   Json data{{"title", scene.title},
             {"blocks", stack_of(scene)},
             {"weight", weight_of(scene)},
@@ -188,6 +228,7 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
   for (const Run& run : runs)
     data["tracks"].push_back(track(run, scene.blocks, style_of(run), samples, first.contains(run.name)));
   add_exact_impacts(data["tracks"][0], data["events"]);
+  if (scene.law == "unilateral") data["friction"] = scene.friction;
   if (!scene.ground_motion.empty()) data["ground"] = ground_of(scene);
   return data;
 }

@@ -134,6 +134,7 @@ std::string content(const fs::path& results, const Comparison& comparison) {
                                  {"summary", whole_summary(comparison)},
                                  {"statements", statements_section(comparison)},
                                  {"table", runs_table(comparison)},
+                                 {"contacts", contact_section(comparison)},
                                  {"scenes", scenes},
                                  {"parameters", run_details(comparison)},
                                  {"files", file_links(results)},

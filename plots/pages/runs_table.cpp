@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "plots/data/contacts.hpp"
+#include "plots/data/selection.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
 
@@ -105,6 +107,26 @@ std::string details_of(const Comparison& comparison, std::size_t index) {
          "\n";
 }
 
+const std::vector<std::string>& contact_columns() {
+  static const std::vector<std::string> columns{
+      "run",           "interface",        "slip left (m)",  "largest slip (m)",
+      "times it slid", "highest lift (m)", "times it lifted"};
+  return columns;
+}
+
+std::string rows_of(const Run& run, const ContactSummary& summary, const std::string& label) {
+  std::string rows;
+  for (std::size_t k = 0; k < summary.interfaces.size(); ++k) {
+    const InterfaceSlip& one = summary.interfaces[k];
+    rows += table_row(contact_columns(),
+                      {label, fmt::format("{}", k + 1), fmt::format("{}", one.final_slip),
+                       fmt::format("{}", one.largest_slip), fmt::format("{}", one.slips),
+                       fmt::format("{}", one.highest_lift), fmt::format("{}", one.lift_offs)},
+                      run.exact() ? " class=\"exact\"" : "");
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::string run_anchor(std::size_t run) {
@@ -125,6 +147,28 @@ std::string run_details(const Comparison& comparison) {
   std::string text;
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) text += details_of(comparison, i);
   return text;
+}
+
+std::string contact_section(const Comparison& comparison) {
+  std::string rows;
+  std::vector<std::string> warnings;
+  for (const Run& run : comparison.runs) {
+    if (!run.done()) continue;
+    const ContactSummary summary = read_contact_summary(run);
+    if (summary.interfaces.empty()) continue;
+    const std::string label =
+        comparison.scenes.size() > 1 ? run.scene + ": " + run_label(run) : run_label(run);
+    rows += rows_of(run, summary, label);
+    for (const std::string& warning : summary.warnings) warnings.push_back(label + ": " + warning);
+  }
+  if (rows.empty()) return "";
+  std::string text = element("h2", "Slip and lift-off") + "\n" +
+                     element("div", table(contact_columns(), rows),
+                             " class=\"scroll\" tabindex=\"0\" role=\"region\" "
+                             "aria-label=\"Slip and lift-off\"");
+  if (!warnings.empty())
+    text += element("h3", "Where the laws of contact have no single answer") + sentence_list(warnings);
+  return element("section", "\n" + text + "\n", " id=\"contacts\"") + "\n";
 }
 
 }  // namespace rockstack::plots

@@ -17,4 +17,8 @@ std::string runs_table(const Comparison& comparison);
 /// Version, parameters and files of every run, by its anchor. @throws InputError naming a malformed file.
 std::string run_details(const Comparison& comparison);
 
+/// How far blocks slipped and lifted in each run of law `unilateral`, an interface a row, and where theory
+/// has no single answer. Empty where no run has that law.
+std::string contact_section(const Comparison& comparison);
+
 }  // namespace rockstack::plots

@@ -35,20 +35,43 @@ void write_header(std::ostream& out, const std::string& stem, int blocks) {
   for (int k = 1; k <= blocks; ++k) fmt::print(out, ",{}{}", stem, k);
 }
 
+/// Columns of slips, gaps and places: every block slips by 0.1 m/s on the one below, the lowest flies from
+/// 1 s to 1.5 s.
+void write_slide(std::ostream& out, const Sample& sample, double t) {
+  for (int k = 1; k <= sample.blocks; ++k) fmt::print(out, ",{}", 0.1 * t);
+  const double lift = t > 1 && t < 1.5 ? 0.3 : 0;
+  for (int k = 1; k <= sample.blocks; ++k) fmt::print(out, ",{}", k == 1 ? lift : 0);
+  for (int k = 1; k <= sample.blocks; ++k) fmt::print(out, ",{},{}", 0.1 * k * t, 2 * k - 1 + lift);
+}
+
 /// A motion that lags by `lag` s for every second that passes.
 void write_history(const fs::path& folder, const Sample& sample, double dt, double lag, bool exact) {
   std::ofstream history = create(folder / "history.csv");
   history << "time";
   write_header(history, "theta_", sample.blocks);
   write_header(history, "omega_", sample.blocks);
-  history << (exact ? ",pattern\n" : "\n");
+  if (exact) history << ",pattern";
+  if (sample.slides) {
+    for (const char* stem : {"slip_", "gap_"}) write_header(history, stem, sample.blocks);
+    for (int k = 1; k <= sample.blocks; ++k) fmt::print(history, ",x_{0},y_{0}", k);
+  }
+  history << "\n";
   for (int i = 0; i <= std::lround(duration / dt); ++i) {
     const double t = i * dt;
     fmt::print(history, "{}", t);
     for (int k = 1; k <= sample.blocks; ++k) fmt::print(history, ",{}", swing(t * (1 - lag), k));
     for (int k = 1; k <= sample.blocks; ++k) fmt::print(history, ",{}", swing_rate(t * (1 - lag), k));
-    history << (exact ? (t < period ? ",1a\n" : ",2b\n") : "\n");
+    if (exact) history << (sample.slides ? ",R>C" : t < period ? ",1a" : ",2b");
+    if (sample.slides) write_slide(history, sample, t);
+    history << "\n";
   }
+}
+
+/// One event of each kind that sliding and flight have, of two blocks.
+void write_sliding_events(std::ostream& events) {
+  for (const char* words : {"0.5,slip,2,R>C,R>C<", "1,lift-off,1,R>C<,-C<", "1.5,impact,1,-C<,LC<",
+                            "2,stick,2,LC<,LC", "2.5,corner,2,LC,LR", "3,fall,2,LR,L-"})
+    events << words << ",0,0,-1,1,0,0,consistent\n";
 }
 
 void write_events(const fs::path& folder, const Sample& sample) {
@@ -57,6 +80,7 @@ void write_events(const fs::path& folder, const Sample& sample) {
   for (const char* stem : {"theta_", "omega_before_", "omega_after_"})
     write_header(events, stem, sample.blocks);
   events << ",consistency\n";
+  if (sample.slides) return write_sliding_events(events);
   for (int i = 1; i <= sample.impacts; ++i) {
     fmt::print(events, "{},impact,{},{},{}", i * period, 1 + i % sample.blocks, i % 2 == 1 ? "1a" : "2b",
                i % 2 == 1 ? "2b" : "1a");
@@ -134,7 +158,9 @@ void write_json(const fs::path& folder, const Sample& sample) {
   create(folder / "comparison.json")
       << R"({"title": "A sample <comparison>", "scenes": [{"name": "sample", "title": ")" << sample.title
       << R"(", "blocks": )" << sample.blocks << R"(, "stack": )" << stack_json(sample.blocks)
-      << R"(, "gravity": 9.81, "chatter_speed": 0.01, "toml": "duration = 5 # s & <b>not bold</b>\n")"
+      << R"(, "gravity": 9.81, "chatter_speed": 0.01)"
+      << (sample.slides ? R"(, "law": "unilateral", "friction": [0.5, 0.5])" : "")
+      << R"(, "toml": "duration = 5 # s & <b>not bold</b>\n")"
       << (sample.results.empty() ? "" : R"(, "results": )" + sample.results) << "}],"
       << (sample.distributions.empty() ? "" : R"("distributions": )" + sample.distributions + ",")
       << (sample.fits.empty() ? "" : R"("fits": )" + sample.fits + ",")
@@ -153,9 +179,13 @@ void write_ground(const fs::path& folder) {
 }
 
 /// A few words of everything a run's folder holds besides its histories.
-void write_summary(const fs::path& folder, const std::string& run, double dt) {
+void write_summary(const fs::path& folder, const std::string& run, double dt, bool slides) {
   create(folder / "summary.json") << fmt::format(
-      R"({{"run": "{}", "dt": {}, "parameters": {{"iterations": 50, "erp<1>": 0.2}}}})", run, dt);
+      R"({{"run": "{}", "dt": {}, "parameters": {{"iterations": 50, "erp<1>": 0.2}}{}}})", run, dt,
+      slides
+          ? R"(, "contact": [{"interface": 1, "final_slip": -0.25, "largest_slip": 0.5, "highest_lift": 0.3,
+                  "slips": 7, "lift_offs": 1}], "validity_warnings": ["several motions <obey>"])"
+          : "");
 }
 
 /// What twenty perturbed scenes came to, one of which failed.
@@ -183,7 +213,7 @@ void write_engine(const fs::path& folder, std::ostream& rows, const Sample& samp
   write_difference(place, sample, dt, lag);
   write_energy(place, dt, lag);
   write_patterns(place);
-  write_summary(place, run, dt);
+  write_summary(place, run, dt, false);
   write_perturbed(place, sample, lag);
   fmt::print(rows, "{},sample,{},{},{},{:g},done,,{},{},{},5,{},{},{},{},{},{},{},\n", run, engine.engine,
              engine.solver, engine.settings, dt, duration / dt, 2e-5 / dt, 2.1e-5 / dt, 3 * lag, lag,
@@ -206,7 +236,7 @@ void write_sample(const fs::path& folder, const Sample& sample) {
   write_history(exact, sample, 1e-3, 0, true);
   write_events(exact, sample);
   write_reactions(exact, sample);
-  write_summary(exact, "sample.exact", 1e-3);
+  write_summary(exact, "sample.exact", 1e-3, sample.slides);
   write_perturbed(exact, sample, 1e-4);
   for (const SampleEngine& engine : sample.engines)
     for (const double dt : sample.steps) write_engine(folder, rows, sample, engine, dt);

@@ -3,16 +3,17 @@
 #include <array>
 
 #include "plots/figures/comparison/drawings.hpp"
+#include "plots/figures/contact/slip.hpp"
 
 namespace rockstack::plots {
 namespace {
 
 using Draw = Drawing (*)(const Comparison&, const ComparedScene&);
 
-constexpr std::array<Draw, 15> draws{histories, differences,   impact_times, impact_energy,
-                                     ranking,   error_time,    error_step,   first_impact_step,
-                                     toppling,  distributions, equations,    energy,
-                                     phase,     occupancy,     ground_motion};
+constexpr std::array<Draw, 17> draws{histories,     slip,          friction,   differences, impact_times,
+                                     impact_energy, ranking,       error_time, error_step,  first_impact_step,
+                                     toppling,      distributions, equations,  energy,      phase,
+                                     occupancy,     ground_motion};
 
 bool sampled(const ComparedScene& scene) {
   return scene.has("histories");
@@ -34,6 +35,16 @@ const std::vector<FigureKind>& figure_kinds() {
        "are the exact impacts at the interface under that block; the band at the bottom names the exact "
        "pattern. A curve that leaves its panel goes on beyond it.",
        sampled},
+      {"slip", "Slip and gap",
+       "How far do blocks slide, and when do they fly? The slip of each block along what is below it, to the "
+       "right positive, and its distance from it where there ever is one: a gap above zero is a flight. The "
+       "thick grey line is the exact motion; engines are shown as far as they tell their slip. A curve that "
+       "leaves its panel goes on beyond it.",
+       [](const ComparedScene& scene) { return sampled(scene) && scene.slips; }},
+      {"friction", "Friction",
+       "What does friction do? Angles and slips of the exact motion with several coefficients of friction at "
+       "all interfaces; the thick grey line is the motion by the scene's own law.",
+       [](const ComparedScene& scene) { return sampled(scene) && scene.frictions; }},
       {"differences", "Angle differences over time",
        "How far off is each engine, and from when? The largest absolute value of each short "
        "stretch of time, on a logarithmic axis; a curve that leaves its panel below is nearer still. The "

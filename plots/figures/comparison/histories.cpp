@@ -6,6 +6,7 @@
 #include <map>
 
 #include "comparisons/results/csv.hpp"
+#include "plots/data/contacts.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"
@@ -111,7 +112,7 @@ std::string pattern_band(const std::vector<PatternSpan>& spans, double end) {
     const double letter = end / 95;
     if (to - from > letter * static_cast<double>(spans[i].pattern.size() + 1))
       text += fmt::format("set label {} noenhanced at {}, graph 0.5 center font ',12' front\n",
-                          in_quotes(spans[i].pattern), plain((from + to) / 2));
+                          in_quotes(shown_pattern(spans[i].pattern)), plain((from + to) / 2));
     from = to;
   }
   return text;
@@ -160,6 +161,19 @@ std::string time_range(double end) {
   return fmt::format("set xrange [0:{}]\n", plain(end));
 }
 
+/// What the letters of patterns mean, where blocks slide or fly.
+void add_letters(Sheet& sheet, const std::vector<PatternSpan>& spans) {
+  const auto slides = [](const PatternSpan& span) {
+    return span.pattern.find_first_of("<>-") != std::string::npos;
+  };
+  if (std::any_of(spans.begin(), spans.end(), slides))
+    sheet.note(
+        "patterns from the ground up: C closed, L and R on the left and right corner, – apart, ← → the way "
+        "it "
+        "slides",
+        "#444444");
+}
+
 void add_band(Sheet& sheet, const std::vector<PatternSpan>& spans, double exact_end, double end) {
   if (spans.empty()) return;
   constexpr double height = 26, gap = 8;
@@ -169,6 +183,7 @@ void add_band(Sheet& sheet, const std::vector<PatternSpan>& spans, double exact_
                   "set label 'pattern ' at graph -0.004, graph 0.5 right font ',12'\n" +
                   pattern_band(spans, exact_end),
               {});
+  add_letters(sheet, spans);
 }
 
 std::string panel_settings(const std::vector<Motion>& motions, const ExactEvents& events, std::size_t block,

@@ -3,6 +3,7 @@
 // controls, picture and words at the same time.
 (() => {
 const touching = 2e-4; // rad: engines have no patterns; a smaller relative angle counts as closed
+const clear = 5e-4; // of the stack's height: blocks that are further from each other do not touch
 const steepest = 1.45; // rad: angles are not exaggerated beyond
 const tints = ["#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0", "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"];
 
@@ -24,16 +25,32 @@ const lastBefore = (times, time) => {
 const turned = (a, c, angle) =>
   [a * Math.cos(angle) + c * Math.sin(angle), c * Math.cos(angle) - a * Math.sin(angle)];
 
+const plus = ([a, b], [c, d]) => [a + c, b + d];
+const minus = ([a, b], [c, d]) => [a - c, b - d];
+
+// How far a point lies along a face from a point of it, and how far above.
+const seenFrom = (middle, angle, point) => {
+  const [x, y] = minus(point, middle);
+  return [x * Math.cos(angle) - y * Math.sin(angle), x * Math.sin(angle) + y * Math.cos(angle)];
+};
+
+// Kinds of events in words, and what they mean.
+const kinds = { impact: ["Impact", ""], "lift-off": ["Lift-off", ", where blocks part"],
+  slip: ["Slip", ", which starts to slide"], stick: ["Stick", ", which stops to slide that way"],
+  corner: ["Corner", ", where the contact passes to another corner"], fall: ["Fall", ", where a block leaves the face below"] };
+
 const subscript = (number) => String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
 const signed = (value, digits) => (Number(value.toFixed(digits)) < 0 ? "−" : "") + Math.abs(value).toFixed(digits);
 
 class Track {
   constructor(data, blocks) {
-    const { label, colour, shown, impacts } = data;
-    Object.assign(this, { label, colour, shown, impacts, blocks });
+    const { label, colour, shown, impacts, exact } = data;
+    Object.assign(this, { label, colour, shown, impacts, exact, blocks });
     this.dash = data.dash === "solid" ? [] : data.dash.replace(/[()]/g, "").split(",").map(Number);
     this.times = unpack(data.times);
     this.values = unpack(data.angles);
+    this.slipped = data.slips ? unpack(data.slips) : null;
+    this.placed = data.places ? unpack(data.places) : null;
     this.forces = data.reactions ? unpack(data.reactions) : null;
     this.forceTimes = data.reactions ? unpack(data.reaction_times) : null;
     this.end = this.times[this.times.length - 1];
@@ -51,6 +68,16 @@ class Track {
 
   angles(time) { return this.read(this.values, this.blocks, time); }
 
+  // How far each block has slipped to the right along what is below it; nought where the results do not say.
+  slips(time) { return this.slipped ? this.read(this.slipped, this.blocks, time) : Array(this.blocks).fill(0); }
+
+  // The centre of mass of each block, null where angles and slips say where blocks are.
+  places(time) {
+    if (!this.placed) return null;
+    const values = this.read(this.placed, 2 * this.blocks, time);
+    return Array.from({ length: this.blocks }, (_, k) => [values[2 * k], values[2 * k + 1]]);
+  }
+
   // One sample, not a mean of two: forces jump at impacts.
   reactions(time) {
     const width = 3 * this.blocks;
@@ -62,26 +89,75 @@ class Track {
 class Stack {
   constructor(blocks) {
     this.half = blocks.map((block) => [block.width / 2, block.height / 2]);
-    this.reach = this.half.map(([width], k) => k > 0 ? Math.min(width, this.half[k - 1][0]) : width);
+    this.offset = blocks.map((block) => block.offset);
     this.height = blocks.reduce((sum, block) => sum + block.height, 0);
     this.width = Math.max(...blocks.map((block) => block.width));
   }
 
-  // Corners, contacts and faces of a stack at these angles, in metres from the middle of its place at rest.
-  place(angles) {
-    const sides = angles.map((angle, k) => Math.sign(angle - (k > 0 ? angles[k - 1] : 0)));
-    let pivot = [sides[0] * this.reach[0], 0];
+  // Middles of the bases of blocks that touch at these angles and slips, in metres from the middle of the ground's
+  // interface.
+  stand(angles, slips) {
+    let top = [0, 0], face = 0, reach = Infinity;
     return angles.map((angle, k) => {
-      const [b, h] = this.half[k];
-      const foot = sides[k] * this.reach[k];
-      const from = pivot;
-      const at = (a, c) => { const [x, y] = turned(a - foot, c, angle); return [from[0] + x, from[1] + y]; };
-      const face = k > 0 && this.half[k][0] <= this.half[k - 1][0] ? angles[k - 1] : k > 0 ? angle : 0;
-      const part = { corners: [at(-b, 0), at(b, 0), at(b, 2 * h), at(-b, 2 * h)], face,
-        under: (x) => at(x, 0), reach: this.reach[k] };
-      if (k + 1 < angles.length) pivot = at(sides[k + 1] * this.reach[k + 1], 2 * h);
-      return part;
+      const [b, h] = this.half[k], side = Math.sign(angle - face);
+      const foot = side > 0 ? Math.min(b, reach - slips[k]) : side < 0 ? Math.max(-b, -reach - slips[k]) : 0;
+      const base = minus(plus(top, turned(foot + slips[k], 0, face)), turned(foot, 0, angle));
+      [top, face, reach] = [plus(base, turned(0, 2 * h, angle)), angle, b];
+      return base;
     });
+  }
+
+  // The blocks of a track with their angles enlarged to `angles`; flights and falls keep their size.
+  place(track, time, angles) {
+    const slips = track.slips(time), places = track.places(time), real = track.angles(time);
+    let bases = this.stand(angles, slips);
+    if (places) {
+      const touching = this.stand(real, slips);
+      bases = bases.map((base, k) => {
+        const [x, y] = this.offset[k], h = this.half[k][1];
+        return plus(base, minus(minus(places[k], turned(x, y + h, real[k])), touching[k]));
+      });
+    }
+    const parts = [];
+    bases.forEach((base, k) => parts.push(new Part(base, angles[k], this.half[k], k > 0 ? parts[k - 1] : null)));
+    return parts;
+  }
+}
+
+// A block in its place, and how it touches the one below, or the ground.
+class Part {
+  constructor(base, angle, [b, h], below) {
+    Object.assign(this, { base, angle, b, below });
+    this.top = plus(base, turned(0, 2 * h, angle));
+    this.corners = [[-b, 0], [b, 0], [b, 2 * h], [-b, 2 * h]].map(([a, c]) => plus(base, turned(a, c, angle)));
+  }
+
+  under(x) { return plus(this.base, turned(x, 0, this.angle)); }
+
+  // Where the faces that meet end on a side, along the base from its middle: at its own corner or at that below.
+  end(side) {
+    if (!this.below) return side * this.b;
+    const [along] = seenFrom(this.base, this.angle, plus(this.below.top, turned(side * this.below.b, 0, this.below.angle)));
+    return side * Math.min(this.b, side * along);
+  }
+
+  // The angle of the face that a corner touches.
+  face(side) {
+    const rounding = 1e-5 * this.b;
+    const own = side !== 0 && Math.abs(this.end(side)) < this.b - rounding;
+    return own ? this.angle : this.below ? this.below.angle : 0;
+  }
+
+  // The least distance between the faces, Infinity where neither is over the other.
+  gap() {
+    if (!this.below) return Math.min(this.corners[0][1], this.corners[1][1]);
+    const { top, angle, b } = this.below;
+    const over = (point, middle, turn, reach, sign) => {
+      const [along, up] = seenFrom(middle, turn, point);
+      return Math.abs(along) <= reach ? sign * up : Infinity;
+    };
+    return Math.min(...[-1, 1].flatMap((side) => [over(this.under(side * this.b), top, angle, b, 1),
+      over(plus(top, turned(side * b, 0, angle)), this.base, this.angle, this.b, -1)]));
   }
 }
 
@@ -94,6 +170,7 @@ class Player {
     this.events = data.events;
     this.ground = data.ground ? { times: unpack(data.ground.times), values: unpack(data.ground.values) } : null;
     this.weight = data.weight;
+    this.friction = data.friction;
     this.title = data.title;
     this.end = Math.max(...this.tracks.map((track) => track.end));
     this.time = 0;
@@ -105,6 +182,7 @@ class Player {
     this.starts = this.events.spans.map((span) => span[0]);
     this.makeControls(root);
     this.makeTable();
+    this.makeList();
     if (data.start) this.start(data.start);
     new ResizeObserver(() => this.resize()).observe(this.find("stage"));
     this.resize();
@@ -118,14 +196,19 @@ class Player {
     for (const speed of speeds)
       this.find("speed").add(new Option(speed + " ×", speed, speed === usual, speed === usual));
     for (const track of this.tracks) this.find("tracks").append(this.checkbox(track));
-    if (!this.tracks.some((track) => track.forces))
-      for (const name of ["force-option", "force-hint"]) this.find(name).hidden = true;
+    const forces = this.tracks.some((track) => track.forces);
+    for (const [name, there] of [["force-option", forces], ["force-hint", forces], ["cone-hint", forces && this.friction],
+      ["slip-hint", this.tracks.some((track) => track.slipped)]]) this.find(name).hidden = !there;
+    this.stop = this.events.stops.some((stop) => stop[5] !== "impact") ? "event" : "impact";
+    this.find("next").textContent = this.stop + " ▶";
+    this.find("previous").textContent = "◀ " + this.stop;
     if (this.tracks.length === 1) this.find("view").parentElement.hidden = true;
     this.find("scrub").max = this.end * 1000;
     this.find("play").addEventListener("click", () => this.toggle());
     this.find("next").addEventListener("click", () => this.step(1));
     this.find("previous").addEventListener("click", () => this.step(-1));
     this.find("scrub").addEventListener("input", (event) => this.goTo(event.target.value / 1000));
+    this.find("chatter").addEventListener("input", () => this.makeList());
     for (const name of ["view", "forces"]) this.find(name).addEventListener("input", () => this.draw());
     this.find("gain").addEventListener("input", () => this.draw());
     this.find("stage").addEventListener("keydown", (event) => this.key(event));
@@ -161,7 +244,8 @@ class Player {
   makeTable() {
     const blocks = this.stack.half.length;
     const heads = ["", ...Array.from({ length: blocks }, (_, k) => `θ${subscript(k + 1)} (rad)`),
-      "contacts, from the ground up"];
+      "contacts, from the ground up",
+      ...this.slipHeads(blocks)];
     const row = (cells, kind) => {
       const tr = document.createElement("tr");
       cells.forEach((text, i) => {
@@ -174,7 +258,26 @@ class Player {
     };
     this.find("values").tHead.replaceChildren(row(heads, "th"));
     this.find("values").tBodies[0].replaceChildren(
-      ...this.shown().map((track) => row([track.label, ...Array(blocks + 1).fill("")], "td")));
+      ...this.shown().map((track) => row([track.label, ...Array(heads.length - 1).fill("")], "td")));
+  }
+
+  slipHeads(blocks) {
+    const told = this.tracks.some((track) => track.slipped);
+    return Array.from({ length: told ? blocks : 0 }, (_, k) => `slip${subscript(k + 1)} (m)`);
+  }
+
+  // The events that N and P stop at, each a button that goes there.
+  makeList() {
+    const items = this.stops().map((stop) => {
+      const item = document.createElement("li"), button = document.createElement("button");
+      button.type = "button";
+      button.textContent = stop[0].toFixed(4) + " s";
+      button.addEventListener("click", () => this.goTo(stop[0]));
+      item.append(button, " " + this.told(stop));
+      return item;
+    });
+    this.find("events").hidden = !items.length;
+    this.find("event-list").replaceChildren(...items);
   }
 
   shown() { return this.tracks.filter((track) => track.shown); }
@@ -224,18 +327,25 @@ class Player {
     this.say();
   }
 
-  // To the next or last impact of the exact motion; the one that is on now does not count.
+  // Events of the exact motion, with those of chatter where they are asked for.
+  stops() { return this.events.stops.filter((stop) => this.find("chatter").checked || !stop[4]); }
+
+  told([, number, from, to, , kind]) {
+    const [word, meaning] = kinds[kind];
+    return `${word} at interface ${number}${meaning}: pattern ${from} becomes ${to}.`;
+  }
+
+  // To the next or last event of the exact motion; the one that is on now does not count.
   step(direction) {
     if (this.playing) this.toggle();
-    const every = this.find("chatter").checked;
-    const list = this.events.impacts.filter((impact) => every || !impact[4]);
+    const list = this.stops();
     const still = 1e-7;
-    const next = direction > 0 ? list.find((impact) => impact[0] > this.time + still)
-      : list.findLast((impact) => impact[0] < this.time - still);
-    if (!next) return this.say(direction > 0 ? "No impact after this time." : "No impact before this time.");
+    const next = direction > 0 ? list.find((stop) => stop[0] > this.time + still)
+      : list.findLast((stop) => stop[0] < this.time - still);
+    if (!next) return this.say(`No ${this.stop} ${direction > 0 ? "after" : "before"} this time.`);
     this.time = next[0];
     this.draw();
-    this.say(`Impact at interface ${next[1]}: pattern ${next[2]} becomes ${next[3]}.`);
+    this.say(list.filter((stop) => stop[0] === next[0]).map((stop) => this.told(stop)).join(" "));
   }
 
   // Words for all, spoken only while nothing moves.
@@ -273,27 +383,30 @@ class Player {
     this.drawStrip();
   }
 
+  // Sides and ways of sliding: of the exact motion from its pattern, of others as far as they show it.
   contacts(track, parts, angles) {
-    const known = track.forces ? this.sides() : null;
+    const known = track.exact ? this.sides() : null;
     return parts.map((part, k) => {
-      if (known) return known[k];
+      if (known) return { side: known[2][k], slide: known[3][k] };
       const relative = angles[k] - (k > 0 ? angles[k - 1] : 0);
-      return Math.abs(relative) < touching ? 0 : Math.sign(relative);
+      const apart = track.placed && part.gap() > clear * this.stack.height;
+      return { side: apart ? 2 : Math.abs(relative) < touching ? 0 : Math.sign(relative), slide: 0 };
     });
   }
 
-  // The contacts of the exact pattern.
-  sides() {
-    const span = this.events.spans[Math.max(0, lastBefore(this.starts, this.time))];
-    return span ? span[2] : null;
-  }
+  // The span of the exact pattern.
+  sides() { return this.events.spans[Math.max(0, lastBefore(this.starts, this.time))] ?? null; }
 
   fillRow(row, track) {
     const angles = track.angles(this.time);
-    const sides = this.contacts(track, this.stack.place(angles), angles);
+    const contacts = this.contacts(track, this.stack.place(track, this.time, angles), angles);
+    const words = { "-1": "left", 0: "closed", 1: "right", 2: "apart" };
     angles.forEach((angle, k) => { row.cells[k + 1].textContent = signed(angle, 5); });
     row.cells[angles.length + 1].textContent = this.time > track.end + 1e-9 ? "ended"
-      : sides.map((side) => side < 0 ? "left" : side > 0 ? "right" : "closed").join(", ");
+      : contacts.map(({ side, slide }) => words[side] + (slide ? slide < 0 ? " ←" : " →" : "")).join(", ");
+    if (track.slipped) track.slips(this.time).forEach((slip, k) => {
+      row.cells[angles.length + 2 + k].textContent = signed(slip, 4);
+    });
   }
 
   drawStage() {
@@ -303,8 +416,9 @@ class Player {
     pen.clearRect(0, 0, width, height);
     const shown = this.shown(), over = this.find("view").value === "over";
     const columns = over ? 1 : Math.max(1, shown.length);
-    const side = this.stack.width / 2 + Math.max(this.stack.height * this.lean(), 0.35 * this.stack.width);
-    const scale = Math.min((width / columns - 12) / (2 * side), (height - 62) / (this.stack.height * 1.03));
+    const [across, up] = this.reach();
+    const side = Math.max(across, this.stack.width / 2 + Math.max(this.stack.height * this.lean(), 0.35 * this.stack.width));
+    const scale = Math.min((width / columns - 12) / (2 * side), (height - 62) / Math.max(up, this.stack.height * 1.03));
     shown.forEach((track, i) => {
       const column = over ? 0 : i;
       const middle = (column + 0.5) * width / columns;
@@ -320,6 +434,19 @@ class Player {
     this.most ??= Math.max(...this.tracks.map((track) =>
       track.values.reduce((most, angle) => Math.max(most, Math.abs(angle)), 0)));
     return Math.max(0.25, Math.sin(Math.min(steepest, this.most * this.gain())));
+  }
+
+  // How far to the side and up blocks of the first motion with places come, but not beyond four heights.
+  reach() {
+    this.far ??= (() => {
+      const values = this.tracks.find((track) => track.placed)?.placed ?? [], most = [0, 0];
+      values.forEach((value, i) => {
+        const half = this.stack.half[(i >> 1) % this.stack.half.length];
+        most[i % 2] = Math.max(most[i % 2], Math.abs(value) + Math.hypot(...half));
+      });
+      return most.map((value) => Math.min(value, 4 * (this.stack.height + this.stack.width)));
+    })();
+    return this.far;
   }
 
   caption(pen, track, x, y, room) {
@@ -355,8 +482,8 @@ class Player {
     const real = track.angles(this.time);
     const angles = real.map((angle) => Math.max(-steepest, Math.min(steepest, angle * gain)));
     if (gain === 1) real.forEach((angle, k) => { angles[k] = angle; });
-    const parts = this.stack.place(angles);
-    const sides = this.contacts(track, parts, real);
+    const parts = this.stack.place(track, this.time, angles);
+    const contacts = this.contacts(track, parts, real);
     pen.lineJoin = "round";
     for (const part of parts) {
       pen.beginPath();
@@ -372,14 +499,15 @@ class Player {
       pen.stroke();
       pen.setLineDash([]);
     }
-    parts.forEach((part, k) => this.drawContact({ pen, x, y }, part, sides[k], track.colour));
-    if (track.forces && this.find("forces").checked) this.drawForces({ pen, x, y, scale }, track, parts, sides);
+    parts.forEach((part, k) => this.drawContact({ pen, x, y }, part, contacts[k].side, track.colour));
+    if (track.forces && this.find("forces").checked) this.drawForces({ pen, x, y, scale }, track, parts, contacts);
   }
 
   drawContact({ pen, x, y }, part, side, colour) {
     pen.strokeStyle = pen.fillStyle = colour;
+    if (side === 2) return;
     if (side === 0) {
-      const [left, right] = [part.under(-part.reach), part.under(part.reach)];
+      const [left, right] = [part.under(part.end(-1)), part.under(part.end(1))];
       pen.lineWidth = 5;
       pen.lineCap = "butt";
       pen.beginPath();
@@ -388,7 +516,7 @@ class Player {
       pen.stroke();
       return;
     }
-    const [a, c] = part.under(side * part.reach);
+    const [a, c] = part.under(part.end(side));
     pen.beginPath();
     pen.arc(x(a), y(c), 5, 0, 2 * Math.PI);
     pen.fill();
@@ -397,15 +525,19 @@ class Player {
     pen.stroke();
   }
 
-  drawForces({ pen, x, y, scale }, track, parts, sides) {
+  drawForces({ pen, x, y, scale }, track, parts, contacts) {
     const full = 0.3 * Math.max(this.stack.height, this.stack.width) * scale; // pixels for the weight of all blocks
     const blocks = parts.length, forces = track.reactions(this.time);
     parts.forEach((part, k) => {
+      const { side } = contacts[k];
+      if (side === 2) return;
       const normal = forces[k] / this.weight, along = forces[blocks + k] / this.weight, centre = forces[2 * blocks + k];
-      const [a, c] = part.under(sides[k] === 0 && Number.isFinite(centre) ? centre : sides[k] * part.reach);
-      const [right, up] = [normal * Math.sin(part.face) + along * Math.cos(part.face),
-        normal * Math.cos(part.face) - along * Math.sin(part.face)];
-      arrow(pen, x(a), y(c), x(a) + right * full, y(c) - up * full, "#5b2a86", 3);
+      const [a, c] = part.under(side === 0 ? Number.isFinite(centre) ? centre : 0 : part.end(side));
+      const face = part.face(side);
+      const to = (n, s) => [x(a) + (n * Math.sin(face) + s * Math.cos(face)) * full,
+        y(c) - (n * Math.cos(face) - s * Math.sin(face)) * full];
+      if (this.friction) this.drawCone(pen, [x(a), y(c)], to, this.friction[k], 1.2 * Math.hypot(normal, along));
+      arrow(pen, x(a), y(c), ...to(normal, along), "#5b2a86", 3);
     });
     const bar = x(-this.stack.width / 2 - 0.15 * Math.max(this.stack.width, this.stack.height));
     pen.strokeStyle = pen.fillStyle = "#5b2a86";
@@ -417,6 +549,21 @@ class Player {
     pen.font = "11px 'DejaVu Sans', sans-serif";
     pen.textAlign = "center";
     pen.fillText("weight", bar, y(0) - full - 5);
+  }
+
+  // What friction can hold: forces within the angle of friction from the face's normal.
+  drawCone(pen, apex, to, friction, length) {
+    const angle = Math.atan(friction), size = Math.max(0.3, length);
+    const edge = (way) => to(size * Math.cos(angle), way * size * Math.sin(angle));
+    pen.beginPath();
+    pen.moveTo(...edge(-1));
+    pen.lineTo(...apex);
+    pen.lineTo(...edge(1));
+    pen.fillStyle = "rgba(91, 42, 134, 0.13)";
+    pen.fill();
+    pen.strokeStyle = "#5b2a86";
+    pen.lineWidth = 1;
+    pen.stroke();
   }
 
   // The pattern band and the rows of impacts, painted once for a size.

@@ -60,6 +60,13 @@ TEST(Style, WordsInAnyColourCanBeReadOnWhite) {
   }
 }
 
+TEST(Style, CoefficientsOfFrictionAreToldApartWhateverTheirDigits) {
+  std::set<std::string> colours;
+  for (const char* friction : {"friction=1", "friction=0.5", "friction=0.3", "friction=0.2", "friction=0.1"})
+    colours.insert(style_of(run_of(friction, "taylor", "")).colour);
+  EXPECT_EQ(colours.size(), 5u);
+}
+
 TEST(Style, SetsOfOneSuiteAreToldApart) {
   const std::vector<std::vector<std::string>> suites{
       {"default", "tuned", "tuned+contactApprox1=0", "tuned+contactApprox1=1"},

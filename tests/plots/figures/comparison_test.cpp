@@ -130,6 +130,16 @@ TEST(Figures, MoreSeriesThanOnePanelBearsHaveAPanelEach) {
     EXPECT_NE(svg.find(engine.engine + " " + engine.solver + ", tuned"), std::string::npos);
 }
 
+TEST(Figures, SlidingAndFlightAreDrawnAndTold) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, {.steps = {1e-2}, .slides = true, .results = R"(["histories"])"});
+  draw_figures(folder);
+  expect_figures(folder);
+  const std::string svg = testing::bytes_of(figure_stem(folder, "sample", "slip").concat(".svg"));
+  EXPECT_NE(svg.find("500 mm at interface 1 (exact)"), std::string::npos);
+  EXPECT_NE(svg.find("interface 1 from 1 to 1.5 s"), std::string::npos);
+}
+
 TEST(Figures, AGroundThatMovesHasAFigureOfItsOwn) {
   draw_sample({.blocks = 1, .shaken = true});
 }
@@ -142,6 +152,8 @@ TEST(Figures, AreThoseThatTheResultsHaveDataFor) {
   EXPECT_EQ(names_of_figures({.results = R"(["angles"])"}), (Names{"ranking", "error-time"}));
   EXPECT_EQ(names_of_figures({.results = R"(["patterns"])"}), Names{"occupancy"});
   EXPECT_EQ(names_of_figures({.shaken = true, .results = "[]"}), Names{"ground-motion"});
+  EXPECT_EQ(names_of_figures({.slides = true, .results = R"(["histories"])"}),
+            (Names{"histories", "slip", "differences", "phase"}));
 }
 
 constexpr const char* two_fits = R"([
