@@ -15,19 +15,19 @@ int lowest_change(const Joints<Real>& from, const Joints<Real>& to) {
 
 /// What a change of contacts without impact is called.
 template <class Real>
-ContactEventKind kind_of(const Joints<Real>& from, const Joints<Real>& to) {
+EventKind kind_of(const Joints<Real>& from, const Joints<Real>& to) {
   const auto any = [&](const auto& changed) {
     for (std::size_t k = 0; k < from.size(); ++k)
       if (changed(from[k], to[k])) return true;
     return false;
   };
   if (any([](const BasicJoint<Real>& a, const BasicJoint<Real>& b) { return a.touches() && !b.touches(); }))
-    return ContactEventKind::lift_off;
+    return EventKind::lift_off;
   if (any([](const BasicJoint<Real>& a, const BasicJoint<Real>& b) { return a.touch != b.touch; }))
-    return ContactEventKind::opening;
+    return EventKind::opening;
   if (any([](const BasicJoint<Real>& a, const BasicJoint<Real>& b) { return a.slip == 0 && b.slip != 0; }))
-    return ContactEventKind::slip;
-  return ContactEventKind::stick;
+    return EventKind::slip;
+  return EventKind::stick;
 }
 
 /// On a pair of corners the first slip decides whose face it goes along: the mode that follows then, in place

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
@@ -9,35 +7,17 @@
 
 namespace rockstack {
 
-/// What changes the contacts of a stack that may slip and lift off.
-enum class ContactEventKind : std::uint8_t {
-  opening,   ///< a flat contact starts to rock, without impact
-  lift_off,  ///< a contact parts, without impact
-  slip,      ///< what stuck starts to slide
-  stick,     ///< what slid sticks, or slides back
-  corner,    ///< a corner passes the end of a face: the contact goes on at another corner, or parts
-  impact,    ///< blocks meet
-  closure,   ///< the last of ever smaller impacts
-  rest,      ///< a closure after which nothing moves
-  topple,    ///< a block passes its toppling angle; the motion ends
-  fall,      ///< a block leaves the face that it was over; the motion ends
-};
-
-std::string name(ContactEventKind kind);
-
-/// What theory has to say on an event: one solution; several, of which the one named by find_mode() follows;
-/// or none without an impulse, of which the limit of Moreau's time steps follows.
-enum class Solutions : std::uint8_t { one, several, none };
-
 /// One event with the motion on both sides of it. `interface` counts from 1; of topple it is the block.
 template <class Real>
 struct BasicContactEvent {
   Real time = 0;  ///< s
-  ContactEventKind kind{};
+  EventKind kind{};
   int interface = 0;
   Joints<Real> from, to;
   Placements<Real> at, before, after;  ///< placements, and their rates
-  Solutions solutions = Solutions::one;
+  /// What theory has to say: one motion; several, of which the one named by find_mode() follows; or none
+  /// without an impulse, of which the limit of Moreau's time steps follows.
+  Consistency consistency = Consistency::consistent;
 };
 
 /// The motion at one time.

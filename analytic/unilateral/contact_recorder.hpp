@@ -4,17 +4,22 @@
 #include <optional>
 #include <utility>
 
+#include "analytic/scene/ground/pulse.hpp"
 #include "analytic/unilateral/contact_demands.hpp"
 #include "analytic/unilateral/contact_history.hpp"
 #include "analytic/unilateral/initial_contacts.hpp"
 
 namespace rockstack {
 
-/// The least gap of blocks that are apart, over all corners that are over a face, m.
+/// The least gap of blocks that are apart, over all corners that are over a face, m; infinite where there are
+/// none, or where one block has turned past a right angle to the other, so that their faces no longer meet.
 template <class Real>
 Real gap_of(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies, int interface) {
   using std::abs;
   Real gap = std::numeric_limits<Real>::infinity();
+  const auto k = static_cast<std::size_t>(interface);
+  const Real below_angle = interface == 0 ? Real(0) : bodies.at[k - 1].angle;
+  if (abs(bodies.at[k].angle - below_angle) >= pi<Real> / 2) return gap;
   for (const bool below : {false, true}) {
     for (const int side : {-1, 1}) {
       if (below && interface == 0) continue;

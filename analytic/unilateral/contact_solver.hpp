@@ -102,8 +102,8 @@ class ContactSolver {
     for (const Course<Real>& course : found.courses) {
       if (course.change != Change::topple && course.change != Change::fall) continue;
       ended_ = true;
-      return note(course.change == Change::topple ? ContactEventKind::topple : ContactEventKind::fall,
-                  course.interface + 1, before, state_.bodies.rate);
+      return note(course.change == Change::topple ? EventKind::topple : EventKind::fall, course.interface + 1,
+                  before, state_.bodies.rate);
     }
     Joints<Real> touching = state_.joints;
     const int interface = found.courses.front().interface + 1;
@@ -120,7 +120,7 @@ class ContactSolver {
     state_.joints = std::move(touching);
     hold();
     if (std::any_of(found.courses.begin(), found.courses.end(), passes))
-      note(ContactEventKind::corner, interface, before, state_.bodies.rate);
+      note(EventKind::corner, interface, before, state_.bodies.rate);
     decide(before, series.at(found.s + moment_ / series.length), moment_);
   }
 
@@ -147,9 +147,9 @@ class ContactSolver {
     const auto still = [](const BasicJoint<Real>& joint) {
       return joint.touch == Touch::flat && joint.slip == 0;
     };
-    note(!impact->closes                                                ? ContactEventKind::impact
-         : std::all_of(impact->mode.begin(), impact->mode.end(), still) ? ContactEventKind::rest
-                                                                        : ContactEventKind::closure,
+    note(!impact->closes                                                ? EventKind::impact
+         : std::all_of(impact->mode.begin(), impact->mode.end(), still) ? EventKind::rest
+                                                                        : EventKind::closure,
          interface, before, rates);
     decide(impact->mode, state_.bodies, 0);
   }
@@ -175,7 +175,7 @@ class ContactSolver {
     hold();
     if (!same_modes(before, state_.joints))
       note(kind_of(before, state_.joints), lowest_change(before, state_.joints), before, rates,
-           others ? Solutions::several : Solutions::one);
+           others ? Consistency::several : Consistency::consistent);
   }
 
   /// The impulse that lets the motion go on where no forces do: that of a vanishing step of Moreau's.
@@ -190,7 +190,7 @@ class ContactSolver {
     recorder_.note_impact(response.forces, time());
     state_.bodies.rate = placements_of(response.motion);
     state_.joints = *mode;
-    note(ContactEventKind::impact, lowest_change(joints, state_.joints), joints, rates, Solutions::none);
+    note(EventKind::impact, lowest_change(joints, state_.joints), joints, rates, Consistency::none);
     return state_.joints;
   }
 
@@ -202,10 +202,10 @@ class ContactSolver {
     return result;
   }
 
-  void note(ContactEventKind kind, int interface, const Joints<Real>& from, const Placements<Real>& before,
-            Solutions solutions = Solutions::one) {
+  void note(EventKind kind, int interface, const Joints<Real>& from, const Placements<Real>& before,
+            Consistency consistency = Consistency::consistent) {
     recorder_.note_event({time(), kind, interface, from, state_.joints, state_.bodies.at, before,
-                          state_.bodies.rate, solutions});
+                          state_.bodies.rate, consistency});
   }
 
   void note_stall() {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <limits>
 
 #include "analytic/scene/history.hpp"
@@ -8,13 +7,6 @@
 #include "analytic/unilateral/contact_history.hpp"
 
 namespace rockstack {
-
-/// In the order of ContactEventKind.
-inline constexpr std::array event_kinds{
-    EventKind::opening, EventKind::lift_off, EventKind::slip, EventKind::stick,  EventKind::corner,
-    EventKind::impact,  EventKind::closure,  EventKind::rest, EventKind::topple, EventKind::fall};
-/// In the order of Solutions.
-inline constexpr std::array consistencies{Consistency::consistent, Consistency::several, Consistency::none};
 
 template <class Real>
 Pattern pattern_of(const Joints<Real>& joints) {
@@ -29,6 +21,7 @@ Pattern pattern_of(const Joints<Real>& joints) {
 template <class Real>
 std::vector<Real> angles_of(const Placements<Real>& placements) {
   std::vector<Real> angles;
+  angles.reserve(placements.size());
   for (const BasicBodyPlacement<Real>& placement : placements) angles.push_back(placement.angle);
   return angles;
 }
@@ -47,6 +40,7 @@ std::vector<BasicReaction<Real>> reactions_of(const Scene& scene, const BasicFri
   const BasicModeResponse<Real> response =
       respond(stack, sample.joints, sample.bodies, free, Sought::accelerations);
   std::vector<BasicReaction<Real>> reactions;
+  reactions.reserve(sample.joints.size());
   for (int k = 0; k < stack.size(); ++k) {
     const BasicJoint<Real>& joint = sample.joints[static_cast<std::size_t>(k)];
     const BasicContactForce<Real>& force = response.forces[static_cast<std::size_t>(k)];
@@ -81,15 +75,9 @@ void add_sample(const Scene& scene, const BasicFrictionStack<Real>& stack,
 
 template <class Real>
 BasicEvent<Real> event_of(const BasicContactEvent<Real>& event) {
-  return {event.time,
-          event_kinds[static_cast<std::size_t>(event.kind)],
-          event.interface,
-          pattern_of(event.from),
-          pattern_of(event.to),
-          angles_of(event.at),
-          angles_of(event.before),
-          angles_of(event.after),
-          consistencies[static_cast<std::size_t>(event.solutions)]};
+  return {event.time,           event.kind,          event.interface,         pattern_of(event.from),
+          pattern_of(event.to), angles_of(event.at), angles_of(event.before), angles_of(event.after),
+          event.consistency};
 }
 
 /// The motion as other laws tell theirs, with slips, gaps, places and reactions of its samples. Reactions are

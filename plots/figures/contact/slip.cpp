@@ -11,6 +11,7 @@
 #include "plots/data/contacts.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 

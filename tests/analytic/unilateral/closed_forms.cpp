@@ -124,9 +124,9 @@ TEST(UnilateralClosedForms, AThrownBlockFliesItsParabolaAndLandsWithFriction) {
   const ContactHistory history = solve_unilateral(scene, {.sample_times = {0.1, 0.3, 0.4}, .validity = true});
   ASSERT_GE(history.events.size(), 2U);
   const ContactEvent& landing = history.events[1];
-  EXPECT_EQ(history.events[0].kind, ContactEventKind::lift_off);
+  EXPECT_EQ(history.events[0].kind, EventKind::lift_off);
   EXPECT_EQ(history.events[0].time, 0);
-  EXPECT_EQ(landing.kind, ContactEventKind::impact);
+  EXPECT_EQ(landing.kind, EventKind::impact);
   EXPECT_EQ(name(landing.to), "C>");
   EXPECT_NEAR(landing.time, (2 + std::sqrt(2.0)) * time, round_off);
   EXPECT_NEAR(landing.before[0].y, -std::sqrt(2.0) * g * time, round_off * g);
@@ -154,10 +154,10 @@ TEST(UnilateralClosedForms, TheLastEventsOfASlowDescentAreThoseOfHousner) {
   const ContactHistory history = solve_unilateral(with_friction(scene, 10));
   for (std::size_t i = 0; i < 5; ++i) {
     const ContactEvent& event = history.events[i];
-    EXPECT_EQ(event.kind, ContactEventKind::impact);
+    EXPECT_EQ(event.kind, EventKind::impact);
     EXPECT_NEAR(event.after[0].angle / event.before[0].angle, 0.7, round_off);
   }
-  EXPECT_EQ(history.events.back().kind, ContactEventKind::rest);
+  EXPECT_EQ(history.events.back().kind, EventKind::rest);
 }
 
 }  // namespace

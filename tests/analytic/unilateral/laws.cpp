@@ -97,8 +97,8 @@ TEST(UnilateralLaws, FrictionWithoutBoundsLetsMotionsGoOn) {
       const ContactHistory history = solve_unilateral(scene);
       expect_no_event_to_add_energy(scene, history, seed);
       if (history.end_time == scene.duration) continue;
-      const ContactEventKind end = history.events.back().kind;
-      EXPECT_TRUE(end == ContactEventKind::topple || end == ContactEventKind::fall) << seed;
+      const EventKind end = history.events.back().kind;
+      EXPECT_TRUE(end == EventKind::topple || end == EventKind::fall) << seed;
     }
   }
 }
@@ -166,7 +166,7 @@ TEST(UnilateralLaws, AFlyingStackKeepsItsMomentum) {
     int impacts = 0;
     for (const ContactEvent& event : history.events) {
       EXPECT_FALSE(event.to[0].touches());
-      if (event.kind == ContactEventKind::impact) ++impacts;
+      if (event.kind == EventKind::impact) ++impacts;
     }
     EXPECT_GT(impacts, 0);
     const Momenta first = momenta(scene, history.samples[1].bodies);

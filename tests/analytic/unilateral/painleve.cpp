@@ -15,9 +15,9 @@ ContactHistory sliding_on_its_corner(double slip_rate, double friction, double d
   return solve_unilateral(scene);
 }
 
-bool tells(const ContactHistory& history, Solutions solutions) {
+bool tells(const ContactHistory& history, Consistency consistency) {
   for (const ContactEvent& event : history.events)
-    if (event.solutions == solutions) return true;
+    if (event.consistency == consistency) return true;
   return false;
 }
 
@@ -28,11 +28,11 @@ TEST(UnilateralPainleve, WhereNoForcesDoAnImpulseIsToldAndTakesEnergy) {
   const double a = 0.5 * std::cos(0.2) - std::sin(0.2);
   const double c = std::cos(0.2) + 0.5 * std::sin(0.2);
   const double critical = (1 + 3 * a * a / 1.25) / (3 * a * c / 1.25);
-  const bool left = tells(sliding_on_its_corner(-1, 1.05 * critical, 1e-3), Solutions::none);
-  const bool right = tells(sliding_on_its_corner(1, 1.05 * critical, 1e-3), Solutions::none);
+  const bool left = tells(sliding_on_its_corner(-1, 1.05 * critical, 1e-3), Consistency::none);
+  const bool right = tells(sliding_on_its_corner(1, 1.05 * critical, 1e-3), Consistency::none);
   EXPECT_TRUE(left != right);
   for (const double rate : {-1.0, 1.0}) {
-    EXPECT_FALSE(tells(sliding_on_its_corner(rate, 0.95 * critical, 1e-3), Solutions::none));
+    EXPECT_FALSE(tells(sliding_on_its_corner(rate, 0.95 * critical, 1e-3), Consistency::none));
     const Scene scene = testing::single(0.5, 1, 1);
     for (const ContactEvent& event : sliding_on_its_corner(rate, 1.05 * critical, 0.5).events)
       EXPECT_LE(energy(scene, {event.at, event.after}),
@@ -55,11 +55,11 @@ TEST(UnilateralPainleve, SignsOfTheCornerTellHowManySolutionsThereAre) {
       scene.initial = {{angle}, {std::sqrt(lift * scene.gravity / c)}, {1.0}};
       const ContactHistory history = solve_unilateral(scene);
       const bool jams = friction > critical;
-      EXPECT_EQ(tells(history, Solutions::several), jams && lift > 1) << friction << ' ' << lift;
-      EXPECT_EQ(tells(history, Solutions::none), jams && lift < 1) << friction << ' ' << lift;
+      EXPECT_EQ(tells(history, Consistency::several), jams && lift > 1) << friction << ' ' << lift;
+      EXPECT_EQ(tells(history, Consistency::none), jams && lift < 1) << friction << ' ' << lift;
       if (lift < 1) continue;
       ASSERT_FALSE(history.events.empty());
-      EXPECT_EQ(history.events.front().kind, ContactEventKind::lift_off);
+      EXPECT_EQ(history.events.front().kind, EventKind::lift_off);
     }
   }
 }
