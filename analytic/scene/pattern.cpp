@@ -24,7 +24,7 @@ std::string name(const Pattern& pattern) {
   std::string word;
   for (int k = 0; k < pattern.size; ++k) {
     word += "LCR-"[static_cast<int>(pattern[k]) + 1];
-    const int slide = pattern.slides[static_cast<std::size_t>(k)];
+    const std::int8_t slide = pattern.slides[static_cast<std::size_t>(k)];
     if (slide != 0) word += slide > 0 ? '>' : '<';
   }
   return word;

@@ -188,7 +188,14 @@ class ContactSolver {
     const BasicModeResponse<Real> response =
         respond(stack_, *mode, state_.bodies, velocities, Sought::velocities);
     recorder_.note_impact(response.forces, time());
-    state_.bodies.rate = placements_of(response.motion);
+    // The mode is that of the kicked velocities. Where its impulses on those without the kick would gain
+    // energy, what joints do not leave is taken without friction.
+    const auto twice_energy = [&](const BasicFreeVector<Real>& motion) -> Real {
+      return (motion.array().square() / stack_.inverse_mass.array()).sum();
+    };
+    state_.bodies.rate = twice_energy(response.motion) <= twice_energy(velocities)
+                             ? placements_of(response.motion)
+                             : held_rates(smooth_, *mode, state_.bodies);
     state_.joints = *mode;
     note(EventKind::impact, lowest_change(joints, state_.joints), joints, rates, Consistency::none);
     return state_.joints;
