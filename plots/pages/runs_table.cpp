@@ -157,9 +157,10 @@ std::string contact_section(const Comparison& comparison) {
     const ContactSummary summary = read_contact_summary(run);
     if (summary.interfaces.empty()) continue;
     const std::string label =
-        comparison.scenes.size() > 1 ? run.scene + ": " + run_label(run) : run_label(run);
+        comparison.scenes.size() > 1 ? fmt::format("{}: {}", run.scene, run_label(run)) : run_label(run);
     rows += rows_of(run, summary, label);
-    for (const std::string& warning : summary.warnings) warnings.push_back(label + ": " + warning);
+    for (const std::string& warning : summary.warnings)
+      warnings.push_back(fmt::format("{}: {}", label, warning));
   }
   if (rows.empty()) return "";
   std::string text = element("h2", "Slip and lift-off") + "\n" +

@@ -126,7 +126,7 @@ LawPlots plots_of(const std::vector<Marks>& list) {
                               [&](const Multiple& one) { return one.words == label; });
     if (found == plots.solvers.end())
       found = plots.solvers.insert(plots.solvers.end(), {label, style_of(run).colour, {}});
-    found->plots.push_back(marks + " using 1:2 " + style + " notitle");
+    found->plots.push_back(fmt::format("{} using 1:2 {} notitle", marks, style));
     plots.context.push_back(
         fmt::format("{} using 1:2 with points pt 7 ps 0.4*mark lc rgb '{}' notitle", marks, context_colour));
     if (short_step) plots.legend.emplace_back(style, label);

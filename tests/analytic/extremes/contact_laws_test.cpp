@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "analytic/solve.hpp"
 #include "tests/analytic/extremes/laws.hpp"
@@ -23,11 +22,9 @@ bool is_moderate(const Scene& scene) {
          within(10, [](const Block& block) { return block.half_height; });
 }
 
-// More, and more extreme ones, by the program `extremes`. An event decides by how the motion goes on up to
-// 10⁻⁴ √(H/g) later: a fall of 10⁻⁸ H, and as large a share of energy.
+// More, and more extreme ones, by the program `extremes`.
 TEST(SlipperyExtremes, NoMotionGainsEnergyOrSinksOrHoldsNumbersThatAreNone) {
   constexpr double few = 1000;
-  constexpr double moment = 1e-4;
   int solved = 0;
   for (std::uint64_t seed = 0; seed < 80; ++seed) {
     const Scene scene = slippery_extreme_scene(seed);
@@ -37,7 +34,7 @@ TEST(SlipperyExtremes, NoMotionGainsEnergyOrSinksOrHoldsNumbersThatAreNone) {
         testing::breaches(scene, solve_unilateral(scene, {.sample_times = times}));
     EXPECT_EQ(found.fault, "") << seed;
     EXPECT_LE(found.impact_gain, few) << seed;
-    EXPECT_LE(found.flight_drift, moment * moment / std::numeric_limits<double>::epsilon()) << seed;
+    EXPECT_LE(found.flight_drift, few) << seed;
     ++solved;
   }
   EXPECT_GT(solved, 20);
