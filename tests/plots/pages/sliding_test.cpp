@@ -74,8 +74,7 @@ TEST_F(SlidingPage, EventsOfSlidingAndFlightAreStopsInWords) {
       "Lift-off at interface 1, where blocks part: pattern R→C← becomes –C←.",
       "Impact at interface 1: pattern –C← becomes LC←.",
       "Stick at interface 2, which stops to slide that way: pattern LC← becomes LC.",
-      "Corner at interface 2, where the contact passes to another corner: "
-      "pattern LC becomes LR.",
+      "Corner at interface 2, where the contact passes to another corner: pattern LC becomes LR.",
       "Fall at interface 2, where a block leaves the face below: pattern LR becomes L–."};
   for (std::size_t i = 0; i < said.size(); ++i) {
     EXPECT_EQ(answer.result["words"][i][0], 0.5 * static_cast<double>(i + 1));
