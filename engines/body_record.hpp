@@ -3,16 +3,13 @@
 #include <optional>
 #include <vector>
 
-namespace rockstack {
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/scene.hpp"
+#include "engines/contact_record.hpp"
+#include "engines/setup.hpp"
+#include "engines/trajectory.hpp"
 
-/// An impact that contacts tell: an end of an interface that was off and bore nothing begins to bear while
-/// the interface closes.
-struct ContactImpact {
-  double time = 0;    ///< at which both faces touch there, by gap and approach, s
-  int interface = 0;  ///< from 1
-  double speed = 0;   ///< relative angular speed of closing where the step starts, rad/s
-  double after = 0;   ///< relative angular velocity where it ends, rad/s
-};
+namespace rockstack {
 
 /// What the bodies of an engine did that angles alone do not tell, over one run. SI units, in the ground's
 /// frame.
@@ -23,20 +20,37 @@ struct BodyRecord {
   std::vector<double> input;
   /// Largest depth of a block in the block or ground under it at each sample, m.
   std::vector<double> penetration;
-  /// ½kd² of all contacts that are springs which steps follow and overlap by d, at each sample, J; 0 where
-  /// the engine tells no contacts.
-  std::vector<double> elastic;
-  /// Largest product of gap and force of a contact that pushes across a gap, J; nothing where the engine
-  /// tells no contacts. Impulses count as forces that act for the whole step.
-  std::optional<double> complementarity;
-  /// Impulse across the contacts' normals above what Coulomb's cone allows, over the whole run, as a share of
-  /// all that they push; whatever law of friction the engine has. Nothing where it tells no contacts.
-  std::optional<double> friction_excess;
-  std::vector<ContactImpact> impacts;  ///< in order of steps
-  double gap = 0;                      ///< largest height of a block over what it stands on, m
-  double slip = 0;                     ///< largest way of a pivot along the face that it stands on, m
-  double out_of_plane = 0;             ///< largest |z| of a block's centre, m
-  double out_of_plane_tilt = 0;        ///< largest sine of a block's angle out of the plane
+  std::optional<ContactRecord> contacts;  ///< where the engine tells them
+  double gap = 0;                         ///< largest height of a block over what it stands on, m
+  double slip = 0;                        ///< largest way of a pivot along the face that it stands on, m
+  double out_of_plane = 0;                ///< largest |z| of a block's centre, m
+  double out_of_plane_tilt = 0;           ///< largest sine of a block's angle out of the plane
 };
+
+/// What contacts that are springs hold at each sample, J; zeros where the engine tells no contacts.
+std::vector<double> elastic_energy(const BodyRecord& record);
+
+/// What an engine made of a scene, as the exact solver would tell it.
+struct EngineRun {
+  /// The state at t = 0 and after every step; ends early where a block has toppled. Of law `unilateral` with
+  /// slips, gaps (negative: overlap) and places, whether or not the blocks touch.
+  History history;
+  std::size_t warnings = 0;          ///< as Simulation::warnings()
+  std::optional<BodyRecord> bodies;  ///< where asked for
+};
+
+/// True where a run has to tell its bodies: where they are asked for, and under a law by which blocks slip.
+inline bool needs_bodies(const Scene& scene, bool bodies) {
+  return bodies || scene.law == Law::unilateral;
+}
+
+/// A trajectory of the scene that `setup` was made of. Precondition: it tells bodies where
+/// needs_bodies(scene, bodies).
+EngineRun account_of(const Scene& scene, const Setup& setup, Trajectory trajectory, bool bodies);
+
+/// Runs a scene for its duration in this process; `bodies`: keeps a BodyRecord.
+/// @throws as set_up() and run().
+EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters,
+                   bool bodies = false);
 
 }  // namespace rockstack

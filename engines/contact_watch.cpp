@@ -7,11 +7,12 @@
 namespace rockstack {
 namespace {
 
-std::vector<double> overlap_widths(const Scene& scene) {
+std::vector<double> overlap_widths(const std::vector<Placement>& blocks) {
   std::vector<double> widths;
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    const double above = scene.blocks[k].half_width;
-    widths.push_back(2 * (k == 0 ? above : std::min(above, scene.blocks[k - 1].half_width)));
+  widths.reserve(blocks.size());
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const double above = blocks[k].width;
+    widths.push_back(k == 0 ? above : std::min(above, blocks[k - 1].width));
   }
   return widths;
 }
@@ -24,31 +25,34 @@ std::vector<double> relative_to_below(std::span<const double> values) {
 }
 
 /// Of each interface: the lighter of the two bodies that meet there, kg.
-std::vector<double> lighter_masses(const Scene& scene) {
+std::vector<double> lighter_masses(const std::vector<Placement>& blocks) {
   std::vector<double> masses;
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    const double above = scene.blocks[k].mass;
-    masses.push_back(k == 0 ? above : std::min(above, scene.blocks[k - 1].mass));
+  masses.reserve(blocks.size());
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const double above = blocks[k].mass;
+    masses.push_back(k == 0 ? above : std::min(above, blocks[k - 1].mass));
   }
   return masses;
 }
 
 }  // namespace
 
-ContactWatch::ContactWatch(const Scene& scene, double dt, std::vector<double> friction)
-    : dt_(dt),
-      friction_(std::move(friction)),
-      widths_(overlap_widths(scene)),
-      masses_(lighter_masses(scene)),
-      last_ends_(scene.blocks.size()) {}
+ContactWatch::ContactWatch(const Setup& setup, double largest_friction)
+    : dt_(setup.dt),
+      friction_(setup.friction),
+      widths_(overlap_widths(setup.blocks)),
+      masses_(lighter_masses(setup.blocks)),
+      last_ends_(setup.blocks.size()) {
+  for (double& friction : friction_) friction = std::min(friction, largest_friction);
+}
 
 void ContactWatch::observe(const std::vector<ContactPoint>& points, std::span<const double> angles,
-                           std::span<const double> velocities, BodyRecord& record) {
-  record.elastic.push_back(elastic_energy(points));
-  add_forces(points, record);
+                           std::span<const double> velocities) {
+  record_.elastic.push_back(elastic_energy(points));
+  add_forces(points);
   std::vector<Ends> ends = ends_of(points);
   std::vector<double> now_velocities = relative_to_below(velocities);
-  if (samples_ > 0) add_impacts(ends, now_velocities, record);
+  if (samples_ > 0) add_impacts(ends, now_velocities);
   last_ends_ = std::move(ends);
   std::vector<double> now_angles = relative_to_below(angles);
   angles_before_ = samples_ > 0 ? std::move(angles_) : now_angles;
@@ -66,15 +70,13 @@ double ContactWatch::elastic_energy(const std::vector<ContactPoint>& points) con
   return energy;
 }
 
-void ContactWatch::add_forces(const std::vector<ContactPoint>& points, BodyRecord& record) {
-  double across = record.complementarity.value_or(0);
+void ContactWatch::add_forces(const std::vector<ContactPoint>& points) {
   for (const ContactPoint& point : points) {
-    across = std::max(across, point.gap * point.normal / dt_);
+    record_.complementarity = std::max(record_.complementarity, point.gap * point.normal / dt_);
     pushed_ += point.normal;
     excess_ += std::max(0.0, point.tangential - friction_[point.interface] * point.normal);
   }
-  record.complementarity = across;
-  record.friction_excess = pushed_ > 0 ? excess_ / pushed_ : 0;
+  record_.friction_excess = pushed_ > 0 ? excess_ / pushed_ : 0;
 }
 
 std::vector<ContactWatch::Ends> ContactWatch::ends_of(const std::vector<ContactPoint>& points) const {
@@ -88,8 +90,7 @@ std::vector<ContactWatch::Ends> ContactWatch::ends_of(const std::vector<ContactP
   return ends;
 }
 
-void ContactWatch::add_impacts(const std::vector<Ends>& ends, const std::vector<double>& velocities,
-                               BodyRecord& record) const {
+void ContactWatch::add_impacts(const std::vector<Ends>& ends, const std::vector<double>& velocities) {
   const double start = static_cast<double>(samples_ - 1) * dt_;
   for (std::size_t k = 0; k < ends.size(); ++k) {
     for (const int side : {-1, 1}) {
@@ -99,7 +100,7 @@ void ContactWatch::add_impacts(const std::vector<Ends>& ends, const std::vector<
       const bool was_off = side * angles_before_[k] < 0;
       if (ends[k][end].impulse <= 0 || last_ends_[k][end].impulse > 0 || speed <= 0 || !was_off) continue;
       const double time = start + ends[k][end].gap / (widths_[k] * speed);
-      record.impacts.push_back({time, static_cast<int>(k) + 1, speed, velocities[k]});
+      record_.impacts.push_back({time, static_cast<int>(k) + 1, speed, velocities[k]});
     }
   }
 }

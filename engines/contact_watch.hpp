@@ -4,22 +4,24 @@
 #include <span>
 #include <vector>
 
-#include "analytic/scene/scene.hpp"
-#include "engines/body_record.hpp"
 #include "engines/contact_point.hpp"
+#include "engines/contact_record.hpp"
+#include "engines/setup.hpp"
 
 namespace rockstack {
 
-/// Adds to a BodyRecord what an engine's contacts tell while a simulation steps.
+/// Makes a ContactRecord while a simulation steps.
 class ContactWatch {
  public:
-  /// `friction`: the coefficient that acts at each interface; dt in s.
-  ContactWatch(const Scene& scene, double dt, std::vector<double> friction);
+  /// `largest_friction`: the coefficient that acts where a scene asks for more.
+  ContactWatch(const Setup& setup, double largest_friction);
 
   /// To be called once at t = 0 and once after every step, with the contacts of that step and the state that
   /// it led to.
   void observe(const std::vector<ContactPoint>& points, std::span<const double> angles,
-               std::span<const double> velocities, BodyRecord& record);
+               std::span<const double> velocities);
+
+  const ContactRecord& record() const { return record_; }
 
  private:
   /// What an end of an interface bears in one step.
@@ -33,15 +35,15 @@ class ContactWatch {
   /// move to and fro within a step, k dt² above its mass, is found overlapped by far more than any motion
   /// could press it, and counts as rigid.
   double elastic_energy(const std::vector<ContactPoint>& points) const;
-  void add_forces(const std::vector<ContactPoint>& points, BodyRecord& record);
-  void add_impacts(const std::vector<Ends>& ends, const std::vector<double>& velocities,
-                   BodyRecord& record) const;
+  void add_forces(const std::vector<ContactPoint>& points);
+  void add_impacts(const std::vector<Ends>& ends, const std::vector<double>& velocities);
   std::vector<Ends> ends_of(const std::vector<ContactPoint>& points) const;
 
   double dt_;
   std::vector<double> friction_;
   std::vector<double> widths_;  ///< of the faces' overlap at each interface, m
   std::vector<double> masses_;  ///< of the lighter body at each interface, kg
+  ContactRecord record_;
   std::size_t samples_ = 0;
   double pushed_ = 0, excess_ = 0;  ///< impulses so far: normal, and outside the cone, N·s
   std::vector<Ends> last_ends_;

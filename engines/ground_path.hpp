@@ -1,15 +1,9 @@
 #pragma once
 
 #include "analytic/scene/scene.hpp"
+#include "engines/setup.hpp"
 
 namespace rockstack {
-
-/// How a ground that really moves does so over one time step: it starts at a displacement and has a constant
-/// velocity that carries it to where it is at the end. SI units; x to the right, y up.
-struct GroundStep {
-  double x = 0, y = 0;                    ///< displacement at the step's start, m
-  double velocity_x = 0, velocity_y = 0;  ///< m/s
-};
 
 /// The ground's displacement under a scene's accelerations, from rest at t = 0, step by step: their double
 /// integral, exact for straight lines between samples and by Gauss's rule with five points, so to rounding,

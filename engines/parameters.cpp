@@ -45,11 +45,11 @@ double choice_value(const std::string& engine, const Setting& setting, const std
   return static_cast<double>(found - setting.choices.begin());
 }
 
-double mass_factor(const Scene& scene, const Parameters& parameters) {
+double mass_factor(const Setup& setup, const Parameters& parameters) {
   const double wanted = parameters.at("unitMass");
   if (wanted == 0) return 1;
   double mass = 0;
-  for (const Block& block : scene.blocks) mass += block.mass;
+  for (const Placement& block : setup.blocks) mass += block.mass;
   return wanted / mass;
 }
 
@@ -79,24 +79,13 @@ void check_value(const std::string& engine, const std::vector<Setting>& settings
   }
 }
 
-void check(const std::string& engine, const std::vector<Setting>& settings, const Parameters& given,
-           double dt) {
-  if (!(dt > 0) || !std::isfinite(dt)) {
-    throw std::invalid_argument(fmt::format("{}: dt = {}: must be a finite number > 0, in s", engine, dt));
-  }
+void check(const std::string& engine, const std::vector<Setting>& settings, const Parameters& given) {
   for (const auto& [name, value] : given) check_value(engine, settings, name, value);
   for (const Setting& setting : settings) {
     if (given.count(setting.name) != 0) continue;
     throw std::invalid_argument(
         fmt::format("{}: {} is missing: must be {}", engine, setting.name, range_of(setting)));
   }
-}
-
-void check_step(double dt, double duration) {
-  const double shortest = 1e-9 * duration;
-  if (!(dt >= shortest && dt <= duration * (1 + 1e-9)))
-    throw std::invalid_argument(
-        fmt::format("dt = {} s: must be from {} s to the duration, {} s", dt, shortest, duration));
 }
 
 }  // namespace rockstack

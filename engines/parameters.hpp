@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analytic/scene/scene.hpp"
+#include "engines/setup.hpp"
 
 namespace rockstack {
 
@@ -22,6 +22,7 @@ struct Setting {
   double most = 0;
   bool whole = false;                     ///< only whole numbers
   std::vector<std::string> choices = {};  ///< names of 0, 1, … where the number stands for a choice
+  std::string unit = {};                  ///< as "N/m"; empty for a number alone
 };
 
 /// How an engine is shaken: "force", the ground's acceleration as a body force in its own frame, or "ground",
@@ -34,7 +35,7 @@ double choice_value(const std::string& engine, const Setting& setting, const std
 /// By what an adapter multiplies every mass, on which no angle depends: 1, or with the setting unitMass
 /// what gives the stack that mass, kg, so that cfm, contact forces and limits of impulses mean the same for
 /// grams and tonnes.
-double mass_factor(const Scene& scene, const Parameters& parameters);
+double mass_factor(const Setup& setup, const Parameters& parameters);
 
 Parameters standard_values(const std::vector<Setting>& settings);
 Parameters tuned_values(const std::vector<Setting>& settings);
@@ -45,12 +46,7 @@ void check_value(const std::string& engine, const std::vector<Setting>& settings
                  double value);
 
 /// Checks what Engine::start was given.
-/// @throws std::invalid_argument as above, or for one that is missing; dt not finite or ≤ 0.
-void check(const std::string& engine, const std::vector<Setting>& settings, const Parameters& given,
-           double dt);
-
-/// @throws std::invalid_argument for a time step that a duration holds less than once, or more than 10⁹
-/// times. Both in s.
-void check_step(double dt, double duration);
+/// @throws std::invalid_argument as above, or for one that is missing.
+void check(const std::string& engine, const std::vector<Setting>& settings, const Parameters& given);
 
 }  // namespace rockstack

@@ -1,7 +1,6 @@
 #include "engines/placement.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -87,10 +86,6 @@ BodyAcceleration body_acceleration(const Scene& scene, double from, double to) {
   const BodyAcceleration still = body_acceleration(scene);
   return {still.x - mean_acceleration(scene.horizontal, from, to),
           still.y - mean_acceleration(scene.vertical, from, to)};
-}
-
-double unwrap(double wrapped, double last) {
-  return last + std::remainder(wrapped - last, 2 * std::numbers::pi);
 }
 
 }  // namespace rockstack

@@ -1,11 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <utility>
 
-#include "analytic/scene/scene.hpp"
-#include "engines/ground_path.hpp"
-#include "engines/parameters.hpp"
-#include "engines/placement.hpp"
+#include "engines/setup.hpp"
 
 namespace rockstack {
 
@@ -15,23 +14,27 @@ struct ShakingStep {
   std::optional<BodyAcceleration> acceleration;  ///< where its motion enters as a body force
 };
 
-/// A scene's ground motion, step by step, in the way that the setting `shaking` asks for.
+/// A scene's ground motion, step by step.
 class Shaking {
  public:
-  /// Precondition: dt > 0, in s. The scene must outlive this.
-  Shaking(const Scene& scene, double dt, const Parameters& parameters);
+  explicit Shaking(const Setup& setup) : accelerations_(setup.accelerations), ground_(setup.ground) {}
 
   /// True where the ground really moves.
-  bool moves_ground() const { return path_.has_value(); }
+  bool moves_ground() const { return !ground_.empty(); }
 
-  /// The next step, the first from t = 0; nothing in it where the ground rests.
-  ShakingStep next();
+  /// The next step, the first from t = 0; nothing in it where the ground rests or the scene is over.
+  ShakingStep next() {
+    const std::size_t step = steps_++;
+    ShakingStep now;
+    if (step < ground_.size()) now.ground = ground_[step];
+    if (step < accelerations_.size()) now.acceleration = accelerations_[step];
+    return now;
+  }
 
  private:
-  const Scene& scene_;
-  double dt_;
+  std::vector<BodyAcceleration> accelerations_;
+  std::vector<GroundStep> ground_;
   std::size_t steps_ = 0;
-  std::optional<GroundPath> path_;
 };
 
 }  // namespace rockstack

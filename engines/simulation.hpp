@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -11,10 +13,10 @@ namespace rockstack {
 /// Where a block's centre is and how it moves, in the frame in which the engine works: the ground's, or
 /// where the ground really moves, that of its start. SI units; z is out of the plane.
 struct BodyState {
-  double x = 0, y = 0, z = 0;                             ///< m
-  double velocity_x = 0, velocity_y = 0, velocity_z = 0;  ///< m/s
-  double tilt = 0;                                        ///< sine of the angle out of the plane
-  double tilt_rate = 0;                                   ///< angular velocity out of the plane, rad/s
+  double x = 0, y = 0;                    ///< m
+  double velocity_x = 0, velocity_y = 0;  ///< m/s
+  double z = 0;                           ///< m
+  double tilt = 0;                        ///< sine of the angle out of the plane
 };
 
 /// A scene inside an engine, ready to step. Blocks count from 0, bottom to top.
@@ -41,5 +43,10 @@ class Simulation {
   /// How often the engine has said that its solver failed in a step that it then went on from.
   virtual std::size_t warnings() const { return 0; }
 };
+
+/// The angle that differs from `wrapped` by whole turns and lies next to `last`, rad.
+inline double unwrap(double wrapped, double last) {
+  return last + std::remainder(wrapped - last, 2 * std::numbers::pi);
+}
 
 }  // namespace rockstack

@@ -196,7 +196,7 @@ ImpactLawStudy read_impact_law_study(const std::filesystem::path& file) {
                        {std::istreambuf_iterator<char>(stream), {}},
                        read_impact_draws(root),
                        0,
-                       read_engines(root)};
+                       read_engines(root, file.parent_path())};
   study.least_clearness = read_positive(root, "least_clearness", 0.1);
   return study;
 }

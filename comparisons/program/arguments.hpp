@@ -15,6 +15,7 @@ struct Common {
   std::vector<std::string> overrides;  ///< key=value, of scenes
   bool quiet = false;                  ///< print nothing but errors
   bool json = false;                   ///< print the result as JSON
+  std::string workers;                 ///< folders of more engines
   std::string command;                 ///< the whole command line, for the results
 };
 
@@ -47,6 +48,11 @@ struct CompareArguments {
   int draws = 0;                           ///< behind each number of an engine; 0: as many as the suites say
   SceneChoice choice;                      ///< of scenes; suites say their own
   std::optional<double> history_interval;  ///< in the place of that of the suites, s
+};
+
+struct CheckEngineArguments {
+  std::string engine;
+  std::vector<std::string> settings;  ///< empty: both
 };
 
 struct KeysArguments {

@@ -20,6 +20,7 @@
 #include "comparisons/stability/study.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "engines/parameters.hpp"
+#include "engines/scene_setup.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/data/motion.hpp"
 #include "plots/figures/animation.hpp"

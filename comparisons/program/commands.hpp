@@ -19,6 +19,7 @@ int record_command(const RecordArguments& arguments, const Common& common);
 int sweep_command(const SweepArguments& arguments, const Common& common);
 int teach_command(const TeachArguments& arguments, const Common& common);
 int list_command(const std::string& what, const Common& common);  ///< empty: all kinds
+int check_engine_command(const CheckEngineArguments& arguments, const Common& common);
 int keys_command(const KeysArguments& arguments, const Common& common);
 int new_command(const NewArguments& arguments, const Common& common);
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "comparisons/program/output.hpp"
 #include "comparisons/results/histories.hpp"
 #include "comparisons/suites/perturbations.hpp"
+#include "engines/worker/registry.hpp"
 
 namespace {
 
@@ -203,6 +205,20 @@ Command add_list(CLI::App& app, const Common& common) {
   return {command, [what, &common] { return list_command(*what, common); }};
 }
 
+Command add_check_engine(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<CheckEngineArguments>();
+  CLI::App* command =
+      app.add_subcommand("check-engine", "hold an engine to the laws that every engine must follow");
+  command
+      ->add_option("engine", arguments->engine,
+                   "worker program, e.g. ./my_engine.py, or a name from `rockstack list engines`")
+      ->required();
+  command->add_option("--settings", arguments->settings, "parameter sets; left out: both")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"default", "tuned"}));
+  return {command, [arguments, &common] { return check_engine_command(*arguments, common); }};
+}
+
 Command add_keys(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<KeysArguments>();
   CLI::App* command =
@@ -235,10 +251,12 @@ int run(int count, char** arguments) {
                      "override a scene key: key=value, e.g. blocks.1.height=3; may be repeated")
           ->allow_extra_args(false),
       app.add_flag("--quiet", common.quiet, "print nothing but errors"),
-      app.add_flag("--json", common.json, "print the result as JSON")};
+      app.add_flag("--json", common.json, "print the result as JSON"),
+      app.add_option("--workers", common.workers,
+                     "folders of more engines, with ':' between them; left out: $ROCKSTACK_WORKERS")};
   std::vector<Command> commands;
   for (const auto add : {add_solve, add_simulate, add_compare, add_advise, add_sweep, add_plot, add_record,
-                         add_teach, add_list, add_keys, add_new}) {
+                         add_teach, add_list, add_check_engine, add_keys, add_new}) {
     commands.push_back(add(app, common));
     commands.back().app->footer(CLI::Formatter().make_group("Common options", false, common_options));
   }
@@ -251,6 +269,7 @@ int run(int count, char** arguments) {
   }
   const auto given = std::find_if(commands.begin(), commands.end(),
                                   [](const Command& command) { return command.app->parsed(); });
+  if (!common.workers.empty()) setenv(workers_variable, common.workers.c_str(), 1);
   if (given != commands.end()) return given->run();
   std::string names;
   for (const Command& command : commands) names += " " + command.app->get_name();

@@ -146,11 +146,12 @@ std::string patterns_csv(const std::vector<PatternShare>& shares) {
 
 std::string energy_csv(const std::vector<double>& times, const std::vector<double>& exact,
                        const BodyRecord& engine) {
-  const auto balance = energy_balance(engine.energy, engine.input, engine.elastic);
+  const std::vector<double> elastic = elastic_energy(engine);
+  const auto balance = energy_balance(engine.energy, engine.input, elastic);
   CsvWriter csv;
   csv.line("time", "exact", "engine", "input", "elastic", "balance", "penetration");
   for (std::size_t i = 0; i < times.size(); ++i) {
-    csv.line(times[i], exact[i], engine.energy[i], engine.input[i], engine.elastic[i], balance[i],
+    csv.line(times[i], exact[i], engine.energy[i], engine.input[i], elastic[i], balance[i],
              engine.penetration[i]);
   }
   return csv.text();

@@ -24,8 +24,9 @@ Suite suite_of(const NamedScene& scene, const Wish& wish) {
   suite.repeats = wish.repeats;
   suite.limits = wish.limits;
   suite.draws = wish.draws;
-  for (const WorkerEngine& engine : engines())
-    suite.series.push_back(make_series(engine, "tuned", advised_steps()));
+  for (const WorkerEngine& engine : engines()) {
+    if (is_usual(engine)) suite.series.push_back(make_series(engine, "tuned", advised_steps()));
+  }
   return suite;
 }
 

@@ -114,15 +114,15 @@ void add_patterns(const Scene& scene, const std::vector<double>& times, const Hi
 
 void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   const double scale = energy_scale(scene);
-  row.energy_gain = largest_gain(energy_balance(bodies.energy, bodies.input, bodies.elastic)) / scale;
+  row.energy_gain = largest_gain(energy_balance(bodies.energy, bodies.input, elastic_energy(bodies))) / scale;
   row.penetration = *std::max_element(bodies.penetration.begin(), bodies.penetration.end());
   row.gap = bodies.gap;
   row.slip = bodies.slip;
   row.out_of_plane = bodies.out_of_plane;
   row.out_of_plane_tilt = bodies.out_of_plane_tilt;
-  if (!bodies.complementarity) return;
-  row.complementarity_residual = *bodies.complementarity / scale;
-  row.friction_cone_violation = bodies.friction_excess;
+  if (!bodies.contacts) return;
+  row.complementarity_residual = bodies.contacts->complementarity / scale;
+  row.friction_cone_violation = bodies.contacts->friction_excess;
 }
 
 std::vector<ImpactTime> told_impacts(const std::vector<ContactImpact>& impacts, double slowest) {
@@ -138,9 +138,9 @@ std::vector<ImpactTime> told_impacts(const std::vector<ContactImpact>& impacts, 
 /// The impacts that the engine's contacts tell, beside the exact ones and beside those read from its angles.
 void add_contact_impacts(const Scene& scene, const History& exact, const OtherAnswer& answer,
                          const Difference& apart, RunMetrics& row, RunFiles& files) {
-  if (!answer.bodies->complementarity) return;
+  if (!answer.bodies->contacts) return;
   const double slowest = chatter_speed(scene);
-  const auto told = told_impacts(answer.bodies->impacts, slowest);
+  const auto told = told_impacts(answer.bodies->contacts->impacts, slowest);
   const auto expected = reported_impacts(exact, slowest);
   const auto alignment = align(expected, told, matching_windows(expected, apart, answer.interval));
   const AlignmentCounts counts = count(alignment);

@@ -9,10 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/results/files.hpp"
-#include "engines/worker/request.hpp"
 
 namespace rockstack {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -29,21 +30,58 @@ std::uint64_t file_checksum(const std::filesystem::path& file) {
   return known[file] = checksum(bytes_of(file));
 }
 
+Json fields_of(const GroundMotion& motion) {
+  Json fields{motion.interval, motion.samples, motion.source, motion.made_up};
+  if (const auto& pulse = motion.pulse)
+    fields.push_back(
+        {pulse->shape, pulse->amplitude, pulse->period, pulse->start, pulse->cycles, pulse->phase});
+  return fields;
+}
+
+/// All of a scene that a run's results may depend on; numbers as JSON has them, which is to the bit.
+Json fields_of(const Scene& scene) {
+  Json blocks;
+  for (const Block& block : scene.blocks)
+    blocks.push_back(
+        {block.half_width, block.half_height, block.mass, block.inertia, block.offset_x, block.offset_y});
+  const InitialState& initial = scene.initial;
+  return {scene.title,
+          scene.duration,
+          scene.gravity,
+          scene.inclination,
+          scene.law,
+          scene.equations,
+          scene.restitution,
+          blocks,
+          {initial.angles, initial.velocities, initial.slip_velocities},
+          fields_of(scene.horizontal),
+          fields_of(scene.vertical),
+          scene.friction,
+          {scene.engine.friction, scene.engine.depth}};
+}
+
+/// Infinity has no form in JSON.
+Json fields_of(const Parameters& parameters) {
+  Json fields = Json::object();
+  for (const auto& [name, value] : parameters) fields[name] = fmt::format("{}", value);
+  return fields;
+}
+
 }  // namespace
 
 std::string identity(const Job& job) {
-  RunRequest request{"", job.scene.scene, job.dt, {}, job.suite.repeats, job.suite.wanted.bodies};
+  Json run{fields_of(job.scene.scene), job.dt, job.suite.repeats, job.suite.wanted.bodies};
   std::string text = job.variant != nullptr ? job.variant->name() : "";
   if (job.series != nullptr) {
-    request.solver = job.series->engine->solver();
-    request.parameters = job.series->parameters;
-    text = fmt::format("{:x}", file_checksum(job.series->engine->program()));
+    const WorkerEngine& engine = *job.series->engine;
+    run.push_back({engine.solver(), fields_of(job.series->parameters)});
+    text = fmt::format("{:x}", file_checksum(engine.program()));
   }
   const Perturbations& around = job.suite.perturbations;
   text += fmt::format(" {} {} {} {} {} {} {:x} ", fmt::join(names_of(job.suite.wanted), " "),
                       job.suite.tolerance, job.suite.history_interval, around.runs, around.size, around.seed,
                       file_checksum("/proc/self/exe"));
-  return fmt::format("{:016x}", checksum(text + to_bytes(Request{request})));
+  return fmt::format("{:016x}", checksum(text + run.dump()));
 }
 
 std::string draws_identity(const Job& job) {

@@ -180,7 +180,7 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
   study.axis = read_axis(axis);
   study.suite.scenes = scenes_along(
       axis, study.axis, file.parent_path() / text(required(root, "scene", "a scene file")), changes);
-  study.suite.series = read_engines(root);
+  study.suite.series = read_engines(root, file.parent_path());
   if (const Node* steps = find(root, "rk4")) {
     if (!study.axis.parameter.empty()) throw wrong_value(*steps, "no key where engines' parameters vary");
     for (const double step : numbers(*steps)) {

@@ -41,11 +41,15 @@ std::vector<std::string> read_settings(const Node& table) {
   return settings;
 }
 
-const WorkerEngine& read_engine(const Node& name) {
+const WorkerEngine& read_engine(const Node& table, const std::filesystem::path& folder) {
+  const Node* worker = find(table, "worker");
+  const Node* name = find(table, "name");
+  const Node& given = worker != nullptr ? *worker : required(table, "name", "an engine, e.g. \"bullet\"");
   try {
-    return find_engine(text(name));
+    if (worker == nullptr) return find_engine(text(given));
+    return find_engine_at(folder / text(*worker), name != nullptr ? text(*name) : "");
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", name.place, error.what()));
+    throw InputError(fmt::format("{}: {}", given.place, error.what()));
   }
 }
 
@@ -91,11 +95,11 @@ std::vector<Parameters> read_changes(const Node& table, const WorkerEngine& engi
   return list;
 }
 
-std::vector<EngineSeries> read_series(const Node& table) {
+std::vector<EngineSeries> read_series(const Node& table, const std::filesystem::path& folder) {
   require_table(table, engine_keys);
-  const Node& name = required(table, "name", "an engine, e.g. \"bullet\"");
-  if (left_out(text(name))) return {};
-  const WorkerEngine& engine = read_engine(name);
+  const Node* name = find(table, "name");
+  if (find(table, "worker") == nullptr && name != nullptr && left_out(text(*name))) return {};
+  const WorkerEngine& engine = read_engine(table, folder);
   std::vector<EngineSeries> list;
   for (const std::string& settings : read_settings(table)) {
     for (const Parameters& changes : read_changes(table, engine)) {
@@ -151,15 +155,15 @@ Parameters read_parameters(const std::vector<std::string>& texts, const WorkerEn
   return changes;
 }
 
-std::vector<EngineSeries> read_engines(const Node& root) {
+std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::path& folder) {
   std::vector<EngineSeries> list;
   const Node* engines = find(root, "engines");
   if (engines == nullptr) return list;
-  std::set<std::tuple<const WorkerEngine*, std::string, double>> runs;
+  std::set<std::tuple<std::string, std::string, std::string, double>> runs;
   for (const Node& table : entries(*engines, "an array of tables")) {
-    for (EngineSeries& series : read_series(table)) {
+    for (EngineSeries& series : read_series(table, folder)) {
       for (const double dt : series.steps) {
-        if (!runs.emplace(series.engine, series.settings, dt).second)
+        if (!runs.emplace(series.engine->name(), series.engine->solver(), series.settings, dt).second)
           throw InputError(fmt::format("{}: {}: must not name a run twice: {}:{}, {}, dt = {} s", table.place,
                                        table.key, series.engine->name(), series.engine->solver(),
                                        series.settings, dt));

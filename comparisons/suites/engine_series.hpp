@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,8 @@ Parameters read_parameters(const std::vector<std::string>& texts, const WorkerEn
 /// The time steps of a series that names none, s.
 std::vector<double> default_steps();
 
-/// The tables [[engines]] of a suite or study. @throws InputError with file:line, key, value and what is
-/// allowed.
-std::vector<EngineSeries> read_engines(const Node& root);
+/// The tables [[engines]] of a suite or study; paths of workers start from `folder`. @throws InputError with
+/// file:line, key, value and what is allowed.
+std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::path& folder);
 
 }  // namespace rockstack

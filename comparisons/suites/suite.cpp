@@ -88,13 +88,14 @@ Wanted read_wanted(const Node& array) {
   return wanted;
 }
 
-/// Those of some names, or the first solver of every engine of this build.
+/// Those of some names, or the first solver of every usual engine of this build.
 std::vector<const WorkerEngine*> chosen_engines(const std::vector<std::string>& names) {
   std::vector<const WorkerEngine*> list;
   list.reserve(names.size());
   for (const std::string& name : names) list.push_back(&find_engine(name));
   if (!names.empty()) return list;
   for (const WorkerEngine& engine : engines()) {
+    if (!is_usual(engine)) continue;
     if (list.empty() || list.back()->name() != engine.name()) list.push_back(&engine);
   }
   return list;
@@ -240,7 +241,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   if (const Node* node = find(root, "time_limit")) suite.limits.time = number_above_zero(*node);
   if (const Node* node = find(root, "memory_limit")) suite.limits.memory = mebibytes(*node);
   if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);
-  suite.series = read_engines(root);
+  suite.series = read_engines(root, file.parent_path());
   if (const Node* table = find(root, "statements")) suite.statements = read_statements(*table, suite);
   return suite;
 }

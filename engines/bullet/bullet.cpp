@@ -99,20 +99,20 @@ std::vector<Setting> settings_of(BulletSolver solver) {
       {"globalCfm", 0, tuned.cfm, 0, endless},
       {"sor", 1, 1, 0, 2},
       {"splitImpulse", 1, tuned.split, 0, 1, true},
-      {"splitImpulsePenetrationThreshold", -0.04F, 0, -endless, endless},
+      {"splitImpulsePenetrationThreshold", -0.04F, 0, -endless, endless, false, {}, "m"},
       {"splitImpulseTurnErp", 0.1F, 0.1F, 0, 1},
-      {"linearSlop", 0, 0, -1, 1},
+      {"linearSlop", 0, 0, -1, 1, false, {}, "m"},
       {"warmstartingFactor", 0.85, tuned.warmstarting, 0, 1},
       {"solverMode", usual_mode, usual_mode, 0, 8191, true},
       {"leastSquaresResidualThreshold", 0, 0, 0, endless},
       {"contactBreakingThreshold", 0.02, tuned.breaking, 0, endless},
       {"restitution", 0, 0, 0, 1},
-      {"restitutionVelocityThreshold", 0.2F, 0.2F, 0, endless},
-      {"unitMass", 0, tuned.unit_mass, 0, 1e12},
+      {"restitutionVelocityThreshold", 0.2F, 0.2F, 0, endless, false, {}, "m/s"},
+      {"unitMass", 0, tuned.unit_mass, 0, 1e12, false, {}, "kg"},
       {"ground", 0, 0, 0, 1, true, {"box", "plane"}},
       {"shape", 0, 0, 0, 1, true, {"box", "hull"}},
-      {"contactStiffness", 0, 0, 0, stiffest},
-      {"contactDamping", 0, 0, 0, stiffest},
+      {"contactStiffness", 0, 0, 0, stiffest, false, {}, "N/m"},
+      {"contactDamping", 0, 0, 0, stiffest, false, {}, "N s/m"},
       {"frictionAnchor", 0, 0, 0, 1, true},
       {"frictionERP", 0.2F, 0.2F, 0, 1},
       shaking_setting(),
@@ -149,15 +149,17 @@ class Bullet : public Engine {
     return fmt::format("{}.{:02}, {} precision", btGetVersion() / 100, btGetVersion() % 100,
                        single_precision ? "single" : "double");
   }
+  std::string licence() const override { return "Zlib"; }
   std::vector<Setting> settings() const override { return settings_of(solver_); }
-  double friction(double asked) const override { return std::min(asked, friction_clamp); }
-  std::unique_ptr<Simulation> start(const Scene& scene, double dt,
-                                    const Parameters& parameters) const override {
-    check(name(), settings(), parameters, dt);
-    return start_bullet(solver_, scene, dt, parameters);
+  Capabilities capabilities() const override {
+    return {.largest_friction = friction_clamp, .single_precision = single_precision};
   }
 
  private:
+  std::unique_ptr<Simulation> build(const Setup& setup, const Parameters& parameters) const override {
+    return start_bullet(solver_, setup, parameters);
+  }
+
   BulletSolver solver_;
 };
 

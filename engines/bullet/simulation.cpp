@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "engines/bullet/solvers.hpp"
-#include "engines/placement.hpp"
 #include "engines/shaking.hpp"
 
 namespace rockstack {
@@ -97,9 +96,9 @@ Surface surface_of(double mass_factor, const Parameters& parameters) {
 }
 
 /// Ten times as far as all blocks in a row.
-double ground_reach(const Scene& scene) {
-  double reach = scene.engine.depth;
-  for (const Block& block : scene.blocks) reach += 2 * (block.half_width + block.half_height);
+double ground_reach(const std::vector<Placement>& blocks) {
+  double reach = blocks.front().depth;
+  for (const Placement& block : blocks) reach += block.width + block.height;
   return 10 * reach;
 }
 
@@ -122,30 +121,27 @@ double stiffness_of(const btContactSolverInfo& info, double dt, double penetrati
 
 class BulletSimulation : public Simulation {
  public:
-  BulletSimulation(BulletSolver solver, Scene scene, double dt, const Parameters& parameters)
-      : scene_(std::move(scene)),
-        dt_(dt),
-        shaking_(scene_, dt, parameters),
-        mass_factor_(mass_factor(scene_, parameters)),
+  BulletSimulation(BulletSolver solver, const Setup& setup, const Parameters& parameters)
+      : dt_(setup.dt),
+        shaking_(setup),
+        mass_factor_(mass_factor(setup, parameters)),
         surface_(surface_of(mass_factor_, parameters)),
         dispatcher_(&configuration_),
         solver_(solver, parameters) {
     combine_friction_by_interface();
     apply(parameters, world_.getSolverInfo());
-    set_gravity(body_acceleration(scene_));
+    set_gravity(setup.gravity);
     const double breaking_factor = scalar(parameters.at("contactBreakingThreshold"));
     const auto shape = parameters.at("shape") != 0 ? make_hull : make_box;
     if (parameters.at("ground") != 0) {
       add_ground(std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), scalar(0)), {0, 0, 0});
     } else {
-      const double reach = ground_reach(scene_);
+      const double reach = ground_reach(setup.blocks);
       add_ground(make_box(vector(reach, reach, reach), breaking_factor), vector(0, -reach, 0));
     }
-    const std::vector<double> friction = friction_of(scene_);
-    const std::vector<Placement> placements = place(scene_);
-    for (std::size_t k = 0; k < placements.size(); ++k) {
-      add_block(placements[k], std::min(friction[k], friction_clamp),
-                shape(half_extents(placements[k]), breaking_factor));
+    for (std::size_t k = 0; k < setup.blocks.size(); ++k) {
+      add_block(setup.blocks[k], std::min(setup.friction[k], friction_clamp),
+                shape(half_extents(setup.blocks[k]), breaking_factor));
     }
   }
 
@@ -165,16 +161,8 @@ class BulletSimulation : public Simulation {
   BodyState body(std::size_t k) const override {
     const btVector3& place = block(k).getWorldTransform().getOrigin();
     const btVector3& velocity = block(k).getLinearVelocity();
-    const btVector3& spin = block(k).getAngularVelocity();
     const btMatrix3x3& turn = block(k).getWorldTransform().getBasis();
-    return {place.x(),
-            place.y(),
-            place.z(),
-            velocity.x(),
-            velocity.y(),
-            velocity.z(),
-            std::hypot(turn[0][2], turn[1][2]),
-            std::hypot(spin.x(), spin.y())};
+    return {place.x(), place.y(), velocity.x(), velocity.y(), place.z(), std::hypot(turn[0][2], turn[1][2])};
   }
 
   std::size_t warnings() const override { return solver_.fallbacks(); }
@@ -281,7 +269,6 @@ class BulletSimulation : public Simulation {
     return body;
   }
 
-  Scene scene_;
   double dt_;
   Shaking shaking_;
   double mass_factor_;  ///< of every mass; no angle depends on it
@@ -301,9 +288,9 @@ class BulletSimulation : public Simulation {
 
 }  // namespace
 
-std::unique_ptr<Simulation> start_bullet(BulletSolver solver, const Scene& scene, double dt,
+std::unique_ptr<Simulation> start_bullet(BulletSolver solver, const Setup& setup,
                                          const Parameters& parameters) {
-  return std::make_unique<BulletSimulation>(solver, scene, dt, parameters);
+  return std::make_unique<BulletSimulation>(solver, setup, parameters);
 }
 
 }  // namespace rockstack

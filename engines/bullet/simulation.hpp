@@ -12,7 +12,7 @@ namespace rockstack {
 inline constexpr double friction_clamp = 10;
 
 /// A scene inside Bullet. Precondition: `parameters` are checked.
-std::unique_ptr<Simulation> start_bullet(BulletSolver solver, const Scene& scene, double dt,
+std::unique_ptr<Simulation> start_bullet(BulletSolver solver, const Setup& setup,
                                          const Parameters& parameters);
 
 }  // namespace rockstack

@@ -65,19 +65,19 @@ constexpr double stiffest = 1e18;
 std::vector<Setting> settings_of(OdeSolver solver) {
   std::vector<Setting> settings{
       {"erp", 0.2, 0.01, 0, 1},
-      {"cfm", 1e-10, 1e-6, 0, endless},
-      {"contactSurfaceLayer", 0, 0, 0, endless},
-      {"contactMaxCorrectingVel", endless, endless, 0, endless},
+      {"cfm", 1e-10, 1e-6, 0, endless, false, {}, "s/kg"},
+      {"contactSurfaceLayer", 0, 0, 0, endless, false, {}, "m"},
+      {"contactMaxCorrectingVel", endless, endless, 0, endless, false, {}, "m/s"},
       {"maxContacts", 8, 8, 1, 64, true},
       {"contactApprox1", 1, 1, 0, 1, true},
       {"contactMu2", 0, 1, 0, 1, true},
       {"finiteRotationMode", 0, 0, 0, 1, true},
       {"bounce", 0, 0, 0, 1},
-      {"bounce_vel", 0, 0, 0, endless},
-      {"contactStiffness", 0, 0, 0, stiffest},
-      {"contactDamping", 0, 0, 0, stiffest},
-      {"slip1", 0, 0, 0, endless},
-      {"unitMass", 0, 1, 0, 1e12},
+      {"bounce_vel", 0, 0, 0, endless, false, {}, "m/s"},
+      {"contactStiffness", 0, 0, 0, stiffest, false, {}, "N/m"},
+      {"contactDamping", 0, 0, 0, stiffest, false, {}, "N s/m"},
+      {"slip1", 0, 0, 0, endless, false, {}, "m/(N s)"},
+      {"unitMass", 0, 1, 0, 1e12, false, {}, "kg"},
       {"realign", 1, 1, 0, 1, true},
       shaking_setting(),
   };
@@ -95,14 +95,14 @@ class Ode : public Engine {
   std::string name() const override { return "ode"; }
   std::string solver() const override { return solver_ == OdeSolver::step ? "step" : "quickstep"; }
   std::string version() const override { return dODE_VERSION ", double precision"; }
+  std::string licence() const override { return "BSD-3-Clause OR LGPL-2.1-or-later"; }
   std::vector<Setting> settings() const override { return settings_of(solver_); }
-  std::unique_ptr<Simulation> start(const Scene& scene, double dt,
-                                    const Parameters& parameters) const override {
-    check(name(), settings(), parameters, dt);
-    return start_ode(solver_, scene, dt, parameters);
-  }
 
  private:
+  std::unique_ptr<Simulation> build(const Setup& setup, const Parameters& parameters) const override {
+    return start_ode(solver_, setup, parameters);
+  }
+
   OdeSolver solver_;
 };
 

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "engines/ode/library.hpp"
-#include "engines/placement.hpp"
 #include "engines/shaking.hpp"
 
 namespace rockstack {
@@ -54,15 +53,14 @@ double stiffness_of(const Parameters& parameters, double mass_factor, double dt)
 
 class OdeSimulation : public Simulation {
  public:
-  OdeSimulation(OdeSolver solver, Scene scene, double dt, const Parameters& parameters)
+  OdeSimulation(OdeSolver solver, const Setup& setup, const Parameters& parameters)
       : solver_(solver),
-        scene_(std::move(scene)),
-        dt_(dt),
-        shaking_(scene_, dt, parameters),
+        dt_(setup.dt),
+        shaking_(setup),
         contacts_(static_cast<std::size_t>(parameters.at("maxContacts"))),
         realign_(parameters.at("realign") != 0),
-        mass_factor_(mass_factor(scene_, parameters)),
-        stiffness_(stiffness_of(parameters, mass_factor_, dt)),
+        mass_factor_(mass_factor(setup, parameters)),
+        stiffness_(stiffness_of(parameters, mass_factor_, dt_)),
         world_(dWorldCreate()),
         space_(dSimpleSpaceCreate(nullptr)),
         group_(dJointGroupCreate(0)) {
@@ -71,11 +69,11 @@ class OdeSimulation : public Simulation {
     dWorldSetContactSurfaceLayer(world_.get(), parameters.at("contactSurfaceLayer"));
     dWorldSetContactMaxCorrectingVel(world_.get(), parameters.at("contactMaxCorrectingVel"));
     if (solver_ == OdeSolver::quickstep) set_iterations(parameters);
-    set_gravity(body_acceleration(scene_));
-    set_surface(parameters);
+    set_gravity(setup.gravity);
+    set_surface(setup, parameters);
     plane_ = dCreatePlane(space_.get(), 0, 1, 0, 0);
     if (shaking_.moves_ground()) add_moving_ground();
-    for (const Placement& placement : place(scene_))
+    for (const Placement& placement : setup.blocks)
       add_block(placement, parameters.at("finiteRotationMode") != 0);
   }
 
@@ -104,16 +102,8 @@ class OdeSimulation : public Simulation {
   BodyState body(std::size_t k) const override {
     const dReal* place = dBodyGetPosition(bodies_[k]);
     const dReal* velocity = dBodyGetLinearVel(bodies_[k]);
-    const dReal* spin = dBodyGetAngularVel(bodies_[k]);
     const dReal* turn = dBodyGetRotation(bodies_[k]);
-    return {place[0],
-            place[1],
-            place[2],
-            velocity[0],
-            velocity[1],
-            velocity[2],
-            std::hypot(turn[2], turn[6]),
-            std::hypot(spin[0], spin[1])};
+    return {place[0], place[1], velocity[0], velocity[1], place[2], std::hypot(turn[2], turn[6])};
   }
 
   std::size_t warnings() const override { return warnings_; }
@@ -198,11 +188,12 @@ class OdeSimulation : public Simulation {
   }
 
   /// With contactApprox1 ODE's friction is a coefficient; without it a force, here that of the whole weight.
-  void set_surface(const Parameters& parameters) {
+  void set_surface(const Setup& setup, const Parameters& parameters) {
     const bool coefficient = parameters.at("contactApprox1") != 0;
     double weight = 0;
-    for (const Placement& placement : place(scene_)) weight += mass_factor_ * placement.mass * scene_.gravity;
-    friction_limits_ = friction_of(scene_);
+    for (const Placement& placement : setup.blocks)
+      weight += mass_factor_ * placement.mass * std::hypot(setup.gravity.x, setup.gravity.y);
+    friction_limits_ = setup.friction;
     for (double& limit : friction_limits_) limit *= coefficient ? 1 : weight;
     for (dContact& contact : contacts_) {
       if (coefficient) contact.surface.mode |= dContactApprox1;
@@ -277,7 +268,6 @@ class OdeSimulation : public Simulation {
   }
 
   OdeSolver solver_;
-  Scene scene_;
   double dt_;
   Shaking shaking_;
   std::size_t warnings_ = 0;
@@ -300,10 +290,9 @@ class OdeSimulation : public Simulation {
 
 }  // namespace
 
-std::unique_ptr<Simulation> start_ode(OdeSolver solver, const Scene& scene, double dt,
-                                      const Parameters& parameters) {
+std::unique_ptr<Simulation> start_ode(OdeSolver solver, const Setup& setup, const Parameters& parameters) {
   initialise_ode();
-  return std::make_unique<OdeSimulation>(solver, scene, dt, parameters);
+  return std::make_unique<OdeSimulation>(solver, setup, parameters);
 }
 
 }  // namespace rockstack

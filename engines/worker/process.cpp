@@ -105,12 +105,15 @@ struct Files {
 [[noreturn]] void become(pid_t parent, const char* program, const Files& files, const Limits& limits) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(no_program);  // it was gone before it could be watched
+  setpgid(0, 0);
   dup2(files.input, 0);
   dup2(files.nothing, 1);
   dup2(files.complaint, 2);
   dup2(files.reply, 3);
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
+  const rlimit reply{limits.reply, limits.reply};
+  setrlimit(RLIMIT_FSIZE, &reply);
   if (limits_memory) {
     const rlimit memory{limits.memory, limits.memory};
     setrlimit(RLIMIT_AS, &memory);
@@ -147,13 +150,21 @@ class Allowance {
   Clock::time_point last_ = Clock::now();
 };
 
-/// Waits until the last writer of the pipe is gone, which is when the child ends. @return whether it did.
-bool wait_for_end(const Descriptor& pipe, Allowance& time) {
+bool has_ended(pid_t child) {
+  siginfo_t end{};
+  return waitid(P_PID, static_cast<id_t>(child), &end, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         end.si_pid == child;
+}
+
+/// Waits until the last writer of the pipe is gone, which is when the child ends, but for what it has
+/// started.
+/// @return whether it did.
+bool wait_for_end(pid_t child, const Descriptor& pipe, Allowance& time) {
   constexpr std::chrono::milliseconds tick{50};
   while (time.lasts(tick)) {
     pollfd watched{pipe.get(), 0, 0};
     const int count = poll(&watched, 1, tick.count());
-    if (count > 0 && (watched.revents & POLLHUP) != 0) return true;
+    if ((count > 0 && (watched.revents & POLLHUP) != 0) || (count == 0 && has_ended(child))) return true;
     if (count < 0 && errno != EINTR) fail("a worker cannot be waited for");
   }
   return false;
@@ -168,7 +179,7 @@ ProcessEnd collect(pid_t child, const Descriptor& pipe, Allowance time) {
   ProcessEnd end;
   int status = 0;
   rusage usage{};
-  bool gone = wait_for_end(pipe, time);
+  bool gone = wait_for_end(child, pipe, time);
   // A child that has closed its standard error may live on.
   while (gone && wait4(child, &status, WNOHANG, &usage) == 0) {
     constexpr std::chrono::microseconds tick{200};
@@ -180,6 +191,7 @@ ProcessEnd collect(pid_t child, const Descriptor& pipe, Allowance time) {
     kill(child, SIGKILL);
     wait4(child, &status, 0, &usage);
   }
+  kill(-child, SIGKILL);  // what is left of its process group
   if (WIFSIGNALED(status) && !end.timed_out) end.signal = WTERMSIG(status);
   if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
   end.processor_time = seconds(usage.ru_utime) + seconds(usage.ru_stime);

@@ -12,6 +12,7 @@ namespace rockstack {
 struct Limits {
   double time = 600;  ///< wall time in which nobody has stopped it, s; may be infinite
   std::uint64_t memory = std::uint64_t{4} << 30;  ///< bytes
+  std::uint64_t reply = std::uint64_t{16} << 20;  ///< bytes of its reply, as of any file that it writes
 };
 
 /// How a process ended.
@@ -25,7 +26,7 @@ struct ProcessEnd {
 };
 
 /// Starts a program, gives it `input` as standard input and waits for its end. Safe to call from several
-/// threads. The program goes when this one does.
+/// threads. The program goes when this one does, and what it has started goes with it.
 /// @throws std::runtime_error where the operating system will not start it.
 ProcessEnd run_process(const std::filesystem::path& program, std::string_view input, const Limits& limits);
 

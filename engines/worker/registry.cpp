@@ -2,6 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -12,66 +20,179 @@
 namespace rockstack {
 namespace {
 
-std::vector<std::string> worker_programs() {
-  std::vector<std::string> names;
+namespace fs = std::filesystem;
+
+struct Known {
+  const char* engine;
+  bool built;
+};
+
+constexpr std::array known{
 #ifdef ROCKSTACK_WITH_BULLET
-  names.emplace_back("rockstack-bullet");
+    Known{"bullet", true},
+#else
+    Known{"bullet", false},
 #endif
 #ifdef ROCKSTACK_WITH_ODE
-  names.emplace_back("rockstack-ode");
+    Known{"ode", true},
+#else
+    Known{"ode", false},
 #endif
 #ifdef ROCKSTACK_WITH_BULLET
-  names.emplace_back("rockstack-bullet-single");
+    Known{"bullet-single", true},
+#else
+    Known{"bullet-single", false},
 #endif
-  return names;
-}
+};
 
-std::filesystem::path find_worker(const std::string& name) {
-  std::filesystem::path file = worker_folder() / name;
+constexpr const char* prefix = "rockstack-";
+
+fs::path find_worker(const std::string& name) {
+  fs::path file = worker_folder() / name;
   std::error_code ignored;
-  if (std::filesystem::exists(file, ignored)) return file;
+  if (fs::exists(file, ignored)) return file;
   throw std::runtime_error(fmt::format("{}: must be there, it came with this program", file.string()));
 }
 
-std::vector<WorkerEngine> ask_workers() {
-  std::vector<WorkerEngine> list;
-  for (const std::string& name : worker_programs()) {
-    for (WorkerEngine& engine : engines_of(find_worker(name))) list.push_back(std::move(engine));
+/// Programs in the folders of workers_variable, in order of folders and then of names.
+std::vector<fs::path> found_workers() {
+  std::vector<fs::path> programs;
+  const char* given = std::getenv(workers_variable);
+  std::istringstream folders(given != nullptr ? given : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (folder.empty()) continue;
+    std::vector<fs::path> here;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+      const auto permissions = entry.status().permissions();
+      const bool runs = (permissions & fs::perms::owner_exec) != fs::perms::none;
+      if (entry.is_regular_file() && runs && entry.path().filename().string().starts_with(prefix))
+        here.push_back(fs::absolute(entry.path()));
+    }
+    if (error)
+      throw InputError(fmt::format("{} = {}: must be folders that can be read, with ':' between them; {}: {}",
+                                   workers_variable, given, folder, error.message()));
+    std::sort(here.begin(), here.end());
+    programs.insert(programs.end(), here.begin(), here.end());
   }
-  return list;
+  return programs;
+}
+
+struct Registry {
+  std::vector<WorkerEngine> engines;
+  std::vector<BrokenWorker> broken;
+};
+
+std::string full_name(const WorkerEngine& engine) {
+  return engine.name() + ":" + engine.solver();
+}
+
+void add_found(const fs::path& program, Registry& registry) {
+  try {
+    std::vector<WorkerEngine> list = engines_of(program);
+    for (const WorkerEngine& engine : list) {
+      const auto other =
+          std::find_if(registry.engines.begin(), registry.engines.end(),
+                       [&](const WorkerEngine& one) { return full_name(one) == full_name(engine); });
+      if (other != registry.engines.end())
+        throw std::runtime_error(fmt::format("{}: another program has this engine, {}", full_name(engine),
+                                             other->program().string()));
+    }
+    for (WorkerEngine& engine : list) registry.engines.push_back(std::move(engine));
+  } catch (const std::exception& error) {
+    registry.broken.push_back({program.string(), error.what()});
+  }
+}
+
+Registry ask_workers() {
+  Registry registry;
+  for (const Known& one : known) {
+    if (!one.built) continue;
+    for (WorkerEngine& engine : engines_of(find_worker(prefix + std::string(one.engine))))
+      registry.engines.push_back(std::move(engine));
+  }
+  for (const fs::path& program : found_workers()) add_found(program, registry);
+  return registry;
+}
+
+const Registry& registry() {
+  static const Registry made = ask_workers();
+  return made;
 }
 
 std::string joined(const std::vector<std::string>& names) {
   return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// Engines of a program that is named by its path; asked once, and kept where they are.
+const std::deque<WorkerEngine>& engines_at(const fs::path& program) {
+  static std::map<fs::path, std::deque<WorkerEngine>> asked;
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  const auto found = asked.find(program);
+  if (found != asked.end()) return found->second;
+  std::vector<WorkerEngine> list = engines_of(program);
+  return asked[program] = {list.begin(), list.end()};
+}
+
 }  // namespace
 
 const std::vector<WorkerEngine>& engines() {
-  static const std::vector<WorkerEngine> list = ask_workers();
-  return list;
+  return registry().engines;
+}
+
+const std::vector<BrokenWorker>& broken_workers() {
+  return registry().broken;
 }
 
 std::vector<std::string> engines_left_out() {
   std::vector<std::string> names;
-#ifndef ROCKSTACK_WITH_BULLET
-  names.emplace_back("bullet");
-  names.emplace_back("bullet-single");
-#endif
-#ifndef ROCKSTACK_WITH_ODE
-  names.emplace_back("ode");
-#endif
+  for (const Known& one : known) {
+    if (!one.built) names.emplace_back(one.engine);
+  }
   return names;
 }
 
+bool is_usual(const WorkerEngine& engine) {
+  return engine.name() == "bullet" || engine.name() == "ode" || engine.name() == "bullet-single";
+}
+
+std::vector<const WorkerEngine*> all_engines_at(const fs::path& program) {
+  try {
+    std::vector<const WorkerEngine*> list;
+    for (const WorkerEngine& engine : engines_at(fs::absolute(program))) list.push_back(&engine);
+    return list;
+  } catch (const std::exception& error) {
+    throw InputError(
+        fmt::format("worker = {}: must be a worker program; {}", program.string(), error.what()));
+  }
+}
+
+const WorkerEngine& find_engine_at(const fs::path& program, const std::string& name) {
+  std::vector<std::string> there;
+  for (const WorkerEngine* engine : all_engines_at(program)) {
+    if (name.empty() || name == engine->name() || name == full_name(*engine) || name == engine->solver())
+      return *engine;
+    there.push_back(full_name(*engine));
+  }
+  throw InputError(fmt::format("{}: name = {}: must be one of: {}", program.string(), name, joined(there)));
+}
+
 const WorkerEngine& find_engine(const std::string& name) {
+  if (name.find('/') != std::string::npos) {
+    std::error_code ignored;
+    const std::size_t colon = name.find(':', name.rfind('/'));
+    const bool whole = colon == std::string::npos || fs::exists(name, ignored);
+    return find_engine_at(whole ? name : name.substr(0, colon), whole ? "" : name.substr(colon + 1));
+  }
   std::vector<std::string> there;
   there.reserve(engines().size());
   for (const WorkerEngine& engine : engines()) {
-    const std::string full = engine.name() + ":" + engine.solver();
-    if (name == engine.name() || name == full) return engine;
-    there.push_back(full);
+    if (name == engine.name() || name == full_name(engine)) return engine;
+    there.push_back(full_name(engine));
   }
+  for (const BrokenWorker& broken : broken_workers())
+    there.push_back(fmt::format("({}: no worker: {})", broken.program, broken.reason));
   throw InputError(fmt::format("engine = {}: must be one of: {}; left out of this build: {}", name,
                                joined(there), joined(engines_left_out())));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -7,16 +8,39 @@
 
 namespace rockstack {
 
-/// Every engine with every solver that this program was built with; worker programs are asked for theirs at
-/// the first call. Those switched off are not there. @throws std::runtime_error naming a worker program that
-/// is not beside this one and not where it was built.
+/// A folder of worker programs, or several with a ':' between them: an environment variable, also set by the
+/// option --workers. A worker there is an executable file whose name begins with "rockstack-".
+inline constexpr const char* workers_variable = "ROCKSTACK_WORKERS";
+
+/// Every engine with every solver that this program was built with, and then those of the workers in the
+/// folders of workers_variable, which are asked at the first call. Engines switched off are not there.
+/// @throws std::runtime_error naming a worker program that is not beside this one and not where it was built.
 const std::vector<WorkerEngine>& engines();
 
-/// Finds "bullet", "ode" or "bullet:nncg"; without a solver, the engine's first.
-/// @throws InputError naming what was asked for, what is there and what this build leaves out.
+/// Finds "bullet", "ode" or "bullet:nncg"; without a solver, the engine's first. A name with a '/' is the
+/// path of a worker program, as "./my_engine.py" or "./my_engine.py:solver".
+/// @throws InputError naming what was asked for, what is there and what this build leaves out, or why a
+/// worker is none.
 const WorkerEngine& find_engine(const std::string& name);
+
+/// An engine of a worker program: by its name, name and solver, or solver; empty: its first. @throws
+/// InputError as find_engine().
+const WorkerEngine& find_engine_at(const std::filesystem::path& program, const std::string& name);
+
+/// All of them. @throws InputError where the program is no worker, with the reason.
+std::vector<const WorkerEngine*> all_engines_at(const std::filesystem::path& program);
 
 /// Names of engines that were left out when this program was built.
 std::vector<std::string> engines_left_out();
+
+/// A program in a folder of workers that is none.
+struct BrokenWorker {
+  std::string program;
+  std::string reason;
+};
+const std::vector<BrokenWorker>& broken_workers();
+
+/// True for the engines that are compared where nobody names any: Bullet and ODE.
+bool is_usual(const WorkerEngine& engine);
 
 }  // namespace rockstack

@@ -1,126 +1,286 @@
 #include "engines/worker/request.hpp"
 
-#include <concepts>
-#include <tuple>
-#include <type_traits>
-
-#include "engines/worker/message.hpp"
+#include <array>
+#include <utility>
 
 namespace rockstack {
 namespace {
 
-/// Begins every message: "rockstk" and the version of the form.
-constexpr std::int64_t mark = 0x726f636b73746b05;
+using nlohmann::json;
+
+/// Fields that are numbers, by name: one table for writing and reading.
+template <class Object>
+struct Named {
+  const char* name;
+  double Object::*member;
+};
+
+constexpr std::array<Named<Placement>, 13> placement_fields{
+    {{"x", &Placement::x},
+     {"y", &Placement::y},
+     {"velocity_x", &Placement::velocity_x},
+     {"velocity_y", &Placement::velocity_y},
+     {"angle", &Placement::angle},
+     {"angular_velocity", &Placement::angular_velocity},
+     {"width", &Placement::width},
+     {"height", &Placement::height},
+     {"depth", &Placement::depth},
+     {"mass", &Placement::mass},
+     {"inertia", &Placement::inertia},
+     {"inertia_about_x", &Placement::inertia_about_x},
+     {"inertia_about_y", &Placement::inertia_about_y}}};
+
+constexpr std::array<Named<BodyAcceleration>, 2> acceleration_fields{
+    {{"x", &BodyAcceleration::x}, {"y", &BodyAcceleration::y}}};
+
+constexpr std::array<Named<GroundStep>, 4> ground_fields{{{"x", &GroundStep::x},
+                                                          {"y", &GroundStep::y},
+                                                          {"velocity_x", &GroundStep::velocity_x},
+                                                          {"velocity_y", &GroundStep::velocity_y}}};
+
+constexpr std::array<Named<BodyState>, 4> body_fields{{{"x", &BodyState::x},
+                                                       {"y", &BodyState::y},
+                                                       {"velocity_x", &BodyState::velocity_x},
+                                                       {"velocity_y", &BodyState::velocity_y}}};
+
+/// Only of engines that are not planar by nature.
+constexpr std::array<Named<BodyState>, 2> out_of_plane_fields{
+    {{"z", &BodyState::z}, {"tilt", &BodyState::tilt}}};
+
+constexpr std::array<Named<ContactImpact>, 3> impact_fields{
+    {{"time", &ContactImpact::time}, {"speed", &ContactImpact::speed}, {"after", &ContactImpact::after}}};
+
+constexpr std::array<Named<Setting>, 4> setting_fields{{{"default", &Setting::standard},
+                                                        {"tuned", &Setting::tuned},
+                                                        {"least", &Setting::least},
+                                                        {"most", &Setting::most}}};
+
+template <class Object, std::size_t Count>
+json object_of(const Object& from, const std::array<Named<Object>, Count>& fields) {
+  json object;
+  for (const auto& [name, member] : fields) object[name] = to_field(from.*member);
+  return object;
+}
+
+template <class Object, std::size_t Count>
+Object read_object(const json& object, const std::array<Named<Object>, Count>& fields) {
+  Object result;
+  for (const auto& [name, member] : fields) result.*member = number_field(object, name);
+  return result;
+}
+
+/// A list of objects as an object of lists.
+template <class Object, std::size_t Count>
+void write_columns(json& object, const std::vector<Object>& list,
+                   const std::array<Named<Object>, Count>& fields, Form form) {
+  for (const auto& [name, member] : fields) {
+    std::vector<double> column;
+    column.reserve(list.size());
+    for (const Object& item : list) column.push_back(item.*member);
+    object[name] = to_field(column, form);
+  }
+}
+
+template <class Object, std::size_t Count>
+void read_columns(const json& object, std::vector<Object>& list,
+                  const std::array<Named<Object>, Count>& fields) {
+  for (const auto& [name, member] : fields) {
+    const std::vector<double> column = numbers_field(object, name);
+    if (list.empty()) list.resize(column.size());
+    if (column.size() != list.size())
+      throw std::runtime_error(std::string("`") + name + "` must be as long as the lists beside it");
+    for (std::size_t i = 0; i < list.size(); ++i) list[i].*member = column[i];
+  }
+}
+
+const json& list_field(const json& object, const char* name) {
+  const json& list = field(object, name);
+  if (!list.is_array()) throw std::runtime_error(std::string("`") + name + "` must be a list");
+  return list;
+}
+
+json fields_of(const RunRequest& run, Form form) {
+  const Setup& setup = run.setup;
+  json object{{"solver", run.solver},
+              {"dt", setup.dt},
+              {"steps", setup.steps},
+              {"gravity", object_of(setup.gravity, acceleration_fields)},
+              {"friction", to_field(setup.friction, form)},
+              {"toppling_angles", to_field(setup.toppling_angles, form)},
+              {"repeats", run.repeats},
+              {"bodies", run.bodies},
+              {"blocks", json::array()},
+              {"parameters", json::object()}};
+  for (const Placement& block : setup.blocks) object["blocks"].push_back(object_of(block, placement_fields));
+  for (const auto& [name, value] : run.parameters) object["parameters"][name] = to_field(value);
+  if (!setup.accelerations.empty())
+    write_columns(object["accelerations"], setup.accelerations, acceleration_fields, form);
+  if (!setup.ground.empty()) write_columns(object["ground"], setup.ground, ground_fields, form);
+  return object;
+}
+
+RunRequest read_run_request(const json& object) {
+  RunRequest run;
+  Setup& setup = run.setup;
+  run.solver = text_field(object, "solver");
+  setup.dt = number_field(object, "dt");
+  setup.steps = count_field(object, "steps");
+  setup.gravity = read_object(field(object, "gravity"), acceleration_fields);
+  setup.friction = numbers_field(object, "friction");
+  setup.toppling_angles = numbers_field(object, "toppling_angles");
+  run.repeats = count_field(object, "repeats");
+  run.bodies = flag_field(object, "bodies");
+  for (const json& block : list_field(object, "blocks"))
+    setup.blocks.push_back(read_object(block, placement_fields));
+  for (const auto& [name, value] : field(object, "parameters").items())
+    run.parameters[name] = number_field(object["parameters"], name.c_str());
+  if (has_field(object, "accelerations"))
+    read_columns(object["accelerations"], setup.accelerations, acceleration_fields);
+  if (has_field(object, "ground")) read_columns(object["ground"], setup.ground, ground_fields);
+  return run;
+}
+
+json fields_of(const EngineDescription& engine) {
+  json object{{"name", engine.name},
+              {"solver", engine.solver},
+              {"version", engine.version},
+              {"licence", engine.licence},
+              {"largest_friction", to_field(engine.capabilities.largest_friction)},
+              {"single_precision", engine.capabilities.single_precision},
+              {"planar", engine.capabilities.planar},
+              {"lead", engine.capabilities.lead},
+              {"settings", json::array()}};
+  for (const Setting& setting : engine.settings) {
+    json one = object_of(setting, setting_fields);
+    one["name"] = setting.name;
+    one["whole"] = setting.whole;
+    if (!setting.choices.empty()) one["choices"] = setting.choices;
+    if (!setting.unit.empty()) one["unit"] = setting.unit;
+    object["settings"].push_back(std::move(one));
+  }
+  return object;
+}
+
+Setting read_setting(const json& object) {
+  Setting setting = read_object(object, setting_fields);
+  setting.name = text_field(object, "name");
+  if (has_field(object, "whole")) setting.whole = flag_field(object, "whole");
+  if (has_field(object, "unit")) setting.unit = text_field(object, "unit");
+  if (!has_field(object, "choices")) return setting;
+  for (const json& choice : list_field(object, "choices")) {
+    if (!choice.is_string()) throw std::runtime_error("`choices` must be texts");
+    setting.choices.push_back(choice.get<std::string>());
+  }
+  return setting;
+}
+
+EngineDescription read_engine(const json& object) {
+  EngineDescription engine{text_field(object, "name"),
+                           text_field(object, "solver"),
+                           text_field(object, "version"),
+                           text_field(object, "licence"),
+                           {},
+                           {}};
+  Capabilities& able = engine.capabilities;
+  if (has_field(object, "largest_friction")) able.largest_friction = number_field(object, "largest_friction");
+  if (has_field(object, "single_precision")) able.single_precision = flag_field(object, "single_precision");
+  if (has_field(object, "planar")) able.planar = flag_field(object, "planar");
+  if (has_field(object, "lead")) able.lead = number_field(object, "lead");
+  for (const json& setting : list_field(object, "settings")) engine.settings.push_back(read_setting(setting));
+  return engine;
+}
+
+json fields_of(const ContactRecord& contacts, Form form) {
+  json object{{"elastic", to_field(contacts.elastic, form)},
+              {"complementarity", to_field(contacts.complementarity)},
+              {"friction_excess", to_field(contacts.friction_excess)},
+              {"impacts", json::array()}};
+  for (const ContactImpact& impact : contacts.impacts) {
+    json one = object_of(impact, impact_fields);
+    one["interface"] = impact.interface;
+    object["impacts"].push_back(std::move(one));
+  }
+  return object;
+}
+
+ContactRecord read_contacts(const json& object) {
+  ContactRecord contacts;
+  contacts.elastic = numbers_field(object, "elastic");
+  contacts.complementarity = number_field(object, "complementarity");
+  contacts.friction_excess = number_field(object, "friction_excess");
+  for (const json& one : list_field(object, "impacts")) {
+    ContactImpact impact = read_object(one, impact_fields);
+    impact.interface = static_cast<int>(count_field(one, "interface"));
+    contacts.impacts.push_back(impact);
+  }
+  return contacts;
+}
+
+json fields_of(const RunReply& run, Form form) {
+  const Trajectory& made = run.trajectory;
+  json object{{"status", run.status}, {"reason", run.reason}, {"peak_memory", run.peak_memory}};
+  if (run.status != "done") return object;
+  object["angles"] = to_field(made.angles, form);
+  object["velocities"] = to_field(made.velocities, form);
+  object["seconds"] = to_field(run.seconds, form);
+  object["warnings"] = made.warnings;
+  if (!made.bodies.empty()) {
+    write_columns(object["bodies"], made.bodies, body_fields, form);
+    write_columns(object["bodies"], made.bodies, out_of_plane_fields, form);
+  }
+  if (made.contacts) object["contacts"] = fields_of(*made.contacts, form);
+  return object;
+}
+
+RunReply read_run_reply(const json& object) {
+  RunReply run;
+  run.status = text_field(object, "status");
+  if (has_field(object, "reason")) run.reason = text_field(object, "reason");
+  if (has_field(object, "peak_memory")) run.peak_memory = number_field(object, "peak_memory");
+  if (run.status != "done") return run;
+  Trajectory& made = run.trajectory;
+  made.angles = numbers_field(object, "angles");
+  made.velocities = numbers_field(object, "velocities");
+  if (has_field(object, "seconds")) run.seconds = numbers_field(object, "seconds");
+  if (has_field(object, "warnings")) made.warnings = count_field(object, "warnings");
+  if (has_field(object, "bodies")) {
+    const json& bodies = object["bodies"];
+    read_columns(bodies, made.bodies, body_fields);
+    if (has_field(bodies, "z")) read_columns(bodies, made.bodies, out_of_plane_fields);
+  }
+  if (has_field(object, "contacts")) made.contacts = read_contacts(object["contacts"]);
+  return run;
+}
 
 }  // namespace
 
-template <class Given, class Wanted>
-concept Is = std::same_as<std::remove_const_t<Given>, Wanted>;
-
-auto fields(Is<Block> auto& block) {
-  return std::tie(block.half_width, block.half_height, block.mass, block.inertia, block.offset_x,
-                  block.offset_y);
+std::string to_bytes(const Request& request, Form form) {
+  json object = request.run ? json{{"run", fields_of(*request.run, form)}} : json{{"describe", true}};
+  return to_bytes(Message{std::move(object), form});
 }
 
-auto fields(Is<Pulse> auto& pulse) {
-  return std::tie(pulse.shape, pulse.amplitude, pulse.period, pulse.start, pulse.cycles, pulse.phase);
+std::string to_bytes(const Reply& reply, Form form) {
+  json object = json::object();
+  if (reply.run) {
+    object["run"] = fields_of(*reply.run, form);
+  } else {
+    object["engines"] = json::array();
+    for (const EngineDescription& engine : reply.engines) object["engines"].push_back(fields_of(engine));
+  }
+  return to_bytes(Message{std::move(object), form});
 }
 
-auto fields(Is<GroundMotion> auto& motion) {
-  return std::tie(motion.interval, motion.samples, motion.source, motion.made_up, motion.pulse);
+Request read_request(const Message& message) {
+  if (!has_field(message.fields, "run")) return {};
+  return {read_run_request(message.fields["run"])};
 }
 
-auto fields(Is<InitialState> auto& state) {
-  return std::tie(state.angles, state.velocities, state.slip_velocities);
-}
-
-auto fields(Is<EngineSurface> auto& surface) {
-  return std::tie(surface.friction, surface.depth);
-}
-
-auto fields(Is<Scene> auto& scene) {
-  return std::tie(scene.title, scene.duration, scene.gravity, scene.inclination, scene.law, scene.equations,
-                  scene.restitution, scene.blocks, scene.initial, scene.horizontal, scene.vertical,
-                  scene.friction, scene.engine);
-}
-
-auto fields(Is<Setting> auto& setting) {
-  return std::tie(setting.name, setting.standard, setting.tuned, setting.least, setting.most, setting.whole,
-                  setting.choices);
-}
-
-auto fields(Is<EngineDescription> auto& engine) {
-  return std::tie(engine.name, engine.solver, engine.version, engine.largest_friction, engine.settings);
-}
-
-auto fields(Is<RunRequest> auto& run) {
-  return std::tie(run.solver, run.scene, run.dt, run.parameters, run.repeats, run.bodies);
-}
-
-/// Engines fill in samples alone.
-auto fields(Is<History> auto& history) {
-  return std::tie(history.blocks, history.times, history.angles, history.velocities, history.slips,
-                  history.gaps, history.places);
-}
-
-auto fields(Is<ContactImpact> auto& impact) {
-  return std::tie(impact.time, impact.interface, impact.speed, impact.after);
-}
-
-auto fields(Is<BodyRecord> auto& record) {
-  return std::tie(record.energy, record.input, record.penetration, record.elastic, record.complementarity,
-                  record.friction_excess, record.impacts, record.gap, record.slip, record.out_of_plane,
-                  record.out_of_plane_tilt);
-}
-
-auto fields(Is<RunReply> auto& run) {
-  return std::tie(run.status, run.reason, run.history, run.warnings, run.seconds, run.peak_memory,
-                  run.bodies);
-}
-
-auto fields(Is<Request> auto& request) {
-  return std::tie(request.run);
-}
-
-auto fields(Is<Reply> auto& reply) {
-  return std::tie(reply.engines, reply.run);
-}
-
-namespace {
-
-std::string bytes_of(const auto& message) {
-  MessageWriter write;
-  write(mark, message);
-  return write.bytes();
-}
-
-template <class Message>
-Message read_message(std::string_view bytes) {
-  MessageReader read(bytes);
-  std::int64_t found = 0;
-  Message message;
-  read(found);
-  if (found != mark) throw std::runtime_error("the message is of another version of the program");
-  read(message);
-  return message;
-}
-
-}  // namespace
-
-std::string to_bytes(const Request& request) {
-  return bytes_of(request);
-}
-
-std::string to_bytes(const Reply& reply) {
-  return bytes_of(reply);
-}
-
-Request read_request(std::string_view bytes) {
-  return read_message<Request>(bytes);
-}
-
-Reply read_reply(std::string_view bytes) {
-  return read_message<Reply>(bytes);
+Reply read_reply(const Message& message) {
+  if (has_field(message.fields, "run")) return {{}, read_run_reply(message.fields["run"])};
+  Reply reply;
+  for (const json& engine : list_field(message.fields, "engines"))
+    reply.engines.push_back(read_engine(engine));
+  return reply;
 }
 
 }  // namespace rockstack

@@ -2,30 +2,30 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/scene.hpp"
-#include "engines/body_record.hpp"
-#include "engines/parameters.hpp"
+#include "engines/engine.hpp"
+#include "engines/setup.hpp"
+#include "engines/trajectory.hpp"
+#include "engines/worker/message.hpp"
 
 namespace rockstack {
 
 /// What a worker program says of an engine with one of its solvers.
 struct EngineDescription {
-  std::string name, solver, version;
-  double largest_friction = 0;  ///< the coefficient that acts where a scene asks for more; may be infinite
+  std::string name, solver, version, licence;
+  Capabilities capabilities;
   std::vector<Setting> settings;
 };
 
 /// One run that a worker is asked for.
 struct RunRequest {
   std::string solver;
-  Scene scene;
-  double dt = 0;  ///< s
+  Setup setup;
   Parameters parameters;
-  int repeats = 0;      ///< timed runs after the one that gives the history
-  bool bodies = false;  ///< whether to keep a BodyRecord
+  std::size_t repeats = 0;  ///< timed runs after the one that gives the trajectory
+  bool bodies = false;      ///< whether the trajectory is to tell bodies and contacts
 };
 
 /// A worker is asked for a run, or without one to describe its engines.
@@ -37,11 +37,9 @@ struct Request {
 struct RunReply {
   std::string status;  ///< "done", "failed", "not finite" or "memory limit"
   std::string reason;  ///< why not done
-  History history;     ///< samples alone
-  std::size_t warnings = 0;
-  std::vector<double> seconds;       ///< wall time of stepping alone in each timed run, s
-  double peak_memory = 0;            ///< of the worker, bytes
-  std::optional<BodyRecord> bodies;  ///< where asked for
+  Trajectory trajectory;
+  std::vector<double> seconds;  ///< wall time of stepping alone in each timed run, s
+  double peak_memory = 0;       ///< of the worker, bytes; 0 where it does not say
 };
 
 struct Reply {
@@ -49,11 +47,11 @@ struct Reply {
   std::optional<RunReply> run;
 };
 
-// Between structs and bytes, see message.hpp. Reading throws std::runtime_error for bytes that are not a
-// whole message of this version of the program.
-std::string to_bytes(const Request& request);
-std::string to_bytes(const Reply& reply);
-Request read_request(std::string_view bytes);
-Reply read_reply(std::string_view bytes);
+// Between structs and bytes; engines/README.md has every field. Reading throws std::runtime_error for bytes
+// that are not a whole message, naming the field that is wrong.
+std::string to_bytes(const Request& request, Form form);
+std::string to_bytes(const Reply& reply, Form form);
+Request read_request(const Message& message);
+Reply read_reply(const Message& message);
 
 }  // namespace rockstack

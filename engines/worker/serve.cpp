@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <limits>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -29,8 +27,8 @@ double peak_memory() {
 }
 
 EngineDescription describe(const Engine& engine) {
-  return {engine.name(), engine.solver(), engine.version(),
-          engine.friction(std::numeric_limits<double>::infinity()), engine.settings()};
+  return {engine.name(),    engine.solver(),       engine.version(),
+          engine.licence(), engine.capabilities(), engine.settings()};
 }
 
 const Engine& find(const std::vector<std::unique_ptr<Engine>>& engines, const std::string& solver) {
@@ -40,22 +38,19 @@ const Engine& find(const std::vector<std::unique_ptr<Engine>>& engines, const st
   throw std::runtime_error("no such solver: " + solver);
 }
 
-RunReply run(const Engine& engine, const RunRequest& request) {
-  RunReply reply{"done", {}, {}, 0, {}, 0, {}};
+RunReply answer_run(const Engine& engine, const RunRequest& request) {
+  RunReply reply{"done", {}, {}, {}, 0};
   try {
-    EngineRun made = simulate(engine, request.scene, request.dt, request.parameters, request.bodies);
-    const std::size_t steps = made.history.size() - 1;
-    reply.history = std::move(made.history);
-    reply.warnings = made.warnings;
-    reply.bodies = std::move(made.bodies);
+    reply.trajectory = run(engine, request.setup, request.parameters, request.bodies);
+    const std::size_t steps = reply.trajectory.angles.size() / request.setup.blocks.size() - 1;
     reply.seconds =
-        time_stepping(engine, request.scene, request.dt, request.parameters, steps, request.repeats);
+        time_stepping(engine, request.setup, request.parameters, steps, static_cast<int>(request.repeats));
   } catch (const NotFinite& failure) {
-    reply = {"not finite", failure.what(), {}, 0, {}, 0, {}};
+    reply = {"not finite", failure.what(), {}, {}, 0};
   } catch (const std::bad_alloc&) {
-    reply = {"memory limit", "the engine asked for more memory than there is", {}, 0, {}, 0, {}};
+    reply = {"memory limit", "the engine asked for more memory than there is", {}, {}, 0};
   } catch (const std::exception& failure) {
-    reply = {"failed", failure.what(), {}, 0, {}, 0, {}};
+    reply = {"failed", failure.what(), {}, {}, 0};
   }
   reply.peak_memory = peak_memory();
   return reply;
@@ -74,7 +69,7 @@ void write_all(int descriptor, std::string_view bytes) {
 Reply answer(const std::vector<std::unique_ptr<Engine>>& engines, const Request& request) {
   Reply reply;
   if (request.run) {
-    reply.run = run(find(engines, request.run->solver), *request.run);
+    reply.run = answer_run(find(engines, request.run->solver), *request.run);
   } else {
     for (const auto& engine : engines) reply.engines.push_back(describe(*engine));
   }
@@ -84,10 +79,11 @@ Reply answer(const std::vector<std::unique_ptr<Engine>>& engines, const Request&
 int serve(const std::vector<std::unique_ptr<Engine>>& engines) {
   try {
     const std::string bytes{std::istreambuf_iterator<char>(std::cin), {}};
-    write_all(reply_descriptor, to_bytes(answer(engines, read_request(bytes))));
+    const Request request = read_request(read_message(bytes));
+    write_all(reply_descriptor, to_bytes(answer(engines, request), Form::messagepack));
     return 0;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "a worker of rockstack, not to be started by hand: {}\n", error.what());
+    fmt::print(stderr, "a worker of rockstack: {}\n", error.what());
     return 2;
   }
 }

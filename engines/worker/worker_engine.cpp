@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <csignal>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
+
+#include "engines/scene_setup.hpp"
+#include "engines/worker/description.hpp"
 
 namespace rockstack {
 namespace {
@@ -15,57 +20,96 @@ std::string with_last_words(const std::string& reason, const ProcessEnd& end) {
 }
 
 /// Why there is no reply.
-void explain(const ProcessEnd& end, const Limits& limits, WorkerRun& result) {
-  if (end.timed_out) {
-    result.status = "time limit";
-    result.reason = fmt::format("not done after {} s", limits.time);
-  } else if (end.signal != 0) {
-    result.status = "signal";
-    result.reason =
-        with_last_words(fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal)), end);
-  } else {
-    result.status = "failed";
-    result.reason = with_last_words(fmt::format("ended with exit code {} and no result", end.exit_code), end);
-  }
+RunReply explain(const ProcessEnd& end, const Limits& limits) {
+  RunReply run;
+  run.status = end.timed_out ? "time limit" : end.signal != 0 && end.signal != SIGXFSZ ? "signal" : "failed";
+  run.reason =
+      end.timed_out           ? fmt::format("not done after {} s", limits.time)
+      : end.signal == SIGXFSZ ? fmt::format("its reply is longer than {} bytes", limits.reply)
+      : end.signal != 0
+          ? with_last_words(fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal)), end)
+          : with_last_words(fmt::format("ended with exit code {} and no result", end.exit_code), end);
+  return run;
 }
 
-/// True where slips, gaps and places are of that many samples.
-bool tells_places(const History& history, std::size_t samples) {
-  const std::size_t values = samples * static_cast<std::size_t>(history.blocks);
-  return history.slips.size() == values && history.gaps.size() == values &&
-         history.places.size() == 2 * values;
-}
-
-/// @throws std::runtime_error where a run that is said to be done has no history of the scene, or not all
+/// @throws std::runtime_error where a run that is said to be done has no trajectory of the scene, or not all
 /// times.
-void require_whole(const RunReply& run, const Scene& scene, int repeats) {
-  if (run.status != "done") return;
-  const std::size_t blocks = scene.blocks.size();
-  const std::size_t samples = run.history.times.size();
-  const auto fits = [&](const std::vector<double>& values) { return values.size() == samples * blocks; };
-  const auto samples_of = [&](const BodyRecord& bodies) {
-    return bodies.energy.size() == samples && bodies.input.size() == samples &&
-           bodies.penetration.size() == samples && bodies.elastic.size() == samples;
+void require_whole(const RunReply& run, const RunRequest& asked) {
+  const Trajectory& made = run.trajectory;
+  const std::size_t blocks = asked.setup.blocks.size();
+  const std::size_t samples = made.angles.size() / blocks;
+  const auto require = [](bool holds, const char* what) {
+    if (!holds) throw std::runtime_error(what);
   };
-  const bool whole = run.seconds.size() == static_cast<std::size_t>(repeats) && samples > 0 &&
-                     run.history.blocks == static_cast<int>(blocks) && fits(run.history.angles) &&
-                     fits(run.history.velocities) &&
-                     tells_places(run.history, scene.law == Law::unilateral ? samples : 0) &&
-                     (!run.bodies || samples_of(*run.bodies));
-  if (!whole) throw std::runtime_error("the message is not about this run");
+  require(samples >= 1 && samples <= asked.setup.steps + 1 && made.angles.size() == samples * blocks,
+          "`angles` must have a number for each block, at the start and after each step");
+  require(made.velocities.size() == made.angles.size(), "`velocities` must be as long as `angles`");
+  require(run.seconds.size() == asked.repeats, "`seconds` must have a number for each of `repeats`");
+  require(made.bodies.size() == (asked.bodies ? made.angles.size() : 0),
+          "`bodies` must have lists as long as `angles` where they are asked for");
+  if (!made.contacts) return;
+  require(made.contacts->elastic.size() == samples, "`elastic` must have a number for each sample");
+  for (const ContactImpact& impact : made.contacts->impacts)
+    require(impact.interface >= 1 && impact.interface <= static_cast<int>(blocks),
+            "`interface` must be the number of a block");
+}
+
+/// The most bytes that a reply to this takes: numbers of at most 25 characters, in lists; contacts tell no
+/// more impacts than steps of each interface have.
+std::uint64_t reply_limit(const RunRequest& asked) {
+  const std::uint64_t numbers = (asked.setup.steps + 1) * asked.setup.blocks.size();
+  const std::uint64_t each = asked.bodies ? 8 * 27 + 160 : 2 * 27;
+  return (std::uint64_t{1} << 20) + numbers * each;
+}
+
+/// What a worker answered, or why it did not; what it took.
+struct Answer {
+  RunReply run;
+  double processor_time = 0;  ///< s
+};
+
+/// A whole reply to what was asked. @throws std::runtime_error where it is not that.
+RunReply read_run(const std::string& bytes, const RunRequest& asked) {
+  Reply reply = read_reply(read_message(bytes));
+  if (!reply.run) throw std::runtime_error("`run` must be there");
+  static constexpr std::array<const char*, 4> states{"done", "failed", "not finite", "memory limit"};
+  if (std::find(states.begin(), states.end(), reply.run->status) == states.end())
+    throw std::runtime_error("`status` must be \"done\", \"failed\", \"not finite\" or \"memory limit\"");
+  if (reply.run->status != "done") return *std::move(reply.run);
+  require_whole(*reply.run, asked);
+  try {
+    require_finite(reply.run->trajectory, asked.setup.blocks.size(), asked.setup.dt);
+  } catch (const NotFinite& failure) {
+    return {"not finite", failure.what(), {}, {}, reply.run->peak_memory};
+  }
+  return *std::move(reply.run);
+}
+
+Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
+  limits.reply = reply_limit(asked);
+  const ProcessEnd end = run_process(engine.program(), to_bytes(Request{asked}, engine.form()), limits);
+  if (end.timed_out || end.signal != 0 || end.exit_code != 0)
+    return {explain(end, limits), end.processor_time};
+  try {
+    return {read_run(end.reply, asked), end.processor_time};
+  } catch (const std::exception& error) {
+    const std::string reason =
+        fmt::format("{} gave a reply that cannot be read: {}", engine.program().string(), error.what());
+    return {{"failed", reason, {}, {}, 0}, end.processor_time};
+  }
 }
 
 }  // namespace
 
-WorkerEngine::WorkerEngine(std::filesystem::path program, EngineDescription description)
-    : program_(std::move(program)), description_(std::move(description)) {}
+WorkerEngine::WorkerEngine(std::filesystem::path program, EngineDescription description, Form form)
+    : program_(std::move(program)), description_(std::move(description)), form_(form) {}
 
 double WorkerEngine::friction(double asked) const {
-  return std::min(asked, description_.largest_friction);
+  return std::min(asked, capabilities().largest_friction);
 }
 
 std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, double answering_time) {
-  const ProcessEnd end = run_process(program, to_bytes(Request{}), {.time = answering_time});
+  const ProcessEnd end = run_process(program, to_bytes(Request{}, Form::json), {.time = answering_time});
   const auto refuse = [&](const std::string& why) {
     return std::runtime_error(
         with_last_words(fmt::format("{}: does not say which engines it has{}", program.string(), why), end));
@@ -74,9 +118,10 @@ std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, doubl
   if (end.signal != 0 || end.exit_code != 0) throw refuse("");
   try {
     std::vector<WorkerEngine> engines;
-    for (EngineDescription& engine : read_reply(end.reply).engines) {
-      engines.emplace_back(program, std::move(engine));
-    }
+    const Message message = read_message(end.reply);
+    const Reply reply = read_reply(message);
+    check_descriptions(reply.engines);
+    for (const EngineDescription& engine : reply.engines) engines.emplace_back(program, engine, message.form);
     return engines;
   } catch (const std::exception& error) {
     throw refuse(fmt::format(": {}", error.what()));
@@ -85,31 +130,32 @@ std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, doubl
 
 WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double dt,
                         const Parameters& parameters, int repeats, const Limits& limits, bool bodies) {
-  const std::string request =
-      to_bytes(Request{RunRequest{engine.solver(), scene, dt, parameters, repeats, bodies}});
-  const ProcessEnd end = run_process(engine.program(), request, limits);
   WorkerRun result;
-  result.processor_time = end.processor_time;
-  if (end.timed_out || end.signal != 0 || end.exit_code != 0) {
-    explain(end, limits, result);
-    return result;
-  }
-  RunReply run;
+  RunRequest asked{
+      engine.solver(), {}, parameters, static_cast<std::size_t>(repeats), needs_bodies(scene, bodies)};
   try {
-    run = read_reply(end.reply).run.value();
-    require_whole(run, scene, repeats);
+    asked.setup = set_up(scene, dt, parameters);
   } catch (const std::exception& error) {
     result.status = "failed";
-    result.reason =
-        fmt::format("{} gave a reply that cannot be read: {}", engine.program().string(), error.what());
+    result.reason = error.what();
     return result;
   }
+  auto [run, processor_time] = ask(engine, asked, limits);
   result.status = std::move(run.status);
   result.reason = std::move(run.reason);
-  result.run = {std::move(run.history), run.warnings, std::move(run.bodies)};
-  result.seconds = std::move(run.seconds);
+  result.processor_time = processor_time;
   result.peak_memory = run.peak_memory;
+  if (result.status != "done") return result;
+  result.run = account_of(scene, asked.setup, std::move(run.trajectory), bodies);
+  result.seconds = std::move(run.seconds);
   return result;
+}
+
+Trajectory run(const WorkerEngine& engine, const Setup& setup, const Parameters& parameters, bool bodies,
+               const Limits& limits) {
+  Answer answer = ask(engine, {engine.solver(), setup, parameters, 0, bodies}, limits);
+  if (answer.run.status != "done") throw std::runtime_error(answer.run.status + ": " + answer.run.reason);
+  return std::move(answer.run.trajectory);
 }
 
 EngineRun simulate(const WorkerEngine& engine, const Scene& scene, double dt, const Parameters& parameters,

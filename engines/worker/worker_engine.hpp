@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engines/body_record.hpp"
 #include "engines/engine.hpp"
 #include "engines/worker/process.hpp"
 #include "engines/worker/request.hpp"
@@ -14,25 +15,30 @@ namespace rockstack {
 /// whatever the engine does ends that run and nothing else.
 class WorkerEngine {
  public:
-  WorkerEngine(std::filesystem::path program, EngineDescription description);
+  /// `form`: in which the program described its engines and is asked for runs.
+  WorkerEngine(std::filesystem::path program, EngineDescription description, Form form);
 
   const std::string& name() const { return description_.name; }        ///< "bullet", "bullet-single", "ode"
   const std::string& solver() const { return description_.solver; }    ///< "step", …
   const std::string& version() const { return description_.version; }  ///< of the library in use
+  const std::string& licence() const { return description_.licence; }
+  const Capabilities& capabilities() const { return description_.capabilities; }
   const std::vector<Setting>& settings() const { return description_.settings; }
   Parameters default_parameters() const { return standard_values(settings()); }
   Parameters tuned_parameters() const { return tuned_values(settings()); }
   /// The coefficient of friction that acts where a scene asks for `asked`.
   double friction(double asked) const;
   const std::filesystem::path& program() const { return program_; }
+  Form form() const { return form_; }
 
  private:
   std::filesystem::path program_;
   EngineDescription description_;
+  Form form_;
 };
 
 /// All engines of a worker program, in its order. @throws std::runtime_error naming the program where it does
-/// not answer within `answering_time` s.
+/// not answer within `answering_time` s, or not as engines/README.md asks for.
 std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, double answering_time = 30);
 
 /// What became of a run in a worker.
@@ -44,6 +50,11 @@ struct WorkerRun {
   double processor_time = 0;    ///< of the whole process, user and system, s
   double peak_memory = 0;       ///< likewise, bytes; 0 where the process did not come to say it
 };
+
+/// As run() of an engine in this process. @throws std::runtime_error for whatever kept the run from being
+/// done.
+Trajectory run(const WorkerEngine& engine, const Setup& setup, const Parameters& parameters, bool bodies,
+               const Limits& limits = {});
 
 /// Runs a scene for its duration, then times stepping alone `repeats` times; `bodies`: keeps a BodyRecord of
 /// the first. No failure of the engine throws.

@@ -11,20 +11,22 @@
 #include <stdexcept>
 
 #include "engines/placement.hpp"
+#include "engines/scene_setup.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
 
 std::string bare_question(const WorkerEngine& engine, const Scene& scene, double step,
                           const Parameters& parameters) {
-  const double mass = mass_factor(scene, parameters);
+  const Setup setup = set_up(scene, step, parameters);
+  const double mass = mass_factor(setup, parameters);
   double reach = scene.engine.depth;
   for (const Block& block : scene.blocks) reach += 2 * (block.half_width + block.half_height);
   const double steps = std::floor(scene.duration / step + 1e-9);
   std::string text = fmt::format("solver {} gravity {} friction {} dt {} steps {}\n", engine.solver(),
                                  scene.gravity, scene.engine.friction, step, steps);
   if (engine.name() != "ode") text += fmt::format("reach {}\n", 10 * reach);
-  for (const Placement& block : place(scene)) {
+  for (const Placement& block : setup.blocks) {
     text += fmt::format("block {} {} {} {} {} {} {} {} {} {}\n", block.width, block.height, block.depth,
                         mass * block.mass, mass * block.inertia_about_x, mass * block.inertia_about_y,
                         mass * block.inertia, block.x, block.y, block.angle);

@@ -1,6 +1,8 @@
 #include "tests/engines/linked_engines.hpp"
 
 #include <utility>
+
+#include "engines/scene_setup.hpp"
 #ifdef ROCKSTACK_WITH_BULLET
 #include "engines/bullet/bullet.hpp"
 #endif
@@ -27,6 +29,11 @@ std::vector<std::unique_ptr<Engine>> make_engines() {
 const std::vector<std::unique_ptr<Engine>>& linked_engines() {
   static const std::vector<std::unique_ptr<Engine>> list = make_engines();
   return list;
+}
+
+std::unique_ptr<Simulation> start(const Engine& engine, const Scene& scene, double dt,
+                                  const Parameters& parameters) {
+  return engine.start(set_up(scene, dt, parameters), parameters);
 }
 
 }  // namespace rockstack

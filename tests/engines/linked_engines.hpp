@@ -3,11 +3,17 @@
 #include <memory>
 #include <vector>
 
+#include "analytic/scene/scene.hpp"
+#include "engines/body_record.hpp"
 #include "engines/engine.hpp"
 
 namespace rockstack {
 
 /// Every engine with every solver that is linked into this test program.
 const std::vector<std::unique_ptr<Engine>>& linked_engines();
+
+/// A scene inside an engine of this process; dt in s.
+std::unique_ptr<Simulation> start(const Engine& engine, const Scene& scene, double dt,
+                                  const Parameters& parameters);
 
 }  // namespace rockstack

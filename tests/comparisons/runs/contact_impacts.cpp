@@ -62,7 +62,7 @@ TEST(ContactImpacts, OfARockingBlockAreThoseOfTheExactMotionHalfAStepEarly) {
     EXPECT_EQ(row.contact_impacts_matched, expected) << engine.name() << ":" << engine.solver();
     EXPECT_EQ(row.contact_impacts_extra, 0) << engine.name() << ":" << engine.solver();
     EXPECT_EQ(row.impact_readings_differ, 0) << engine.name() << ":" << engine.solver();
-    const ContactImpact& first = run.bodies->impacts.at(0);
+    const ContactImpact& first = run.bodies->contacts->impacts.at(0);
     EXPECT_NEAR((first.time - event.time) / interval, -0.5, 0.02) << engine.name() << ":" << engine.solver();
     EXPECT_EQ(first.interface, event.interface);
     EXPECT_NEAR(first.speed, std::abs(event.before[0]), pull) << engine.name() << ":" << engine.solver();

@@ -8,8 +8,8 @@
 #include <string>
 #include <tuple>
 
-#include "tests/engines/conformance/check.hpp"
-#include "tests/engines/conformance/known_limits.hpp"
+#include "engines/conformance/check.hpp"
+#include "engines/conformance/known_limits.hpp"
 #include "tests/engines/linked_engines.hpp"
 
 namespace rockstack {
@@ -20,24 +20,24 @@ void PrintTo(const Check& check, std::ostream* out) {
 
 namespace {
 
-struct Setup {
+struct Judged {
   const Engine* engine;
   std::string settings;
 };
 
-void PrintTo(const Setup& setup, std::ostream* out) {
+void PrintTo(const Judged& setup, std::ostream* out) {
   *out << setup.engine->name() << ":" << setup.engine->solver() << " " << setup.settings;
 }
 
-std::vector<Setup> setups() {
-  std::vector<Setup> list;
+std::vector<Judged> setups() {
+  std::vector<Judged> list;
   for (const auto& engine : linked_engines()) {
     for (const char* settings : {"default", "tuned"}) list.push_back({engine.get(), settings});
   }
   return list;
 }
 
-std::string words(const std::tuple<Setup, Check>& both) {
+std::string words(const std::tuple<Judged, Check>& both) {
   const auto& [setup, check] = both;
   std::string name =
       setup.engine->name() + "_" + setup.engine->solver() + "_" + setup.settings + "_" + check.name;
@@ -46,15 +46,16 @@ std::string words(const std::tuple<Setup, Check>& both) {
   return name;
 }
 
-class Conformance : public testing::TestWithParam<std::tuple<Setup, Check>> {};
+class Conformance : public testing::TestWithParam<std::tuple<Judged, Check>> {};
 
 TEST_P(Conformance, Holds) {
   const auto& [setup, check] = GetParam();
-  const std::string limit = known_limit(*setup.engine, setup.settings, check.name);
+  const std::string limit =
+      known_limit(setup.engine->name(), setup.engine->solver(), setup.settings, check.name);
   if (!limit.empty()) GTEST_SKIP() << limit;
   const bool tuned = setup.settings == "tuned";
-  const Verdict verdict = check.judge(
-      {setup.engine, tuned ? setup.engine->tuned_parameters() : setup.engine->default_parameters()});
+  const Judgement verdict = check.judge(adapter_of(
+      *setup.engine, tuned ? setup.engine->tuned_parameters() : setup.engine->default_parameters()));
   RecordProperty("value", std::to_string(verdict.value));
   EXPECT_LE(verdict.value, verdict.limit) << verdict.what;
 }

@@ -8,6 +8,7 @@
 #include "comparisons/metrics/difference.hpp"
 #include "comparisons/metrics/energy.hpp"
 #include "tests/engines/findings/draws.hpp"
+#include "tests/engines/linked_engines.hpp"
 #include "tests/free_rocking.hpp"
 
 namespace rockstack {
@@ -38,7 +39,7 @@ struct SoftRun {
 /// A slender block on contacts of stiffness k at each point, N/m.
 SoftRun soft_run(const Engine& engine, const Draw& draw, const Parameters& parameters, double stiffness) {
   const Block& block = draw.scene.blocks[0];
-  const auto simulation = engine.start(draw.scene, draw.dt, parameters);
+  const auto simulation = start(engine, draw.scene, draw.dt, parameters);
   SoftRun run;
   std::vector<double> energy, with_springs;
   double angle = draw.scene.initial.angles[0];
@@ -152,7 +153,7 @@ Landing land(const Engine& engine, const Parameters& parameters, double fall, do
   scene.initial = {{0}, {0}};
   scene.vertical.interval = 0.1;
   scene.vertical.samples = {-scene.gravity - fall, -scene.gravity - fall, 0};
-  const auto simulation = engine.start(scene, dt, parameters);
+  const auto simulation = start(engine, scene, dt, parameters);
   Landing landing;
   for (double t = dt; t < scene.duration; t += dt) {
     const BodyState before = simulation->body(0);

@@ -22,7 +22,7 @@ double impact(const Engine& engine, const Parameters& parameters, double r, doub
   scene.blocks = {make_block(1, r, 1000)};
   scene.initial = {{1e-9}, {-1}};
   scene.engine.friction = friction;
-  const auto simulation = engine.start(scene, dt, parameters);
+  const auto simulation = start(engine, scene, dt, parameters);
   double angle = 0;
   double velocity = -1;
   for (int step = 0; step < 8 && velocity < -0.999; ++step) {
@@ -146,7 +146,7 @@ TEST(Contacts, LemkesFrictionIsACoefficientInNewtonSeconds) {
     scene.horizontal.pulse = Pulse{PulseShape::rectangle, pull, 1, 0, 1, 0};
     std::vector<double> impulses;
     for (const Draw& draw : draws(scene, dt)) {
-      const auto simulation = engine->start(draw.scene, draw.dt, real_masses);
+      const auto simulation = start(*engine, draw.scene, draw.dt, real_masses);
       for (int step = 0; step < 5; ++step) simulation->step();
       const double start = simulation->body(0).velocity_x;
       for (int step = 0; step < 10; ++step) simulation->step();

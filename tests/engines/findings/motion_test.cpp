@@ -16,7 +16,7 @@ namespace {
 
 /// When the lowest block comes upright for the first time, between two steps by a straight line, s.
 double first_upright(const Engine& engine, const Scene& scene, double dt) {
-  const auto simulation = engine.start(scene, dt, gentle(engine));
+  const auto simulation = start(engine, scene, dt, gentle(engine));
   std::vector<double> angles = scene.initial.angles;
   std::vector<double> velocities(angles.size());
   double last = 0;

@@ -154,7 +154,7 @@ double braking(const Engine& engine, const Parameters& parameters, double dt) {
   Scene scene = block(0.5, 0.4, 0.5);
   scene.horizontal.pulse = Pulse{PulseShape::rectangle, -5, 0.2, 0, 1, 0};
   scene.vertical.pulse = Pulse{PulseShape::rectangle, -11.81, 0.2, 0, 1, 0};
-  const auto simulation = engine.start(scene, dt, parameters);
+  const auto simulation = start(engine, scene, dt, parameters);
   BodyState before, after;
   for (int step = 0; step < 500 && (before.velocity_y > -0.5 || after.velocity_y < before.velocity_y);
        ++step) {

@@ -44,12 +44,13 @@ class Faulty : public Engine {
   std::string solver() const override { return solver_; }
   std::string version() const override { return "1"; }
   std::vector<Setting> settings() const override { return {{"strength", 1, 2, 0, 3}}; }
-  std::unique_ptr<Simulation> start(const Scene&, double dt, const Parameters& given) const override {
-    check(name(), settings(), given, dt);
-    return std::make_unique<FaultySimulation>(fault_, dt);
-  }
+  std::string licence() const override { return "none"; }
 
  private:
+  std::unique_ptr<Simulation> build(const Setup& setup, const Parameters&) const override {
+    return std::make_unique<FaultySimulation>(fault_, setup.dt);
+  }
+
   std::string solver_;
   Fault fault_;
 };

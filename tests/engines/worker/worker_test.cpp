@@ -136,7 +136,8 @@ TEST(Workers, HalfAReplyIsAFailureThatNamesTheProgram) {
   const WorkerRun made = run("half");
   EXPECT_EQ(made.status, "failed");
   EXPECT_EQ(made.reason,
-            std::string(FAULTY_WORKER) + " gave a reply that cannot be read: the message is cut short");
+            std::string(FAULTY_WORKER) +
+                " gave a reply that cannot be read: the message is cut short, or no JSON and no MessagePack");
 }
 
 TEST(Workers, HungerMeetsTheMemoryLimit) {

@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "tests/engines/conformance/check.hpp"
+#include "engines/conformance/check.hpp"
+#include "engines/scene_setup.hpp"
 
 namespace rockstack {
 
@@ -17,7 +18,20 @@ Scene slender_block(double duration);
 /// Spanos et al. 2001, free rocking.
 Scene paper_scene(double duration);
 
-History run(const Adapter& adapter, const Scene& scene, double dt);
+/// What an engine made of a scene, with its bodies.
+struct ObservedMotion {
+  History history;
+  std::vector<BodyState> bodies;  ///< sample by sample, in each from the lowest block up
+
+  const BodyState& body(std::size_t sample, std::size_t block) const {
+    return bodies[sample * static_cast<std::size_t>(history.blocks) + block];
+  }
+};
+
+ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt);
+
+/// The same, shaken by a body force.
+Adapter by_force(Adapter adapter);
 
 /// Unit round-off of the engine's own numbers.
 double rounding(const Adapter& adapter);

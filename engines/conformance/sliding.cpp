@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/engines/conformance/scenes.hpp"
+#include "engines/conformance/scenes.hpp"
 
 namespace rockstack {
 namespace {
@@ -20,7 +20,7 @@ Scene sliding(std::vector<double> friction, double duration) {
 
 /// How far each block has slipped by the end, m.
 std::vector<double> final_slips(const Adapter& adapter, const Scene& scene, double dt) {
-  const std::vector<double> slips = run(adapter, scene, dt).slips;
+  const std::vector<double> slips = run(adapter, scene, dt).history.slips;
   return {slips.end() - static_cast<std::ptrdiff_t>(scene.blocks.size()), slips.end()};
 }
 
@@ -29,7 +29,7 @@ std::vector<double> final_slips(const Adapter& adapter, const Scene& scene, doub
 /// The scheme takes μgh off the velocity in each step before it moves the block: from v it goes h[(K − 1) v −
 /// μgh (K − 1) K/2], K = ⌈v/(μgh)⌉. A contact that is found a step late adds vh; another half for what
 /// moves it meanwhile.
-Verdict sliding_block_stops(const Adapter& adapter) {
+Judgement sliding_block_stops(const Adapter& adapter) {
   const double dt = 1e-3, speed = 0.5, friction = 0.4;
   const Scene scene = sliding({friction}, 0.3);
   const double loss = friction * scene.gravity * dt;
@@ -41,7 +41,7 @@ Verdict sliding_block_stops(const Adapter& adapter) {
 
 /// Of two equal blocks the upper one loses μ₂g and the lower one gains μ₂g − 2μ₁g until they move alike; then
 /// both lose μ₁g.
-Verdict each_interface_has_its_friction(const Adapter& adapter) {
+Judgement each_interface_has_its_friction(const Adapter& adapter) {
   const double dt = 1e-3;
   const Scene scene = sliding({0.1, 0.4}, 1.2);
   const double floor = 0.1 * scene.gravity, between = 0.4 * scene.gravity;
@@ -57,7 +57,7 @@ Verdict each_interface_has_its_friction(const Adapter& adapter) {
 
 /// A block that sinks by g dt² on one side before it is held slides on down that slope, one of two such the
 /// more.
-Verdict without_friction_blocks_slide_on(const Adapter& adapter) {
+Judgement without_friction_blocks_slide_on(const Adapter& adapter) {
   const Scene scene = sliding({0, 0}, 0.3);
   const double dt = 1e-3;
   const std::vector<double> slips = final_slips(adapter, scene, dt);

@@ -1,6 +1,6 @@
-// What the watch over an engine's bodies reports, on bodies that are placed by hand and on real engines.
+// What is made of an engine's bodies, on bodies that are placed by hand and on real engines.
 
-#include "engines/body_watch.hpp"
+#include "engines/body_record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include "analytic/scene/kinematics.hpp"
 #include "engines/interface_state.hpp"
 #include "engines/placement.hpp"
+#include "engines/scene_setup.hpp"
 #include "tests/engines/linked_engines.hpp"
 
 namespace rockstack {
@@ -118,48 +119,31 @@ TEST(Interfaces, ABlockThatIsLiftedOffAnotherLeavesAGapOfThatSize) {
 }
 
 /// A body that flies as a thrown stone does, in even steps.
-class Stone : public Simulation {
- public:
-  explicit Stone(double dt) : dt_(dt) {}
-  void step() override { time_ += dt_; }
-  void read(std::span<double> angles, std::span<double> velocities) const override {
-    angles[0] = 0;
-    velocities[0] = 0.5;
-  }
-  BodyState body(std::size_t) const override {
-    BodyState state;
-    state.x = 2 * time_;
-    state.y = 10 + 3 * time_ - 0.5 * 9.81 * time_ * time_;
-    state.z = 1e-3 * time_;
-    state.velocity_x = 2;
-    state.velocity_y = 3 - 9.81 * time_;
-    state.tilt = 1e-4 * time_;
-    return state;
-  }
-
- private:
-  double dt_;
-  double time_ = 0;
-};
-
-TEST(BodyWatch, EnergyOfFreeFlightIsConstantAndDriftOutOfThePlaneIsSeen) {
+TEST(BodyRecords, EnergyOfFreeFlightIsConstantAndDriftOutOfThePlaneIsSeen) {
   Scene scene;
   scene.duration = 1;
   scene.blocks = {make_block(1, 1, 2500)};
   scene.initial = {{0}, {0.5}};
   constexpr double dt = 0.125;
-  Stone stone(dt);
-  BodyWatch watch(scene, dt, false, {1}, stone);
+  Trajectory stone;
   for (int step = 0; step <= 8; ++step) {
-    if (step > 0) stone.step();
-    watch.observe(std::vector<double>{0}, std::vector<double>{0.5});
+    const double time = step * dt;
+    stone.angles.push_back(0);
+    stone.velocities.push_back(0.5);
+    stone.bodies.push_back({.x = 2 * time,
+                            .y = 10 + 3 * time - 0.5 * 9.81 * time * time,
+                            .velocity_x = 2,
+                            .velocity_y = 3 - 9.81 * time,
+                            .z = 1e-3 * time,
+                            .tilt = 1e-4 * time});
   }
+  const BodyRecord record = account_of(scene, set_up(scene, dt, {}), stone, true).bodies.value();
   const Block& block = scene.blocks[0];
   const double expected = 0.5 * block.mass * (2 * 2 + 3 * 3) + 0.5 * block.inertia * 0.25 +
                           block.mass * scene.gravity * (10 - block.half_height);
-  for (const double energy : watch.record().energy) EXPECT_NEAR(energy, expected, 1e-12 * expected);
-  EXPECT_EQ(watch.record().out_of_plane, 1e-3);
-  EXPECT_EQ(watch.record().out_of_plane_tilt, 1e-4);
+  for (const double energy : record.energy) EXPECT_NEAR(energy, expected, 1e-12 * expected);
+  EXPECT_EQ(record.out_of_plane, 1e-3);
+  EXPECT_EQ(record.out_of_plane_tilt, 1e-4);
 }
 
 /// A slender block under one sine in both directions that lifts it; it does not come back in time to hit.
@@ -184,7 +168,7 @@ double imbalance(const Engine& engine, double dt, double shaking) {
   return apart / *std::max_element(record.energy.begin(), record.energy.end());
 }
 
-TEST(BodyWatch, WorkOfTheGroundIsTheEnergyOfABlockThatDoesNotHitHoweverItIsShaken) {
+TEST(BodyRecords, WorkOfTheGroundIsTheEnergyOfABlockThatDoesNotHitHoweverItIsShaken) {
   for (const auto& engine : linked_engines()) {
     for (const double shaking : {0.0, 1.0}) {
       const double coarse = imbalance(*engine, 2e-3, shaking), fine = imbalance(*engine, 5e-4, shaking);
@@ -195,13 +179,13 @@ TEST(BodyWatch, WorkOfTheGroundIsTheEnergyOfABlockThatDoesNotHitHoweverItIsShake
   }
 }
 
-TEST(BodyWatch, KeepsNothingUnlessAsked) {
+TEST(BodyRecords, KeepsNothingUnlessAsked) {
   for (const auto& engine : linked_engines()) {
     EXPECT_FALSE(simulate(*engine, lifted_block(), 1e-3, engine->tuned_parameters()).bodies);
   }
 }
 
-TEST(BodyWatch, LeavesTheMotionAsItIs) {
+TEST(BodyRecords, LeavesTheMotionAsItIs) {
   for (const auto& engine : linked_engines()) {
     const Parameters parameters = engine->tuned_parameters();
     EXPECT_EQ(simulate(*engine, lifted_block(), 1e-3, parameters, true).history.angles,

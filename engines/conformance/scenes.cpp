@@ -1,4 +1,4 @@
-#include "tests/engines/conformance/scenes.hpp"
+#include "engines/conformance/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,13 +35,21 @@ Scene paper_scene(double duration) {
   return scene;
 }
 
-History run(const Adapter& adapter, const Scene& scene, double dt) {
-  return simulate(*adapter.engine, scene, dt, adapter.parameters).history;
+ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt) {
+  const Setup setup = set_up(scene, dt, adapter.parameters);
+  Trajectory trajectory = adapter.run(setup, adapter.parameters);
+  std::vector<BodyState> bodies = trajectory.bodies;
+  return {account_of(scene, setup, std::move(trajectory), false).history, std::move(bodies)};
+}
+
+Adapter by_force(Adapter adapter) {
+  if (adapter.parameters.count("shaking") != 0) adapter.parameters["shaking"] = 0;
+  return adapter;
 }
 
 double rounding(const Adapter& adapter) {
-  const bool single = adapter.engine->version().ends_with("single precision");
-  return single ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
+  return adapter.capabilities.single_precision ? std::numeric_limits<float>::epsilon()
+                                               : std::numeric_limits<double>::epsilon();
 }
 
 double short_step(const Adapter& adapter) {

@@ -1,4 +1,4 @@
-#include "tests/engines/conformance/check.hpp"
+#include "engines/conformance/check.hpp"
 
 #include <algorithm>
 
@@ -6,6 +6,9 @@ namespace rockstack {
 
 const std::vector<Check>& checks() {
   static const std::vector<Check> list{
+      {"InitialStateIsTheScenes", initial_state_is_the_scenes},
+      {"SameRunGivesTheSameBits", same_run_gives_the_same_bits},
+      {"HistoryEndsWhereABlockTopples", history_ends_where_a_block_topples},
       {"FreeFallIsTheSchemes", free_fall_is_the_schemes},
       {"FirstStepIsFreeFallOrAHinge", first_step_is_free_fall_or_a_hinge},
       {"BlockAtRestStays", block_at_rest_stays},
@@ -28,6 +31,11 @@ const std::vector<Check>& checks() {
       {"MotionStaysInThePlane", motion_stays_in_the_plane},
   };
   return list;
+}
+
+Adapter adapter_of(const Engine& engine, const Parameters& parameters) {
+  return {engine.capabilities(), parameters,
+          [&engine](const Setup& setup, const Parameters& given) { return run(engine, setup, given, true); }};
 }
 
 const Check& find_check(const std::string& name) {

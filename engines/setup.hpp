@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace rockstack {
+
+/// What an engine has to be told about one block at t = 0. SI units; x to the right, y up from the ground, z
+/// towards the viewer, so that a clockwise angle is a negative turn about z.
+struct Placement {
+  double x = 0, y = 0;                                           ///< centre, m
+  double velocity_x = 0, velocity_y = 0;                         ///< of the centre, m/s
+  double angle = 0;                                              ///< rad, clockwise positive
+  double angular_velocity = 0;                                   ///< rad/s, clockwise positive
+  double width = 0, height = 0, depth = 0;                       ///< full sizes, m
+  double mass = 0;                                               ///< kg
+  double inertia_about_x = 0, inertia_about_y = 0, inertia = 0;  ///< `inertia` is about z, kg·m²
+};
+
+/// Acceleration that every body feels in the frame in which the engine works, m/s².
+struct BodyAcceleration {
+  double x = 0, y = 0;
+};
+
+/// How a ground that really moves does so over one time step: it starts at a displacement and has a constant
+/// velocity that carries it to where it is at the end. SI units; x to the right, y up.
+struct GroundStep {
+  double x = 0, y = 0;                    ///< displacement at the step's start, m
+  double velocity_x = 0, velocity_y = 0;  ///< m/s
+};
+
+/// A scene as an engine is told it: boxes on the ground y = 0, and what every time step does to them.
+struct Setup {
+  std::vector<Placement> blocks;        ///< bottom to top
+  std::vector<double> friction;         ///< Coulomb's coefficient of each interface, from the ground up
+  BodyAcceleration gravity;             ///< in the ground's axes
+  std::vector<double> toppling_angles;  ///< of each block, rad: a run ends where |angle| is above it
+  double dt = 0;                        ///< s
+  std::size_t steps = 0;
+  /// Of each step, gravity less the ground's mean acceleration; empty where every step has gravity alone.
+  std::vector<BodyAcceleration> accelerations;
+  /// Of each step, where the ground really moves; else empty.
+  std::vector<GroundStep> ground;
+};
+
+}  // namespace rockstack
