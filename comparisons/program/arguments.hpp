@@ -53,6 +53,7 @@ struct CompareArguments {
 struct CheckEngineArguments {
   std::string engine;
   std::vector<std::string> settings;  ///< empty: both
+  std::vector<std::string> checks;    ///< their names; empty: all
 };
 
 struct KeysArguments {

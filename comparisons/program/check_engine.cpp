@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/program/commands.hpp"
 #include "engines/conformance/check.hpp"
 #include "engines/conformance/known_limits.hpp"
@@ -59,6 +61,22 @@ Finding judge(const WorkerEngine& engine, const std::string& settings, const Che
     finding.what = limit.empty() ? error.what() : limit;
   }
   return finding;
+}
+
+/// Those of some names, or all. @throws InputError naming all for another name.
+std::vector<Check> checks_named(const std::vector<std::string>& names) {
+  if (names.empty()) return checks();
+  std::vector<Check> list;
+  std::vector<std::string> there;
+  for (const Check& check : checks()) {
+    there.emplace_back(check.name);
+    if (std::find(names.begin(), names.end(), check.name) != names.end()) list.push_back(check);
+  }
+  for (const std::string& name : names) {
+    if (std::find(there.begin(), there.end(), name) == there.end())
+      throw InputError(fmt::format("--check {}: must be one of {}", name, fmt::join(there, ", ")));
+  }
+  return list;
 }
 
 /// Contacts are told where a run of a resting block has a record of them.
@@ -130,13 +148,14 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
   const bool talk = !common.quiet && !common.json;
   Json report{{"engines", Json::array()}, {"checks", Json::array()}};
   std::size_t broken = 0, count = 0;
+  const std::vector<Check> chosen = checks_named(arguments.checks);
   const std::vector<std::string> sets =
       arguments.settings.empty() ? std::vector<std::string>{"default", "tuned"} : arguments.settings;
   for (const WorkerEngine* engine : engines_to_check(arguments.engine)) {
     report["engines"].push_back(capabilities_json(*engine));
     if (talk) print_capabilities(report["engines"].back());
     for (const std::string& settings : sets) {
-      for (const Check& check : checks()) {
+      for (const Check& check : chosen) {
         const Finding finding = judge(*engine, settings, check);
         ++count;
         if (finding.verdict == "fails" || finding.verdict == "no run") ++broken;

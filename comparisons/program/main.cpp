@@ -216,6 +216,7 @@ Command add_check_engine(CLI::App& app, const Common& common) {
   command->add_option("--settings", arguments->settings, "parameter sets; left out: both")
       ->delimiter(',')
       ->check(CLI::IsMember({"default", "tuned"}));
+  command->add_option("--check", arguments->checks, "names of checks; left out: all")->delimiter(',');
   return {command, [arguments, &common] { return check_engine_command(*arguments, common); }};
 }
 

@@ -14,7 +14,7 @@ import time
 SETTINGS = [
     {"name": "sweeps", "default": 100, "tuned": 400, "least": 1, "most": 1e6, "whole": True},
     {"name": "tolerance", "default": 1e-10, "tuned": 1e-14, "least": 0, "most": 1, "unit": "m/s"},
-    {"name": "shaking", "default": 0, "tuned": 0, "least": 0, "most": 0, "whole": True, "choices": ["force"]},
+    {"name": "margin", "default": 0, "tuned": 1e-9, "least": 0, "most": 1, "unit": "m"},  # what is on a face
 ]
 ENGINE = {"name": "moreau-jean", "solver": "gauss-seidel", "version": "1", "licence": "same as rockstack",
           "planar": True, "lead": 0, "settings": SETTINGS}
@@ -77,20 +77,20 @@ class Contact:
         return change
 
 
-def find_contacts(bodies, friction):
+def find_contacts(bodies, friction, margin):
     """Corners that are on a face or in it: each body's lower ones on what is below, and the upper ones of that."""
     contacts = []
     for lower, upper, mu in zip(bodies, bodies[1:], friction):
         for side in (-1, 1):
             corner = upper.point(side * upper.half_width, -upper.half_height)
             along, height = lower.local(*corner)
-            if abs(along) <= lower.half_width and height <= lower.half_height:
+            if abs(along) <= lower.half_width and height <= lower.half_height + margin:
                 contacts.append(Contact(upper, lower, corner, lower, mu))
             if math.isinf(lower.half_width):
                 continue
             corner = lower.point(side * lower.half_width, lower.half_height)
             along, height = upper.local(*corner)
-            if abs(along) <= upper.half_width and height >= -upper.half_height:
+            if abs(along) <= upper.half_width and height >= -upper.half_height - margin:
                 contacts.append(Contact(upper, lower, corner, upper, mu))
     return contacts
 
@@ -99,7 +99,7 @@ def take_step(bodies, friction, dt, pull, parameters):
     for body in bodies[1:]:
         body.move(dt / 2)
         body.rate = [body.rate[0] + dt * pull[0], body.rate[1] + dt * pull[1], body.rate[2]]
-    contacts = find_contacts(bodies, friction)
+    contacts = find_contacts(bodies, friction, parameters["margin"])
     for _ in range(int(parameters["sweeps"])):
         if max((contact.solve() for contact in contacts), default=0.0) <= parameters["tolerance"]:
             break

@@ -12,6 +12,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engines/trajectory.hpp"
+#include "engines/worker/request.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -64,8 +67,7 @@ void write_all(int descriptor, std::string_view bytes) {
   }
 }
 
-}  // namespace
-
+/// @throws std::runtime_error where no engine has the solver.
 Reply answer(const std::vector<std::unique_ptr<Engine>>& engines, const Request& request) {
   Reply reply;
   if (request.run) {
@@ -75,6 +77,8 @@ Reply answer(const std::vector<std::unique_ptr<Engine>>& engines, const Request&
   }
   return reply;
 }
+
+}  // namespace
 
 int serve(const std::vector<std::unique_ptr<Engine>>& engines) {
   try {

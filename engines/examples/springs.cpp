@@ -1,0 +1,160 @@
+// A worker in C++, as an example of engines/README.md: springs, dashpots and sliders at the corners of
+// blocks, stepped by semi-implicit Euler in 64 parts of each step. Link rockstack::engine, implement Engine
+// and Simulation, serve.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engines/engine.hpp"
+#include "engines/shaking.hpp"
+#include "engines/worker/serve.hpp"
+
+namespace {
+
+using namespace rockstack;
+
+constexpr int parts = 64;  ///< of a step
+
+/// A block as it is now; the ground is one without mass that never moves.
+struct Body {
+  Placement shape;
+  std::array<double, 3> force{};  ///< along x and y, N, and clockwise about the centre, N m
+
+  std::pair<double, double> corner(double x, double y) const {
+    const double c = std::cos(shape.angle), s = std::sin(shape.angle);
+    return {shape.x + x * c + y * s, shape.y - x * s + y * c};
+  }
+  std::pair<double, double> seen(double x, double y) const {
+    const double c = std::cos(shape.angle), s = std::sin(shape.angle);
+    return {(x - shape.x) * c - (y - shape.y) * s, (x - shape.x) * s + (y - shape.y) * c};
+  }
+  std::pair<double, double> velocity(double x, double y) const {
+    return {shape.velocity_x + shape.angular_velocity * (y - shape.y),
+            shape.velocity_y - shape.angular_velocity * (x - shape.x)};
+  }
+  void push(double x, double y, double along, double up) {
+    force[0] += along;
+    force[1] += up;
+    force[2] += (y - shape.y) * along - (x - shape.x) * up;
+  }
+};
+
+class Springs : public Simulation {
+ public:
+  Springs(const Setup& setup, const Parameters& parameters)
+      : setup_(setup), shaking_(setup), pull_(setup.gravity) {
+    Body ground;
+    ground.shape.width = HUGE_VAL;
+    bodies_.push_back(ground);
+    double mass = 0;
+    for (const Placement& block : setup.blocks) {
+      bodies_.push_back({block, {}});
+      mass += block.mass;
+    }
+    // Two corners bear the stack on Earth at the depth that was asked for.
+    stiffness_ = 9.81 * mass / (2 * parameters.at("sinking"));
+    damping_ = 2 * parameters.at("dampingRatio") * std::sqrt(stiffness_ * mass);
+  }
+
+  void step() override {
+    if (const auto now = shaking_.next(); now.acceleration) pull_ = *now.acceleration;
+    for (int part = 0; part < parts; ++part) {
+      for (std::size_t k = 1; k < bodies_.size(); ++k)
+        touch(bodies_[k - 1], bodies_[k], setup_.friction[k - 1]);
+      for (std::size_t k = 1; k < bodies_.size(); ++k) move(bodies_[k], setup_.dt / parts);
+    }
+  }
+
+  void read(std::span<double> angles, std::span<double> velocities) const override {
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+      angles[k] = bodies_[k + 1].shape.angle;
+      velocities[k] = bodies_[k + 1].shape.angular_velocity;
+    }
+  }
+
+  BodyState body(std::size_t block) const override {
+    const Placement& now = bodies_[block + 1].shape;
+    return {now.x, now.y, now.velocity_x, now.velocity_y, 0, 0};
+  }
+
+ private:
+  void move(Body& body, double time) const {
+    Placement& now = body.shape;
+    now.velocity_x += time * (pull_.x + body.force[0] / now.mass);
+    now.velocity_y += time * (pull_.y + body.force[1] / now.mass);
+    now.angular_velocity += time * body.force[2] / now.inertia;
+    now.x += time * now.velocity_x;
+    now.y += time * now.velocity_y;
+    now.angle += time * now.angular_velocity;
+    body.force = {};
+  }
+
+  /// Corners of each body in the other's face.
+  void touch(Body& lower, Body& upper, double friction) const {
+    for (const double side : {-0.5, 0.5}) {
+      const auto [x, y] = upper.corner(side * upper.shape.width, -0.5 * upper.shape.height);
+      const auto [along, height] = lower.seen(x, y);
+      if (std::abs(along) <= 0.5 * lower.shape.width)
+        bear(lower, upper, {x, y}, lower.shape.angle, 0.5 * lower.shape.height - height, friction);
+      if (std::isinf(lower.shape.width)) continue;
+      const auto [u, v] = lower.corner(side * lower.shape.width, 0.5 * lower.shape.height);
+      const auto [beside, depth] = upper.seen(u, v);
+      if (std::abs(beside) <= 0.5 * upper.shape.width)
+        bear(lower, upper, {u, v}, upper.shape.angle, 0.5 * upper.shape.height + depth, friction);
+    }
+  }
+
+  /// A point that is `depth` deep in a face at `angle`.
+  void bear(Body& lower, Body& upper, std::pair<double, double> point, double angle, double depth,
+            double friction) const {
+    if (depth <= 0) return;
+    const auto [x, y] = point;
+    const auto [low_x, low_y] = lower.velocity(x, y);
+    const auto [high_x, high_y] = upper.velocity(x, y);
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double up = (high_x - low_x) * s + (high_y - low_y) * c;
+    const double along = (high_x - low_x) * c - (high_y - low_y) * s;
+    const double normal = std::max(0.0, stiffness_ * depth - damping_ * up);
+    const double tangential = std::clamp(-damping_ * along, -friction * normal, friction * normal);
+    upper.push(x, y, normal * s + tangential * c, normal * c - tangential * s);
+    lower.push(x, y, -normal * s - tangential * c, tangential * s - normal * c);
+  }
+
+  Setup setup_;
+  Shaking shaking_;
+  BodyAcceleration pull_;
+  std::vector<Body> bodies_;  ///< ground first
+  double stiffness_ = 0;      ///< of each corner, N/m
+  double damping_ = 0;        ///< N s/m
+};
+
+class SpringEngine : public Engine {
+ public:
+  std::string name() const override { return "springs"; }
+  std::string solver() const override { return "euler"; }
+  std::string version() const override { return "1"; }
+  std::string licence() const override { return "same as rockstack"; }
+  Capabilities capabilities() const override { return {.planar = true, .lead = 0.5 / parts}; }
+  std::vector<Setting> settings() const override {
+    return {{"sinking", 1e-4, 1e-6, 1e-9, 1, false, {}, "m"}, {"dampingRatio", 0.5, 2, 0, 10}};
+  }
+
+ private:
+  std::unique_ptr<Simulation> build(const Setup& setup, const Parameters& parameters) const override {
+    return std::make_unique<Springs>(setup, parameters);
+  }
+};
+
+}  // namespace
+
+int main() {
+  std::vector<std::unique_ptr<Engine>> engines;
+  engines.push_back(std::make_unique<SpringEngine>());
+  return serve(engines);
+}
