@@ -103,12 +103,15 @@ class CourseCollector {
     return line(half_width_of<Real>(stack_.blocks, k - 1) - half_width_of<Real>(stack_.blocks, k), -side,
                 slip(k));
   }
+  /// Of places along a face, m.
+  Real rounding_along(int k) const { return tolerance<Real>(1e-13) * half_width_of<Real>(stack_.blocks, k); }
   /// Which of a flat contact's corners ends the overlap; even ones: that which the sliding makes end it.
   bool ends_below(int k, int side) const {
     const BasicJoint<Real>& joint = joints_[static_cast<std::size_t>(k)];
     const Real beyond = half_width_of<Real>(stack_.blocks, k - 1) - half_width_of<Real>(stack_.blocks, k) -
                         side * joint.offset;
-    return beyond < 0 || (beyond == 0 && joint.slip * side > 0);
+    const Real rounding = rounding_along(k);
+    return beyond < -rounding || (beyond <= rounding && joint.slip * side > 0);
   }
 
   /// N (end − centre of pressure), towards either end of the overlap; the moment is −N times the centre.
@@ -122,8 +125,13 @@ class CourseCollector {
   }
 
   void add_flat_ends(int k) {
-    for (const int side : {-1, 1})
-      push(times(ends_below(k, side) ? -1 : 1, overhang(k, side)), Change::corner, k);
+    using std::abs;
+    for (const int side : {-1, 1}) {
+      Polynomial<Real> ahead = times(ends_below(k, side) ? -1 : 1, overhang(k, side));
+      // Corners that have just passed each other are even.
+      if (abs(ahead[0]) <= rounding_along(k)) ahead[0] = 0;
+      push(ahead, Change::corner, k);
+    }
   }
 
   void add_pivot_ends(int k) {
@@ -147,7 +155,7 @@ class CourseCollector {
                  Change::landing, k);
         course.side = side;
         course.below = below;
-        course.rounding = tolerance<Real>(1e-13) * half_width_of<Real>(stack_.blocks, k);
+        course.rounding = rounding_along(k);
         if (point.face < 0) continue;
         const Real end = half_width_of<Real>(stack_.blocks, point.face);
         course.within = line(end, -side, place.along);

@@ -160,5 +160,25 @@ TEST(UnilateralClosedForms, TheLastEventsOfASlowDescentAreThoseOfHousner) {
   EXPECT_EQ(history.events.back().kind, EventKind::rest);
 }
 
+// A block that slides over another, v t − μ g t²/2 far, has its end over that of the other once.
+TEST(UnilateralClosedForms, AnEndPassesAnotherOnce) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    testing::Draw draw(seed);
+    const double apart = draw.between(-0.2, 0.2);
+    const double friction = draw.between(0.05, 0.3);
+    Scene scene = testing::released({testing::block(2, 0.5), testing::block(2 + 2 * apart, 0.5)}, {0, 0}, 1);
+    scene.law = Law::unilateral;
+    scene.friction = {10, friction};
+    const double braking = friction * scene.gravity;
+    const double speed = std::sqrt(2 * braking * (std::abs(apart) + 0.1));
+    scene.initial.slip_velocities = {0, draw.coin() ? speed : -speed};
+    std::vector<double> times;
+    for (const ContactEvent& event : solve_unilateral(scene).events)
+      if (event.kind == EventKind::corner) times.push_back(event.time);
+    ASSERT_EQ(times.size(), 1U) << seed;
+    EXPECT_NEAR(times.front(), (speed - std::sqrt(0.2 * braking)) / braking, 1e-12) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace rockstack
