@@ -29,7 +29,8 @@ class Recorder {
     }
   }
 
-  /// A step from `offset` into a ground piece up to the event that ends it.
+  /// A step from `offset` into a ground piece up to the event that ends it. What ends as it starts bears
+  /// nothing.
   void note_step(const DenseOutput<Real, N>& output, const GroundPiece<Real>& piece, const Real& offset,
                  const FirstEvent<Real>& event, const Cleared& cleared) {
     const Real start = piece.start + offset;
@@ -37,7 +38,7 @@ class Recorder {
       if (s <= event.s) history_.grazes.push_back({start + s * output.length, kind, interface});
     }
     sample(output, piece, offset, event.s);
-    if (options_.validity) note_forces(output, piece, offset, event.s, cleared.forces);
+    if (options_.validity && event.s > 0) note_forces(output, piece, offset, event.s, cleared.forces);
     if (options_.peaks) note_peaks(output, event.s, cleared.angles);
   }
 

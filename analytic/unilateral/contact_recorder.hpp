@@ -44,7 +44,7 @@ class ContactRecorder {
     if (options.peaks) history_.peaks.assign(scene.blocks.size(), Real(0));
   }
 
-  /// A step up to `end_s` of its length; it starts at `start` s.
+  /// A step up to `end_s` of its length; it starts at `start` s. A mode that ends as it starts bears nothing.
   void note_step(const Joints<Real>& joints, const ModeSeries<Real>& series, const Real& end_s,
                  const Real& start) {
     while (sample_due()) {
@@ -52,7 +52,7 @@ class ContactRecorder {
       if (s >= end_s) break;
       note_sample({series.at(std::max(s, Real(0))), joints});
     }
-    if (demands_) demands_->note_step(joints, series, end_s, start);
+    if (demands_ && end_s > 0) demands_->note_step(joints, series, end_s, start);
     if (!history_.peaks.empty()) note_peaks(series, end_s);
   }
 

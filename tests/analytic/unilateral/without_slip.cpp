@@ -80,5 +80,19 @@ TEST(UnilateralWithoutSlip, DemandsAndPeaksAreThoseOfLawConsistent) {
   EXPECT_GT(scenes, 20);
 }
 
+// Shenton 1996: a block of height to width r = 2 that starts to rock on ground with 1 g needs a friction of
+// [A(4 + r²) + 3r]/[1 + 4r² + 3Ar] = 14/23. Had it to stay as it was when the ground jumps, it would need 1.
+TEST(UnilateralWithoutSlip, WhatAJumpOfTheGroundEndsAsksForNothing) {
+  Scene scene = testing::with_friction(testing::single(0.5, 1, 0.1 + 1e-7), 0.7);
+  scene.horizontal = testing::pulse_of(PulseShape::rectangle, scene.gravity, 0.1, 0.1);
+  for (const Law law : {Law::consistent, Law::unilateral}) {
+    scene.law = law;
+    const History history = solve(scene, {.validity = true});
+    ASSERT_EQ(history.events.size(), 1U);
+    EXPECT_EQ(history.events.front().kind, EventKind::opening);
+    EXPECT_NEAR(history.forces.front().friction, 14.0 / 23.0, 1e-10);
+  }
+}
+
 }  // namespace
 }  // namespace rockstack
