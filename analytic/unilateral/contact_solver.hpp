@@ -40,6 +40,7 @@ class ContactSolver {
     unit_time_ = sqrt(height / Real(scene.gravity));
     shortest_moment_ = root_tolerance<Real>(1e-7) * unit_time_;
     moment_ = shortest_moment_;
+    shortest_step_ = tolerance<Real>(1e-13) * unit_time_;
     longest_ = unit_time_ / 8;
   }
 
@@ -65,6 +66,7 @@ class ContactSolver {
     const ModeStep<Real> step = mode_step(stack_, state_.joints, state_.bodies, body_force, length);
     if (step.lengthens && length == longest_) longest_ *= Real(1.25);
     if (step.series.length < length) longest_ = step.series.length;
+    if (longest_ < shortest_step_) return jam();
     const FirstChange<Real> found =
         first_change(courses_of(stack_, state_.joints, toppling_angles_, step.series), step.series, fresh_,
                      time(), decided_, std::min<Real>(moment_ / step.series.length, 1));
@@ -75,6 +77,23 @@ class ContactSolver {
     } else if (whole) {
       next_piece();
     }
+  }
+
+  /// Forces are singular, as where one grows without bound. The motion passes that time, rounding, by a
+  /// vanishing step of Moreau's.
+  void jam() {
+    note_stall();
+    const Real length = std::min<Real>(32 * shortest_step_, pieces_.current().length - offset_);
+    for (std::size_t k = 0; k < state_.bodies.at.size(); ++k) {
+      BasicBodyPlacement<Real>& at = state_.bodies.at[k];
+      const BasicBodyPlacement<Real>& rate = state_.bodies.rate[k];
+      at = {at.x + length * rate.x, at.y + length * rate.y, at.angle + length * rate.angle};
+    }
+    offset_ += length;
+    place(stack_.blocks, state_.joints, state_.bodies);
+    const Joints<Real> before = state_.joints;
+    longest_ = unit_time_ / 8;
+    decide(follow_without_solution(before), state_.bodies, 0);
   }
 
   void next_piece() {
@@ -115,6 +134,7 @@ class ContactSolver {
     moment_ = last_decision_ >= 0 && time() - last_decision_ <= moment_and_rounding
                   ? std::min<Real>(2 * moment_, longest_moment)
                   : shortest_moment_;
+    moment_ = std::min(moment_, longest_);
     last_decision_ = time();
     const auto passes = [](const Course<Real>& course) { return course.change == Change::corner; };
     state_.joints = std::move(touching);
@@ -197,7 +217,8 @@ class ContactSolver {
                              ? placements_of(response.motion)
                              : held_rates(smooth_, *mode, state_.bodies);
     state_.joints = *mode;
-    note(EventKind::impact, lowest_change(joints, state_.joints), joints, rates, Consistency::none);
+    if (!same_modes(joints, state_.joints))
+      note(EventKind::impact, lowest_change(joints, state_.joints), joints, rates, Consistency::none);
     return state_.joints;
   }
 
@@ -241,6 +262,7 @@ class ContactSolver {
   Real unit_time_{};        ///< √(H/g), s
   Real shortest_moment_{};  ///< s
   Real moment_{};           ///< s
+  Real shortest_step_{};    ///< s
   Real longest_{};          ///< step, s
   Real offset_ = 0;         ///< into the current piece, s
   ContactState<Real> state_;

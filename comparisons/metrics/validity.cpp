@@ -52,7 +52,7 @@ void add_open_questions(const History& history, std::vector<std::string>& lines)
           event.time, name(event.to)));
     } else if (event.consistency == Consistency::none) {
       lines.push_back(fmt::format(
-          "at t = {:.6g} s no forces let the motion go on (Painlevé): an impulse stops interface {}, "
+          "at t = {:.6g} s no finite forces let the motion go on (Painlevé): an impulse stops interface {}, "
           "as in the limit of time steps",
           event.time, event.interface));
     }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "analytic/steps/body_force.hpp"
+#include "analytic/unilateral/contact/tolerance.hpp"
 #include "analytic/unilateral/series/held_rows.hpp"
 #include "analytic/unilateral/series/mode_series.hpp"
 
@@ -66,6 +67,15 @@ class SeriesMaker {
                              abs(body.cosine[m]), abs(body.sine[m])});
     }
     return size * Real(m);
+  }
+
+  /// The largest coefficient of order n of forces.
+  Real force_of(std::size_t n) const {
+    using std::abs;
+    Real size = 0;
+    for (const ForceSeries<Real>& force : series_.forces)
+      size = std::max<Real>({size, abs(force.normal[n]), abs(force.tangential[n])});
+    return size;
   }
 
   ModeSeries<Real> finish(const Real& ratio) && {
@@ -159,29 +169,48 @@ struct ModeStep {
   bool lengthens;
 };
 
-/// The series over `length`, or less of it where they would leave out more than rounding.
+/// What the last two coefficients of a series leave out, in shares of what is negligible.
+template <class Real>
+class LeftOut {
+ public:
+  explicit LeftOut(const Real& negligible) : negligible_(negligible) {}
+
+  void note(const Real& coefficient) { before_ = std::exchange(last_, coefficient); }
+  Real share() const { return std::max(last_, before_) / negligible_; }
+
+ private:
+  Real negligible_;
+  Real last_ = 0, before_ = 0;
+};
+
+/// The series over `length`, or less of it where they would leave out more than rounding of positions, or of
+/// forces, their second derivatives, more than what events need.
 template <class Real>
 ModeStep<Real> mode_step(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
                          const BasicBodies<Real>& bodies, const ScaledBodyForce<Real>& body_force,
                          const Real& length) {
-  const Real negligible = std::numeric_limits<Real>::epsilon() / 16;
   Real unit = 0;
   for (const Block& block : stack.blocks) unit += 2 * block.half_height;
   SeriesMaker<Real> maker(stack, joints, bodies, body_force, length);
   const std::size_t body_force_terms = std::max(body_force.x.terms, body_force.y.terms);
   constexpr std::size_t most = max_orders<Real>;
   std::size_t orders = 0;
-  Real last = 0;
-  Real before = 0;
+  LeftOut<Real> positions(std::numeric_limits<Real>::epsilon() / 16);
+  LeftOut<Real> forces(tolerance<Real>(1e-8));
+  Real force = std::numeric_limits<Real>::min();
+  Real left = 0;
   bool reached = false;
   while (orders < most && !(reached && orders >= body_force_terms)) {
-    maker.extend(orders++);
-    before = std::exchange(last, maker.size_of(orders + 1, unit));
-    reached = orders > 2 && std::max(last, before) <= negligible;
+    maker.extend(orders);
+    positions.note(maker.size_of(orders + 2, unit));
+    force = std::max(force, maker.force_of(orders));
+    forces.note(maker.force_of(orders) / force);
+    ++orders;
+    left = std::max(positions.share(), forces.share());
+    reached = orders > 2 && left <= 1;
   }
-  const Real left = std::max(last, before);
   using std::pow;
-  const Real ratio = reached ? Real(1) : Real(0.9) * pow(negligible / left, 1 / Real(most));
+  const Real ratio = reached ? Real(1) : Real(0.9) * pow(1 / left, 1 / Real(most));
   return {std::move(maker).finish(std::min(ratio, Real(1))), orders + 2 < most};
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/analytic/unilateral/scenes.hpp"
+#include "tests/analytic/unilateral/time_stepping.hpp"
 
 namespace rockstack {
 namespace {
@@ -60,6 +61,42 @@ TEST(UnilateralPainleve, SignsOfTheCornerTellHowManySolutionsThereAre) {
       if (lift < 1) continue;
       ASSERT_FALSE(history.events.empty());
       EXPECT_EQ(history.events.front().kind, EventKind::lift_off);
+    }
+  }
+}
+
+/// A heavy block that turns on its left corner, and slides, on a light one that turns back on its right one.
+Scene jamming(double duration) {
+  const Block base{0.5, 0.8, 1, rectangle_inertia(1, 0.5, 0.8)};
+  const Block top{1.4, 1.37, 785, rectangle_inertia(785, 1.4, 1.37)};
+  Scene scene = testing::released({base, top}, {0, 0}, duration);
+  scene.law = Law::unilateral;
+  scene.friction = {1000, 0.56};
+  scene.initial.velocities = {0.3, -1};
+  return scene;
+}
+
+// A dynamic jam: as the base turns back, G_NN − μ |G_NT| of the sliding corner falls to zero, and the force
+// grows like one over the time that is left. So, before that time, it has stopped any slip, within roundings.
+TEST(UnilateralPainleve, AForceThatGrowsWithoutBoundStopsTheSlipAsTimeStepsHaveIt) {
+  const Scene scene = jamming(0.06);
+  const ContactHistory history = solve_unilateral(scene);
+  EXPECT_EQ(history.end_time, scene.duration);
+  ASSERT_EQ(history.events.size(), 2U);
+  EXPECT_EQ(history.events.front().kind, EventKind::slip);
+  const ContactEvent& jam = history.events.back();
+  EXPECT_EQ(jam.kind, EventKind::impact);
+  EXPECT_EQ(jam.consistency, Consistency::none);
+  EXPECT_EQ(jam.from[1].slip, 1);
+  EXPECT_EQ(jam.to[1].slip, 0);
+  EXPECT_LT(energy(scene, {jam.at, jam.after}), energy(scene, {jam.at, jam.before}));
+  // Time steps come nearer in proportion to their size, 6 m/s and rad/s per s of it.
+  for (const double step : {1e-3, 1e-4}) {
+    const Bodies stepped = testing::time_stepped(scene, step, 1e-12);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_NEAR(history.last.rate[k].x, stepped.rate[k].x, 6 * step) << step;
+      EXPECT_NEAR(history.last.rate[k].y, stepped.rate[k].y, 6 * step) << step;
+      EXPECT_NEAR(history.last.rate[k].angle, stepped.rate[k].angle, 6 * step) << step;
     }
   }
 }
