@@ -51,8 +51,9 @@ using ContactHistory = BasicContactHistory<double>;
 struct ContactOptions {
   std::vector<double> sample_times = {};  ///< s, ascending from ≥ 0; none: events alone
   double resolution = 0;                  ///< chatter ends below it, rad, ≥ 0; 0: the rounding of 1
-  bool validity = false;                  ///< whether to keep what acts at each interface
-  bool peaks = false;                     ///< whether to keep the largest angle of each block
+  double moment = 0;      ///< an event decides for so much later, √(H/g), ≥ 0; 0: 6.7 √ε
+  bool validity = false;  ///< whether to keep what acts at each interface
+  bool peaks = false;     ///< whether to keep the largest angle of each block
 };
 
 }  // namespace rockstack

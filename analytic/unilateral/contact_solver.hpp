@@ -38,7 +38,7 @@ class ContactSolver {
       toppling_angles_.push_back(Real(toppling_angle(scene, k)));
     }
     unit_time_ = sqrt(height / Real(scene.gravity));
-    shortest_moment_ = root_tolerance<Real>(1e-7) * unit_time_;
+    shortest_moment_ = (options.moment > 0 ? Real(options.moment) : root_tolerance<Real>(1e-7)) * unit_time_;
     moment_ = shortest_moment_;
     shortest_step_ = tolerance<Real>(1e-13) * unit_time_;
     longest_ = unit_time_ / 8;

@@ -180,6 +180,13 @@ bool parts_at_resolution(const History& history, const QuadHistory& other, std::
   return true;
 }
 
+bool parts_at_decision(const Scene& scene, const History& history, std::size_t event) {
+  if (scene.law != Law::unilateral) return false;
+  constexpr double moment_of_double = 1e-7;
+  const Agreement agreement = compare(history, reference(scene, {}, moment_of_double));
+  return !agreement.parts || *agreement.parts > event;
+}
+
 bool parts_from_itself(const Scene& scene, const History& history, std::size_t event, int units, int draws) {
   const std::vector<Scene> scenes = roundings(scene, units, draws);
   const int nearest = std::fegetround();

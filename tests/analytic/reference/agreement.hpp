@@ -33,6 +33,10 @@ Agreement response_to_rounding(const Scene& scene, const QuadHistory& history, i
 /// angle, or none.
 bool parts_at_resolution(const History& history, const QuadHistory& other, std::size_t event);
 
+/// True where the reference does not part at an event when it decides for as much later as double does: a
+/// mode that lasts no longer than that is none in double (contact_solver.hpp).
+bool parts_at_decision(const Scene& scene, const History& history, std::size_t event);
+
 /// True where the solver in double parts from its own history of a scene at an event or before, when each of
 /// its operations is rounded up, down or towards zero and the scene's numbers change as in
 /// response_to_rounding(): a decision that its own roundings take. @throws as solve().

@@ -20,5 +20,15 @@ TEST(RandomContacts, HaveTheEventsOfTheReferenceUnlessRoundingsDecide) {
   RecordProperty("summary", tally.summary());
 }
 
+// A sliding corner whose friction is about to jam it unloads within 10⁻⁸ s: as G_NN − μ |G_NT| comes to zero
+// together with the force, the latter goes like a root of the time that is left. 10⁻¹⁰ s before that the base
+// slips.
+TEST(SingularForces, AreFollowedToTheEventThatComesFirst) {
+  Tally tally;
+  EXPECT_EQ(tally.add(1439, rubbing_scene_of(1439)), "");
+  EXPECT_GT(tally.events, 5U);
+  EXPECT_LT(tally.worst.time, 1e-14);
+}
+
 }  // namespace
 }  // namespace rockstack::testing

@@ -15,10 +15,11 @@ QuadHistory reference_of_contacts(const Scene& scene, const ContactOptions& opti
 
 }  // namespace
 
-QuadHistory reference(const Scene& scene, std::vector<double> sample_times) {
+QuadHistory reference(const Scene& scene, std::vector<double> sample_times, double moment) {
   constexpr double resolution = std::numeric_limits<double>::epsilon();
   if (scene.law == Law::unilateral)
-    return reference_of_contacts(scene, {.sample_times = std::move(sample_times), .resolution = resolution});
+    return reference_of_contacts(
+        scene, {.sample_times = std::move(sample_times), .resolution = resolution, .moment = moment});
   SolveOptions options;
   options.resolution = resolution;
   options.sample_times = std::move(sample_times);

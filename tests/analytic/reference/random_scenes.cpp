@@ -46,6 +46,10 @@ const char* explain(const Scene& scene, const History& found, const QuadHistory&
     ++tally.at_resolution;
     return ": at the resolution of chatter";
   }
+  if (parts_at_decision(scene, found, event)) {
+    ++tally.at_decision;
+    return ": at the resolution of decisions";
+  }
   if (response.parts && *response.parts <= event) {
     ++tally.sensitive_input;
     return " and part too";
@@ -127,10 +131,11 @@ std::string Tally::add(std::uint64_t seed, const Scene& scene) {
 std::string Tally::summary() const {
   std::ostringstream text;
   text << scenes << " scenes, " << events << " events; in " << stuck << " scenes the model cannot go on; "
-       << parted << " part from the reference, " << unexplained
-       << " of them though roundings of the input do not; worst event time off by " << worst.time
-       << " s, worst state by " << worst.state << "; " << sensitive
-       << " scenes are off by more than 1e-10 somewhere, by at most " << amplified
+       << parted << " part from the reference: " << at_resolution << " at the resolution of chatter, "
+       << at_decision << " at that of decisions, " << sensitive_input << " as by roundings of the input, "
+       << sensitive_arithmetic << " as by roundings of operations, " << unexplained
+       << " unexplained; worst event time off by " << worst.time << " s, worst state by " << worst.state
+       << "; " << sensitive << " scenes are off by more than 1e-10 somewhere, by at most " << amplified
        << " times what 16 roundings of their input make";
   return text.str();
 }

@@ -19,6 +19,7 @@ struct Tally {
   std::size_t events = 0;         ///< of the reference
   std::size_t parted = 0;         ///< scenes whose events are not those of the reference
   std::size_t at_resolution = 0;  ///< of these, those that part in whether a last flight of chatter is one
+  std::size_t at_decision = 0;    ///< of the others, those that part in what lasts no longer than a decision
   std::size_t sensitive_input =
       0;  ///< of the others, those that part from themselves by a rounding of the input
   std::size_t sensitive_arithmetic =
