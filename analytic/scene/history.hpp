@@ -108,6 +108,9 @@ struct BasicHistory {
   std::vector<Real> places, place_rates;
   std::vector<BasicReaction<Real>> reactions;  ///< times.size() × blocks
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
+  /// Of law `unilateral`, with peaks: how far each block has slipped in the end, and how far it was from what
+  /// is below it at most, m.
+  std::vector<Real> slips_left, lifts;
   std::vector<BasicDemand<Real>> forces;    ///< one an interface, of the motion; empty unless asked for
   std::vector<BasicDemand<Real>> impulses;  ///< likewise, of the impacts
 

@@ -19,7 +19,7 @@ struct SolveOptions {
   bool event_states = true;
   /// Whether to keep the demands on each interface, along whole steps; of rk4 at their starts.
   bool validity = false;
-  /// Whether to keep the largest angle of each block.
+  /// Whether to keep the largest angle of each block, and under law unilateral its slip and its lift.
   bool peaks = false;
   /// Chatter ends where a flight would stay below it, rad, ≥ 0; 0: the rounding of 1.
   double resolution = 0;

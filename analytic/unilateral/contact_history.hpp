@@ -36,6 +36,8 @@ struct BasicContactHistory {
   std::vector<Sample> samples;
   std::vector<BasicContactEvent<Real>> events;
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
+  /// Likewise the slip of each interface at the end, and its largest finite gap, m.
+  std::vector<Real> slips_left, lifts;
   /// What acts at each interface, of the motion and of impacts; empty unless asked for. A least normal force
   /// of zero is that of blocks that part; nothing pulls, and nothing rubs more than its friction, so that
   /// first times are infinite. Of impulses that of chatter, less than a millionth of a fall's, is not told.
@@ -53,7 +55,7 @@ struct ContactOptions {
   double resolution = 0;                  ///< chatter ends below it, rad, ≥ 0; 0: the rounding of 1
   double moment = 0;      ///< an event decides for so much later, √(H/g), ≥ 0; 0: 6.7 √ε
   bool validity = false;  ///< whether to keep what acts at each interface
-  bool peaks = false;     ///< whether to keep the largest angle of each block
+  bool peaks = false;     ///< whether to keep largest angles, slips left and lifts
 };
 
 }  // namespace rockstack

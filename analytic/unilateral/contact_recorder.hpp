@@ -41,7 +41,7 @@ class ContactRecorder {
   ContactRecorder(const Scene& scene, const BasicFrictionStack<Real>& stack, const ContactOptions& options)
       : stack_(stack), options_(options) {
     if (options.validity) demands_.emplace(scene, scene.blocks.size());
-    if (options.peaks) history_.peaks.assign(scene.blocks.size(), Real(0));
+    if (options.peaks) history_.peaks = history_.lifts = std::vector<Real>(scene.blocks.size(), Real(0));
   }
 
   /// A step up to `end_s` of its length; it starts at `start` s. A mode that ends as it starts bears nothing.
@@ -53,7 +53,10 @@ class ContactRecorder {
       note_sample({series.at(std::max(s, Real(0))), joints});
     }
     if (demands_ && end_s > 0) demands_->note_step(joints, series, end_s, start);
-    if (!history_.peaks.empty()) note_peaks(series, end_s);
+    if (!options_.peaks) return;
+    note_peaks(series, end_s);
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      if (!joints[k].touches()) note_lift(static_cast<int>(k), series, end_s);
   }
 
   void note_impact(const std::vector<BasicContactForce<Real>>& impulses, const Real& time) {
@@ -68,12 +71,14 @@ class ContactRecorder {
   }
 
   /// The motion up to where it has come.
-  BasicContactHistory<Real> history(const BasicBodies<Real>& last, const Real& end_time) && {
+  BasicContactHistory<Real> history(const ContactState<Real>& last, const Real& end_time) && {
     if (demands_) {
       history_.forces = demands_->forces();
       history_.impulses = demands_->impulses();
     }
-    history_.last = last;
+    if (options_.peaks)
+      for (const BasicJoint<Real>& joint : last.joints) history_.slips_left.push_back(joint.offset);
+    history_.last = last.bodies;
     history_.end_time = end_time;
     return std::move(history_);
   }
@@ -105,6 +110,36 @@ class ContactRecorder {
         rescale(lean, end_s);
         if (const auto top = maximum(lean, peak)) peak = top->height;
       }
+    }
+  }
+
+  /// The gap is greatest at the end, where a corner is highest over its face, or where the faces are
+  /// parallel.
+  void note_lift(int interface, const ModeSeries<Real>& series, const Real& end_s) {
+    Real& lift = history_.lifts[static_cast<std::size_t>(interface)];
+    const auto note_at = [&](const Real& s) {
+      const Real gap = gap_of(stack_, series.at(s), interface);
+      if (gap < std::numeric_limits<Real>::infinity()) lift = std::max(lift, gap);
+    };
+    note_at(end_s);
+    for (const bool below : {false, true}) {
+      for (const int side : {-1, 1}) {
+        if (below && interface == 0) continue;
+        const CornerOnFace<Real> point = below ? lower_corner<Real>(stack_.blocks, interface, side)
+                                               : upper_corner<Real>(stack_.blocks, interface, side);
+        Polynomial<Real> gap = line(-half_height_of<Real>(stack_.blocks, point.face), point.upward,
+                                    corner_series(stack_.blocks, series, point).above);
+        rescale(gap, end_s);
+        if (const auto top = maximum(gap, lift)) note_at(top->s * end_s);
+      }
+    }
+    for (const int side : {-1, 1}) {
+      Polynomial<Real> angle = times(side, series.bodies[static_cast<std::size_t>(interface)].angle);
+      if (interface > 0)
+        add(series.bodies[static_cast<std::size_t>(interface - 1)].angle, Real(-side), angle);
+      rescale(angle, end_s);
+      if (angle[0] <= 0) continue;
+      if (const auto level = first_crossing(angle)) note_at(*level * end_s);
     }
   }
 

@@ -53,7 +53,7 @@ class ContactSolver {
 
   /// Up to the end, or to where the motion could not go on.
   BasicContactHistory<Real> history() && {
-    return std::move(recorder_).history(state_.bodies, pieces_.finished() ? Real(scene_.duration) : time());
+    return std::move(recorder_).history(state_, pieces_.finished() ? Real(scene_.duration) : time());
   }
 
  private:

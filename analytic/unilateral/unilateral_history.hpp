@@ -90,6 +90,8 @@ BasicHistory<Real> history_of(const Scene& scene, const BasicContactHistory<Real
   for (const BasicContactSample<Real>& sample : motion.samples) add_sample(scene, stack, sample, history);
   for (const BasicContactEvent<Real>& event : motion.events) history.events.push_back(event_of(event));
   history.peaks = motion.peaks;
+  history.slips_left = motion.slips_left;
+  history.lifts = motion.lifts;
   history.forces = motion.forces;
   history.impulses = motion.impulses;
   return history;

@@ -1,6 +1,7 @@
 #include "comparisons/ensemble/run_outcome.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rockstack {
 namespace {
@@ -13,6 +14,14 @@ Demand worst(const std::vector<Demand>& demands) {
     result.friction = std::max(result.friction, demand.friction);
   }
   return result;
+}
+
+/// Nothing where there are none.
+std::optional<double> largest(const std::vector<double>& sizes) {
+  if (sizes.empty()) return std::nullopt;
+  double most = 0;
+  for (const double size : sizes) most = std::max(most, std::abs(size));
+  return most;
 }
 
 bool is_impact(const Event& event) {
@@ -51,6 +60,8 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
   outcome.motion = whole_mode(scene, history);
   outcome.force = worst(history.forces);
   outcome.impulse = worst(history.impulses);
+  outcome.slip = largest(history.slips_left);
+  outcome.lift = largest(history.lifts);
   return outcome;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
@@ -22,6 +23,9 @@ struct RunOutcome {
   MotionMode onset = MotionMode::rest, motion = MotionMode::rest;  ///< how it begins; all of it
   Demand force;    ///< on whichever interface bears the most, by forces
   Demand impulse;  ///< likewise, by impulses
+  /// Under law unilateral: the largest slip that is left at the end, and the highest lift, of any interface,
+  /// m.
+  std::optional<double> slip, lift;
 };
 
 /// How the runs of a sweep are solved: exactly, or to a tolerance that also ends chatter.

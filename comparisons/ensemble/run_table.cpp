@@ -29,7 +29,9 @@ const std::vector<ColumnMeaning>& outcome_columns() {
        "all of the motion: topple or fall where it ends so; else rest, slide, rock, slide-rock or free "
        "flight"},
       {"status", "done or failed"},
-      {"reason", "why a run failed"}};
+      {"reason", "why a run failed"},
+      {"slip", "largest slip left at the end at any interface, m; under law unilateral"},
+      {"lift", "highest lift of any block off what is below it, m; likewise"}};
   return list;
 }
 
@@ -47,12 +49,14 @@ void add_outcome(CsvWriter& line, const RunOutcome& outcome) {
     line.add(cell(there, demand.least_normal), cell(there, demand.friction));
   }
   line.add(name(outcome.onset), name(outcome.motion), "done", "");
+  for (const auto& length : {outcome.slip, outcome.lift})
+    line.add(cell(length.has_value(), length.value_or(0)));
 }
 
 void add_failure(CsvWriter& line, std::size_t blocks, const std::string& reason) {
-  const std::size_t status_and_reason = 2;
-  const std::vector<std::string> no_cells(blocks + outcome_columns().size() - status_and_reason);
-  line.add(no_cells, "failed", reason);
+  const std::size_t status_to_lift = 4;
+  const std::vector<std::string> no_cells(blocks + outcome_columns().size() - status_to_lift);
+  line.add(no_cells, "failed", reason, "", "");
 }
 
 /// The lines of consecutive runs, whose scenes it makes one after the other.

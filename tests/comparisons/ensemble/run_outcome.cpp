@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "analytic/solve.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -36,6 +38,41 @@ TEST(RunOutcome, SumsUpAHistory) {
   EXPECT_EQ(outcome.force.friction, 0.3);
   EXPECT_EQ(outcome.impulse.least_normal, 7);
   EXPECT_EQ(outcome.impulse.friction, 0.6);
+}
+
+/// A low block on ground that for half a second is pushed aside, or falls away, with some share of gravity.
+Scene pushed(double aside, double down) {
+  const auto rectangle = [](double amplitude) {
+    GroundMotion motion;
+    motion.pulse = Pulse{.shape = PulseShape::rectangle, .amplitude = amplitude, .period = 0.5};
+    return motion;
+  };
+  Scene scene;
+  scene.blocks = {make_block(4, 0.5, 2500)};
+  scene.initial = {{0}, {0}};
+  scene.duration = 4;
+  scene.law = Law::unilateral;
+  scene.friction = {0.4};
+  if (aside > 0) scene.horizontal = rectangle(aside * scene.gravity);
+  if (down > 0) scene.vertical = rectangle(-down * scene.gravity);
+  return scene;
+}
+
+// A push of A g over the time t leaves the slip A g t² (A/μ − 1)/2. Ground that falls at a for the time t,
+// and then goes on down at its speed, is left by a − g, and caught up with at g: (a − g) t² a/(2 g) away at
+// most.
+TEST(RunOutcome, SlipLeftAndHighestLiftAreThoseOfClosedForms) {
+  const auto outcome = [](const Scene& scene) { return run_outcome(scene, solve(scene, run_options())); };
+  const Scene slides = pushed(1.0, 0);
+  const double g = slides.gravity;
+  EXPECT_NEAR(*outcome(slides).slip, 0.5 * g * 0.25 * (1 / 0.4 - 1), 1e-12);
+  EXPECT_EQ(*outcome(slides).lift, 0);
+  const Scene flies = pushed(0, 1.5);
+  EXPECT_NEAR(*outcome(flies).lift, 0.5 * g * 0.25 * 0.5 * 1.5, 1e-12);
+  EXPECT_NEAR(*outcome(flies).slip, 0, 1e-12);
+  Scene closed = slides;
+  closed.law = Law::consistent;
+  EXPECT_FALSE(outcome(closed).slip || outcome(closed).lift);
 }
 
 }  // namespace
