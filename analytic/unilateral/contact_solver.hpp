@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "analytic/unilateral/contact/conditioning.hpp"
 #include "analytic/unilateral/contact_changes.hpp"
 #include "analytic/unilateral/contact_decision.hpp"
 #include "analytic/unilateral/contact_impact.hpp"
@@ -19,7 +20,7 @@ namespace rockstack {
 template <class Real>
 class ContactSolver {
  public:
-  /// Keeps references to `scene` and `options`.
+  /// Keeps references to `scene` and `options`. @throws std::domain_error as require_digits().
   ContactSolver(const Scene& scene, const ContactOptions& options)
       : scene_(scene),
         stack_(scene.blocks, friction_of(scene)),
@@ -31,6 +32,7 @@ class ContactSolver {
         recorder_(scene, stack_, options) {
     using std::cos;
     using std::sqrt;
+    require_digits(stack_);
     across_ = Real(scene.gravity) * cos(Real(scene.inclination));
     Real height = 0;
     for (int k = 0; k < stack_.size(); ++k) {

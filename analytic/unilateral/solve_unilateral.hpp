@@ -21,7 +21,8 @@ class UnfinishedContacts : public std::runtime_error {
 /// The law and the equations of the scene are not asked for: they are unilateral and nonlinear. Other number
 /// types: ContactSolver<Real> in contact_solver.hpp.
 /// @throws FieldError for a scene out of range; std::invalid_argument for options out of range;
-/// UnfinishedContacts where events do not come to an end.
+/// UnfinishedContacts where events do not come to an end; std::domain_error where masses or sizes are so far
+/// apart that contact forces keep fewer than six digits.
 ContactHistory solve_unilateral(const Scene& scene, const ContactOptions& options = {});
 
 }  // namespace rockstack

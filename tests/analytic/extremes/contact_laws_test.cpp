@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 #include "analytic/solve.hpp"
 #include "tests/analytic/extremes/laws.hpp"
 #include "tests/analytic/extremes/scenes.hpp"
+#include "tests/analytic/unilateral/scenes.hpp"
 
 namespace rockstack {
 namespace {
@@ -38,6 +41,20 @@ TEST(SlipperyExtremes, NoMotionGainsEnergyOrSinksOrHoldsNumbersThatAreNone) {
     ++solved;
   }
   EXPECT_GT(solved, 20);
+}
+
+// A block under one of 10ⁿ times its mass takes n digits of 16 from the forces between them, and some two
+// more by its shape.
+TEST(SlipperyExtremes, MassesTooFarApartForDoubleAreSaidToBe) {
+  for (const auto& [ratio, solved] : {std::pair{1e6, true}, std::pair{1e11, false}}) {
+    Scene scene = testing::with_friction(
+        testing::released({testing::block(1, 2), testing::block(1, 2)}, {0.1, 0.1}, 0.1), 0.5);
+    for (double* value : {&scene.blocks[1].mass, &scene.blocks[1].inertia}) *value *= ratio;
+    if (solved)
+      EXPECT_NO_THROW(solve_unilateral(scene));
+    else
+      EXPECT_THROW(solve_unilateral(scene), std::domain_error);
+  }
 }
 
 // Four times the lengths at the same gravity take twice the time; both factors round nothing.
