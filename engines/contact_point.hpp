@@ -14,6 +14,7 @@ struct ContactPoint {
   double normal = 0;          ///< impulse of the step that pushes the bodies apart, N·s
   double tangential = 0;      ///< magnitude of the impulse across that, N·s
   double stiffness = std::numeric_limits<double>::infinity();  ///< N/m where it is a spring, else infinite
+  double damping = 0;                                          ///< N s/m where a dashpot is beside the spring
 };
 
 /// Stiffness of a contact that takes away the share `erp` of its overlap in a step of `dt` s and gives way by

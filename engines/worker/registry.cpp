@@ -43,6 +43,11 @@ constexpr std::array known{
 #else
     Known{"bullet-single", false},
 #endif
+#ifdef ROCKSTACK_WITH_MUJOCO
+    Known{"mujoco", true},
+#else
+    Known{"mujoco", false},
+#endif
 };
 
 constexpr const char* prefix = "rockstack-";

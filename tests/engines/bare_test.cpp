@@ -71,6 +71,17 @@ struct Case {
 std::vector<Parameters> more_settings(const WorkerEngine& engine) {
   if (engine.name() == "ode")
     return {{{"contactStiffness", 1e8}, {"contactDamping", 1e5}}, {{"slip1", 1e-6}}};
+  if (engine.name() == "mujoco") {
+    return {{{"cone", 0}},
+            {{"gap", 1e-4}, {"margin", 2e-4}},
+            {{"ground", 1}},
+            {{"impratio", 10}},
+            {{"integrator", 1}},
+            {{"noslip_iterations", 5}, {"noslip_tolerance", 1e-9}},
+            {{"refsafe", 0}, {"solref_dampratio", -3e3}, {"solref_timeconst", -1e6}},
+            {{"solimp_midpoint", 0.3}, {"solimp_dwidth", 0.999}, {"solimp_power", 3}, {"solimp_width", 1e-4}},
+            {{"iterations", 5}, {"warmstart", 0}}};
+  }
   return {{{"ground", 1}},
           {{"shape", 1}},
           {{"splitImpulse", 0}, {"contactStiffness", 1e8}, {"contactDamping", 1e5}},
@@ -105,8 +116,8 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
 
 double tolerance(const WorkerEngine& engine) {
   if (engine.name() == "ode") return 1e-9;
-  return 2 * (engine.name() == "bullet" ? std::numeric_limits<double>::epsilon()
-                                        : std::numeric_limits<float>::epsilon());
+  return 2 * (engine.capabilities().single_precision ? std::numeric_limits<float>::epsilon()
+                                                     : std::numeric_limits<double>::epsilon());
 }
 
 class Bare : public testing::TestWithParam<Case> {};

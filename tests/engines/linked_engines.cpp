@@ -6,6 +6,9 @@
 #ifdef ROCKSTACK_WITH_BULLET
 #include "engines/bullet/bullet.hpp"
 #endif
+#ifdef ROCKSTACK_WITH_MUJOCO
+#include "engines/mujoco/mujoco.hpp"
+#endif
 #ifdef ROCKSTACK_WITH_ODE
 #include "engines/ode/ode.hpp"
 #endif
@@ -17,6 +20,9 @@ std::vector<std::unique_ptr<Engine>> make_engines() {
   std::vector<std::unique_ptr<Engine>> list;
 #ifdef ROCKSTACK_WITH_BULLET
   for (auto& engine : make_bullet()) list.push_back(std::move(engine));
+#endif
+#ifdef ROCKSTACK_WITH_MUJOCO
+  for (auto& engine : make_mujoco()) list.push_back(std::move(engine));
 #endif
 #ifdef ROCKSTACK_WITH_ODE
   for (auto& engine : make_ode()) list.push_back(std::move(engine));
