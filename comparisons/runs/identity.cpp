@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
 
 #include "comparisons/results/files.hpp"
 
@@ -15,9 +16,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Read by blocks, as a program may have a hundred megabytes.
 std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::ostringstream bytes;
+  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  return std::move(bytes).str();
 }
 
 /// The checksum of a file's bytes, read once.
