@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/changes/changes.hpp"
 #include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
@@ -82,6 +83,12 @@ struct RecordArguments {
   std::string file;  ///< may name a channel, see read_record()
   std::filesystem::path out;
   std::string base_line = "none";  ///< or "fitted", taken off before anything is measured
+};
+
+struct DiffArguments {
+  std::filesystem::path old_results, new_results;
+  std::filesystem::path out;  ///< empty: nothing is written
+  ChangeOptions options;
 };
 
 struct TeachArguments {

@@ -15,6 +15,7 @@ int simulate_command(const SimulateArguments& arguments, const Common& common);
 int compare_command(const CompareArguments& arguments, const Common& common);
 int plot_command(const PlotArguments& arguments, const Common& common);
 int advise_command(const AdviseArguments& arguments, const Common& common);
+int diff_command(const DiffArguments& arguments, const Common& common);  ///< 1 where something got worse
 int record_command(const RecordArguments& arguments, const Common& common);
 int sweep_command(const SweepArguments& arguments, const Common& common);
 int teach_command(const TeachArguments& arguments, const Common& common);

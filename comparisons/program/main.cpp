@@ -189,6 +189,33 @@ Command add_record(CLI::App& app, const Common& common) {
   return {command, [arguments, &common] { return record_command(*arguments, common); }};
 }
 
+Command add_diff(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<DiffArguments>();
+  ChangeOptions& options = arguments->options;
+  CLI::App* command = app.add_subcommand(
+      "diff", "hold two results of `compare` against each other; exit code 1 where something got worse");
+  command->add_option("old", arguments->old_results, "folder with the results of before")->required();
+  command->add_option("new", arguments->new_results, "folder with the new results")->required();
+  command
+      ->add_option("--level", options.level,
+                   "chance that any number with draws is told as changed where nothing has changed")
+      ->capture_default_str();
+  command->add_option(
+      "--factor", options.factors.single,
+      "of rows without draws: from how many times on a number is told as changed; left out: only "
+      "failures are told");
+  command->add_option(
+      "--cost", options.factors.cost,
+      "from how many times on the time of a step is told as changed, where the repeats of both lie "
+      "apart; left out: none is");
+  command->add_option("--across", options.across, "what may differ between two rows that are held together")
+      ->delimiter(',')
+      ->check(CLI::IsMember(row_names()));
+  command->add_option("--out", arguments->out,
+                      "folder for diff.json and diff.csv; left out: none are written");
+  return {command, [arguments, &common] { return diff_command(*arguments, common); }};
+}
+
 Command add_teach(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<TeachArguments>();
   CLI::App* command = app.add_subcommand("teach", "list the lessons, or run one and write its page");
@@ -256,8 +283,8 @@ int run(int count, char** arguments) {
       app.add_option("--workers", common.workers,
                      "folders of more engines, with ':' between them; left out: $ROCKSTACK_WORKERS")};
   std::vector<Command> commands;
-  for (const auto add : {add_solve, add_simulate, add_compare, add_advise, add_sweep, add_plot, add_record,
-                         add_teach, add_list, add_check_engine, add_keys, add_new}) {
+  for (const auto add : {add_solve, add_simulate, add_compare, add_advise, add_sweep, add_diff, add_plot,
+                         add_record, add_teach, add_list, add_check_engine, add_keys, add_new}) {
     commands.push_back(add(app, common));
     commands.back().app->footer(CLI::Formatter().make_group("Common options", false, common_options));
   }

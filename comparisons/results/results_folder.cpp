@@ -43,6 +43,8 @@ Kind kind_of(Results results) {
           "a sweep",
           {"sweep.json", "runs.csv", "timing.json", "fragility.csv", "fragility-fit.csv", "incremental.csv",
            "incremental-fractiles.csv", "overturning.csv", "modes.csv", "figures", "report.html"}};
+    case Results::diff:
+      return {"results held together", {"diff.json", "diff.csv"}};
     case Results::record:
       break;
   }
