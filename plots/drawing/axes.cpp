@@ -30,6 +30,16 @@ std::vector<double> between_decades(const std::vector<double>& multiples, double
   return places;
 }
 
+/// The first and the last place whose numbers stay clear of the axis' ends and of each other, a number being
+/// that share of the axis; else `fallback`.
+std::vector<double> outermost(std::vector<double> places, double low, double high, double share,
+                              const std::vector<double>& fallback) {
+  const double margin = std::pow(high / low, share / 3);
+  std::erase_if(places, [&](double place) { return place < low * margin || place > high / margin; });
+  if (places.empty() || places.back() / places.front() < std::pow(high / low, share)) return fallback;
+  return {places.front(), places.back()};
+}
+
 /// "2·10^{-3}", as gnuplot's enhanced text.
 std::string in_decades(double value) {
   constexpr double rounding = 1e-9;
@@ -52,8 +62,11 @@ std::string logarithmic_tics(const std::string& axis, double low, double high, d
   }
   for (const std::vector<double>& times : finer_multiples()) {
     const std::vector<double> finer = between_decades(times, low, high);
-    if (finer.size() > most || chosen.size() >= enough) break;
-    chosen = finer;
+    if (chosen.size() >= enough) break;
+    if (finer.size() <= most)
+      chosen = finer;
+    else if (chosen.size() < 2)
+      chosen = outermost(finer, low, high, room / pixels, chosen);
   }
   std::string tics;
   for (const double place : chosen)

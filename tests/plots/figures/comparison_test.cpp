@@ -291,6 +291,7 @@ TEST(LogarithmicTics, ArePowersOfTenAndWithinTwoDecadesTheirMultiplesToo) {
             "set ytics ('3·10^{-2}' 0.03, '10^{-1}' 0.1, '3·10^{-1}' 0.3)\n");
   EXPECT_EQ(logarithmic_tics("y", 0.2, 0.9, 300),
             "set ytics ('2·10^{-1}' 0.2, '3·10^{-1}' 0.3, '5·10^{-1}' 0.5, '7·10^{-1}' 0.7)\n");
+  EXPECT_EQ(logarithmic_tics("x", 0.027, 0.08, 185), "set xtics ('3.5·10^{-2}' 0.035, '6·10^{-2}' 0.06)\n");
 }
 
 }  // namespace
