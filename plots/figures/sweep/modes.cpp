@@ -70,6 +70,8 @@ Drawing modes(const std::filesystem::path& results, const SweepFacts& facts) {
   }
   Sheet sheet(facts.title, legend, "Does it slide, rock or fly? " + answer(motions));
   sheet.data(onset.data + whole.data);
+  constexpr double titles = 18;
+  sheet.leave_room_above(titles);
   const std::string axes = fmt::format("set tics out nomirror\n{}set xlabel {} noenhanced\n",
                                        map_ranges(onset), in_quotes(facts.intensity));
   sheet.row(
