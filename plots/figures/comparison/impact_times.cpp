@@ -120,12 +120,22 @@ std::string question(const std::vector<Verdicts>& all) {
     if (is_variant(a.run) != is_variant(b.run)) return is_variant(b.run);
     return median_size(a.impacts) < median_size(b.impacts);
   });
-  const std::string words = "How late or early is each impact?";
-  if (best->impacts.matched.empty()) return words + " No engine has one of the exact impacts";
-  return fmt::format("{} Nearest: {}, half of its {} within {}, {} missed, {} extra", words,
-                     run_phrase(best->run), best->impacts.matched.size(),
-                     rounded_duration(median_size(best->impacts)), best->impacts.missed.size(),
-                     best->impacts.extra.size());
+  return fmt::format(
+      "How late or early is each impact? Nearest: {}, half of its {} within {}, {} missed, {} extra",
+      run_phrase(best->run), best->impacts.matched.size(), rounded_duration(median_size(best->impacts)),
+      best->impacts.missed.size(), best->impacts.extra.size());
+}
+
+/// What there is to say where no impact is matched.
+std::string without_matches(const std::vector<Verdicts>& all) {
+  std::size_t missed = 0, extra = 0;
+  for (const Verdicts& verdicts : all) {
+    missed = std::max(missed, verdicts.impacts.missed.size());
+    extra = std::max(extra, verdicts.impacts.extra.size());
+  }
+  if (missed + extra == 0) return "No impacts, neither in the exact motion nor in an engine.";
+  return fmt::format("No engine has one of the exact impacts, of which there are {}; at most {} of its own.",
+                     missed, extra);
 }
 
 std::string difference_settings(const SignedLog& scale, double height) {
@@ -174,11 +184,8 @@ Drawing impact_times(const Comparison& comparison, const ComparedScene& scene) {
   for (const Run& run : shown_runs(comparison, scene.name).engines)
     if (std::filesystem::exists(run.folder / "impacts.csv")) all.push_back({run, read_impacts(run)});
   if (all.empty()) return empty_sheet(heading(scene), "No engine run of this scene to compare.");
-  const bool any = std::any_of(all.begin(), all.end(), [](const Verdicts& verdicts) {
-    const Impacts& impacts = verdicts.impacts;
-    return !impacts.matched.empty() || !impacts.missed.empty() || !impacts.extra.empty();
-  });
-  if (!any) return empty_sheet(heading(scene), "No impacts, neither in the exact motion nor in an engine.");
+  if (std::all_of(all.begin(), all.end(), [](const Verdicts& one) { return one.impacts.matched.empty(); }))
+    return empty_sheet(heading(scene), without_matches(all));
   const SignedLog scale = scale_of(all);
   const bool many = all.size() > most_series;
   Legend legend;
