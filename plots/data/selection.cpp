@@ -127,6 +127,11 @@ std::string run_phrase(const Run& run) {
   return comma == std::string::npos ? label : label.replace(comma, 2, " (") + ")";
 }
 
+std::string off_by(double error) {
+  return error > least_error ? fmt::format("off by {:.2g} rad", error)
+                             : fmt::format("off by less than {:g} rad", least_error);
+}
+
 std::string duration_text(double seconds) {
   const double size = std::abs(seconds);
   if (size >= 1 || size == 0) return fmt::format("{:.4g} s", seconds);

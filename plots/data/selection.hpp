@@ -47,6 +47,12 @@ std::string run_label(const Run& run);
 /// The same inside a sentence, "bullet sequential-impulse (tuned, 0.1 ms)".
 std::string run_phrase(const Run& run);
 
+/// The least RMS angle difference that figures tell apart, rad: what is less is rounding.
+inline constexpr double least_error = 1e-12;
+
+/// "off by 0.0015 rad".
+std::string off_by(double error);
+
 /// A quartile, or the value itself where there are no draws.
 double quartile_or(double quartile, double value);
 

@@ -43,10 +43,12 @@ std::vector<CostLine> cost_lines(const Comparison& comparison, const std::string
                   fit_of(comparison, runs, "rms_angle_difference"),
                   {}};
     for (const Run& run : runs) {
-      const Cost cost{run.stepping_time / (run.steps * run.dt), run.rms_angle_difference, words_of(run, runs),
-                      quartile_or(run.rms_angle_difference_lower, run.rms_angle_difference),
-                      quartile_or(run.rms_angle_difference_upper, run.rms_angle_difference)};
-      if (std::isfinite(cost.time) && cost.time > 0 && cost.error > 0 && std::isfinite(cost.error))
+      const double error = run.rms_angle_difference;
+      const auto shown = [](double value) { return std::max(value, least_error); };
+      const Cost cost{run.stepping_time / (run.steps * run.dt), shown(error), words_of(run, runs),
+                      shown(quartile_or(run.rms_angle_difference_lower, error)),
+                      shown(quartile_or(run.rms_angle_difference_upper, error))};
+      if (std::isfinite(cost.time) && cost.time > 0 && error > 0 && std::isfinite(error))
         line.costs.push_back(cost);
     }
     if (!line.costs.empty()) lines.push_back(line);
@@ -120,7 +122,8 @@ Frame frame_of(const std::vector<CostLine>& lines, double exact) {
       frame.large = std::max(frame.large, cost.upper);
     }
   constexpr double room = 2;
-  return {frame.fast / room, frame.slow * room, frame.small / room, frame.large * room};
+  const double above = std::max(room, std::pow(frame.large / frame.small, 0.06));
+  return {frame.fast / room, frame.slow * room, frame.small / above, frame.large * above};
 }
 
 /// A rectangle in pixels that is taken by a mark or a word.
@@ -267,10 +270,10 @@ std::string question(const std::vector<CostLine>& lines, double tolerance) {
                           (within == held && (within ? cost.time < best->time : cost.error < best->error));
       if (better) best = &cost, of = &line;
     }
-  return fmt::format("What does accuracy cost? {}: {} ({}{}), off by {:.2g} rad, {} a second of motion",
+  return fmt::format("What does accuracy cost? {}: {} ({}{}), {}, {} a second of motion",
                      best->error <= tolerance ? fmt::format("Cheapest within {:g} rad", tolerance)
                                               : fmt::format("None within {:g} rad; nearest", tolerance),
-                     of->label, best->label, of->unit, best->error, rounded_duration(best->time));
+                     of->label, best->label, of->unit, off_by(best->error), rounded_duration(best->time));
 }
 
 /// The model errors that no step takes away, as plots.

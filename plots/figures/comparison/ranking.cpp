@@ -76,9 +76,10 @@ std::string point(const Run& run, std::size_t row, const Ranges& ranges) {
   const auto found = ranges.find(run.name);
   const double error = run.rms_angle_difference;
   const SpreadRange range = found == ranges.end() ? SpreadRange{error, error} : found->second;
+  const auto shown = [](double value) { return plain(std::max(value, least_error)); };
   return fmt::format(
-      "{} {} {} {} {} {}\n", plain(error), row, plain(quartile_or(run.rms_angle_difference_lower, error)),
-      plain(quartile_or(run.rms_angle_difference_upper, error)), plain(range.least), plain(range.greatest));
+      "{} {} {} {} {} {}\n", shown(error), row, shown(quartile_or(run.rms_angle_difference_lower, error)),
+      shown(quartile_or(run.rms_angle_difference_upper, error)), shown(range.least), shown(range.greatest));
 }
 
 struct ErrorExtent {
@@ -95,7 +96,9 @@ ErrorExtent extent_of(const std::vector<RankedSeries>& rows, const Ranges& range
           std::min(extent.low, found == ranges.end() ? error : std::max(found->second.least, error / 100));
       extent.high = std::max(extent.high, found == ranges.end() ? error : found->second.greatest);
     }
-  return {extent.low / 1.5, extent.high * 1.5};
+  const double low = std::max(extent.low, least_error), high = std::max(extent.high, least_error);
+  const double room = std::max(1.5, std::pow(high / low, 0.04));
+  return {low / room, high * room};
 }
 
 std::vector<std::string> column_plots(Sheet& sheet, const std::vector<RankedSeries>& rows, double dt,
@@ -158,8 +161,8 @@ Drawing ranking(const Comparison& comparison, const ComparedScene& scene) {
       ranges_of(rows.front().runs.front().folder.parent_path().parent_path(), "rms_angle_difference");
   const Run& least = least_of(rows);
   Sheet sheet(heading(scene), {},
-              fmt::format("Which is nearest to the exact motion? {}, off by {:.2g} rad RMS",
-                          run_phrase(least), least.rms_angle_difference));
+              fmt::format("Which is nearest to the exact motion? {}, {} RMS", run_phrase(least),
+                          off_by(least.rms_angle_difference)));
   const ErrorExtent extent = extent_of(rows, ranges);
   const std::vector<double> steps = steps_of(rows);
   const RowWords words = row_words(rows);
