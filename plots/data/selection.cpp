@@ -36,6 +36,17 @@ bool comes_before(const Run& a, const Run& b) {
   return a.dt != b.dt ? a.dt < b.dt : iterations_of(a) > iterations_of(b);
 }
 
+/// Whether the runs that a suite gave iterations have one step: these make a line then, and else steps do.
+bool iterations_make_lines(const std::vector<Run>& runs) {
+  const Run* given = nullptr;
+  for (const Run& run : runs) {
+    if (iterations_of(run) == 0) continue;
+    if (given != nullptr && given->dt != run.dt) return false;
+    given = &run;
+  }
+  return given != nullptr;
+}
+
 bool has_tuned(const std::vector<StepLine>& lines, const Run& run) {
   return std::any_of(lines.begin(), lines.end(), [&](const StepLine& line) {
     return same_solver(line.front(), run) && line.front().settings == "tuned";
@@ -46,10 +57,13 @@ bool has_tuned(const std::vector<StepLine>& lines, const Run& run) {
 
 std::vector<StepLine> step_lines(const Comparison& comparison, const std::string& scene) {
   std::vector<StepLine> lines;
-  for (const Run& run : done_runs(comparison, scene)) {
+  const std::vector<Run> runs = done_runs(comparison, scene);
+  const bool by_iterations = iterations_make_lines(runs);
+  const auto settings = [&](const Run& run) { return by_iterations ? settings_of_line(run) : run.settings; };
+  for (const Run& run : runs) {
     if (run.exact()) continue;
     const auto found = std::find_if(lines.begin(), lines.end(), [&](const StepLine& line) {
-      return same_solver(line.front(), run) && settings_of_line(line.front()) == settings_of_line(run);
+      return same_solver(line.front(), run) && settings(line.front()) == settings(run);
     });
     if (found == lines.end()) {
       lines.push_back({run});

@@ -54,6 +54,19 @@ TEST(Results, RunsThatDifferInTheirIterationsAloneAreOneLine) {
   EXPECT_EQ(iterations_of(lines[1][0]), 0);
 }
 
+TEST(Results, RunsOfSeveralStepsAndIterationsAreALineEachSet) {
+  const fs::path folder = testing::fresh_folder();
+  testing::Sample sample;
+  sample.engines = {{"ode", "quickstep", "tuned+quickStepNumIterations=20", 2e-3},
+                    {"ode", "quickstep", "tuned+quickStepNumIterations=100", 2e-3}};
+  sample.steps = {1e-3, 1e-4};
+  testing::write_sample(folder, sample);
+  const auto lines = step_lines(read_comparison(folder), "sample");
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].size(), 2u);
+  EXPECT_EQ(line_label(lines[0]), "ode quickstep, tuned+quickStepNumIterations=20");
+}
+
 TEST(Results, ShowsTheSmallestStepOfEachSolverAndTunedBeforeDefault) {
   const fs::path folder = testing::fresh_folder();
   testing::write_sample(folder, tuned_and_default());
