@@ -10,7 +10,7 @@ namespace rockstack::plots {
 namespace {
 
 constexpr double between = 0.03;
-constexpr double title_height = 56, question_height = 46, legend_row = 23, legend_gap = 14, axis_height = 80;
+constexpr double title_height = 56, legend_row = 23, legend_gap = 14, axis_height = 80;
 constexpr std::size_t half_a_figure = 46;  // letters of a legend
 
 /// In two columns, or in one where some words are too long for half of the figure.
@@ -88,6 +88,27 @@ std::size_t next_break(const std::string& words, std::size_t from) {
   return words.size();
 }
 
+/// What follows the question mark, in one line, or in two where the letters of one would be too small.
+std::vector<std::string> answer_lines(const std::string& question) {
+  constexpr std::size_t readable = 140;
+  const std::size_t mark = question.find("? ");
+  if (mark == std::string::npos) return {};
+  const std::string answer = question.substr(mark + 2);
+  if (answer.size() <= readable) return {answer};
+  std::size_t middle = 0;
+  while (middle < answer.size() / 2) middle = next_break(answer, middle);
+  return {answer.substr(0, middle), answer.substr(middle)};
+}
+
+constexpr double answer_row = 22;
+
+/// Room for the question and its answer.
+double question_height(const std::string& question) {
+  constexpr double usual = 46;
+  if (question.empty()) return 0;
+  return usual + (answer_lines(question).size() > 1 ? answer_row : 0);
+}
+
 /// Long words of a small panel in lines.
 std::vector<std::string> lines_of(const std::string& words) {
   constexpr std::size_t fitting = 41;
@@ -141,7 +162,7 @@ std::string data_block(const std::string& name, const Curve& curve) {
 }
 
 Sheet::Sheet(const std::string& title, const Legend& legend, const std::string& question)
-    : below_(title_height + (question.empty() ? 0 : question_height) + legend_height(legend)),
+    : below_(title_height + question_height(question) + legend_height(legend)),
       title_(title),
       question_(question),
       legend_(legend) {}
@@ -175,13 +196,15 @@ Drawing Sheet::finish() const {
   std::string text = fmt::format(
       "set multiplot\nunset key\nset label 1 {} noenhanced at screen 0.5, screen {} center font ',{}'\n",
       in_quotes(title_), plain(1 - title_height / 2 / height), words_size(title_, 17, 88));
-  const double head = title_height - 4 + (question_.empty() ? 0 : question_height);
-  const std::size_t answer = question_.find("? ");
-  constexpr double half_row = 11;
-  text += question_line(question_.substr(0, answer == std::string::npos ? answer : answer + 1),
-                        1 - (head - question_height + half_row) / height);
-  if (answer != std::string::npos)
-    text += question_line(question_.substr(answer + 2), 1 - (head - half_row - 2) / height);
+  const double head = title_height - 4 + question_height(question_);
+  const std::vector<std::string> answer = answer_lines(question_);
+  constexpr double half_row = answer_row / 2;
+  text += question_line(answer.empty() ? question_ : question_.substr(0, question_.find("? ") + 1),
+                        1 - (title_height - 4 + half_row) / height);
+  for (std::size_t i = 0; i < answer.size(); ++i)
+    text += question_line(
+        answer[i],
+        1 - (head - half_row - 2 - answer_row * static_cast<double>(answer.size() - 1 - i)) / height);
   text += legend_plots(legend_, 1 - head / height);
   for (const Panel& panel : panels_) {
     text += fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", plain(panel.left),
