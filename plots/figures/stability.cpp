@@ -48,7 +48,7 @@ class Places {
   std::string tics(double times = 1) const {
     std::string text;
     for (std::size_t i = 0; i < values_.size(); ++i)
-      text += fmt::format("{}'{:.3g}' {}", i > 0 ? ", " : "", times * values_[i], i);
+      text += fmt::format("{}'{:.4g}' {}", i > 0 ? ", " : "", times * values_[i], i);
     return text;
   }
 
