@@ -134,8 +134,7 @@ std::string without_matches(const std::vector<Verdicts>& all) {
     extra = std::max(extra, verdicts.impacts.extra.size());
   }
   if (missed + extra == 0) return "No impacts, neither in the exact motion nor in an engine.";
-  return fmt::format("No engine has one of the exact impacts, of which there are {}; at most {} of its own.",
-                     missed, extra);
+  return fmt::format("No impact is in both: the exact motion has {}, an engine at most {}.", missed, extra);
 }
 
 std::string difference_settings(const SignedLog& scale, double height) {
