@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "tests/analytic/solver/stacks.hpp"
+#include "tests/stride.hpp"
 
 namespace rockstack::testing {
 namespace {
@@ -129,7 +130,7 @@ TEST_P(Batch, GivesTheBitsOfEachSceneAlone) {
     for (const bool kept : {true, false}) {
       const SolveOptions options{
           .validity = kept, .peaks = kept, .resolution = tolerance, .tolerance = tolerance};
-      expect_the_bits_of_each_alone(mixed_scenes(++seed, 150), options);
+      expect_the_bits_of_each_alone(mixed_scenes(++seed, 150 / stride), options);
     }
   }
 }

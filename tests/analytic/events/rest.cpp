@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tests/analytic/solver/stacks.hpp"
+#include "tests/stride.hpp"
 
 namespace rockstack {
 namespace {
@@ -101,7 +102,7 @@ TEST(Rest, BearsItsWeightAndInertia) {
 // seconds.
 TEST(Rest, LeadsToTheSameMotionWhetherLookedAtOrNot) {
   Draw draw(53);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 100; i += testing::stride) {
     Scene scene = shaken_to(draw, draw.between(1.01, 1.5));
     scene.duration = 0.5;
     const History passed = solve(scene, {.validity = true});

@@ -5,6 +5,7 @@
 
 #include "tests/analytic/mechanics/maximal.hpp"
 #include "tests/analytic/solver/stacks.hpp"
+#include "tests/stride.hpp"
 
 namespace rockstack {
 namespace {
@@ -93,7 +94,7 @@ double largest_kinetic_energy(const Scene& scene, const History& history) {
 }
 
 TEST(Balances, BetweenEventsEnergyChangesByTheWorkOfTheGround) {
-  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+  for (std::uint64_t seed = 0; seed < 1000; seed += testing::stride) {
     const Scene scene = testing::seeded_scene(8000 + seed);
     const Nodes nodes = gauss_nodes(kinks(scene, solve(scene)));
     const History history = solve(scene, {.sample_times = nodes.times});

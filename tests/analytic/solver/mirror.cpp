@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/analytic/solver/stacks.hpp"
+#include "tests/stride.hpp"
 
 namespace rockstack {
 namespace {
@@ -43,7 +44,7 @@ void expect_mirrored(const History& one, History other) {
 }
 
 TEST(Mirror, AMirroredSceneHasTheMirroredHistoryBitForBit) {
-  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+  for (std::uint64_t seed = 0; seed < 1000; seed += testing::stride) {
     testing::Draw draw(3000 + seed);
     Scene scene = testing::random_scene(draw, 1 + draw.below(4), false);
     if (seed % 4 != 0) testing::shake(draw, scene);
