@@ -125,9 +125,10 @@ struct RowWords {
   int size;     ///< of the letters
 };
 
-/// As wide as the longest words ask for, up to half of the figure; words that need more are set smaller.
+/// As wide as the longest words ask for, up to three fifths of the figure; words that need more are set
+/// smaller.
 RowWords row_words(const std::vector<RankedSeries>& rows) {
-  constexpr double letter = 0.0070, margin = 0.025, widest = 0.5;
+  constexpr double letter = 0.0070, margin = 0.025, widest = 0.6;
   constexpr int usual = 11;
   std::size_t longest = 0;
   for (const RankedSeries& row : rows) longest = std::max(longest, row.label.size());
