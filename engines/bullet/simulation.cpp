@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engines/bullet/solvers.hpp"
+#include "engines/ground_reach.hpp"
 #include "engines/shaking.hpp"
 
 namespace rockstack {
@@ -93,13 +94,6 @@ Surface surface_of(double mass_factor, const Parameters& parameters) {
           scalar(2 * mass_factor * parameters.at("contactStiffness")),
           scalar(0.5 * mass_factor * parameters.at("contactDamping")),
           parameters.at("frictionAnchor") != 0 ? btCollisionObject::CF_HAS_FRICTION_ANCHOR : 0};
-}
-
-/// Ten times as far as all blocks in a row.
-double ground_reach(const std::vector<Placement>& blocks) {
-  double reach = blocks.front().depth;
-  for (const Placement& block : blocks) reach += block.width + block.height;
-  return 10 * reach;
 }
 
 btVector3 half_extents(const Placement& placement) {

@@ -43,6 +43,16 @@ constexpr std::array known{
 #else
     Known{"bullet-single", false},
 #endif
+#ifdef ROCKSTACK_WITH_BOX2D
+    Known{"box2d", true},
+#else
+    Known{"box2d", false},
+#endif
+#ifdef ROCKSTACK_WITH_CHIPMUNK
+    Known{"chipmunk", true},
+#else
+    Known{"chipmunk", false},
+#endif
 #ifdef ROCKSTACK_WITH_MUJOCO
     Known{"mujoco", true},
 #else

@@ -19,7 +19,7 @@ namespace rockstack {
 std::string bare_question(const WorkerEngine& engine, const Scene& scene, double step,
                           const Parameters& parameters) {
   const Setup setup = set_up(scene, step, parameters);
-  const double mass = mass_factor(setup, parameters);
+  const double mass = parameters.count("unitMass") != 0 ? mass_factor(setup, parameters) : 1;
   double reach = scene.engine.depth;
   for (const Block& block : scene.blocks) reach += 2 * (block.half_width + block.half_height);
   const double steps = std::floor(scene.duration / step + 1e-9);

@@ -82,6 +82,12 @@ std::vector<Parameters> more_settings(const WorkerEngine& engine) {
             {{"solimp_midpoint", 0.3}, {"solimp_dwidth", 0.999}, {"solimp_power", 3}, {"solimp_width", 1e-4}},
             {{"iterations", 5}, {"warmstart", 0}}};
   }
+  if (engine.name() == "box2d")
+    return {{{"positionIterations", 10}, {"lengthUnit", 0.5}},
+            {{"warmStarting", 0}},
+            {{"restitution", 0.2}, {"restitutionThreshold", 0}}};
+  if (engine.name() == "chipmunk")
+    return {{{"collisionPersistence", 1}, {"collisionSlop", 1e-3}}, {{"elasticity", 0.2}}};
   return {{{"ground", 1}},
           {{"shape", 1}},
           {{"splitImpulse", 0}, {"contactStiffness", 1e8}, {"contactDamping", 1e5}},

@@ -12,6 +12,12 @@
 #ifdef ROCKSTACK_WITH_ODE
 #include "engines/ode/ode.hpp"
 #endif
+#ifdef ROCKSTACK_WITH_BOX2D
+#include "engines/box2d/box2d.hpp"
+#endif
+#ifdef ROCKSTACK_WITH_CHIPMUNK
+#include "engines/chipmunk/chipmunk.hpp"
+#endif
 
 namespace rockstack {
 namespace {
@@ -26,6 +32,12 @@ std::vector<std::unique_ptr<Engine>> make_engines() {
 #endif
 #ifdef ROCKSTACK_WITH_ODE
   for (auto& engine : make_ode()) list.push_back(std::move(engine));
+#endif
+#ifdef ROCKSTACK_WITH_BOX2D
+  for (auto& engine : make_box2d()) list.push_back(std::move(engine));
+#endif
+#ifdef ROCKSTACK_WITH_CHIPMUNK
+  for (auto& engine : make_chipmunk()) list.push_back(std::move(engine));
 #endif
   return list;
 }

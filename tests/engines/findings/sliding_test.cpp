@@ -39,11 +39,12 @@ Scene block(double r, double friction, double duration) {
   return scene;
 }
 
-/// Of engines but Bullet's Lemke solver, whose friction is no coefficient.
+/// Of Bullet and ODE but Bullet's Lemke solver, whose friction is no coefficient.
 std::vector<const Engine*> with_coefficients() {
   std::vector<const Engine*> list;
   for (const auto& engine : linked_engines()) {
-    if (engine->solver() != "mlcp-lemke") list.push_back(engine.get());
+    const bool meant = engine->name() == "bullet" || engine->name() == "ode";
+    if (meant && engine->solver() != "mlcp-lemke") list.push_back(engine.get());
   }
   return list;
 }
