@@ -57,6 +57,11 @@ struct CheckEngineArguments {
   std::vector<std::string> checks;    ///< their names; empty: all
 };
 
+struct CanonArguments {
+  std::vector<std::string> engines;  ///< empty: all
+  std::filesystem::path out;
+};
+
 struct KeysArguments {
   std::string kind;  ///< "scene", "suite" or "ensemble"; empty: all
 };

@@ -28,18 +28,6 @@ struct Finding {
   std::string what;  ///< of the value, with its unit; or the reason
 };
 
-std::vector<const WorkerEngine*> engines_to_check(const std::string& name) {
-  if (name.find('/') != std::string::npos && name.find(':', name.rfind('/')) == std::string::npos)
-    return all_engines_at(name);
-  const WorkerEngine& first = find_engine(name);
-  if (name.find(':') != std::string::npos) return {&first};
-  std::vector<const WorkerEngine*> list;
-  for (const WorkerEngine& engine : engines()) {
-    if (engine.name() == first.name()) list.push_back(&engine);
-  }
-  return list;
-}
-
 Adapter adapter_of(const WorkerEngine& engine, const Parameters& parameters) {
   return {engine.capabilities(), parameters,
           [&engine](const Setup& setup, const Parameters& given) { return run(engine, setup, given, true); }};
@@ -143,6 +131,18 @@ Json to_json(const Finding& finding) {
 
 }  // namespace
 
+std::vector<const WorkerEngine*> engines_named(const std::string& name) {
+  if (name.find('/') != std::string::npos && name.find(':', name.rfind('/')) == std::string::npos)
+    return all_engines_at(name);
+  const WorkerEngine& first = find_engine(name);
+  if (name.find(':') != std::string::npos) return {&first};
+  std::vector<const WorkerEngine*> list;
+  for (const WorkerEngine& engine : engines()) {
+    if (engine.name() == first.name()) list.push_back(&engine);
+  }
+  return list;
+}
+
 int check_engine_command(const CheckEngineArguments& arguments, const Common& common) {
   refuse_overrides(common, "its scenes are its own");
   const bool talk = !common.quiet && !common.json;
@@ -151,7 +151,7 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
   const std::vector<Check> chosen = checks_named(arguments.checks);
   const std::vector<std::string> sets =
       arguments.settings.empty() ? std::vector<std::string>{"default", "tuned"} : arguments.settings;
-  for (const WorkerEngine* engine : engines_to_check(arguments.engine)) {
+  for (const WorkerEngine* engine : engines_named(arguments.engine)) {
     report["engines"].push_back(capabilities_json(*engine));
     if (talk) print_capabilities(report["engines"].back());
     for (const std::string& settings : sets) {

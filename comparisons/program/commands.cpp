@@ -30,6 +30,7 @@
 #include "plots/figures/record.hpp"
 #include "plots/figures/stability.hpp"
 #include "plots/figures/sweep/sweep.hpp"
+#include "plots/pages/canon.hpp"
 #include "plots/pages/impact_laws.hpp"
 #include "plots/pages/lesson.hpp"
 #include "plots/pages/motion.hpp"
@@ -108,6 +109,7 @@ bool has_runs(const std::filesystem::path& results) {
 /// The first that is there holds: a study has runs too.
 constexpr Picture pictures[]{
     {has_record, plots::draw_record, plots::write_record_report},
+    {plots::has_canon, [](const std::filesystem::path&) {}, plots::write_canon_report},
     {plots::has_stability, plots::draw_stability, plots::write_stability_report},
     {plots::has_sweep, plots::draw_sweep, plots::write_sweep_report},
     {plots::has_one_motion, plots::draw_motion, plots::write_motion_report},

@@ -5,6 +5,7 @@
 
 #include "comparisons/program/arguments.hpp"
 #include "comparisons/runs/executor.hpp"
+#include "engines/worker/worker_engine.hpp"
 
 namespace rockstack {
 
@@ -21,6 +22,7 @@ int sweep_command(const SweepArguments& arguments, const Common& common);
 int teach_command(const TeachArguments& arguments, const Common& common);
 int list_command(const std::string& what, const Common& common);  ///< empty: all kinds
 int check_engine_command(const CheckEngineArguments& arguments, const Common& common);
+int canon_command(const CanonArguments& arguments, const Common& common);
 int keys_command(const KeysArguments& arguments, const Common& common);
 int new_command(const NewArguments& arguments, const Common& common);
 
@@ -28,6 +30,10 @@ int new_command(const NewArguments& arguments, const Common& common);
 /// `draws`: as CompareArguments::draws.
 int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, Executor& executor,
                       int draws, const Common& common);
+
+/// All solvers of an engine: of a worker program named by its path, or of a name that `list engines` shows;
+/// or one, named with its solver. @throws InputError as find_engine().
+std::vector<const WorkerEngine*> engines_named(const std::string& name);
 
 /// @throws InputError where the value is not finite and > 0.
 void require_positive_option(const char* option, double value);

@@ -247,6 +247,16 @@ Command add_check_engine(CLI::App& app, const Common& common) {
   return {command, [arguments, &common] { return check_engine_command(*arguments, common); }};
 }
 
+Command add_canon(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<CanonArguments>();
+  CLI::App* command =
+      app.add_subcommand("canon", "run small scenes with closed forms on engines: which law do they follow?");
+  command->add_option("engines", arguments->engines,
+                      "worker programs, or names from `rockstack list engines`; left out: all");
+  command->add_option("--out", arguments->out, out_help)->required();
+  return {command, [arguments, &common] { return canon_command(*arguments, common); }};
+}
+
 Command add_keys(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<KeysArguments>();
   CLI::App* command =
@@ -284,7 +294,7 @@ int run(int count, char** arguments) {
                      "folders of more engines, with ':' between them; left out: $ROCKSTACK_WORKERS")};
   std::vector<Command> commands;
   for (const auto add : {add_solve, add_simulate, add_compare, add_advise, add_sweep, add_diff, add_plot,
-                         add_record, add_teach, add_list, add_check_engine, add_keys, add_new}) {
+                         add_record, add_teach, add_list, add_check_engine, add_canon, add_keys, add_new}) {
     commands.push_back(add(app, common));
     commands.back().app->footer(CLI::Formatter().make_group("Common options", false, common_options));
   }

@@ -45,6 +45,8 @@ Kind kind_of(Results results) {
            "incremental-fractiles.csv", "overturning.csv", "modes.csv", "figures", "report.html"}};
     case Results::diff:
       return {"results held together", {"diff.json", "diff.csv"}};
+    case Results::canon:
+      return {"a canon", {"canon.json", "canon.csv", "report.html"}};
     case Results::record:
       break;
   }

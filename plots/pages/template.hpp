@@ -14,6 +14,7 @@ extern const std::string_view page_js;
 /// The contents of the pages, and what a lesson's style sheet has beyond the others'.
 extern const std::string_view report_html;
 extern const std::string_view study_html;
+extern const std::string_view canon_html;
 extern const std::string_view impact_laws_html;
 extern const std::string_view lesson_html;
 extern const std::string_view lesson_css;

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "comparisons/canon/canon.hpp"
+#include "comparisons/program/commands.hpp"
+#include "comparisons/results/files.hpp"
+#include "comparisons/results/results_folder.hpp"
+#include "comparisons/suites/shipped.hpp"
+#include "engines/worker/registry.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/pages/canon.hpp"
+#endif
+
+namespace rockstack {
+namespace {
+
+std::vector<const WorkerEngine*> chosen(const std::vector<std::string>& names) {
+  std::vector<const WorkerEngine*> list;
+  for (const std::string& name : names) {
+    for (const WorkerEngine* engine : engines_named(name)) list.push_back(engine);
+  }
+  if (!names.empty()) return list;
+  for (const WorkerEngine& engine : engines()) list.push_back(&engine);
+  return list;
+}
+
+void print(const CanonRow& row, const CanonAnswer& answer) {
+  fmt::print("{:<28} {:<8} {:<16} {:<12}", row.engine->name() + ":" + row.engine->solver(), row.settings,
+             answer.scene, answer.verdict);
+  if (answer.verdict == "no run") {
+    fmt::print(" {}\n", answer.reason);
+  } else {
+    fmt::print(" {:>8.3g} {:>8.3g}\n", answer.coarse.steps, answer.fine.steps);
+  }
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int canon_command(const CanonArguments& arguments, const Common& common) {
+  Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
+  const ResultsFolder folder(arguments.out, Results::canon);
+  const bool talk = !common.quiet && !common.json;
+  if (talk)
+    fmt::print("{:<28} {:<8} {:<16} {:<12} steps off at {} and {} s\n", "engine", "set", "scene", "verdict",
+               canon_steps().coarse, canon_steps().fine);
+  std::vector<CanonRow> rows;
+  bool all_agree = true;
+  for (const WorkerEngine* engine : chosen(arguments.engines)) {
+    for (const char* settings : {"default", "tuned"}) {
+      const CanonRow head{engine, settings, {}};
+      rows.push_back(make_canon_row(suite, *engine, settings, [&](const CanonAnswer& answer) {
+        if (answer.verdict != "agrees" && answer.verdict != "converges") all_agree = false;
+        if (talk) print(head, answer);
+      }));
+    }
+  }
+  const std::string json = canon_json(suite, rows, common.command);
+  write_file(arguments.out / "canon.csv", canon_csv(rows));
+  write_file(arguments.out / "canon.json", json);
+  if (common.json) fmt::print("{}", json);
+#ifdef ROCKSTACK_WITH_PLOTS
+  plots::write_canon_report(arguments.out);
+  if (talk) fmt::print("report: {}\n", (arguments.out / "report.html").string());
+#endif
+  return all_agree ? 0 : 1;
+}
+
+}  // namespace rockstack
