@@ -58,6 +58,16 @@ constexpr std::array known{
 #else
     Known{"mujoco", false},
 #endif
+#ifdef ROCKSTACK_WITH_DART
+    Known{"dart", true},
+#else
+    Known{"dart", false},
+#endif
+#ifdef ROCKSTACK_WITH_SICONOS
+    Known{"siconos", true},
+#else
+    Known{"siconos", false},
+#endif
 };
 
 constexpr const char* prefix = "rockstack-";

@@ -69,6 +69,8 @@ struct Case {
 
 /// Settings that neither set has, each by itself.
 std::vector<Parameters> more_settings(const WorkerEngine& engine) {
+  if (engine.name() == "dart") return {{{"ErrorReductionParameter", 0.2}, {"MaxErrorReductionVelocity", 1}}};
+  if (engine.name() == "siconos") return {{{"theta", 1}}, {{"gamma", 0}}};
   if (engine.name() == "ode")
     return {{{"contactStiffness", 1e8}, {"contactDamping", 1e5}}, {{"slip1", 1e-6}}};
   if (engine.name() == "mujoco") {

@@ -6,6 +6,9 @@
 #ifdef ROCKSTACK_WITH_BULLET
 #include "engines/bullet/bullet.hpp"
 #endif
+#ifdef ROCKSTACK_WITH_DART
+#include "engines/dart/dart.hpp"
+#endif
 #ifdef ROCKSTACK_WITH_MUJOCO
 #include "engines/mujoco/mujoco.hpp"
 #endif
@@ -18,6 +21,9 @@
 #ifdef ROCKSTACK_WITH_CHIPMUNK
 #include "engines/chipmunk/chipmunk.hpp"
 #endif
+#ifdef ROCKSTACK_WITH_SICONOS
+#include "engines/siconos/siconos.hpp"
+#endif
 
 namespace rockstack {
 namespace {
@@ -26,6 +32,9 @@ std::vector<std::unique_ptr<Engine>> make_engines() {
   std::vector<std::unique_ptr<Engine>> list;
 #ifdef ROCKSTACK_WITH_BULLET
   for (auto& engine : make_bullet()) list.push_back(std::move(engine));
+#endif
+#ifdef ROCKSTACK_WITH_DART
+  for (auto& engine : make_dart()) list.push_back(std::move(engine));
 #endif
 #ifdef ROCKSTACK_WITH_MUJOCO
   for (auto& engine : make_mujoco()) list.push_back(std::move(engine));
@@ -38,6 +47,9 @@ std::vector<std::unique_ptr<Engine>> make_engines() {
 #endif
 #ifdef ROCKSTACK_WITH_CHIPMUNK
   for (auto& engine : make_chipmunk()) list.push_back(std::move(engine));
+#endif
+#ifdef ROCKSTACK_WITH_SICONOS
+  for (auto& engine : make_siconos()) list.push_back(std::move(engine));
 #endif
   return list;
 }

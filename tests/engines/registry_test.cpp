@@ -29,7 +29,8 @@ TEST(Registry, EveryEngineIsThereOrNamedAsLeftOut) {
   std::set<std::string> names;
   for (const std::string& name : engines_left_out()) names.insert(name);
   for (const WorkerEngine& engine : engines()) names.insert(engine.name());
-  EXPECT_EQ(names, (std::set<std::string>{"box2d", "bullet", "bullet-single", "chipmunk", "mujoco", "ode"}));
+  EXPECT_EQ(names, (std::set<std::string>{"box2d", "bullet", "bullet-single", "chipmunk", "dart", "mujoco",
+                                          "ode", "siconos"}));
 }
 
 TEST(Registry, EngineIsFoundByNameAndBySolver) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <ostream>
 #include <string>
@@ -52,7 +53,10 @@ const std::vector<Mistake>& mistakes() {
                     {"restitutionVelocityThreshold", 0},
                     {"restitutionThreshold", 0},
                     {"bounce", 0.2},
-                    {"elasticity", 0.2}}},
+                    {"elasticity", 0.2},
+                    {"en", 0.2},
+                    // DART takes the product of both shapes' coefficients.
+                    {"RestitutionCoeff", std::sqrt(0.2)}}},
       {.name = "MarginOfFourCentimetres", .seen_by = "QuarterPeriodIsHousners", .question = fat},
       {.name = "MassWrongByOnePercent",
        .seen_by = "PairKeepsItsMomentum",
