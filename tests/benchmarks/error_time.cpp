@@ -98,7 +98,7 @@ Contender stepped_by(const Engine& engine, double dt) {
             return angles;
           },
           [&engine, dt, steps](const Scene& scene) {
-            const auto simulation = engine.start(scene, dt, engine.tuned_parameters());
+            const auto simulation = start(engine, scene, dt, engine.tuned_parameters());
             const std::clock_t start = std::clock();
             for (std::size_t i = 0; i < steps(scene.duration); ++i) simulation->step();
             return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

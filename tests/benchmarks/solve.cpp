@@ -25,7 +25,7 @@ void stepping(benchmark::State& state, const Engine& engine) {
   const int steps = static_cast<int>(scene.duration / dt);
   for ([[maybe_unused]] auto round : state) {
     state.PauseTiming();
-    const auto simulation = engine.start(scene, dt, engine.tuned_parameters());
+    const auto simulation = start(engine, scene, dt, engine.tuned_parameters());
     state.ResumeTiming();
     for (int step = 0; step < steps; ++step) simulation->step();
   }

@@ -69,9 +69,9 @@ TEST(Contacts, TheirImpulsesAreTheMomentumOfWhatTheyBear) {
         }
         expected += weight * steps * dt;
         // What impulses do to velocities is rounded in each step.
-        const double rounding =
+        const double share =
             engine->capabilities().single_precision ? steps * std::numeric_limits<float>::epsilon() : 1e-12;
-        EXPECT_NEAR(sums[k].normal, expected, sums[k].tilted + rounding * expected)
+        EXPECT_NEAR(sums[k].normal, expected, sums[k].tilted + share * expected)
             << engine->solver() << " interface " << k;
       }
     }

@@ -8,7 +8,7 @@
 namespace rockstack {
 
 /// A rounding over what it makes of contact forces, in shares of them, of a stack that stands and sticks: the
-/// reciprocal condition number of what forces do, each in the unit of its own effect.
+/// reciprocal condition number, by largest rows' sums, of what forces do, each in the unit of its own effect.
 template <class Real>
 Real conditioning(const BasicFrictionStack<Real>& stack) {
   Joints<Real> joints(stack.blocks.size());
@@ -16,7 +16,12 @@ Real conditioning(const BasicFrictionStack<Real>& stack) {
   place(stack.blocks, joints, bodies);
   const SquareMatrix<Real> effects = held_by(stack, joints, bodies, Sought::velocities).matrix(stack);
   const BasicFreeVector<Real> units = effects.diagonal().cwiseSqrt().cwiseInverse();
-  return Eigen::PartialPivLU<SquareMatrix<Real>>(units.asDiagonal() * effects * units.asDiagonal()).rcond();
+  const SquareMatrix<Real> scaled = units.asDiagonal() * effects * units.asDiagonal();
+  const SquareMatrix<Real> inverse = Eigen::PartialPivLU<SquareMatrix<Real>>(scaled).inverse();
+  const auto size = [](const SquareMatrix<Real>& matrix) {
+    return matrix.cwiseAbs().rowwise().sum().maxCoeff();
+  };
+  return 1 / (size(scaled) * size(inverse));
 }
 
 /// @throws std::domain_error where masses or sizes are so far apart that contact forces keep fewer than six
