@@ -45,8 +45,9 @@ void require_finite(const Trajectory& trajectory, std::size_t blocks, double dt)
                            : !std::isfinite(trajectory.velocities[i]) ? "angular velocity"
                                                                       : nullptr;
     if (quantity == nullptr) continue;
+    const std::size_t sample = i / blocks;
     throw NotFinite(fmt::format("{} of block {} is not finite at t = {} s", quantity, i % blocks + 1,
-                                static_cast<double>(i / blocks) * dt));
+                                static_cast<double>(sample) * dt));
   }
 }
 

@@ -120,7 +120,7 @@ Command add_compare(CLI::App& app, const Common& common) {
       ->add_option(
           "--engine", arguments->choice.engines,
           "of scenes: engine, or engine:solver; may be repeated or a list, ode:step,bullet; left out: "
-          "the first solver of every engine")
+          "the first solver of Bullet, in both precisions, and of ODE")
       ->delimiter(',')
       ->allow_extra_args(false);
   command

@@ -102,7 +102,7 @@ void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::p
 
 /// What a comparison of a single scene runs.
 struct SceneChoice {
-  std::vector<std::string> engines = {};  ///< "ode", "bullet:nncg"; none: the first solver of every engine
+  std::vector<std::string> engines = {};  ///< "ode", "bullet:nncg"; none: the first solver of Bullet and ODE
   std::vector<double> steps = {};         ///< s; none: default_steps(), or of a quick one the first two
   bool quick = false;                     ///< fewer draws, one timed run, 2000 samples of each history
 };
