@@ -7,7 +7,8 @@
 namespace rockstack {
 namespace {
 
-/// A block 2 m wide that turns at `rate` rad/s and slides at `speed` m/s, in two steps.
+/// A block 2 m wide that is closed, and as if it turned at `rate` rad/s and slid at `speed` m/s, in two
+/// steps.
 History motion(double dt, double rate, double speed) {
   History history;
   history.blocks = 1;
@@ -18,6 +19,7 @@ History motion(double dt, double rate, double speed) {
     history.velocities.push_back(rate);
     history.slips.push_back(speed * time);
     history.gaps.push_back(0);
+    history.patterns.push_back({.size = 1, .contacts = {}, .slides = {}});
   }
   return history;
 }
