@@ -48,11 +48,13 @@ Deviation answer_once(const Suite& suite, const NamedScene& scene, const EngineS
 /// That of the middle draw; draws run side by side. @throws whatever kept the engine from answering.
 Deviation median_answer(const Suite& suite, const NamedScene& scene, const EngineSeries& series, double dt) {
   std::vector<std::future<Deviation>> draws;
+  draws.reserve(static_cast<std::size_t>(suite.draws.runs));
   for (int draw = 0; draw < suite.draws.runs; ++draw)
     draws.push_back(
         std::async(std::launch::async, [&, draw] { return answer_once(suite, scene, series, dt, draw); }));
   for (const auto& draw : draws) draw.wait();
   std::vector<Deviation> list;
+  list.reserve(draws.size());
   for (auto& draw : draws) list.push_back(draw.get());
   std::sort(list.begin(), list.end(),
             [](const Deviation& one, const Deviation& other) { return one.steps < other.steps; });
@@ -109,6 +111,7 @@ std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, co
     json["scenes"].push_back(
         {{"name", scene.name}, {"title", scene.scene.title}, {"scene_file", scene.text}});
   std::vector<const WorkerEngine*> engines;
+  engines.reserve(rows.size());
   for (const CanonRow& row : rows) {
     engines.push_back(row.engine);
     Json answers = Json::array();

@@ -56,6 +56,7 @@ std::vector<Check> checks_named(const std::vector<std::string>& names) {
   if (names.empty()) return checks();
   std::vector<Check> list;
   std::vector<std::string> there;
+  there.reserve(checks().size());
   for (const Check& check : checks()) {
     there.emplace_back(check.name);
     if (std::find(names.begin(), names.end(), check.name) != names.end()) list.push_back(check);

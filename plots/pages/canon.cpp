@@ -91,6 +91,7 @@ std::vector<std::string> answer_of(const Json& canon) {
 
 std::string content(const Json& canon) {
   std::vector<std::string> columns{"engine, set"};
+  columns.reserve(1 + canon.at("scenes").size());
   for (const Json& scene : canon.at("scenes")) columns.push_back(scene.at("name"));
   return filled_in(canon_html,
                    {{"title", escaped(canon.at("title").get<std::string>())},

@@ -98,9 +98,8 @@ Adapter mistaken(const Engine& engine, const Mistake& mistake) {
   Adapter adapter = adapter_of(engine, engine.tuned_parameters());
   adapter.run = [&](Setup setup, Parameters parameters) {
     mistake.question(setup);
-    for (auto& [name, value] : parameters) {
-      if (const auto wrong = mistake.settings.find(name); wrong != mistake.settings.end())
-        value = wrong->second;
+    for (const auto& [name, value] : mistake.settings) {
+      if (parameters.count(name) != 0) parameters[name] = value;
     }
     Trajectory trajectory = run(engine, setup, parameters, true);
     mistake.answer(trajectory);
