@@ -47,7 +47,8 @@ TEST(MannWhitney, ChanceIsThatOfCountingAllWaysToShareTheValues) {
     auto& from = trial % 2 == 0 ? few : many;  // with ties and without
     std::vector<double> first(5), second(6);
     for (double& value : first) value = from(random);
-    for (double& value : second) value = from(random) + trial / 10;
+    const int apart = trial / 10;
+    for (double& value : second) value = from(random) + apart;
     const MannWhitney test = mann_whitney(first, second);
     EXPECT_NEAR(test.p_value, p_value_by_counting(first, second), 1e-12);
     EXPECT_NEAR(test.superiority, share_won(first, second), 1e-12);
