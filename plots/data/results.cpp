@@ -76,6 +76,7 @@ void read_description(const Json& json, Comparison& comparison) {
                                  number_of(scene.value("predictable_time", Json())),
                                  stack_of(scene),
                                  scene.value("gravity", 0.0),
+                                 scene.value("duration", std::nan("")),
                                  scene.value("chatter_speed", 0.0),
                                  {},
                                  scene.value("results", all_results),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -49,6 +50,7 @@ struct ComparedScene {
   double predictable_time = 0;               ///< until when histories can be compared, s; NaN: not known
   std::vector<StackBlock> stack = {};        ///< bottom to top; empty where the results do not say
   double gravity = 0;                        ///< m/s²
+  double duration = std::nan("");            ///< s; NaN where the results do not say
   double chatter_speed = 0;                  ///< relative speed under which impacts are not compared, rad/s
   std::filesystem::path ground_motion = {};  ///< its file, empty where nothing moves it
   std::vector<std::string> results = {};     ///< what was computed, by the suite's names

@@ -13,6 +13,7 @@
 #include "plots/pages/answer.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
+#include "plots/pages/remarks.hpp"
 #include "plots/pages/runs_table.hpp"
 #include "plots/pages/summary.hpp"
 #include "plots/pages/template.hpp"
@@ -121,7 +122,11 @@ std::string further_figures(const fs::path& results, const Comparison& compariso
   for (const ComparedScene& scene : comparison.scenes)
     for (const FigureKind& kind : figure_kinds())
       if (has_figure(scene, kind)) known.insert(figure_stem("", scene.name, kind.name).filename());
-  return figures_in(results / "figures", known);
+  return figures_in(
+      results / "figures", known,
+      {{"solvers",
+        "A row a solver and set, those first that answer for all scenes; a small cross a scene, a large "
+        "mark the median of all. Rows whose scenes lie among each other are not told apart."}});
 }
 
 std::string content(const fs::path& results, const Comparison& comparison) {
@@ -135,6 +140,7 @@ std::string content(const fs::path& results, const Comparison& comparison) {
                                  {"statements", statements_section(comparison)},
                                  {"table", runs_table(comparison)},
                                  {"contacts", contact_section(comparison)},
+                                 {"remarks", remarks_section(comparison)},
                                  {"scenes", scenes},
                                  {"parameters", run_details(comparison)},
                                  {"files", file_links(results)},

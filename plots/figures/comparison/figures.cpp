@@ -4,6 +4,7 @@
 
 #include "plots/figures/comparison/drawings.hpp"
 #include "plots/figures/contact/slip.hpp"
+#include "plots/figures/solvers/scores.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -159,6 +160,7 @@ void draw_figures(const std::filesystem::path& results) {
     for (std::size_t i = 0; i < draws.size(); ++i)
       if (const FigureKind& kind = figure_kinds()[i]; has_figure(scene, kind))
         draw(draws[i](comparison, scene), figure_stem(results, scene.name, kind.name));
+  draw_solver_scores(comparison, results);
 }
 
 }  // namespace rockstack::plots

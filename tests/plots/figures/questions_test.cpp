@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 
+#include "plots/data/scores.hpp"
 #include "plots/figures/comparison/figures.hpp"
 
 namespace rockstack::plots {
@@ -61,6 +62,15 @@ TEST(Questions, EachFigureOfAComparisonHasTheOneOfItsCaption) {
     const auto row = table.find(kind.name);
     ASSERT_NE(row, table.end()) << kind.name;
     EXPECT_EQ(row->second, kind.explanation.substr(0, kind.explanation.find('?') + 1)) << kind.name;
+  }
+}
+
+TEST(Questions, EachOfAllSolversIsTheOneOfItsFigure) {
+  const auto table = questions();
+  for (const SolverQuestion& question : solver_questions()) {
+    const auto row = table.find("solvers." + question.name);
+    ASSERT_NE(row, table.end()) << question.name;
+    EXPECT_EQ(row->second, question.question);
   }
 }
 

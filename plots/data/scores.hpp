@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plots/data/results.hpp"
+
+namespace rockstack::plots {
+
+/// What every solver of a comparison is asked, scene by scene; the less the better.
+struct SolverQuestion {
+  std::string name;      ///< of its figure, behind "solvers."
+  std::string question;  ///< "Which is …?"
+  std::string axis;      ///< what is shown, with its unit
+  /// The answer of a run at the common step; NaN where it has none.
+  double (*value)(const Comparison& comparison, const Run& run);
+};
+
+const std::vector<SolverQuestion>& solver_questions();
+
+/// One solver with its settings: its answer to one question in each scene.
+struct Score {
+  std::vector<Run> runs;       ///< one a scene, those with an answer
+  std::vector<double> values;  ///< of these runs
+  double median = 0;
+
+  /// The run with the largest answer. Precondition: there is one.
+  const Run& worst() const;
+};
+
+/// The scores of all solvers, those with answers in most scenes first, then by rising median.
+std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& question);
+
+/// The run of the same scene, solver and set that has the largest step.
+const Run& coarsest_of(const Comparison& comparison, const Run& run);
+
+/// The step that most runs were made at that have an exact motion beside them, the smallest of those, s; NaN
+/// where there are none.
+double common_step(const Comparison& comparison);
+
+/// Whether several solvers stand beside each other in several scenes, so that scores say something.
+bool has_scores(const Comparison& comparison);
+
+}  // namespace rockstack::plots

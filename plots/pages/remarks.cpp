@@ -1,0 +1,251 @@
+#include "plots/pages/remarks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "plots/data/scores.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/pages/html.hpp"
+#include "plots/pages/sentences.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// Energy gained, as a share of weight times height, that is worth a word: beyond rounding of 32 bits.
+constexpr double told_gain = 1e-4;
+/// How many times worse than another a number is that is worth a word: draws alone differ by as much.
+constexpr double told_ratio = 2;
+
+const ComparedScene& scene_of(const Comparison& comparison, const Run& run) {
+  return *std::find_if(comparison.scenes.begin(), comparison.scenes.end(),
+                       [&](const ComparedScene& scene) { return scene.name == run.scene; });
+}
+
+/// The scene of a run again, with its solver in both sets, at these steps.
+std::string command(const Comparison& comparison, const Run& run, const std::vector<double>& steps) {
+  std::vector<std::string> words;
+  words.reserve(steps.size());
+  for (const double dt : steps) words.push_back(fmt::format("{}", dt));
+  const double duration = scene_of(comparison, run).duration;
+  return fmt::format("rockstack compare {} --engine {} --dt {}{} --out DIR", run.scene, solver_name(run),
+                     fmt::join(words, ","),
+                     std::isnan(duration) ? "" : fmt::format(" --set duration={}", duration));
+}
+
+/// All steps of a run's series, the largest first.
+std::vector<double> steps_of(const Comparison& comparison, const Run& run) {
+  std::set<double> steps;
+  for (const Run& other : comparison.runs)
+    if (other.scene == run.scene && solver_name(other) == solver_name(run) && !std::isnan(other.dt))
+      steps.insert(other.dt);
+  return {steps.rbegin(), steps.rend()};
+}
+
+/// The scores of one question, those of tuned sets where a solver has one.
+class Ranking {
+ public:
+  Ranking(const Comparison& comparison, const std::string& name)
+      : question_(*std::find_if(solver_questions().begin(), solver_questions().end(),
+                                [&](const SolverQuestion& one) { return one.name == name; })),
+        all_(scores(comparison, question_)) {
+    std::map<std::string, bool> tuned;
+    for (const Score& score : all_)
+      tuned[solver_name(score.runs.front())] |= score.runs.front().settings == "tuned";
+    for (const Score& score : all_)
+      if (const Run& run = score.runs.front(); run.settings == "tuned" || !tuned[solver_name(run)])
+        best_.push_back(&score);
+  }
+
+  const std::vector<const Score*>& best() const { return best_; }
+
+  const Score* of(const std::string& solver) const {
+    const auto found = std::find_if(best_.begin(), best_.end(), [&](const Score* score) {
+      return solver_name(score->runs.front()) == solver;
+    });
+    return found == best_.end() ? nullptr : *found;
+  }
+
+  const Score* with_defaults(const std::string& solver) const {
+    const auto found = std::find_if(all_.begin(), all_.end(), [&](const Score& score) {
+      const Run& run = score.runs.front();
+      return solver_name(run) == solver && run.settings == "default";
+    });
+    return found == all_.end() ? nullptr : &*found;
+  }
+
+  /// Counted from one. Precondition: of(solver).
+  std::size_t rank(const std::string& solver) const {
+    return static_cast<std::size_t>(std::find(best_.begin(), best_.end(), of(solver)) - best_.begin()) + 1;
+  }
+
+ private:
+  const SolverQuestion& question_;
+  std::vector<Score> all_;
+  std::vector<const Score*> best_;
+};
+
+/// Parameters that differ between two runs: "erp 0.2 → 0.01".
+std::vector<std::string> changed_parameters(const Run& from, const Run& to) {
+  constexpr std::string_view prefix = "parameters.";
+  std::map<std::string, std::string> before;
+  for (const auto& [name, text] : read_summary(from)) before[name] = text;
+  std::vector<std::string> words;
+  for (const auto& [name, text] : read_summary(to))
+    if (name.starts_with(prefix) && before[name] != text)
+      words.push_back(fmt::format("{} {} → {}", name.substr(prefix.size()), before[name], text));
+  return words;
+}
+
+class Writer {
+ public:
+  explicit Writer(const Comparison& comparison)
+      : comparison_(comparison),
+        accuracy_(comparison, "accuracy"),
+        convergence_(comparison, "convergence"),
+        energy_(comparison, "energy"),
+        overlap_(comparison, "overlap"),
+        cost_(comparison, "cost") {}
+
+  std::vector<SolverRemarks> all() const {
+    std::vector<SolverRemarks> list;
+    list.reserve(accuracy_.best().size());
+    for (const Score* score : accuracy_.best()) {
+      const std::string solver = solver_name(score->runs.front());
+      list.push_back({solver, {}});
+      for (const auto part :
+           {&Writer::add_accuracy, &Writer::add_sets, &Writer::add_convergence, &Writer::add_energy,
+            &Writer::add_overlap, &Writer::add_cost, &Writer::add_failures})
+        (this->*part)(solver, list.back().list);
+    }
+    return list;
+  }
+
+ private:
+  std::string again(const Run& run) const { return command(comparison_, run, {run.dt}); }
+
+  void add_accuracy(const std::string& solver, std::vector<Remark>& list) const {
+    const Score& score = *accuracy_.of(solver);
+    const Run& worst = score.worst();
+    list.push_back(
+        {fmt::format(
+             "Rank {} of {}: with its {} set, at a step of {}, it is off by {:.2g} rad RMS in the median of "
+             "{} scenes, most in {} ({:.2g} rad).",
+             accuracy_.rank(solver), accuracy_.best().size(), worst.settings, duration_text(worst.dt),
+             score.median, score.runs.size(), worst.scene, worst.rms_angle_difference),
+         again(worst)});
+  }
+
+  void add_sets(const std::string& solver, std::vector<Remark>& list) const {
+    const Score& tuned = *accuracy_.of(solver);
+    const Score* defaults = accuracy_.with_defaults(solver);
+    if (defaults == nullptr || defaults->median < told_ratio * tuned.median) return;
+    const std::vector<std::string> changes = changed_parameters(defaults->runs.front(), tuned.runs.front());
+    list.push_back(
+        {fmt::format("Its defaults are off by {:.2g} rad, {:.1f} times as far. The tuned set differs by: {}.",
+                     defaults->median, defaults->median / tuned.median,
+                     changes.empty() ? "nothing that is told" : joined(changes)),
+         again(defaults->worst())});
+  }
+
+  void add_convergence(const std::string& solver, std::vector<Remark>& list) const {
+    for (const Run& run : accuracy_.of(solver)->runs) {
+      const Fit* const fit = fit_of(comparison_, {run}, "rms_angle_difference");
+      if (fit != nullptr && fit->holds && fit->model_error_low > 0)
+        list.push_back(
+            {fmt::format("In {} an error of {:.2g} rad [{:.2g}, {:.2g}] is left however small the step: what "
+                         "contacts do there is another law, or a parameter that no step changes.",
+                         run.scene, fit->model_error, fit->model_error_low, fit->model_error_high),
+             command(comparison_, run, steps_of(comparison_, run))});
+    }
+    const Score* score = convergence_.of(solver);
+    if (score == nullptr) return;
+    const Run& worst = score->worst();
+    const double from = coarsest_of(comparison_, worst).dt;
+    list.push_back(
+        {fmt::format("From a step of {} to {} its error falls to {:.2g} of what it was, in the median of {} "
+                     "scenes; order one would leave {:.2g}.",
+                     duration_text(from), duration_text(worst.dt), score->median, score->runs.size(),
+                     worst.dt / from),
+         command(comparison_, worst, steps_of(comparison_, worst))});
+  }
+
+  void add_energy(const std::string& solver, std::vector<Remark>& list) const {
+    const Score* score = energy_.of(solver);
+    if (score == nullptr) return;
+    const double most = *std::max_element(score->values.begin(), score->values.end());
+    if (most < told_gain) return;
+    list.push_back({fmt::format("In {} its contacts make energy: {:.2g} of the stack's weight times height.",
+                                score->worst().scene, most),
+                    again(score->worst())});
+  }
+
+  void add_overlap(const std::string& solver, std::vector<Remark>& list) const {
+    const Score* score = overlap_.of(solver);
+    if (score == nullptr) return;
+    list.push_back(
+        {fmt::format("Blocks sink into each other by up to {:.2g} m ({}).",
+                     *std::max_element(score->values.begin(), score->values.end()), score->worst().scene),
+         again(score->worst())});
+  }
+
+  void add_cost(const std::string& solver, std::vector<Remark>& list) const {
+    const Score* score = cost_.of(solver);
+    if (score == nullptr) return;
+    const double quickest = cost_.best().front()->median;
+    list.push_back({score->median < told_ratio * quickest
+                        ? fmt::format("A step takes {}, among the quickest.", rounded_duration(score->median))
+                        : fmt::format("A step takes {}, {:.2g} times as long as the quickest solver's.",
+                                      rounded_duration(score->median), score->median / quickest),
+                    again(score->worst())});
+  }
+
+  void add_failures(const std::string& solver, std::vector<Remark>& list) const {
+    std::size_t runs = 0, failed = 0;
+    const Run* last = nullptr;
+    for (const Run& run : comparison_.runs) {
+      if (run.exact() || solver_name(run) != solver) continue;
+      ++runs;
+      if (run.done()) continue;
+      ++failed;
+      last = &run;
+    }
+    if (last != nullptr)
+      list.push_back({fmt::format("{} of {} failed, at last {}: {}.", failed, counted(runs, "run"),
+                                  last->scene, last->reason.empty() ? last->status : last->reason),
+                      again(*last)});
+  }
+
+  const Comparison& comparison_;
+  Ranking accuracy_, convergence_, energy_, overlap_, cost_;
+};
+
+}  // namespace
+
+std::vector<SolverRemarks> remarks(const Comparison& comparison) {
+  return has_scores(comparison) ? Writer(comparison).all() : std::vector<SolverRemarks>{};
+}
+
+std::string remarks_section(const Comparison& comparison) {
+  const std::vector<SolverRemarks> list = remarks(comparison);
+  if (list.empty()) return "";
+  std::string text = element("h2", "What each solver's author can act on") +
+                     element("p",
+                             "Medians over scenes; the figures above have the scenes. Ranks of medians "
+                             "that are closer than the scenes are to each other are not told apart.",
+                             " class=\"hint\"") +
+                     "\n";
+  for (const SolverRemarks& solver : list) {
+    std::string items;
+    for (const Remark& one : solver.list)
+      items += element("li", escaped(one.sentence) + " " + element("code", escaped(one.command))) + "\n";
+    text += element("h3", escaped(solver.solver)) + element("ul", items) + "\n";
+  }
+  return element("section", "\n" + text, " id=\"solvers\"") + "\n";
+}
+
+}  // namespace rockstack::plots
