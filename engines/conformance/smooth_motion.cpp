@@ -24,8 +24,12 @@ Judgement free_fall_is_the_schemes(const Adapter& adapter) {
     apart = std::max({apart, std::abs(body.y - (1 + dt * dt * n * (n + 2 * lead))),
                       std::abs(body.velocity_y - 2 * n * dt), std::abs(body.x)});
   }
-  // Each step rounds gravity, velocity and place, which stay below 10, once or twice.
-  return {apart, 30 * steps * rounding(adapter), "largest deviation of place (m) or velocity (m/s)"};
+  // Each step rounds gravity, velocity and place, which stay below 10, once or twice. What chooses steps by
+  // an accuracy errs where it starts, at its lowest order; from then on a parabola has no error.
+  const auto accuracy = adapter.parameters.find("accuracy");
+  const double chosen = accuracy != adapter.parameters.end() ? accuracy->second : 0;
+  return {apart, std::max(30 * steps * rounding(adapter), chosen),
+          "largest deviation of place (m) or velocity (m/s)"};
 }
 
 /// With both bottom corners of one side on the ground, the velocity after one step is that under gravity

@@ -68,6 +68,11 @@ constexpr std::array known{
 #else
     Known{"siconos", false},
 #endif
+#ifdef ROCKSTACK_WITH_SIMBODY
+    Known{"simbody", true},
+#else
+    Known{"simbody", false},
+#endif
 };
 
 constexpr const char* prefix = "rockstack-";

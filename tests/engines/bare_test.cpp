@@ -71,6 +71,8 @@ struct Case {
 std::vector<Parameters> more_settings(const WorkerEngine& engine) {
   if (engine.name() == "dart") return {{{"ErrorReductionParameter", 0.2}, {"MaxErrorReductionVelocity", 1}}};
   if (engine.name() == "siconos") return {{{"theta", 1}}, {{"gamma", 0}}};
+  if (engine.name() == "simbody")
+    return {{{"integrator", 1}, {"transition_velocity", 0.1}, {"stiffness", 1e5}, {"dissipation", 1}}};
   if (engine.name() == "ode")
     return {{{"contactStiffness", 1e8}, {"contactDamping", 1e5}}, {{"slip1", 1e-6}}};
   if (engine.name() == "mujoco") {

@@ -24,6 +24,9 @@
 #ifdef ROCKSTACK_WITH_SICONOS
 #include "engines/siconos/siconos.hpp"
 #endif
+#ifdef ROCKSTACK_WITH_SIMBODY
+#include "engines/simbody/simbody.hpp"
+#endif
 
 namespace rockstack {
 namespace {
@@ -50,6 +53,9 @@ std::vector<std::unique_ptr<Engine>> make_engines() {
 #endif
 #ifdef ROCKSTACK_WITH_SICONOS
   for (auto& engine : make_siconos()) list.push_back(std::move(engine));
+#endif
+#ifdef ROCKSTACK_WITH_SIMBODY
+  for (auto& engine : make_simbody()) list.push_back(std::move(engine));
 #endif
   return list;
 }

@@ -30,7 +30,7 @@ TEST(Registry, EveryEngineIsThereOrNamedAsLeftOut) {
   for (const std::string& name : engines_left_out()) names.insert(name);
   for (const WorkerEngine& engine : engines()) names.insert(engine.name());
   EXPECT_EQ(names, (std::set<std::string>{"box2d", "bullet", "bullet-single", "chipmunk", "dart", "mujoco",
-                                          "ode", "siconos"}));
+                                          "ode", "siconos", "simbody"}));
 }
 
 TEST(Registry, EngineIsFoundByNameAndBySolver) {
