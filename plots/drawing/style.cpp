@@ -24,7 +24,7 @@ constexpr int plus = 1, cross = 2, star = 3, square = 4, circle = 6, triangle = 
 // Colours that keep apart under any form of colour blindness, after Okabe & Ito (2008) and Tol (2021), each
 // with a contrast of 4.5 on white at least. A solver in single precision has the colour of its double twin
 // and another mark. Gaps are wide because the line's round ends reach into them.
-constexpr std::array<NamedStyle, 20> named{{
+constexpr std::array<NamedStyle, 27> named{{
     {"exact", "#000000", circle, "solid"},
     {"linear:taylor", "#AA4499", diamond, "(12,9)"},
     {"nonlinear:taylor", "#AA4499", triangle, "(12,9)"},
@@ -45,6 +45,13 @@ constexpr std::array<NamedStyle, 20> named{{
     {"ode:quickstep", "#806600", pentagon, "(12,9)"},
     {"box2d:sequential-impulse", "#8C2D04", square, "(8,7,1,7)"},
     {"chipmunk:sequential-impulse", "#00695C", circle, "(12,8,1,8)"},
+    {"dart:dantzig", "#6A1B9A", triangle, "solid"},
+    {"dart:pgs", "#6A1B9A", diamond, "(5,8)"},
+    {"mujoco:newton", "#B00020", circle, "solid"},
+    {"mujoco:cg", "#B00020", square, "(12,9)"},
+    {"mujoco:pgs", "#B00020", triangle_down, "(5,8)"},
+    {"siconos:nsgs", "#4B5320", diamond, "(8,7,1,7)"},
+    {"simbody:compliant", "#00566B", pentagon, "(12,8,1,8)"},
 }};
 
 constexpr std::array<std::string_view, 9> tints{"#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0",

@@ -137,9 +137,11 @@ TEST_P(ColumnsInEngine, EightShakenDrumsAreNearerToLawConsistent) {
   EXPECT_LT(consistent, apart(*GetParam(), scene, 1e-3));
 }
 
+/// But Simbody: it follows each contact's motion, and takes more than a minute for a second of eight drums.
 std::vector<const WorkerEngine*> first_solvers() {
   std::vector<const WorkerEngine*> list;
   for (const WorkerEngine& engine : engines()) {
+    if (engine.name() == "simbody") continue;
     if (list.empty() || list.back()->name() != engine.name()) list.push_back(&engine);
   }
   return list;

@@ -18,9 +18,14 @@ plots::Run run_of(const std::string& engine, const std::string& solver, const st
 }
 
 std::vector<plots::Run> shipped_solvers(const std::string& settings) {
-  std::vector<plots::Run> runs{run_of("ode", "step", settings), run_of("ode", "quickstep", settings),
+  std::vector<plots::Run> runs{run_of("ode", "step", settings),
+                               run_of("ode", "quickstep", settings),
                                run_of("box2d", "sequential-impulse", settings),
-                               run_of("chipmunk", "sequential-impulse", settings)};
+                               run_of("chipmunk", "sequential-impulse", settings),
+                               run_of("siconos", "nsgs", settings),
+                               run_of("simbody", "compliant", settings)};
+  for (const char* solver : {"dantzig", "pgs"}) runs.push_back(run_of("dart", solver, settings));
+  for (const char* solver : {"newton", "cg", "pgs"}) runs.push_back(run_of("mujoco", solver, settings));
   for (const char* engine : {"bullet", "bullet-single"})
     for (const char* solver : {"sequential-impulse", "nncg", "mlcp-dantzig", "mlcp-lemke", "mlcp-pgs"})
       runs.push_back(run_of(engine, solver, settings));
