@@ -6,9 +6,9 @@
 // has four: the upper block's corners over the face below, and the lower block's corners under the face
 // above. A corner that is beyond the face touches nothing. Gaps and their Jacobians are exact. The scheme is
 // Moreau and Jean's: TimeStepping, MoreauJeanOSI, and FrictionContact in two dimensions. A step asks for
-// velocities at its end; an overlap stays, half of what the fastest corner moves in a step at most. Forces
-// and masses are constant, so that the library's Newton loop ends after one turn: Jacobians are those of the
-// step's start.
+// velocities at its end; an overlap stays, with gamma = 1/2 what a landing corner moves in a step at most.
+// Forces and masses are constant, so that the library's Newton loop ends after one turn: Jacobians are those
+// of the step's start.
 //
 // The same in both sets, as the question asks for it: no bounce (en). theta = 1/2 is the library's value, by
 // which free flight is exact; 1 is the implicit Euler method. gamma and constraintActivationThreshold choose
