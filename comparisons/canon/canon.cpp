@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <future>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "analytic/solve.hpp"
 #include "comparisons/metrics/difference.hpp"
 #include "comparisons/results/csv_writer.hpp"
 #include "comparisons/results/environment.hpp"
+#include "comparisons/runs/executor.hpp"
 
 namespace rockstack {
 namespace {
@@ -45,17 +49,19 @@ Deviation answer_once(const Suite& suite, const NamedScene& scene, const EngineS
   return deviation_in_steps(drawn, solve(drawn, {.sample_times = engine.times}), engine, step);
 }
 
-/// That of the middle draw; draws run side by side. @throws whatever kept the engine from answering.
+/// That of the middle draw; draws use all cores. @throws whatever kept the engine from answering.
 Deviation median_answer(const Suite& suite, const NamedScene& scene, const EngineSeries& series, double dt) {
-  std::vector<std::future<Deviation>> draws;
-  draws.reserve(static_cast<std::size_t>(suite.draws.runs));
-  for (int draw = 0; draw < suite.draws.runs; ++draw)
-    draws.push_back(
-        std::async(std::launch::async, [&, draw] { return answer_once(suite, scene, series, dt, draw); }));
-  for (const auto& draw : draws) draw.wait();
-  std::vector<Deviation> list;
-  list.reserve(draws.size());
-  for (auto& draw : draws) list.push_back(draw.get());
+  std::vector<Deviation> list(static_cast<std::size_t>(suite.draws.runs));
+  std::vector<std::size_t> draws(list.size());
+  std::iota(draws.begin(), draws.end(), 0);
+  const auto compute = [&](std::size_t draw) {
+    list[draw] = answer_once(suite, scene, series, dt, static_cast<int>(draw));
+    return std::string();
+  };
+  const auto nothing = [](std::size_t /*draw*/, const std::string& /*text*/) {};
+  make_threads(std::max(1U, std::thread::hardware_concurrency()))->run(draws, {compute, nothing, [] {
+                                                                                 return false;
+                                                                               }});
   std::sort(list.begin(), list.end(),
             [](const Deviation& one, const Deviation& other) { return one.steps < other.steps; });
   return list[(list.size() - 1) / 2];
