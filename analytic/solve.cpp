@@ -42,18 +42,24 @@ History solve_in_double(const Scene& scene, const SolveOptions& options) {
   }
 }
 
+template <class Real>
+History contacts_in(const Scene& scene, const ContactOptions& options) {
+  try {
+    return to_double(history_of(scene, solve_contacts<Real>(scene, options)));
+  } catch (const BasicUnfinishedContacts<Real>& unfinished) {
+    throw Unfinished(unfinished.what(), to_double(history_of(scene, unfinished.history)));
+  }
+}
+
 History solve_with_contacts(const Scene& scene, const SolveOptions& options) {
   validate(options);
   if (options.integrator != Integrator::taylor)
     throw std::invalid_argument("integrator = rk4: must be taylor under law unilateral");
-  try {
-    return history_of(scene, solve_unilateral(scene, {.sample_times = options.sample_times,
-                                                      .resolution = options.resolution,
-                                                      .validity = options.validity,
-                                                      .peaks = options.peaks}));
-  } catch (const UnfinishedContacts& unfinished) {
-    throw Unfinished(unfinished.what(), history_of(scene, unfinished.history));
-  }
+  const ContactOptions asked{.sample_times = options.sample_times,
+                             .resolution = options.resolution,
+                             .validity = options.validity,
+                             .peaks = options.peaks};
+  return double_does(scene) ? contacts_in<double>(scene, asked) : contacts_in<long double>(scene, asked);
 }
 
 }  // namespace

@@ -95,7 +95,8 @@ class ContactSolver {
     place(stack_.blocks, state_.joints, state_.bodies);
     const Joints<Real> before = state_.joints;
     longest_ = unit_time_ / 8;
-    decide(follow_without_solution(before), state_.bodies, 0);
+    const Joints<Real> following = follow_without_solution(before);
+    decide(following, state_.bodies, 0);
   }
 
   void next_piece() {

@@ -4,19 +4,38 @@
 #include <utility>
 
 #include "analytic/unilateral/contact_solver.hpp"
+#include "analytic/unilateral/contacts_in_double.hpp"
 
 namespace rockstack {
 
-ContactHistory solve_unilateral(const Scene& scene, const ContactOptions& options) {
+template <class Real>
+BasicContactHistory<Real> solve_contacts(const Scene& scene, const ContactOptions& options) {
   validate(scene);
   if (!(options.resolution >= 0)) throw std::invalid_argument("resolution: must be ≥ 0");
-  ContactSolver<double> solver(scene, options);
+  ContactSolver<Real> solver(scene, options);
   try {
     solver.run();
   } catch (const std::runtime_error& failure) {
-    throw UnfinishedContacts(failure.what(), std::move(solver).history());
+    throw BasicUnfinishedContacts<Real>(failure.what(), std::move(solver).history());
   }
   return std::move(solver).history();
+}
+
+template BasicContactHistory<double> solve_contacts(const Scene&, const ContactOptions&);
+template BasicContactHistory<long double> solve_contacts(const Scene&, const ContactOptions&);
+
+bool double_does(const Scene& scene) {
+  validate(scene);
+  return keeps_digits(FrictionStack(scene.blocks, friction_of(scene)), 10);
+}
+
+ContactHistory solve_unilateral(const Scene& scene, const ContactOptions& options) {
+  if (double_does(scene)) return solve_contacts<double>(scene, options);
+  try {
+    return in_double(solve_contacts<long double>(scene, options));
+  } catch (const BasicUnfinishedContacts<long double>& unfinished) {
+    throw UnfinishedContacts(unfinished.what(), in_double(unfinished.history));
+  }
 }
 
 }  // namespace rockstack

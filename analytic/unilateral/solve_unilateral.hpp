@@ -10,19 +10,30 @@
 namespace rockstack {
 
 /// A motion that could not be followed to its end: why, and what is known of it.
-class UnfinishedContacts : public std::runtime_error {
+template <class Real>
+class BasicUnfinishedContacts : public std::runtime_error {
  public:
-  UnfinishedContacts(const std::string& reason, ContactHistory known)
+  BasicUnfinishedContacts(const std::string& reason, BasicContactHistory<Real> known)
       : std::runtime_error(reason), history(std::move(known)) {}
-  ContactHistory history;  ///< up to there
+  BasicContactHistory<Real> history;  ///< up to there
 };
 
+using UnfinishedContacts = BasicUnfinishedContacts<double>;
+
 /// The exact motion of rigid blocks that push, rub by Coulomb's law, lift off, fly and land without bounce.
-/// The law and the equations of the scene are not asked for: they are unilateral and nonlinear. Other number
-/// types: ContactSolver<Real> in contact_solver.hpp.
+/// The law and the equations of the scene are not asked for: they are unilateral and nonlinear. In double, or
+/// where that does not do in long double. Other number types: ContactSolver<Real> in contact_solver.hpp.
 /// @throws FieldError for a scene out of range; std::invalid_argument for options out of range;
 /// UnfinishedContacts where events do not come to an end; std::domain_error where masses or sizes are so far
-/// apart that contact forces keep fewer than six digits.
+/// apart that contact forces keep fewer than six digits of long double.
 ContactHistory solve_unilateral(const Scene& scene, const ContactOptions& options = {});
+
+/// Whether contact forces and sizes keep ten digits in double. Where they do not, the energy that events make
+/// is more than a thousand roundings.
+bool double_does(const Scene& scene);
+
+/// The motion in one number type, double or long double. @throws as solve_unilateral(), for that type.
+template <class Real>
+BasicContactHistory<Real> solve_contacts(const Scene& scene, const ContactOptions& options);
 
 }  // namespace rockstack

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "analytic/unilateral/contact/mode_response.hpp"
@@ -24,11 +27,31 @@ Real conditioning(const BasicFrictionStack<Real>& stack) {
   return 1 / (size(scaled) * size(inverse));
 }
 
-/// @throws std::domain_error where masses or sizes are so far apart that contact forces keep fewer than six
-/// digits.
+/// A rounding of places over what it makes of the smallest half-size, in shares of that.
+template <class Real>
+Real fineness(const BasicFrictionStack<Real>& stack) {
+  Real height = 0;
+  Real smallest = std::numeric_limits<Real>::infinity();
+  for (const Block& block : stack.blocks) {
+    height += 2 * block.half_height;
+    smallest = std::min<Real>(smallest, std::min(block.half_width, block.half_height));
+  }
+  return smallest / height;
+}
+
+/// Whether contact forces and sizes keep so many digits of a number type.
+template <class Real>
+bool keeps_digits(const BasicFrictionStack<Real>& stack, int digits) {
+  using std::pow;
+  return std::min(conditioning(stack), fineness(stack)) >=
+         pow(Real(10), digits) * std::numeric_limits<Real>::epsilon();
+}
+
+/// @throws std::domain_error where masses or sizes are so far apart that contact forces or sizes keep fewer
+/// than six digits.
 template <class Real>
 void require_digits(const BasicFrictionStack<Real>& stack) {
-  if (!(conditioning(stack) >= 1'000'000 * std::numeric_limits<Real>::epsilon()))
+  if (!keeps_digits(stack, 6))
     throw std::domain_error(
         "block masses or sizes are too far apart: rounding would leave contact forces fewer than six digits");
 }
