@@ -128,6 +128,15 @@ void check_status(const fs::path& folder, const fs::path& stem, double time_limi
                                          status.substr(0, status.find('\n')), complaint(folder)));
 }
 
+/// Words in the unseen colour have no fill: gnuplot's SVG knows no transparent ones.
+std::string without_unseen(std::string svg) {
+  const std::string filled = R"*(fill="rgb(1,2,3)")*";
+  const std::string empty = R"(fill="none")";
+  for (std::size_t at = svg.find(filled); at != std::string::npos; at = svg.find(filled, at + empty.size()))
+    svg.replace(at, filled.size(), empty);
+  return svg;
+}
+
 void check(const fs::path& folder, const fs::path& stem, double time_limit) {
   check_status(folder, stem, time_limit);
   const bool whole = contents(folder / "picture.png").find("IEND") != std::string::npos &&
@@ -164,8 +173,9 @@ void draw(const Drawing& drawing, const std::filesystem::path& stem) {
   }
   check(scratch.folder, stem, drawing.time_limit);
   fs::create_directories(stem.parent_path());
-  for (const std::string format : {".png", ".svg", ".pdf"})
+  for (const std::string format : {".png", ".pdf"})
     write_file(fs::path(stem).concat(format), contents(scratch.folder / ("picture" + format)));
+  write_file(fs::path(stem).concat(".svg"), without_unseen(contents(scratch.folder / "picture.svg")));
 }
 
 }  // namespace rockstack::plots

@@ -16,6 +16,9 @@ struct Drawing {
   double time_limit = 300;  ///< of gnuplot, s
 };
 
+/// The colour of words that take their room and are not to be seen.
+inline constexpr auto unseen = "#FF010203";
+
 /// Draws `stem`.png, `stem`.svg and `stem`.pdf; all appear whole or none. Waits for gnuplot to finish.
 /// @throws std::runtime_error with gnuplot's own words where it fails, and where it is not installed or
 /// hangs.

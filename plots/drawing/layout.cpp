@@ -32,7 +32,9 @@ constexpr auto fresh_panel =
     "set ytics autofreq font '' textcolor rgb '#000000'\n";
 
 /// Numbers that are not to be seen, while their grid is.
-constexpr auto unseen_numbers = "set ytics textcolor rgb '#FF000000'\nunset ylabel\n";
+std::string without_vertical_labels() {
+  return fmt::format("set ytics textcolor rgb '{}'\nunset ylabel\n", unseen);
+}
 
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;
@@ -70,12 +72,15 @@ int words_size(const std::string& words, std::size_t usual, std::size_t fitting)
   return static_cast<int>(usual * fitting / std::max(words.size(), fitting));
 }
 
+/// Letters of the usual size that a line under the title has room for, capitals among them.
+constexpr std::size_t readable = 105;
+
 /// One line under the title, its middle at `height`, a share of the figure's from below; nothing without
 /// words.
 std::string question_line(const std::string& words, double height) {
   if (words.empty()) return "";
   return fmt::format("set label {} noenhanced at screen 0.5, screen {} center font ',{}' tc rgb '#404040'\n",
-                     in_quotes(words), plain(height), words_size(words, 14, 118));
+                     in_quotes(words), plain(height), words_size(words, 14, readable));
 }
 
 /// Where words may be broken next: behind a comma, or before a further parameter, "…+name=value".
@@ -90,7 +95,6 @@ std::size_t next_break(const std::string& words, std::size_t from) {
 
 /// What follows the question mark, in one line, or in two where the letters of one would be too small.
 std::vector<std::string> answer_lines(const std::string& question) {
-  constexpr std::size_t readable = 140;
   const std::size_t mark = question.find("? ");
   if (mark == std::string::npos) return {};
   const std::string answer = question.substr(mark + 2);
@@ -222,7 +226,7 @@ Drawing Sheet::finish() const {
 }
 
 std::string without_horizontal_labels() {
-  return "set xtics textcolor rgb '#FF000000'\nunset xlabel\n";
+  return fmt::format("set xtics textcolor rgb '{}'\nunset xlabel\n", unseen);
 }
 
 Drawing empty_sheet(const std::string& title, const std::string& text) {
@@ -252,7 +256,8 @@ void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std:
       std::string words = settings + words_above(series[i]);
       words += i + columns < series.size() ? without_horizontal_labels()
                                            : fmt::format("set xlabel {}\n", in_quotes(across));
-      words += i == from ? fmt::format("set ylabel {} offset 0.5\n", in_quotes(up)) : unseen_numbers;
+      words +=
+          i == from ? fmt::format("set ylabel {} offset 0.5\n", in_quotes(up)) : without_vertical_labels();
       cells.push_back({words, plots});
     }
     sheet.row(multiple_height, from == 0 ? before : gap + further_lines, cells, columns, left);

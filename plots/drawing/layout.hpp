@@ -23,7 +23,7 @@ std::string data_block(const std::string& name, const Curve& curve);
 using Legend = std::vector<std::pair<std::string, std::string>>;
 
 /// Where panels begin and end, shares of the figure's width, unless a row or second axes say otherwise.
-inline constexpr double left_edge = 0.095, right_edge = 0.975;
+inline constexpr double left_edge = 0.105, right_edge = 0.975;
 
 /// One of the panels that stand side by side; settings and plots as of Sheet::panel().
 struct SidePanel {

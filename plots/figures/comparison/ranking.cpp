@@ -119,30 +119,53 @@ std::vector<std::string> column_plots(Sheet& sheet, const std::vector<RankedSeri
   return plots;
 }
 
+constexpr double letter = 0.0070;  // width of one, a share of the figure's
+constexpr double margin = 0.025;
+constexpr double widest = 0.6;  // that words may take
+
+/// Words in as many lines as they need, each but the first beginning after a comma or at a plus.
+std::vector<std::string> lines_of(const std::string& words) {
+  const auto most = static_cast<std::size_t>((widest - margin) / letter);
+  std::vector<std::string> lines;
+  std::size_t start = 0;
+  while (words.size() - start > most) {
+    std::size_t end = start + most;
+    while (end > start && words[end] != '+' && words[end - 1] != ',') --end;
+    if (end == start) end = start + most;
+    lines.push_back(words.substr(start, end - start));
+    start = end;
+  }
+  lines.push_back(words.substr(start));
+  return lines;
+}
+
 /// How the rows' words stand beside the first column.
 struct RowWords {
-  double left;  ///< where the columns begin, a share of the figure's width
-  int size;     ///< of the letters
+  double left = left_edge;  ///< where the columns begin, a share of the figure's width
+  std::size_t lines = 1;    ///< of the row that has most
 };
 
-/// As wide as the longest words ask for, up to three fifths of the figure; words that need more are set
-/// smaller.
 RowWords row_words(const std::vector<RankedSeries>& rows) {
-  constexpr double letter = 0.0070, margin = 0.025, widest = 0.6;
-  constexpr int usual = 11;
-  std::size_t longest = 0;
-  for (const RankedSeries& row : rows) longest = std::max(longest, row.label.size());
-  const double room = letter * static_cast<double>(longest);
-  return {std::clamp(room + margin, left_edge, widest),
-          static_cast<int>(usual * std::min(1.0, (widest - margin) / room))};
+  RowWords words;
+  for (const RankedSeries& row : rows) {
+    const std::vector<std::string> lines = lines_of(row.label);
+    words.lines = std::max(words.lines, lines.size());
+    for (const std::string& line : lines)
+      words.left = std::max(words.left, letter * static_cast<double>(line.size()) + margin);
+  }
+  return words;
 }
 
 /// The rows' words, which stand beside the first column alone.
-std::string label_tics(const std::vector<RankedSeries>& rows, bool first, int size) {
+std::string label_tics(const std::vector<RankedSeries>& rows, bool first) {
   std::string tics;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    tics += fmt::format("{}{} {}", i > 0 ? ", " : "", in_quotes(first ? rows[i].label : ""), i);
-  return fmt::format("set ytics ({}) noenhanced font ',{}'\n", tics, size);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::string words;
+    for (const std::string& line : lines_of(first ? rows[i].label : ""))
+      words += fmt::format("{}{}", words.empty() ? "" : R"(."\n".)", in_quotes(line));
+    tics += fmt::format("{}{} {}", i > 0 ? ", " : "", words, i);
+  }
+  return fmt::format("set ytics ({}) noenhanced font ',11'\n", tics);
 }
 
 const Run& least_of(const std::vector<RankedSeries>& rows) {
@@ -167,7 +190,8 @@ Drawing ranking(const Comparison& comparison, const ComparedScene& scene) {
   const ErrorExtent extent = extent_of(rows, ranges);
   const std::vector<double> steps = steps_of(rows);
   const RowWords words = row_words(rows);
-  constexpr double row = 26, pixels = 1200;
+  constexpr double pixels = 1200;
+  const double row = 10 + 16 * static_cast<double>(words.lines);
   const double width = (right_edge - words.left) * pixels / static_cast<double>(steps.size());
   std::vector<SidePanel> cells;
   for (std::size_t i = 0; i < steps.size(); ++i)
@@ -176,8 +200,7 @@ Drawing ranking(const Comparison& comparison, const ComparedScene& scene) {
                                  "set xlabel 'step {}'\n",
                                  plain(extent.low), plain(extent.high),
                                  static_cast<double>(rows.size()) - 0.3, duration_text(steps[i])) +
-                         label_tics(rows, i == 0, words.size) +
-                         logarithmic_tics("x", extent.low, extent.high, width),
+                         label_tics(rows, i == 0) + logarithmic_tics("x", extent.low, extent.high, width),
                      column_plots(sheet, rows, steps[i], i, ranges)});
   sheet.row(row * static_cast<double>(rows.size()) + 30, 0, cells, cells.size(), words.left);
   sheet.note("RMS angle differences (rad)", "#000000");

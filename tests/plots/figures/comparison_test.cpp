@@ -128,6 +128,9 @@ TEST(Figures, MoreSeriesThanOnePanelBearsHaveAPanelEach) {
   const std::string svg = testing::bytes_of(figure_stem(folder, "sample", "differences").concat(".svg"));
   for (const testing::SampleEngine& engine : sample.engines)
     EXPECT_NE(svg.find(engine.engine + " " + engine.solver + ", tuned"), std::string::npos);
+  // Numbers that another panel shows are not seen, in SVG as elsewhere.
+  EXPECT_NE(svg.find(R"(fill="none" font-family)"), std::string::npos);
+  EXPECT_EQ(svg.find("rgb(1,2,3)"), std::string::npos);
 }
 
 TEST(Figures, SlidingAndFlightAreDrawnAndTold) {
