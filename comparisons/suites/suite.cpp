@@ -101,15 +101,15 @@ std::vector<const WorkerEngine*> chosen_engines(const std::vector<std::string>& 
   return list;
 }
 
-/// Changes of a scene, and what they add to its name.
+/// Changes of a scene, and what they add to its name and title.
 struct SceneChange {
-  std::string name;
+  std::string name, title;
   std::vector<std::string> overrides;
 };
 
 /// Every combination of the values of `vary`, after the changes that all scenes have.
 std::vector<SceneChange> read_vary(const Node& root, std::vector<std::string> changes) {
-  std::vector<SceneChange> list{{"", std::move(changes)}};
+  std::vector<SceneChange> list{{"", "", std::move(changes)}};
   const Node* table = find(root, "vary");
   if (table == nullptr) return list;
   if (table->kind != Node::Kind::table)
@@ -119,7 +119,9 @@ std::vector<SceneChange> read_vary(const Node& root, std::vector<std::string> ch
     for (const Node& value : entries(child, "an array of numbers")) {
       const std::string text = fmt::format("{}", number(value));
       for (SceneChange change : list) {
-        change.name += "-" + child.name.substr(child.name.rfind('.') + 1) + "-" + text;
+        const std::string key = child.name.substr(child.name.rfind('.') + 1);
+        change.name += fmt::format("-{}-{}", key, text);
+        change.title += fmt::format(", {} {}", key, text);
         change.overrides.push_back(child.name + "=" + text);
         extended.push_back(std::move(change));
       }
@@ -229,6 +231,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
     for (const SceneChange& change : list) {
       suite.scenes.push_back(read_named_scene(scene_file, change.overrides));
       suite.scenes.back().name += change.name;
+      suite.scenes.back().scene.title += change.title;
     }
   }
   if (const Node* node = find(root, "tolerance")) suite.tolerance = number_above_zero(*node);

@@ -105,6 +105,7 @@ TEST(Suites, ScenesVaryInEveryCombination) {
   ASSERT_EQ(scenes.size(), 6U);
   EXPECT_EQ(scenes[0].name, "block-friction-0-gravity-1");
   EXPECT_EQ(scenes[4].name, "block-friction-0.5-gravity-9.81");
+  EXPECT_TRUE(scenes[4].scene.title.ends_with(", friction 0.5, gravity 9.81"));
   EXPECT_EQ(scenes[4].scene.gravity, 9.81);
   EXPECT_EQ(scenes[4].scene.friction, std::vector<double>{0.5});
   EXPECT_TRUE(
