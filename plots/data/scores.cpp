@@ -31,10 +31,11 @@ bool same_series(const Run& a, const Run& b) {
   return a.scene == b.scene && solver_name(a) == solver_name(b) && a.settings == b.settings;
 }
 
-/// What is left of the error that the series has at its largest step.
+/// What the smallest step leaves of the error at the largest.
 double left_of_error(const Comparison& comparison, const Run& run) {
-  const Run& coarsest = coarsest_of(comparison, run);
-  return coarsest.dt > run.dt ? run.rms_angle_difference / coarsest.rms_angle_difference : std::nan("");
+  const auto [coarsest, finest] = step_ends(comparison, run);
+  return coarsest->dt > finest->dt ? finest->rms_angle_difference / coarsest->rms_angle_difference
+                                   : std::nan("");
 }
 
 double middle(std::vector<double> values) {
@@ -45,11 +46,14 @@ double middle(std::vector<double> values) {
 
 }  // namespace
 
-const Run& coarsest_of(const Comparison& comparison, const Run& run) {
-  const Run* coarsest = &run;
-  for (const Run& other : comparison.runs)
-    if (is_compared(other) && same_series(other, run) && other.dt > coarsest->dt) coarsest = &other;
-  return *coarsest;
+StepEnds step_ends(const Comparison& comparison, const Run& run) {
+  StepEnds ends{&run, &run};
+  for (const Run& other : comparison.runs) {
+    if (!is_compared(other) || !same_series(other, run)) continue;
+    if (other.dt > ends.coarsest->dt) ends.coarsest = &other;
+    if (other.dt < ends.finest->dt) ends.finest = &other;
+  }
+  return ends;
 }
 
 const std::vector<SolverQuestion>& solver_questions() {

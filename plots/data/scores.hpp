@@ -31,11 +31,17 @@ struct Score {
 /// The scores of all solvers, those with answers in most scenes first, then by rising median.
 std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& question);
 
-/// The run of the same scene, solver and set that has the largest step.
-const Run& coarsest_of(const Comparison& comparison, const Run& run);
+/// The runs of one scene, solver and set that have the largest and the smallest step.
+struct StepEnds {
+  const Run* coarsest;
+  const Run* finest;
+};
 
-/// The step that most runs were made at that have an exact motion beside them, the smallest of those, s; NaN
-/// where there are none.
+/// Those of the series that a run belongs to.
+StepEnds step_ends(const Comparison& comparison, const Run& run);
+
+/// The step that most runs were made at, of those that have an exact motion beside them; the smallest of such
+/// steps, s; NaN where there are none.
 double common_step(const Comparison& comparison);
 
 /// Whether several solvers stand beside each other in several scenes, so that scores say something.

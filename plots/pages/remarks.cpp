@@ -164,14 +164,13 @@ class Writer {
     }
     const Score* score = convergence_.of(solver);
     if (score == nullptr) return;
-    const Run& worst = score->worst();
-    const double from = coarsest_of(comparison_, worst).dt;
+    const auto [coarsest, finest] = step_ends(comparison_, score->worst());
     list.push_back(
         {fmt::format("From a step of {} to {} its error falls to {:.2g} of what it was, in the median of {} "
                      "scenes; order one would leave {:.2g}.",
-                     duration_text(from), duration_text(worst.dt), score->median, score->runs.size(),
-                     worst.dt / from),
-         command(comparison_, worst, steps_of(comparison_, worst))});
+                     duration_text(coarsest->dt), duration_text(finest->dt), score->median,
+                     score->runs.size(), finest->dt / coarsest->dt),
+         command(comparison_, *finest, steps_of(comparison_, *finest))});
   }
 
   void add_energy(const std::string& solver, std::vector<Remark>& list) const {
