@@ -14,7 +14,7 @@ struct ContactPoint {
   double normal = 0;          ///< impulse of the step that pushes the bodies apart, N·s
   double tangential = 0;      ///< magnitude of the impulse across that, N·s
   double stiffness = std::numeric_limits<double>::infinity();  ///< N/m where it is a spring, else infinite
-  double damping = 0;                                          ///< N s/m where a dashpot is beside the spring
+  double damping = 0;  ///< N s/m where a dashpot is beside the spring; without meaning where there is none
 };
 
 /// Stiffness of a contact that takes away the share `erp` of its overlap in a step of `dt` s and gives way by
@@ -22,6 +22,11 @@ struct ContactPoint {
 /// manual, section 3.8.2). N/m; infinite for cfm = 0.
 inline double contact_stiffness(double erp, double cfm, double dt) {
   return cfm > 0 ? erp / (dt * cfm) : std::numeric_limits<double>::infinity();
+}
+
+/// The damping of the dashpot beside that spring, N s/m; infinite for cfm = 0.
+inline double contact_damping(double erp, double cfm) {
+  return cfm > 0 ? (1 - erp) / cfm : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace rockstack

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 namespace rockstack {
@@ -23,6 +24,10 @@ struct ContactRecord {
   /// Impulse across the contacts' normals above what Coulomb's cone allows, over the whole run, as a share of
   /// all that they push; whatever law of friction the engine has.
   double friction_excess = 0;
+  /// Of the spring that a contact point is, N/m: by it all impulses together overlap as much as by the
+  /// points' own, the harmonic mean by impulse. Infinite where some are rigid.
+  double stiffness = std::numeric_limits<double>::infinity();
+  double damping = 0;                  ///< of the dashpot beside it, N s/m: the mean by impulse
   std::vector<ContactImpact> impacts;  ///< in order of steps
 };
 

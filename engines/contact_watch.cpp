@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rockstack {
@@ -75,8 +76,17 @@ void ContactWatch::add_forces(const std::vector<ContactPoint>& points) {
     record_.complementarity = std::max(record_.complementarity, point.gap * point.normal / dt_);
     pushed_ += point.normal;
     excess_ += std::max(0.0, point.tangential - friction_[point.interface] * point.normal);
+    if (point.normal <= 0) continue;
+    rigid_ |= std::isinf(point.stiffness);
+    given_ += point.normal / point.stiffness;
+    damped_ += point.normal * point.damping;
   }
   record_.friction_excess = pushed_ > 0 ? excess_ / pushed_ : 0;
+  if (rigid_ || given_ == 0) {
+    record_.stiffness = std::numeric_limits<double>::infinity(), record_.damping = 0;
+  } else {
+    record_.stiffness = pushed_ / given_, record_.damping = damped_ / pushed_;
+  }
 }
 
 std::vector<ContactWatch::Ends> ContactWatch::ends_of(const std::vector<ContactPoint>& points) const {

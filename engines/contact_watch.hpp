@@ -46,6 +46,8 @@ class ContactWatch {
   ContactRecord record_;
   std::size_t samples_ = 0;
   double pushed_ = 0, excess_ = 0;  ///< impulses so far: normal, and outside the cone, N·s
+  double given_ = 0, damped_ = 0;  ///< sums of normal impulse over stiffness, m·s, and times damping, N²s²/m
+  bool rigid_ = false;             ///< whether a point that pushed was no spring
   std::vector<Ends> last_ends_;
   /// Of each interface at the last sample; the angles of the one before as well.
   std::vector<double> angles_, angles_before_, velocities_;

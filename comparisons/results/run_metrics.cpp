@@ -283,6 +283,13 @@ std::vector<Column> body_columns() {
           "impulse along the faces above friction coefficient times normal impulse, added up over all "
           "contacts "
           "and steps, as a share of all normal impulse; whatever law of friction the engine itself has"),
+      drawn<&RunMetrics::contact_stiffness>(
+          "contact_stiffness",
+          "stiffness of a contact point where contacts are springs, N/m: that by which all impulses together "
+          "overlap as much as by the points' own. In a space of three dimensions a corner of a block is two "
+          "points. Empty where contacts are rigid, or the engine tells none"),
+      drawn<&RunMetrics::contact_damping>(
+          "contact_damping", "damping of the dashpot beside that spring, N s/m: the mean by impulse"),
       drawn<&RunMetrics::contact_impacts_matched>(
           "contact_impacts_matched",
           "as impacts_matched, of the engine's impacts as its contacts tell them: an end of an interface "

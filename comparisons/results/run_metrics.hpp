@@ -47,6 +47,7 @@ struct RunMetrics {
   std::optional<double> pattern_agreement, pattern_sequence_time;
   std::optional<double> energy_gain, penetration, gap, slip, out_of_plane, out_of_plane_tilt;
   std::optional<double> complementarity_residual, friction_cone_violation;
+  std::optional<double> contact_stiffness, contact_damping;
   std::optional<int> contact_impacts_matched, contact_impacts_missed, contact_impacts_extra;
   std::optional<int> impact_readings_differ;
   std::optional<double> residual_motion;

@@ -123,6 +123,9 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   if (!bodies.contacts) return;
   row.complementarity_residual = bodies.contacts->complementarity / scale;
   row.friction_cone_violation = bodies.contacts->friction_excess;
+  if (std::isinf(bodies.contacts->stiffness)) return;
+  row.contact_stiffness = bodies.contacts->stiffness;
+  row.contact_damping = bodies.contacts->damping;
 }
 
 std::vector<ImpactTime> told_impacts(const std::vector<ContactImpact>& impacts, double slowest) {

@@ -200,6 +200,10 @@ class BulletSimulation : public Simulation {
     point.stiffness = (spring ? double{found.m_combinedContactStiffness1}
                               : stiffness_of(world_.getSolverInfo(), dt_, point.gap_before)) /
                       mass_factor_;
+    const btContactSolverInfo& info = world_.getSolverInfo();
+    point.damping =
+        (spring ? double{found.m_combinedContactDamping1} : contact_damping(info.m_erp2, info.m_globalCfm)) /
+        mass_factor_;
     return point;
   }
 

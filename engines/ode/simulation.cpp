@@ -51,6 +51,12 @@ double stiffness_of(const Parameters& parameters, double mass_factor, double dt)
   return contact_stiffness(parameters.at("erp"), parameters.at("cfm"), dt);
 }
 
+/// Likewise of the dashpot beside it.
+double damping_of(const Parameters& parameters, double mass_factor) {
+  if (parameters.at("contactStiffness") != 0) return mass_factor * parameters.at("contactDamping");
+  return contact_damping(parameters.at("erp"), parameters.at("cfm"));
+}
+
 class OdeSimulation : public Simulation {
  public:
   OdeSimulation(OdeSolver solver, const Setup& setup, const Parameters& parameters)
@@ -61,6 +67,7 @@ class OdeSimulation : public Simulation {
         realign_(parameters.at("realign") != 0),
         mass_factor_(mass_factor(setup, parameters)),
         stiffness_(stiffness_of(parameters, mass_factor_, dt_)),
+        damping_(damping_of(parameters, mass_factor_)),
         world_(dWorldCreate()),
         space_(dSimpleSpaceCreate(nullptr)),
         group_(dJointGroupCreate(0)) {
@@ -177,6 +184,7 @@ class OdeSimulation : public Simulation {
     point.tangential = impulse * std::hypot(force[0] - push * normal[0], force[1] - push * normal[1],
                                             force[2] - push * normal[2]);
     point.stiffness = stiffness_ / mass_factor_;
+    point.damping = damping_ / mass_factor_;
     return point;
   }
 
@@ -277,9 +285,9 @@ class OdeSimulation : public Simulation {
       friction_limits_;  ///< of each interface: coefficients, or N in the library's own masses
   bool realign_;
   bool watched_ = false;
-  double mass_factor_;         ///< of every mass; no angle depends on it
-  double stiffness_;           ///< of each contact point, in those masses
-  std::deque<Touch> touches_;  ///< ODE writes into them while it steps
+  double mass_factor_;          ///< of every mass; no angle depends on it
+  double stiffness_, damping_;  ///< of each contact point, in those masses
+  std::deque<Touch> touches_;   ///< ODE writes into them while it steps
   dGeomID plane_ = nullptr;
   dBodyID ground_ = nullptr;  ///< where it really moves
   std::vector<dBodyID> bodies_;

@@ -194,6 +194,8 @@ json fields_of(const ContactRecord& contacts, Form form) {
   json object{{"elastic", to_field(contacts.elastic, form)},
               {"complementarity", to_field(contacts.complementarity)},
               {"friction_excess", to_field(contacts.friction_excess)},
+              {"stiffness", to_field(contacts.stiffness)},
+              {"damping", to_field(contacts.damping)},
               {"impacts", json::array()}};
   for (const ContactImpact& impact : contacts.impacts) {
     json one = object_of(impact, impact_fields);
@@ -208,6 +210,8 @@ ContactRecord read_contacts(const json& object) {
   contacts.elastic = numbers_field(object, "elastic");
   contacts.complementarity = number_field(object, "complementarity");
   contacts.friction_excess = number_field(object, "friction_excess");
+  if (has_field(object, "stiffness")) contacts.stiffness = number_field(object, "stiffness");
+  if (has_field(object, "damping")) contacts.damping = number_field(object, "damping");
   for (const json& one : list_field(object, "impacts")) {
     ContactImpact impact = read_object(one, impact_fields);
     impact.interface = static_cast<int>(count_field(one, "interface"));

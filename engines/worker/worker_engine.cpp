@@ -49,6 +49,8 @@ void require_whole(const RunReply& run, const RunRequest& asked) {
           "`bodies` must have lists as long as `angles` where they are asked for");
   if (!made.contacts) return;
   require(made.contacts->elastic.size() == samples, "`elastic` must have a number for each sample");
+  require(made.contacts->stiffness > 0 && made.contacts->damping >= 0,
+          "`stiffness` must be above zero, and `damping` not below");
   for (const ContactImpact& impact : made.contacts->impacts)
     require(impact.interface >= 1 && impact.interface <= static_cast<int>(blocks),
             "`interface` must be the number of a block");

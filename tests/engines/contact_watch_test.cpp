@@ -186,6 +186,33 @@ TEST(ContactWatch, SpringsThatOverlapHoldHalfOfStiffnessTimesDepthSquared) {
   EXPECT_DOUBLE_EQ(record.elastic.back(), 2 * 0.5 * 2e4 * 1e-4);
 }
 
+// Two springs that bear 3 and 1 N s give way by 3/6e4 + 1/2e4 together, as one of 4e4 N/m does under 4 N s.
+TEST(ContactWatch, SpringsHaveOneStiffnessByWhichAllImpulsesOverlapAsMuch) {
+  const Scene scene = stack(1, 1);
+  ContactWatch watch(rubbing(scene, {0.5}, 1e-3), 1000);
+  const ContactRecord& record = watch.record();
+  const std::vector<double> still{0};
+  watch.observe({}, still, still);
+  EXPECT_TRUE(std::isinf(record.stiffness));
+  ContactPoint stiff = point(-0.5, 3), soft = point(0.5, 1), apart = point(0.5, 0);
+  stiff.stiffness = 6e4, stiff.damping = 10;
+  soft.stiffness = 2e4, soft.damping = 50;
+  watch.observe({stiff, apart}, still, still);
+  watch.observe({soft}, still, still);
+  EXPECT_DOUBLE_EQ(record.stiffness, 4e4);
+  EXPECT_DOUBLE_EQ(record.damping, (3 * 10 + 1 * 50) / 4.0);
+  watch.observe({point(0.5, 1)}, still, still);
+  EXPECT_TRUE(std::isinf(record.stiffness));
+}
+
+// ODE's erp and cfm are the spring and dashpot that implicit Euler makes of them: of h, k and c again.
+TEST(ContactWatch, ErpAndCfmAreTheSpringAndDashpotThatGiveThem) {
+  constexpr double dt = 1e-3, stiffness = 3e5, damping = 700;
+  const double erp = dt * stiffness / (dt * stiffness + damping), cfm = 1 / (dt * stiffness + damping);
+  EXPECT_NEAR(contact_stiffness(erp, cfm, dt) / stiffness, 1, 1e-14);
+  EXPECT_NEAR(contact_damping(erp, cfm) / damping, 1, 1e-14);
+}
+
 TEST(ContactWatch, ResidualsAreForcesAcrossAGapAndOutsideTheCone) {
   const Scene scene = stack(1, 1);
   ContactWatch watch(rubbing(scene, {0.5}, 1e-3), 1000);

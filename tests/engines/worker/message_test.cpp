@@ -34,7 +34,7 @@ Reply full_reply() {
   run.trajectory = {.angles = {0.2, std::nan("")},
                     .velocities = {0, -HUGE_VAL},
                     .bodies = {{.x = 1, .y = 2, .velocity_x = 3, .velocity_y = 4, .z = 5, .tilt = 6}, {}},
-                    .contacts = ContactRecord{{0, 0.1}, 1, 2, {{0.05, 1, 0.3, -0.2}}},
+                    .contacts = ContactRecord{{0, 0.1}, 1, 2, 3e5, 40, {{0.05, 1, 0.3, -0.2}}},
                     .warnings = 4};
   return {{}, run};
 }
@@ -141,6 +141,8 @@ TEST_P(Messages, HaveEveryFieldOfAReply) {
       [](RunReply& run) { run.trajectory.contacts->elastic[1] = 7; },
       [](RunReply& run) { run.trajectory.contacts->complementarity = 7; },
       [](RunReply& run) { run.trajectory.contacts->friction_excess = 7; },
+      [](RunReply& run) { run.trajectory.contacts->stiffness = 7; },
+      [](RunReply& run) { run.trajectory.contacts->damping = 7; },
       [](RunReply& run) { run.trajectory.contacts->impacts.clear(); },
       [](RunReply& run) { run.trajectory.contacts->impacts[0].time = 7; },
       [](RunReply& run) { run.trajectory.contacts->impacts[0].interface = 7; },
