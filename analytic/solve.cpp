@@ -54,7 +54,7 @@ History contacts_in(const Scene& scene, const ContactOptions& options) {
 History solve_with_contacts(const Scene& scene, const SolveOptions& options) {
   validate(options);
   if (options.integrator != Integrator::taylor)
-    throw std::invalid_argument("integrator = rk4: must be taylor under law unilateral");
+    throw std::invalid_argument("integrator = rk4: must be taylor under law " + std::string(name(scene.law)));
   const ContactOptions asked{.sample_times = options.sample_times,
                              .resolution = options.resolution,
                              .validity = options.validity,
@@ -69,7 +69,7 @@ History solve(const Scene& scene, const SolveOptions& options) {
   if (options.integrator == Integrator::rk4 && scene.duration / options.step > most_steps)
     throw std::invalid_argument("step = " + number_text(options.step) + ": must be at least " +
                                 number_text(scene.duration / most_steps) + " s, or there are too many");
-  if (scene.law == Law::unilateral) return solve_with_contacts(scene, options);
+  if (leaves_pivots(scene.law)) return solve_with_contacts(scene, options);
   try {
     return solve_in_double(scene, options);
   } catch (const IllConditioned&) {

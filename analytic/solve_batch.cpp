@@ -178,7 +178,7 @@ void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveO
   for (; std::optional<Scene> scene = next(); ++number) {
     const std::size_t kind = scene->equations == Equations::linear ? 1 : 0;
     // Kernels know pivots alone, and no levers.
-    const bool alone = scene->equations == Equations::small_angle || scene->law == Law::unilateral;
+    const bool alone = scene->equations == Equations::small_angle || leaves_pivots(scene->law);
     switch (alone ? 0 : scene->blocks.size()) {
       case 1:
         one[kind].add(number, std::move(*scene));

@@ -125,7 +125,7 @@ EngineRun account_of(const Scene& scene, const Setup& setup, Trajectory trajecto
     BodyAccount account(scene, setup, trajectory);
     for (std::size_t i = 0; i < samples; ++i) {
       account.next();
-      if (scene.law == Law::unilateral) append_places(run.history, account);
+      if (leaves_pivots(scene.law)) append_places(run.history, account);
     }
     if (bodies) run.bodies = account.record();
   }

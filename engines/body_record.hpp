@@ -41,7 +41,7 @@ struct EngineRun {
 
 /// True where a run has to tell its bodies: where they are asked for, and under a law by which blocks slip.
 inline bool needs_bodies(const Scene& scene, bool bodies) {
-  return bodies || scene.law == Law::unilateral;
+  return bodies || leaves_pivots(scene.law);
 }
 
 /// A trajectory of the scene that `setup` was made of. Precondition: it tells bodies where

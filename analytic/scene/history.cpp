@@ -5,8 +5,8 @@
 namespace rockstack {
 
 std::string name(EventKind kind) {
-  static constexpr std::array names{"opening",  "impact", "closure", "rest",   "topple",
-                                    "lift-off", "slip",   "stick",   "corner", "fall"};
+  static constexpr std::array names{"opening", "impact", "closure", "rest", "topple", "lift-off",
+                                    "slip",    "stick",  "corner",  "fall", "touch",  "part"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -23,6 +23,9 @@ enum class EventKind {
   stick,     ///< what slid sticks, or slides back
   corner,    ///< a corner passes the end of a face: the contact goes on at another corner, or parts
   fall,      ///< a block leaves the face that it was over; the history ends
+  // Law `compliant` alone:
+  touch,  ///< a corner starts to push
+  part,   ///< a corner stops pushing
 };
 
 std::string name(EventKind kind);
@@ -87,6 +90,14 @@ struct BasicReaction {
   Real centre{};                ///< of pressure, from the middle of the block above, m; no number where apart
 };
 
+/// What the springs of an interface hold, and what has been lost at it so far, J.
+template <class Real>
+struct BasicSpringEnergy {
+  Real elastic{};
+  Real damped{};  ///< lost in dashpots
+  Real rubbed{};  ///< lost by friction
+};
+
 /// Sampled motion of a stack, and the events where they are known. Engines know no patterns and no events:
 /// those two are empty then. Rows are samples; angles and velocities are stored row by row.
 template <class Real>
@@ -106,7 +117,8 @@ struct BasicHistory {
   std::vector<Real> gaps;   ///< between each block and what is below it, m; infinite over nothing
   /// Centres of mass, x and y in turn, from the middle of the ground's interface, m, and their rates, m/s.
   std::vector<Real> places, place_rates;
-  std::vector<BasicReaction<Real>> reactions;  ///< times.size() × blocks
+  std::vector<BasicReaction<Real>> reactions;            ///< times.size() × blocks
+  std::vector<BasicSpringEnergy<Real>> spring_energies;  ///< likewise, of law `compliant`; else empty
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
   /// Of law `unilateral`, with peaks: how far each block has slipped in the end, and how far it was from what
   /// is below it at most, m.
@@ -128,6 +140,7 @@ struct BasicHistory {
 using Demand = BasicDemand<double>;
 using Event = BasicEvent<double>;
 using Reaction = BasicReaction<double>;
+using SpringEnergy = BasicSpringEnergy<double>;
 using History = BasicHistory<double>;
 
 }  // namespace rockstack

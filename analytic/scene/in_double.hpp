@@ -34,4 +34,14 @@ std::vector<Reaction> in_double(const std::vector<BasicReaction<Real>>& reaction
   return result;
 }
 
+template <class Real>
+std::vector<SpringEnergy> in_double(const std::vector<BasicSpringEnergy<Real>>& energies) {
+  std::vector<SpringEnergy> result;
+  result.reserve(energies.size());
+  for (const BasicSpringEnergy<Real>& energy : energies)
+    result.push_back({static_cast<double>(energy.elastic), static_cast<double>(energy.damped),
+                      static_cast<double>(energy.rubbed)});
+  return result;
+}
+
 }  // namespace rockstack

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/scene/pattern.hpp"
@@ -100,11 +101,15 @@ void validate_initial(const Scene& scene) {
   }
 }
 
+void require_one_each(const char* key, const std::vector<double>& values, std::size_t blocks) {
+  if (values.size() != blocks)
+    throw FieldError(key, "an array of " + std::to_string(values.size()),
+                     "a number, or as many as there are blocks, " + std::to_string(blocks));
+}
+
 void validate_friction(const std::vector<double>& friction, std::size_t blocks) {
   if (friction.empty()) return;
-  if (friction.size() != blocks)
-    throw FieldError("contact.friction", "an array of " + std::to_string(friction.size()),
-                     "a number, or as many as there are blocks, " + std::to_string(blocks));
+  require_one_each("contact.friction", friction, blocks);
   for (std::size_t k = 0; k < blocks; ++k) {
     if (!(friction[k] >= 0 && friction[k] <= largest_friction))
       throw FieldError("contact.friction." + std::to_string(k + 1), number_text(friction[k]),
@@ -114,7 +119,7 @@ void validate_friction(const std::vector<double>& friction, std::size_t blocks) 
 
 /// Of what is made for some laws alone.
 void validate_law(const Scene& scene) {
-  if (scene.law != Law::unilateral) {
+  if (!leaves_pivots(scene.law)) {
     const std::vector<double>& slips = scene.initial.slip_velocities;
     if (std::any_of(slips.begin(), slips.end(), [](double slip) { return slip != 0; }))
       throw FieldError("initial.slip_velocities", "not all 0",
@@ -123,9 +128,39 @@ void validate_law(const Scene& scene) {
   }
   if (scene.equations != Equations::nonlinear)
     throw FieldError("equations", scene.equations == Equations::linear ? "linear" : "small-angle",
-                     "nonlinear under law unilateral");
+                     std::string("nonlinear under law ") + name(scene.law));
   if (!scene.restitution.empty())
-    throw FieldError("restitution", "an array", "left out under law unilateral, where friction decides");
+    throw FieldError("restitution", "an array",
+                     std::string("left out under law ") + name(scene.law) +
+                         (scene.law == Law::unilateral ? ", where friction decides" : ", where dashpots do"));
+}
+
+void validate_springs(const Scene& scene) {
+  const CornerSprings& springs = scene.springs;
+  if (scene.law != Law::compliant) {
+    const auto refuse = [&](const char* key) {
+      throw FieldError(
+          key, "given",
+          std::string("left out under law ") + name(scene.law) + ": springs are for law compliant");
+    };
+    const auto any = [](const std::vector<double>& values, double standard) {
+      return std::any_of(values.begin(), values.end(), [&](double value) { return value != standard; });
+    };
+    if (any(springs.stiffness, std::numeric_limits<double>::infinity())) refuse("contact.stiffness");
+    if (any(springs.damping, 0)) refuse("contact.damping");
+    if (springs.tangential != 1) refuse("contact.tangential");
+    if (!scene.initial.settled) refuse("initial.springs");
+    return;
+  }
+  for (const auto& [key, values] :
+       {std::pair("contact.stiffness", &springs.stiffness), std::pair("contact.damping", &springs.damping)})
+    if (!values->empty()) require_one_each(key, *values, scene.blocks.size());
+  for (std::size_t k = 0; k < springs.stiffness.size(); ++k)
+    if (!(springs.stiffness[k] == std::numeric_limits<double>::infinity()))
+      require_positive("contact.stiffness." + std::to_string(k + 1), springs.stiffness[k]);
+  for (std::size_t k = 0; k < springs.damping.size(); ++k)
+    require_between("contact.damping." + std::to_string(k + 1), springs.damping[k], 0);
+  require_positive("contact.tangential", springs.tangential);
 }
 
 void validate_pulse(const Pulse& pulse, const std::string& key) {
@@ -170,7 +205,7 @@ void validate_duration(const Scene& scene) {
 }  // namespace
 
 const char* name(Law law) {
-  static constexpr std::array names{"paper", "consistent", "unilateral"};
+  static constexpr std::array names{"paper", "consistent", "unilateral", "compliant"};
   return names[static_cast<std::size_t>(law)];
 }
 
@@ -221,6 +256,7 @@ void validate(const Scene& scene) {
   validate_off_middle(scene);
   validate_restitution(scene);
   validate_law(scene);
+  validate_springs(scene);
   validate_friction(scene.friction, scene.blocks.size());
   validate_inclination(scene);
   validate_initial(scene);

@@ -45,6 +45,7 @@ enum class Law {
   paper,       ///< pivots; the paper's order of trials, see analytic/mechanics/impact.hpp
   consistent,  ///< pivots; the pattern that pushing impulses can bring about, see there
   unilateral,  ///< blocks push, rub by Coulomb's law, slip and lift off, see analytic/unilateral/
+  compliant,   ///< the same, with springs, dashpots and sliders at corners, see analytic/unilateral/springs/
 };
 
 /// As scene files have it.
@@ -62,8 +63,16 @@ enum class Equations {
 struct InitialState {
   std::vector<double> angles;      ///< rad, one a block, clockwise positive
   std::vector<double> velocities;  ///< rad/s, one a block
-  /// Of each block along what is below it, m/s, to the right positive, or none; law `unilateral` alone.
+  /// Of each block along what is below it, m/s, to the right positive, or none; of laws with friction alone.
   std::vector<double> slip_velocities = {};
+  bool settled = true;  ///< springs carry what rests on them at the start; else they are not loaded yet
+};
+
+/// Springs and dashpots at the corners of each interface, from the ground up; law `compliant` alone.
+struct CornerSprings {
+  std::vector<double> stiffness = {};  ///< k of each corner, N/m, > 0, or infinite: the interface is rigid
+  std::vector<double> damping = {};    ///< c of each corner, N·s/m, ≥ 0; none: 0
+  double tangential = 1;               ///< stiffness and damping along a face over those across it, > 0
 };
 
 /// What engines need and the exact model does not.
@@ -91,6 +100,7 @@ struct Scene {
   /// Coulomb's coefficient of each interface, from the ground up, 0 … largest_friction; none:
   /// engine.friction.
   std::vector<double> friction = {};
+  CornerSprings springs;
   InitialState initial;
   GroundMotion horizontal;  ///< ẍg, positive to the right
   GroundMotion vertical;    ///< ÿg, positive up
@@ -99,6 +109,11 @@ struct Scene {
 
 /// More friction than this is not told from it.
 inline constexpr double largest_friction = 1000;
+
+/// Whether blocks may slip and lift off, so that angles do not tell where they are.
+inline bool leaves_pivots(Law law) {
+  return law == Law::unilateral || law == Law::compliant;
+}
 
 /// Coulomb's coefficient of each interface, from the ground up.
 std::vector<double> friction_of(const Scene& scene);

@@ -32,6 +32,7 @@ History to_double(const BasicHistory<Real>& history) {
   result.places = in_double(history.places);
   result.place_rates = in_double(history.place_rates);
   result.reactions = in_double(history.reactions);
+  result.spring_energies = in_double(history.spring_energies);
   result.peaks = in_double(history.peaks);
   result.slips_left = in_double(history.slips_left);
   result.lifts = in_double(history.lifts);

@@ -68,7 +68,7 @@ void close_negligible(const BasicFrictionStack<Real>& stack, const ContactChatte
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const auto interface = static_cast<int>(k);
     const Real gap = chatter.negligible_gap() * half_width_of<Real>(stack.blocks, interface);
-    if (!joints[k].touches()) land_negligible(stack, bodies, interface, gap, joints);
+    if (!joints[k].touches() && !stack.soft(k)) land_negligible(stack, bodies, interface, gap, joints);
     if (chatter.negligibly_open(joints[k], relative_angle(bodies.at, k), relative_angle(bodies.rate, k)))
       joints[k].touch = Touch::flat;
   }

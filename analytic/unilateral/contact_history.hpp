@@ -4,6 +4,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "analytic/unilateral/contact/bodies.hpp"
+#include "analytic/unilateral/springs/spring_state.hpp"
 
 namespace rockstack {
 
@@ -27,6 +28,9 @@ struct BasicContactSample {
   BasicBodies<Real> bodies;
   Joints<Real> joints;
   std::vector<Real> slips, gaps;  ///< of each interface, m; where apart, the slip that it parted with
+  // Of stacks with springs, else empty.
+  std::vector<BasicSpringState<Real>> springs;  ///< of each interface
+  BasicFreeVector<Real> spring_accelerations;   ///< what all springs make of the motion
 };
 
 /// A stack's motion under law `unilateral`.

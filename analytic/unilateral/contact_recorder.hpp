@@ -7,7 +7,7 @@
 #include "analytic/scene/ground/pulse.hpp"
 #include "analytic/unilateral/contact_demands.hpp"
 #include "analytic/unilateral/contact_history.hpp"
-#include "analytic/unilateral/initial_contacts.hpp"
+#include "analytic/unilateral/springs/spring_contacts.hpp"
 
 namespace rockstack {
 
@@ -45,12 +45,15 @@ class ContactRecorder {
   }
 
   /// A step up to `end_s` of its length; it starts at `start` s. A mode that ends as it starts bears nothing.
-  void note_step(const Joints<Real>& joints, const ModeSeries<Real>& series, const Real& end_s,
-                 const Real& start) {
+  void note_step(const Joints<Real>& rigid, const ModeSeries<Real>& series,
+                 const SpringContacts<Real>& springs, const SpringSeries<Real>& spring_series,
+                 const Real& end_s, const Real& start) {
+    const Joints<Real> joints = springs.shown(rigid);
     while (sample_due()) {
       const Real s = (Real(options_.sample_times[next_sample_]) - start) / series.length;
       if (s >= end_s) break;
-      note_sample({series.at(std::max(s, Real(0))), joints});
+      note_sample({series.at(std::max(s, Real(0))), rigid}, springs, spring_series, std::max(s, Real(0)),
+                  series);
     }
     if (demands_ && end_s > 0) demands_->note_step(joints, series, end_s, start);
     if (!options_.peaks) return;
@@ -66,8 +69,9 @@ class ContactRecorder {
   void note_event(BasicContactEvent<Real> event) { history_.events.push_back(std::move(event)); }
 
   /// A sample at the end of the scene.
-  void note_rest(const ContactState<Real>& state, double duration) {
-    if (sample_due() && options_.sample_times[next_sample_] <= duration * (1 + 1e-12)) note_sample(state);
+  void note_rest(const ContactState<Real>& state, const SpringContacts<Real>& springs, double duration) {
+    if (sample_due() && options_.sample_times[next_sample_] <= duration * (1 + 1e-12))
+      note_sample(state, springs);
   }
 
   /// The motion up to where it has come.
@@ -86,13 +90,26 @@ class ContactRecorder {
  private:
   bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
 
-  void note_sample(ContactState<Real> state) {
+  /// At s of a step.
+  void note_sample(ContactState<Real> state, SpringContacts<Real> springs, const SpringSeries<Real>& series,
+                   const Real& s, const ModeSeries<Real>& motion) {
+    if (!springs.empty()) springs.go(series, s, motion.at(0), state.bodies);
+    note_sample(std::move(state), springs);
+  }
+
+  void note_sample(ContactState<Real> state, const SpringContacts<Real>& springs) {
     place(stack_.blocks, state.joints, state.bodies);
+    std::vector<BasicSpringState<Real>> spring_states = springs.states(state.bodies);
+    BasicFreeVector<Real> spring_accelerations;
+    if (!springs.empty()) spring_accelerations = springs.accelerations(state.bodies);
+    state.joints = springs.shown(std::move(state.joints));
     BasicContactSample<Real> sample{Real(options_.sample_times[next_sample_++]),
                                     std::move(state.bodies),
                                     std::move(state.joints),
                                     {},
-                                    {}};
+                                    {},
+                                    std::move(spring_states),
+                                    std::move(spring_accelerations)};
     for (int k = 0; k < stack_.size(); ++k) {
       const BasicJoint<Real>& joint = sample.joints[static_cast<std::size_t>(k)];
       sample.slips.push_back(joint.offset);

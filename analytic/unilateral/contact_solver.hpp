@@ -8,6 +8,7 @@
 #include "analytic/unilateral/contact_impact.hpp"
 #include "analytic/unilateral/contact_recorder.hpp"
 #include "analytic/unilateral/series/mode_step.hpp"
+#include "analytic/unilateral/springs/spring_changes.hpp"
 
 namespace rockstack {
 
@@ -23,16 +24,18 @@ class ContactSolver {
   /// Keeps references to `scene` and `options`. @throws std::domain_error as require_digits().
   ContactSolver(const Scene& scene, const ContactOptions& options)
       : scene_(scene),
-        stack_(scene.blocks, friction_of(scene)),
+        stack_(friction_stack_of<Real>(scene)),
         smooth_(scene.blocks, std::vector<double>(scene.blocks.size(), 0)),
         pieces_(scene),
         chatter_(stack_, scene.gravity, options.resolution),
         fresh_(scene.blocks.size()),
         state_(initial_contacts(stack_, scene.initial)),
+        springs_(scene, stack_, state_),
         recorder_(scene, stack_, options) {
     using std::cos;
     using std::sqrt;
     require_digits(stack_);
+    springs_.require_few_steps(scene, state_.bodies);
     across_ = Real(scene.gravity) * cos(Real(scene.inclination));
     Real height = 0;
     for (int k = 0; k < stack_.size(); ++k) {
@@ -50,11 +53,12 @@ class ContactSolver {
   void run() {
     decide(Joints<Real>(state_.joints), state_.bodies, 0);
     while (!ended_ && !pieces_.finished()) advance();
-    if (!ended_) recorder_.note_rest(state_, scene_.duration);
+    if (!ended_) recorder_.note_rest(state_, springs_, scene_.duration);
   }
 
   /// Up to the end, or to where the motion could not go on.
   BasicContactHistory<Real> history() && {
+    state_.joints = springs_.shown(std::move(state_.joints));
     return std::move(recorder_).history(state_, pieces_.finished() ? Real(scene_.duration) : time());
   }
 
@@ -63,17 +67,27 @@ class ContactSolver {
     const GroundPiece<Real>& piece = pieces_.current();
     const Real remaining = piece.length - offset_;
     if (!(remaining > 0)) return next_piece();
-    const Real length = std::min<Real>({remaining, longest_, longest_series(piece)});
+    Real length = std::min<Real>({remaining, longest_, longest_series(piece)});
+    if (!springs_.empty()) length = std::min(length, springs_.longest_step(state_.bodies));
     const ScaledBodyForce<Real> body_force = scaled_body_force(across_, piece, offset_, length);
-    const ModeStep<Real> step = mode_step(stack_, state_.joints, state_.bodies, body_force, length);
+    SpringSeries<Real> springs(stack_, springs_.points(), state_.bodies);
+    const ModeStep<Real> step = mode_step(stack_, state_.joints, state_.bodies, body_force, length, springs);
     if (step.lengthens && length == longest_) longest_ *= Real(1.25);
     if (step.series.length < length) longest_ = step.series.length;
     if (longest_ < shortest_step_) return jam();
     const FirstChange<Real> found =
         first_change(courses_of(stack_, state_.joints, toppling_angles_, step.series), step.series, fresh_,
                      time(), decided_, std::min<Real>(moment_ / step.series.length, 1));
+    if (!springs_.empty()) {
+      const FirstSpringChange<Real> change =
+          SpringCourses<Real>(stack_, springs_.points(), step.series, springs).first();
+      if (!change.courses.empty() && (found.courses.empty() || change.s < found.s)) {
+        go(step.series, springs, change.s);
+        return handle(change);
+      }
+    }
     const bool whole = found.s == 1 && step.series.length >= remaining;
-    go(step.series, found.s);
+    go(step.series, springs, found.s);
     if (!found.courses.empty()) {
       handle(found, step.series);
     } else if (whole) {
@@ -105,17 +119,49 @@ class ContactSolver {
   }
 
   /// Goes up to s of a step.
-  void go(const ModeSeries<Real>& series, const Real& s) {
+  void go(const ModeSeries<Real>& series, const SpringSeries<Real>& springs, const Real& s) {
     using std::isfinite;
     BasicBodies<Real> next = series.at(s);
     for (const BasicBodyPlacement<Real>& rate : next.rate)
       if (!isfinite(rate.x) || !isfinite(rate.y) || !isfinite(rate.angle))
         stop("velocities have become too large for numbers at");
-    recorder_.note_step(state_.joints, series, s, time());
-    state_.bodies = std::move(next);
+    recorder_.note_step(state_.joints, series, springs_, springs, s, time());
+    const BasicBodies<Real> before = std::exchange(state_.bodies, std::move(next));
     place(stack_.blocks, state_.joints, state_.bodies);
+    springs_.go(springs, s, before, state_.bodies);
     offset_ += s * series.length;
     if (s > 0) decided_ = false;
+  }
+
+  /// What springs change. Forces may change at once, so that rigid joints are decided anew.
+  void handle(const FirstSpringChange<Real>& found) {
+    note_stall();
+    const Joints<Real> before = springs_.shown(state_.joints);
+    std::vector<bool> passes(before.size(), false);
+    for (const SpringCourse<Real>& course : found.courses) {
+      const int interface = springs_.points()[course.point].interface;
+      if (course.change == SpringChange::fall) {
+        ended_ = true;
+        return note_shown(EventKind::fall, interface + 1, before, state_.bodies.rate);
+      }
+      if (course.change == SpringChange::pass) passes[static_cast<std::size_t>(interface)] = true;
+      const auto slides = [&](const SpringCourse<Real>& other) {
+        return other.change == SpringChange::slide && other.point == course.point;
+      };
+      // What only starts to push may go on to, once it slides.
+      if (course.change == SpringChange::part && found.s == 0 &&
+          std::any_of(found.courses.begin(), found.courses.end(), slides))
+        continue;
+      springs_.apply(course, state_.bodies);
+    }
+    springs_.show();
+    const Joints<Real> after = springs_.shown(state_.joints);
+    for (std::size_t k = 0; k < before.size(); ++k)
+      if (const auto kind = change_of(before[k], after[k], passes[k]))
+        note_shown(*kind, static_cast<int>(k) + 1, before, state_.bodies.rate);
+    const auto touches = [](const BasicJoint<Real>& joint) { return joint.touches(); };
+    if (std::any_of(state_.joints.begin(), state_.joints.end(), touches))
+      decide(Joints<Real>(state_.joints), state_.bodies, 0);
   }
 
   void handle(const FirstChange<Real>& found, const ModeSeries<Real>& series) {
@@ -162,7 +208,8 @@ class ContactSolver {
     close_negligible(stack_, chatter_, state_.bodies, touching);
     place(stack_.blocks, touching, state_.bodies);
     state_.bodies.rate = rates;
-    const auto impact = collide(stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0));
+    const auto impact =
+        collide(stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies));
     if (!impact) stop("no impulses end an impact at");
     recorder_.note_impact(impact->impulses, time());
     state_ = {{state_.bodies.at, impact->rates}, impact->mode};
@@ -181,7 +228,7 @@ class ContactSolver {
   void decide(const Joints<Real>& before, BasicBodies<Real> moment, const Real& later) {
     decided_ = true;
     const Joints<Real> touching = state_.joints;
-    const BasicFreeVector<Real> free = free_acceleration(later);
+    const BasicFreeVector<Real> free = free_acceleration(later, moment);
     Joints<Real> joints = later > 0 ? fresh_.joined(touching, time(), 2 * moment_) : touching;
     auto mode = find_mode(stack_, joints, moment, free, Sought::accelerations);
     if (!mode) {
@@ -205,7 +252,7 @@ class ContactSolver {
   Joints<Real> follow_without_solution(const Joints<Real>& joints) {
     const Placements<Real> rates = state_.bodies.rate;
     const BasicFreeVector<Real> velocities = vector_of(rates);
-    const BasicFreeVector<Real> kicked = velocities + shortest_moment_ * free_acceleration(0);
+    const BasicFreeVector<Real> kicked = velocities + shortest_moment_ * free_acceleration(0, state_.bodies);
     const auto mode = find_mode(stack_, joints, state_.bodies, kicked, Sought::velocities);
     if (!mode) stop("no impulses let the motion go on at");
     const BasicModeResponse<Real> response =
@@ -225,18 +272,26 @@ class ContactSolver {
     return state_.joints;
   }
 
-  BasicFreeVector<Real> free_acceleration(const Real& later) const {
+  /// Without rigid contacts; springs have bodies where they are at that time.
+  BasicFreeVector<Real> free_acceleration(const Real& later, const BasicBodies<Real>& bodies) const {
     const Point<Real> ground = pieces_.current().at(offset_ + later);
     BasicFreeVector<Real> result(Eigen::Index{3} * stack_.size());
     for (int k = 0; k < stack_.size(); ++k)
       result.template segment<3>(Eigen::Index{3} * k) << -ground.x(), -(across_ + ground.y()), Real(0);
+    if (!springs_.empty()) result += springs_.accelerations(bodies);
     return result;
   }
 
+  /// An event of rigid contacts.
   void note(EventKind kind, int interface, const Joints<Real>& from, const Placements<Real>& before,
             Consistency consistency = Consistency::consistent) {
-    recorder_.note_event({time(), kind, interface, from, state_.joints, state_.bodies.at, before,
-                          state_.bodies.rate, consistency});
+    note_shown(kind, interface, springs_.shown(from), before, consistency);
+  }
+
+  void note_shown(EventKind kind, int interface, const Joints<Real>& from, const Placements<Real>& before,
+                  Consistency consistency = Consistency::consistent) {
+    recorder_.note_event({time(), kind, interface, from, springs_.shown(state_.joints), state_.bodies.at,
+                          before, state_.bodies.rate, consistency});
   }
 
   void note_stall() {
@@ -269,6 +324,7 @@ class ContactSolver {
   Real longest_{};          ///< step, s
   Real offset_ = 0;         ///< into the current piece, s
   ContactState<Real> state_;
+  SpringContacts<Real> springs_;
   bool decided_ = false;     ///< the step starts at an event
   Real last_decision_ = -1;  ///< s
   Real burst_start_ = 0;     ///< s

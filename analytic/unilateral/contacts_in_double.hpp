@@ -29,6 +29,17 @@ Joints<double> in_double(const Joints<Real>& joints) {
   return result;
 }
 
+template <class Real>
+std::vector<BasicSpringState<double>> in_double(const std::vector<BasicSpringState<Real>>& states) {
+  const auto number = [](const Real& value) { return static_cast<double>(value); };
+  std::vector<BasicSpringState<double>> result;
+  result.reserve(states.size());
+  for (const auto& [reaction, energy] : states)
+    result.push_back({{number(reaction.normal), number(reaction.tangential), number(reaction.centre)},
+                      {number(energy.elastic), number(energy.damped), number(energy.rubbed)}});
+  return result;
+}
+
 inline ContactHistory in_double(ContactHistory history) {
   return history;
 }
@@ -40,7 +51,9 @@ ContactHistory in_double(const BasicContactHistory<Real>& history) {
   result.samples.reserve(history.samples.size());
   for (const BasicContactSample<Real>& sample : history.samples)
     result.samples.push_back({static_cast<double>(sample.time), in_double(sample.bodies),
-                              in_double(sample.joints), in_double(sample.slips), in_double(sample.gaps)});
+                              in_double(sample.joints), in_double(sample.slips), in_double(sample.gaps),
+                              in_double(sample.springs),
+                              sample.spring_accelerations.template cast<double>()});
   result.events.reserve(history.events.size());
   for (const BasicContactEvent<Real>& event : history.events)
     result.events.push_back({static_cast<double>(event.time), event.kind, event.interface,

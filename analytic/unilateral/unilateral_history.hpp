@@ -37,11 +37,18 @@ std::vector<BasicReaction<Real>> reactions_of(const Scene& scene, const BasicFri
     free.template segment<3>(Eigen::Index{3} * k)
         << Real(gravity.along - acceleration(scene.horizontal, time)),
         Real(-gravity.across - acceleration(scene.vertical, time)), Real(0);
-  const BasicModeResponse<Real> response =
-      respond(stack, sample.joints, sample.bodies, free, Sought::accelerations);
+  Joints<Real> rigid = sample.joints;
+  for (std::size_t k = 0; k < rigid.size(); ++k)
+    if (stack.soft(k)) rigid[k].touch = Touch::apart;
+  if (!sample.springs.empty()) free += sample.spring_accelerations;
+  const BasicModeResponse<Real> response = respond(stack, rigid, sample.bodies, free, Sought::accelerations);
   std::vector<BasicReaction<Real>> reactions;
   reactions.reserve(sample.joints.size());
   for (int k = 0; k < stack.size(); ++k) {
+    if (stack.soft(static_cast<std::size_t>(k))) {
+      reactions.push_back(sample.springs[static_cast<std::size_t>(k)].reaction);
+      continue;
+    }
     const BasicJoint<Real>& joint = sample.joints[static_cast<std::size_t>(k)];
     const BasicContactForce<Real>& force = response.forces[static_cast<std::size_t>(k)];
     const int corner = joint.corner_below ? k - 1 : k;
@@ -71,6 +78,8 @@ void add_sample(const Scene& scene, const BasicFrictionStack<Real>& stack,
   }
   const std::vector<BasicReaction<Real>> reactions = reactions_of(scene, stack, sample);
   history.reactions.insert(history.reactions.end(), reactions.begin(), reactions.end());
+  for (const BasicSpringState<Real>& springs : sample.springs)
+    history.spring_energies.push_back(springs.energy);
 }
 
 template <class Real>
@@ -84,7 +93,7 @@ BasicEvent<Real> event_of(const BasicContactEvent<Real>& event) {
 /// to the rounding of double.
 template <class Real>
 BasicHistory<Real> history_of(const Scene& scene, const BasicContactHistory<Real>& motion) {
-  const BasicFrictionStack<Real> stack(scene.blocks, friction_of(scene));
+  const BasicFrictionStack<Real> stack = friction_stack_of<Real>(scene);
   BasicHistory<Real> history;
   history.blocks = stack.size();
   for (const BasicContactSample<Real>& sample : motion.samples) add_sample(scene, stack, sample, history);

@@ -73,7 +73,7 @@ Json validity_json(const History& history) {
 
 std::vector<std::string> validity_warnings(const Scene& scene, const History& history) {
   std::vector<std::string> lines;
-  if (scene.law == Law::unilateral) {
+  if (leaves_pivots(scene.law)) {
     add_open_questions(history, lines);
   } else {
     add_warnings(scene, history.forces, "force", "N", lines);

@@ -60,6 +60,14 @@ std::vector<double> corners_of(const Scene& scene, const Points<double>& places,
   return result;
 }
 
+void add_spring_energies(const History& history, std::size_t sample, CsvWriter& csv) {
+  for (const auto part : {&SpringEnergy::elastic, &SpringEnergy::damped, &SpringEnergy::rubbed})
+    for (int k = 0; k < history.blocks; ++k)
+      csv.add(history.spring_energies[sample * static_cast<std::size_t>(history.blocks) +
+                                      static_cast<std::size_t>(k)].*
+              part);
+}
+
 }  // namespace
 
 const std::vector<std::string>& kinds_of_histories() {
@@ -89,7 +97,12 @@ std::string energies_csv(const Scene& scene, const History& history) {
   const Gravity gravity = gravity_of(scene);
   const Points<double> rest = centres_at_rest(stack);
   CsvWriter csv;
-  csv.line("time", numbered("kinetic_", history.blocks), numbered("potential_", history.blocks));
+  const bool springs = !history.spring_energies.empty();
+  csv.add("time", numbered("kinetic_", history.blocks), numbered("potential_", history.blocks));
+  if (springs)
+    csv.add(numbered("elastic_", history.blocks), numbered("damped_", history.blocks),
+            numbered("rubbed_", history.blocks));
+  csv.end_line();
   for (std::size_t i = 0; i < history.size(); ++i) {
     const Vector<double> velocities = vector_of(history.velocities_at(i));
     const auto [places, speeds] = centres_at(stack, history, i);
@@ -100,6 +113,7 @@ std::string energies_csv(const Scene& scene, const History& history) {
               0.5 * stack.inertia[k] * velocities[k] * velocities[k]);
     for (int k = 0; k < stack.size(); ++k)
       csv.add(stack.mass[k] * (gravity.across * moved(1, k) - gravity.along * moved(0, k)));
+    if (springs) add_spring_energies(history, i, csv);
     csv.end_line();
   }
   return csv.text();

@@ -58,7 +58,7 @@ Json all_parameters(const EngineSeries& series, const Scene& scene) {
 void add_validity(const Scene& scene, const History& history, Json& json) {
   json["validity"] = validity_json(history);
   json["validity_warnings"] = validity_warnings(scene, history);
-  if (scene.law == Law::unilateral) json["contact"] = contact_json(history);
+  if (leaves_pivots(scene.law)) json["contact"] = contact_json(history);
 }
 
 /// Wall times of solving without samples, after a warm-up.

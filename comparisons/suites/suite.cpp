@@ -151,6 +151,10 @@ Scene Variant::apply(Scene scene) const {
   if (choice == Choice::paper) scene.law = Law::paper;
   if (choice == Choice::consistent) scene.law = Law::consistent;
   if (choice == Choice::unilateral || choice == Choice::friction) scene.law = Law::unilateral;
+  if (scene.law != Law::compliant) {
+    scene.springs = {};
+    scene.initial.settled = true;
+  }
   if (choice == Choice::friction) scene.friction.assign(scene.blocks.size(), friction);
   return scene;
 }

@@ -56,6 +56,8 @@ InitialState read_initial(const Node& root, std::size_t size) {
   if (const Node* angles = find(*table, "angles")) initial.angles = numbers(*angles);
   if (const Node* velocities = find(*table, "velocities")) initial.velocities = numbers(*velocities);
   if (const Node* slips = find(*table, "slip_velocities")) initial.slip_velocities = numbers(*slips);
+  if (const Node* springs = find(*table, "springs"))
+    initial.settled = choice<bool>(*springs, {{"loaded", true}, {"unloaded", false}});
   return initial;
 }
 
@@ -72,15 +74,32 @@ void read_ground(const SceneDocument& document, MotionLibrary& library, Scene& s
   }
 }
 
-/// Of each interface: the numbers given, or the one number for all.
-std::vector<double> read_friction(const Node& root, std::size_t size) {
+/// Of each interface: the numbers given, or the one number for all; none where the key is left out.
+std::vector<double> read_each(const Node& table, std::string_view key, std::size_t size) {
+  const Node* node = find(table, key);
+  if (node == nullptr) return {};
+  return node->kind == Node::Kind::array ? numbers(*node) : std::vector<double>(size, number(*node));
+}
+
+/// The same of stiffnesses, where `inf` is a rigid interface.
+std::vector<double> read_stiffness(const Node& table, std::size_t size) {
+  const Node* node = find(table, "stiffness");
+  if (node == nullptr || node->kind != Node::Kind::array) return read_each(table, "stiffness", size);
+  std::vector<double> values;
+  values.reserve(node->children.size());
+  for (const Node& entry : node->children) values.push_back(number(entry));
+  return values;
+}
+
+void read_contact(const Node& root, Scene& scene) {
   const Node* table = find(root, "contact");
-  if (table == nullptr) return {};
+  if (table == nullptr) return;
   require_table(*table, contact_keys);
-  const Node* friction = find(*table, "friction");
-  if (friction == nullptr) return {};
-  if (friction->kind == Node::Kind::array) return numbers(*friction);
-  return std::vector<double>(size, number(*friction));
+  const std::size_t size = scene.blocks.size();
+  scene.friction = read_each(*table, "friction", size);
+  scene.springs.stiffness = read_stiffness(*table, size);
+  scene.springs.damping = read_each(*table, "damping", size);
+  scene.springs.tangential = number_or(*table, "tangential", scene.springs.tangential);
 }
 
 EngineSurface read_engine(const Node& root) {
@@ -102,8 +121,10 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
   scene.duration = required_number(root, "duration");
   scene.gravity = number_or(root, "gravity", scene.gravity);
   if (const Node* law = find(root, "law")) {
-    scene.law = choice<Law>(
-        *law, {{"paper", Law::paper}, {"consistent", Law::consistent}, {"unilateral", Law::unilateral}});
+    scene.law = choice<Law>(*law, {{"paper", Law::paper},
+                                   {"consistent", Law::consistent},
+                                   {"unilateral", Law::unilateral},
+                                   {"compliant", Law::compliant}});
   }
   if (const Node* equations = find(root, "equations")) {
     scene.equations = choice<Equations>(*equations, {{"nonlinear", Equations::nonlinear},
@@ -117,7 +138,7 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
   scene.blocks = read_blocks(root);
   scene.initial = read_initial(root, scene.blocks.size());
   read_ground(document, library, scene);
-  scene.friction = read_friction(root, scene.blocks.size());
+  read_contact(root, scene);
   scene.engine = read_engine(root);
   return scene;
 }

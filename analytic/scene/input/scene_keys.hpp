@@ -12,10 +12,11 @@ inline constexpr KeyTable scene_keys{
     {{"title", "\"Two blocks\"", "", "a text", "the name of the file", "heads tables and figures"},
      {"duration", "5.0", "s", "> 0, up to 10⁷ √(size/acceleration)", required_key, "of the motion"},
      {"gravity", "9.81", "m/s²", "> 0", "9.81", "acceleration of gravity, downwards"},
-     {"law", "\"consistent\"", "", "\"consistent\", \"paper\" or \"unilateral\"", "\"consistent\"",
+     {"law", "\"consistent\"", "", "\"consistent\", \"paper\", \"unilateral\" or \"compliant\"",
+      "\"consistent\"",
       "of contact: pivots, with impacts whose impulses push or those of the paper; or blocks that rub, slip, "
       "lift "
-      "off and land"},
+      "off and land; or such blocks on springs at their corners"},
      {"equations", "\"nonlinear\"", "", "\"nonlinear\", \"linear\" or \"small-angle\"", "\"nonlinear\"",
       "of motion: in full; with geometry frozen upright, Eqs. (19)–(28) of the paper; or the usual linear "
       "ones, "
@@ -23,7 +24,7 @@ inline constexpr KeyTable scene_keys{
      {"blocks", "", "", "1 to 32 tables [[blocks]]", required_key, "the stack"},
      {"initial", "", "", "a table [initial]", no_default, "how it starts"},
      {"ground", "", "", "tables [ground.horizontal], [ground.vertical]", no_default, "how the ground moves"},
-     {"contact", "", "", "a table [contact]", no_default, "how blocks rub"},
+     {"contact", "", "", "a table [contact]", no_default, "how blocks touch"},
      {"engine", "", "", "a table [engine]", no_default, "what engines need besides"},
      {"restitution", "[0.9]", "", "a number from 0 to 1 for each block", "that of the law",
       "of the interface under each block, where all above it rocks as one body: relative angular velocity "
@@ -48,16 +49,24 @@ inline constexpr KeyTable initial_keys{
     {{"angles", "[0.1]", "rad", "a number for each block, below its toppling angle", "all 0",
       "from the vertical, clockwise positive"},
      {"velocities", "[0.0]", "rad/s", "a number for each block", "all 0", "clockwise positive"},
-     {"slip_velocities", "[0.0]", "m/s", "a number for each block; law \"unilateral\"", "all 0",
-      "along what is below, to the right positive"}}};
+     {"slip_velocities", "[0.0]", "m/s", "a number for each block; law \"unilateral\" or \"compliant\"",
+      "all 0", "along what is below, to the right positive"},
+     {"springs", "\"loaded\"", "", "\"loaded\" or \"unloaded\"; law \"compliant\"", "\"loaded\"",
+      "whether springs carry what rests on them at the start"}}};
 
 inline constexpr KeyTable contact_keys{
     "[contact]",
-    "how blocks rub",
+    "how blocks touch",
     {{"friction", "0.4", "", "a number from 0 to 1000, or one for each block", "that of [engine]",
       "Coulomb's coefficient of the interface under each block, in law \"unilateral\" and in engines; laws "
       "of "
-      "pivots never slip, and warn where they would have to"}}};
+      "pivots never slip, and warn where they would have to"},
+     {"stiffness", "inf", "N/m", "> 0 or inf, or one for each block; law \"compliant\"", "inf",
+      "of a spring at each corner of the interface under each block, across the face; inf: rigid"},
+     {"damping", "0.0", "N·s/m", "≥ 0, or one for each block; law \"compliant\"", "0",
+      "of the dashpot beside each spring; nothing pulls"},
+     {"tangential", "1.0", "", "> 0; law \"compliant\"", "1",
+      "stiffness and damping along the face over those across it; friction holds up to its coefficient"}}};
 
 inline constexpr KeyTable ground_keys{
     "[ground]",

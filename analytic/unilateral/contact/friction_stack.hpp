@@ -7,12 +7,23 @@
 
 namespace rockstack {
 
+/// A spring and a dashpot at each corner of an interface, or rigid faces. SI units.
+template <class Real>
+struct BasicSpringLaw {
+  Real stiffness = std::numeric_limits<Real>::infinity();  ///< N/m, across the face; infinite: rigid
+  Real damping = 0;                                        ///< N·s/m, likewise
+  Real tangential = 1;  ///< stiffness and damping along the face over those across it
+
+  bool soft() const { return stiffness < std::numeric_limits<Real>::infinity(); }
+};
+
 /// The stack that contacts hold, with the friction coefficient of each interface.
 template <class Real>
 struct BasicFrictionStack {
   std::vector<Block> blocks;
   std::vector<Real> friction;
-  BasicFreeVector<Real> inverse_mass;  ///< three a block
+  std::vector<BasicSpringLaw<Real>> springs;  ///< of each interface; empty where all are rigid
+  BasicFreeVector<Real> inverse_mass;         ///< three a block
 
   BasicFrictionStack(std::vector<Block> stacked, const std::vector<double>& coefficients)
       : blocks(std::move(stacked)),
@@ -26,9 +37,23 @@ struct BasicFrictionStack {
   }
 
   int size() const { return static_cast<int>(blocks.size()); }
+  /// Whether springs hold an interface. Its joint is `apart`, as rigid contacts see it.
+  bool soft(std::size_t interface) const { return !springs.empty() && springs[interface].soft(); }
 };
 
 using FrictionStack = BasicFrictionStack<double>;
+
+/// The stack of a scene.
+template <class Real>
+BasicFrictionStack<Real> friction_stack_of(const Scene& scene) {
+  BasicFrictionStack<Real> stack(scene.blocks, friction_of(scene));
+  const CornerSprings& springs = scene.springs;
+  for (std::size_t k = 0; k < springs.stiffness.size(); ++k)
+    stack.springs.push_back({Real(springs.stiffness[k]),
+                             springs.damping.empty() ? Real(0) : Real(springs.damping[k]),
+                             Real(springs.tangential)});
+  return stack;
+}
 
 /// The overlap of a flat contact from the middle of the block above, m.
 template <class Real>

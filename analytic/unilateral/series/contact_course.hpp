@@ -53,7 +53,7 @@ class CourseCollector {
     } else if (joint.pivots()) {
       push_force(force(k).normal, 1, k);
       push(times(joint.side(), opening_angle(k)), Change::closing, k);
-    } else {
+    } else if (!stack_.soft(static_cast<std::size_t>(k))) {
       add_landings(k);
     }
     if (!joint.touches()) return;

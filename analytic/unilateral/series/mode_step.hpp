@@ -9,15 +9,18 @@
 
 namespace rockstack {
 
-/// Lets the series of a step grow, order by order.
-template <class Real>
+/// Lets the series of a step grow, order by order. `known` are the forces of springs: each order of theirs
+/// follows from the same order of places and velocities.
+template <class Real, class Known>
 class SeriesMaker {
  public:
   SeriesMaker(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-              const BasicBodies<Real>& start, const ScaledBodyForce<Real>& body_force, const Real& length)
+              const BasicBodies<Real>& start, const ScaledBodyForce<Real>& body_force, const Real& length,
+              Known& known)
       : stack_(stack),
         joints_(joints),
         body_force_(body_force),
+        known_(known),
         ground_(ground_series<Real>()),
         held_(stack) {
     series_.length = length;
@@ -27,6 +30,7 @@ class SeriesMaker {
     series_.held.resize(joints.size());
     for (std::size_t k = 0; k < joints.size(); ++k) begin(series_.bodies[k], start.at[k], start.rate[k]);
     start_points(start);
+    known_.begin([this](int body) { return body_of(body); }, length);
   }
 
   void extend(std::size_t n) {
@@ -42,6 +46,8 @@ class SeriesMaker {
       point.extend(m);
       point.extend_force(series_.forces[point.interface()], n);
     }
+    known_.extend_places(m);
+    known_.extend_forces(n, series_.forces);
     BasicFreeVector<Real> motion = stack_.inverse_mass.cwiseProduct(forces(n));
     held_.constrain(points_, n, motion, series_.forces);
     for (std::size_t k = 0; k < series_.bodies.size(); ++k) {
@@ -56,6 +62,7 @@ class SeriesMaker {
       point.extend(m);
       point.extend_force(series_.forces[point.interface()], n);
     }
+    known_.extend_places(m);
   }
 
   /// The largest coefficient of order m, positions over a length, angles and directions as they are.
@@ -66,7 +73,7 @@ class SeriesMaker {
       size = std::max<Real>({size, abs(body.x[m]) / unit, abs(body.y[m]) / unit, abs(body.angle[m]),
                              abs(body.cosine[m]), abs(body.sine[m])});
     }
-    return size * Real(m);
+    return std::max<Real>(size, known_.size_of(m) / unit) * Real(m);
   }
 
   /// The largest coefficient of order n of forces.
@@ -82,6 +89,7 @@ class SeriesMaker {
     for (const GrowingPoint<Real>& point : points_)
       series_.held[point.interface()] = point.place_from_middle();
     if (ratio < 1) {
+      known_.rescale_by(ratio);
       series_.length *= ratio;
       for (BodySeries<Real>& body : series_.bodies)
         for (Polynomial<Real>* part : {&body.x, &body.y, &body.angle, &body.cosine, &body.sine})
@@ -134,28 +142,16 @@ class SeriesMaker {
       result[Eigen::Index{3} * k] = mass * coefficient(body_force_.x, n);
       result[Eigen::Index{3} * k + 1] = mass * coefficient(body_force_.y, n);
     }
-    for (const GrowingPoint<Real>& point : points_) {
-      const ForceSeries<Real>& force = series_.forces[point.interface()];
-      if (point.corner.body >= 0) {
-        result[Eigen::Index{3} * point.corner.body] += point.force_x[n];
-        result[Eigen::Index{3} * point.corner.body + 1] += point.force_y[n];
-        result[Eigen::Index{3} * point.corner.body + 2] +=
-            convolution(point.force_x, point.arm_y, n) - convolution(point.force_y, point.arm_x, n);
-      }
-      if (point.corner.face >= 0) {
-        result[Eigen::Index{3} * point.corner.face] -= point.force_x[n];
-        result[Eigen::Index{3} * point.corner.face + 1] -= point.force_y[n];
-        result[Eigen::Index{3} * point.corner.face + 2] +=
-            point.corner.upward * (convolution(force.normal, point.place.along, n) -
-                                   convolution(force.tangential, point.place.above, n));
-      }
-    }
+    for (const GrowingPoint<Real>& point : points_)
+      point.add_force(series_.forces[point.interface()], n, result);
+    known_.add_forces(n, result);
     return result;
   }
 
   const BasicFrictionStack<Real>& stack_;
   const Joints<Real>& joints_;
   const ScaledBodyForce<Real>& body_force_;
+  Known& known_;
   BodySeries<Real> ground_;
   ModeSeries<Real> series_;
   std::vector<GrowingPoint<Real>> points_;
@@ -185,13 +181,13 @@ class LeftOut {
 
 /// The series over `length`, or less of it where they would leave out more than rounding of positions, or of
 /// forces, their second derivatives, more than what events need.
-template <class Real>
+template <class Real, class Known>
 ModeStep<Real> mode_step(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
                          const BasicBodies<Real>& bodies, const ScaledBodyForce<Real>& body_force,
-                         const Real& length) {
+                         const Real& length, Known& known) {
   Real unit = 0;
   for (const Block& block : stack.blocks) unit += 2 * block.half_height;
-  SeriesMaker<Real> maker(stack, joints, bodies, body_force, length);
+  SeriesMaker<Real, Known> maker(stack, joints, bodies, body_force, length, known);
   const std::size_t body_force_terms = std::max(body_force.x.terms, body_force.y.terms);
   constexpr std::size_t most = max_orders<Real>;
   std::size_t orders = 0;

@@ -79,6 +79,23 @@ struct GrowingPoint {
     put(force_y, n,
         sign * (convolution(force.normal, face->cosine, n) - convolution(force.tangential, face->sine, n)));
   }
+
+  /// Adds coefficient n of the force, and of its moment, on both bodies.
+  void add_force(const ForceSeries<Real>& force, std::size_t n, BasicFreeVector<Real>& result) const {
+    if (corner.body >= 0) {
+      result[Eigen::Index{3} * corner.body] += force_x[n];
+      result[Eigen::Index{3} * corner.body + 1] += force_y[n];
+      result[Eigen::Index{3} * corner.body + 2] +=
+          convolution(force_x, arm_y, n) - convolution(force_y, arm_x, n);
+    }
+    if (corner.face >= 0) {
+      result[Eigen::Index{3} * corner.face] -= force_x[n];
+      result[Eigen::Index{3} * corner.face + 1] -= force_y[n];
+      result[Eigen::Index{3} * corner.face + 2] +=
+          corner.upward *
+          (convolution(force.normal, place.along, n) - convolution(force.tangential, place.above, n));
+    }
+  }
 };
 
 }  // namespace rockstack

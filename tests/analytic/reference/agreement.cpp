@@ -181,7 +181,7 @@ bool parts_at_resolution(const History& history, const QuadHistory& other, std::
 }
 
 bool parts_at_decision(const Scene& scene, const History& history, std::size_t event) {
-  if (scene.law != Law::unilateral) return false;
+  if (!leaves_pivots(scene.law)) return false;
   constexpr double moment_of_double = 1e-7;
   const Agreement agreement = compare(history, reference(scene, {}, moment_of_double));
   return !agreement.parts || *agreement.parts > event;

@@ -17,7 +17,7 @@ QuadHistory reference_of_contacts(const Scene& scene, const ContactOptions& opti
 
 QuadHistory reference(const Scene& scene, std::vector<double> sample_times, double moment) {
   constexpr double resolution = std::numeric_limits<double>::epsilon();
-  if (scene.law == Law::unilateral)
+  if (leaves_pivots(scene.law))
     return reference_of_contacts(
         scene, {.sample_times = std::move(sample_times), .resolution = resolution, .moment = moment});
   SolveOptions options;

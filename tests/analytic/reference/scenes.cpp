@@ -1,12 +1,14 @@
 // Compares the solver with the reference over seeded random scenes: reference_scenes [COUNT [FIRST
-// [linear | unilateral]]]. Prints a line for each scene whose events are not those of the reference, and a
-// summary; fails where a scene does not itself answer a rounding of its input with other events.
+// [linear | unilateral | compliant]]]. Prints a line for each scene whose events are not those of the
+// reference, and a summary; fails where a scene does not itself answer a rounding of its input with other
+// events.
 
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
 #include "tests/analytic/reference/random_scenes.hpp"
+#include "tests/analytic/unilateral/springs/random_springs.hpp"
 
 int main(int arguments, char** values) {
   using namespace rockstack::testing;
@@ -17,8 +19,9 @@ int main(int arguments, char** values) {
       kind == "linear" ? rockstack::Equations::linear : rockstack::Equations::nonlinear;
   Tally tally;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
-    const rockstack::Scene scene =
-        kind == "unilateral" ? rubbing_scene_of(seed) : seeded_scene(seed, equations);
+    const rockstack::Scene scene = kind == "unilateral"  ? rubbing_scene_of(seed)
+                                   : kind == "compliant" ? springy_scene(seed)
+                                                         : seeded_scene(seed, equations);
     const std::string words = tally.add(seed, scene);
     if (!words.empty()) std::printf("%s\n", words.c_str());
     std::fflush(stdout);

@@ -67,6 +67,12 @@ TEST(SceneErrors, FrictionAndSlip) {
        "scene.toml:3: equations = linear: must be nonlinear under law unilateral"},
       {1, "duration = 1\nlaw = \"unilateral\"\nrestitution = [1, 1]",
        "scene.toml:3: restitution = an array: must be left out under law unilateral, where friction decides"},
+      {1, "duration = 1\nlaw = \"compliant\"\nequations = \"linear\"",
+       "scene.toml:3: equations = linear: must be nonlinear under law compliant"},
+      {12, "[contact]\nstiffness = 1e8",
+       "scene.toml:13: contact.stiffness = given: must be left out under law consistent: springs are for law "
+       "compliant"},
+      {12, "springs = 1", "scene.toml:12: initial.springs = 1: must be \"loaded\" or \"unloaded\""},
   });
 }
 
@@ -96,7 +102,8 @@ TEST(SceneErrors, WrongTypes) {
       {1, "duration = 1\ntitle = 3", "scene.toml:2: title = 3: must be a text in quotes"},
       {1, "duration = 1\nengine = [1]", "scene.toml:2: engine = an array of 1: must be a table"},
       {1, "duration = 1\nlaw = \"papr\"",
-       "scene.toml:2: law = \"papr\": must be \"paper\" or \"consistent\" or \"unilateral\""},
+       "scene.toml:2: law = \"papr\": must be \"paper\" or \"consistent\" or \"unilateral\" or "
+       "\"compliant\""},
       {1, "duration = 1\nequations = 2",
        "scene.toml:2: equations = 2: must be \"nonlinear\" or \"linear\" or \"small-angle\""},
   });
@@ -115,7 +122,8 @@ TEST(SceneErrors, UnknownKeysListTheKnownOnes) {
        "scene.toml:7: blocks.2.widht: unknown key, must be one of width, height, density, mass, inertia, "
        "center_of_mass"},
       {12, "speeds = [0, 0]",
-       "scene.toml:12: initial.speeds: unknown key, must be one of angles, velocities, slip_velocities"},
+       "scene.toml:12: initial.speeds: unknown key, must be one of angles, velocities, slip_velocities, "
+       "springs"},
       {12, "[ground]\nsideways = 1",
        "scene.toml:13: ground.sideways: unknown key, must be one of horizontal, vertical, inclination"},
       {12, "[ground.vertical]\nspectrum = 1",
@@ -172,9 +180,9 @@ TEST(SceneErrors, BrokenTomlNamesItsLine) {
 TEST(SceneErrors, OddTextStaysOnOneLine) {
   EXPECT_EQ(error_of(with_line(1, "duration = \"a\\nb\"")),
             "scene.toml:1: duration = \"a\\x0ab\": must be a number");
-  EXPECT_EQ(
-      error_of(with_line(12, "\"a\\nb\" = 1")),
-      "scene.toml:12: initial.a\\x0ab: unknown key, must be one of angles, velocities, slip_velocities");
+  EXPECT_EQ(error_of(with_line(12, "\"a\\nb\" = 1")),
+            "scene.toml:12: initial.a\\x0ab: unknown key, must be one of angles, velocities, "
+            "slip_velocities, springs");
 }
 
 TEST(SceneErrors, AFileThatIsNotThereOrADirectory) {

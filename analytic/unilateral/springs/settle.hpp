@@ -1,0 +1,200 @@
+#pragma once
+
+#include <Eigen/LU>
+
+#include "analytic/unilateral/contact/initial_contacts.hpp"
+#include "analytic/unilateral/springs/spring_point.hpp"
+
+namespace rockstack {
+
+/// The points of soft interfaces, where rigid contacts would touch; they push, but not yet. Those that slip
+/// from the start slide.
+template <class Real>
+SpringPoints<Real> initial_points(const BasicFrictionStack<Real>& stack, const ContactState<Real>& state) {
+  SpringPoints<Real> points;
+  for (std::size_t k = 0; k < state.joints.size(); ++k) {
+    if (!stack.soft(k)) continue;
+    const auto interface = static_cast<int>(k);
+    const BasicJoint<Real>& joint = state.joints[k];
+    const PointLaw<Real> law = law_of(stack, interface);
+    for (const int side : {-1, 1}) {
+      SpringPoint<Real> point;
+      point.interface = interface;
+      point.side = side;
+      point.corner_below = corner_is_below<Real>(stack, interface, joint.offset, side);
+      if (joint.touch == Touch::flat || joint.side() == side) {
+        point.press = Press::pushing;
+        point.slide = law.friction > 0 ? joint.slip : 0;
+        point.slider = rows_of(stack.blocks, state.bodies, corner_of(stack.blocks, point)).slip;
+        point.at_face = true;
+      }
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
+/// Moves all blocks from one up, and turns them about a point.
+template <class Real>
+void move_above(std::size_t first, const Point<Real>& about, const Point<Real>& by, const Real& angle,
+                Placements<Real>& at) {
+  for (std::size_t k = first; k < at.size(); ++k) {
+    const Point<Real> arm = turned<Real>({at[k].x - about.x(), at[k].y - about.y()}, angle);
+    at[k] = {about.x() + arm.x() + by.x(), about.y() + arm.y() + by.y(), at[k].angle + angle};
+  }
+}
+
+/// How a step of equilibrium ends.
+template <class Real>
+struct Settling {
+  Placements<Real> at;
+  bool stands = false;
+};
+
+/// The equilibrium of a stack at rest on its springs, by Newton's method with the stiffness of springs alone:
+/// unknown are the displacement and the turn of all above each soft interface. It does not stand where the
+/// method does not converge, where a corner would have to pull, or a slider would move.
+template <class Real>
+Settling<Real> find_equilibrium(const Scene& scene, const BasicFrictionStack<Real>& stack,
+                                BasicBodies<Real> bodies, const SpringPoints<Real>& points) {
+  const Gravity gravity = gravity_of(scene);
+  std::vector<std::size_t> soft;
+  for (std::size_t k = 0; k < stack.blocks.size(); ++k)
+    if (stack.soft(k)) soft.push_back(k);
+  const auto size = static_cast<Eigen::Index>(3 * soft.size());
+  BasicFreeVector<Real> weight(Eigen::Index{3} * stack.size());
+  Real height = 0;
+  for (int k = 0; k < stack.size(); ++k) {
+    const Block& block = stack.blocks[static_cast<std::size_t>(k)];
+    weight.template segment<3>(Eigen::Index{3} * k) << Real(block.mass) * Real(gravity.along),
+        -Real(block.mass) * Real(gravity.across), Real(0);
+    height += 2 * Real(block.half_height);
+  }
+  const auto foot = [&](std::size_t k) -> Point<Real> {
+    const Point<Real> arm =
+        turned<Real>(Point<Real>(0, -half_height_of<Real>(stack.blocks, static_cast<int>(k))) -
+                         centre_of<Real>(stack.blocks, static_cast<int>(k)),
+                     bodies.at[k].angle);
+    return {bodies.at[k].x + arm.x(), bodies.at[k].y + arm.y()};
+  };
+  SpringPoints<Real> standing = points;
+  for (SpringPoint<Real>& point : standing) point.slide = 0;
+  constexpr int most = 1000;
+  Real before = std::numeric_limits<Real>::infinity();
+  for (int round = 0; round < most; ++round) {
+    SquareMatrix<Real> motions = SquareMatrix<Real>::Zero(weight.size(), size);
+    for (std::size_t c = 0; c < soft.size(); ++c) {
+      const Point<Real> about = foot(soft[c]);
+      for (std::size_t k = soft[c]; k < bodies.at.size(); ++k) {
+        const auto row = static_cast<Eigen::Index>(3 * k);
+        const auto column = static_cast<Eigen::Index>(3 * c);
+        const Point<Real> turn =
+            quarter_turned<Real>({bodies.at[k].x - about.x(), bodies.at[k].y - about.y()});
+        motions(row, column) = motions(row + 1, column + 1) = motions(row + 2, column + 2) = 1;
+        motions(row, column + 2) = turn.x();
+        motions(row + 1, column + 2) = turn.y();
+      }
+    }
+    SquareMatrix<Real> stiffness = SquareMatrix<Real>::Zero(size, size);
+    for (const SpringPoint<Real>& point : standing) {
+      const PointLaw<Real> law = law_of(stack, point.interface);
+      const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+      const FreeRow<Real> across = rows.gap_row * motions;
+      const FreeRow<Real> along = rows.slip_row * motions;
+      stiffness +=
+          law.stiffness * across.transpose() * across + law.tangential_stiffness * along.transpose() * along;
+    }
+    const BasicFreeVector<Real> forces = weight + forces_of(stack, standing, bodies);
+    const BasicFreeVector<Real> change =
+        Eigen::PartialPivLU<SquareMatrix<Real>>(stiffness).solve(motions.transpose() * forces);
+    for (std::size_t c = soft.size(); c-- > 0;) {
+      const auto column = static_cast<Eigen::Index>(3 * c);
+      move_above<Real>(soft[c], foot(soft[c]), {change[column], change[column + 1]}, change[column + 2],
+                       bodies.at);
+    }
+    const Real largest = change.template lpNorm<Eigen::Infinity>();
+    // Newton's method ends where rounding does: changes are negligible, and no longer fall.
+    if (largest <= 8 * std::numeric_limits<Real>::epsilon() * height && largest >= before / 2) break;
+    if (round + 1 == most || !(largest < height)) return {bodies.at, false};
+    before = largest;
+  }
+  const BasicFreeVector<Real> rates = BasicFreeVector<Real>::Zero(weight.size());
+  for (const SpringPoint<Real>& point : standing) {
+    using std::abs;
+    const PointLaw<Real> law = law_of(stack, point.interface);
+    const PointForce<Real> force =
+        force_of(law, point, rows_of(stack.blocks, bodies, corner_of(stack.blocks, point)), rates);
+    if (!(force.normal > 0)) return {bodies.at, false};
+    if (abs(force.tangential) > law.friction * force.normal) return {bodies.at, false};
+  }
+  return {bodies.at, true};
+}
+
+/// Lets one soft interface bear the weight above it without velocity: N and T across and along its face, by
+/// the corners that touch. One that is open by less than that presses it in touches at both ends.
+template <class Real>
+void settle_interface(const Gravity& gravity, const BasicFrictionStack<Real>& stack, std::size_t interface,
+                      BasicBodies<Real>& bodies, SpringPoints<Real>& points) {
+  const PointLaw<Real> law = law_of(stack, static_cast<int>(interface));
+  std::vector<SpringPoint<Real>*> ends;
+  for (SpringPoint<Real>& point : points)
+    if (point.interface == static_cast<int>(interface)) ends.push_back(&point);
+  if (!ends.front()->pushes()) std::swap(ends[0], ends[1]);
+  const SpringPoint<Real>& first = *ends[0];
+  SpringPoint<Real>& other = *ends[1];
+  const int face = corner_of(stack.blocks, first).face;
+  const Real angle = placement(bodies.at, face).angle;
+  Real mass = 0;
+  for (std::size_t k = interface; k < bodies.at.size(); ++k) mass += Real(stack.blocks[k].mass);
+  const Point<Real> load = turned<Real>({mass * Real(gravity.along), -mass * Real(gravity.across)}, -angle);
+  Real gap = 0;  // of the end that is higher
+  if (!other.pushes()) {
+    const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, other));
+    if (rows.gap * law.stiffness < -load.y()) {
+      gap = rows.gap;
+      other.press = Press::pushing;
+      other.slide = first.slide;
+      other.slider = rows.slip;
+    }
+  }
+  const int count = other.pushes() ? 2 : 1;
+  const Real most = -law.friction * load.y();
+  const Real along = first.slide != 0 ? Real(first.slide * most) : std::clamp<Real>(load.x(), -most, most);
+  const Real stretch = along / (count * law.tangential_stiffness);
+  // What slides keeps its place: its slider stands back.
+  if (first.slide != 0)
+    for (SpringPoint<Real>* end : ends) end->slider -= stretch;
+  const Point<Real> moved =
+      turned<Real>({first.slide != 0 ? Real(0) : stretch, -(gap - load.y() / law.stiffness) / count}, angle);
+  move_above<Real>(interface, {Real(0), Real(0)}, moved, 0, bodies.at);
+  const Point<Real> turning = quarter_turned(moved) * placement(bodies.rate, face).angle;
+  for (std::size_t k = interface; k < bodies.at.size(); ++k) {
+    bodies.rate[k].x += turning.x();
+    bodies.rate[k].y += turning.y();
+  }
+}
+
+/// Puts blocks onto their springs. A stack that is upright and still goes to its equilibrium, if it has one.
+/// Any other keeps its angles.
+template <class Real>
+void settle(const Scene& scene, const BasicFrictionStack<Real>& stack, ContactState<Real>& state,
+            SpringPoints<Real>& points) {
+  BasicBodies<Real>& bodies = state.bodies;
+  bool still = true;
+  for (std::size_t k = 0; k < bodies.at.size(); ++k) {
+    const BasicBodyPlacement<Real>& rate = bodies.rate[k];
+    still = still && state.joints[k].touch == Touch::flat && rate.x == 0 && rate.y == 0 && rate.angle == 0;
+  }
+  for (SpringPoint<Real>& point : points) point.at_face = false;
+  if (still) {
+    const Settling<Real> found = find_equilibrium(scene, stack, bodies, points);
+    if (found.stands) {
+      bodies.at = found.at;
+      return;
+    }
+  }
+  for (std::size_t k = 0; k < bodies.at.size(); ++k)
+    if (stack.soft(k)) settle_interface(gravity_of(scene), stack, k, bodies, points);
+}
+
+}  // namespace rockstack

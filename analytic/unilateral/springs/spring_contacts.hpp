@@ -1,0 +1,221 @@
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+
+#include "analytic/unilateral/springs/settle.hpp"
+#include "analytic/unilateral/springs/spring_courses.hpp"
+#include "analytic/unilateral/springs/spring_energy.hpp"
+#include "analytic/unilateral/springs/spring_state.hpp"
+
+namespace rockstack {
+
+/// The springs of a stack along its motion: which corners push, where their sliders stand, what is lost.
+template <class Real>
+class SpringContacts {
+ public:
+  /// Keeps a reference to `stack`. Puts blocks onto their springs, and takes the joints of soft interfaces
+  /// from rigid contacts.
+  SpringContacts(const Scene& scene, const BasicFrictionStack<Real>& stack, ContactState<Real>& state)
+      : stack_(stack), lost_(stack.blocks.size()), shown_(state.joints) {
+    if (stack.springs.empty()) return;
+    points_ = initial_points(stack, state);
+    if (scene.initial.settled) settle(scene, stack, state, points_);
+    for (std::size_t k = 0; k < state.joints.size(); ++k)
+      if (stack.soft(k)) state.joints[k] = {Touch::apart, 0, false, 0};
+    show();
+  }
+
+  /// @throws std::invalid_argument where a motion would take more than 10⁸ steps.
+  void require_few_steps(const Scene& scene, const BasicBodies<Real>& bodies) const {
+    SpringPoints<Real> all = points_;
+    for (SpringPoint<Real>& point : all) point.press = Press::pushing;
+    const auto rate = static_cast<double>(fastest_rate(stack_, all, bodies));
+    constexpr double most_steps = 1e8;
+    const double steps = scene.duration * rate / steps_per_rate;
+    if (!(steps > most_steps)) return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "contact.stiffness: springs as fast as " << rate << " rad/s would take " << steps
+         << " steps; at most " << most_steps << " are taken";
+    throw std::invalid_argument(text.str());
+  }
+
+  bool empty() const { return points_.empty(); }
+  const SpringPoints<Real>& points() const { return points_; }
+
+  /// Joints with those of soft interfaces as their points touch: what histories tell.
+  Joints<Real> shown(Joints<Real> joints) const {
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      if (stack_.soft(k)) joints[k] = shown_[k];
+    return joints;
+  }
+
+  /// The longest step over which series tell the fastest motion there may be, to rounding: explicit steps of
+  /// any order that double or quadruple numbers have are stable up to 8 over its rate.
+  Real longest_step(const BasicBodies<Real>& bodies) const {
+    const Real rate = fastest_rate(stack_, points_, bodies);
+    return rate > 0 ? steps_per_rate / rate : std::numeric_limits<Real>::infinity();
+  }
+
+  /// What springs make of bodies' acceleration.
+  BasicFreeVector<Real> accelerations(const BasicBodies<Real>& bodies) const {
+    return stack_.inverse_mass.cwiseProduct(forces_of(stack_, points_, bodies));
+  }
+
+  /// Goes up to s of a step, over which bodies go from `before` to `after`.
+  void go(const SpringSeries<Real>& series, const Real& s, const BasicBodies<Real>& before,
+          const BasicBodies<Real>& after) {
+    for (SpringPoint<Real>& point : points_) {
+      if (s > 0) point.move_on();
+      if (point.press == Press::left_behind)
+        losses(point).damped += elastic_energy(stack_, point, before) - elastic_energy(stack_, point, after);
+    }
+    for (const GrowingSpring<Real>& spring : series.springs()) {
+      SpringPoint<Real>& point = points_[spring.index];
+      add_losses(spring, series, s, losses(point));
+      if (point.slide == 0 && spring.law.friction > 0) continue;
+      const Real slip = rows_of(stack_.blocks, after, corner_of(stack_.blocks, point)).slip;
+      point.slider = spring.law.friction == 0 ? slip : slip - value(spring.stretch, s);
+    }
+    show();
+  }
+
+  /// Changes a point as its course says; not where another course at the same time has changed it.
+  void apply(const SpringCourse<Real>& course, const BasicBodies<Real>& bodies) {
+    SpringPoint<Real>& point = points_[course.point];
+    const PointLaw<Real> law = law_of(stack_, point.interface);
+    if (point.press != pressed_before(course.change)) return;
+    const bool moves = point.slide != 0 || law.friction == 0;
+    if (course.change == SpringChange::slide ? moves : course.change >= SpringChange::grip && !moves) return;
+    const Real held = elastic_energy(stack_, point, bodies);
+    switch (course.change) {
+      case SpringChange::touch:
+        point.corner_below = course.below;
+        start_pushing(point, bodies);
+        point.at_face = is_at_face(point, bodies);
+        break;
+      case SpringChange::push_again:
+        start_pushing(point, bodies);
+        point.at_no_force = true;
+        break;
+      case SpringChange::part:
+        point.slide = 0;
+        point.press = law.damping > 0 && !is_at_face(point, bodies) ? Press::left_behind : Press::off;
+        (point.press == Press::off ? point.at_face : point.at_no_force) = true;
+        break;
+      case SpringChange::leave:
+        point.press = Press::off;
+        point.at_face = true;
+        break;
+      case SpringChange::slide:
+        point.slide = course.way;
+        point.at_grip = true;
+        break;
+      case SpringChange::grip:
+        point.slide = 0;
+        point.at_grip = true;
+        break;
+      case SpringChange::pass:
+        pass(point);
+        break;
+      case SpringChange::fall:
+        break;
+    }
+    losses(point).damped += held - elastic_energy(stack_, point, bodies);
+  }
+
+  /// Tells how soft interfaces touch now.
+  void show() {
+    std::vector<int> ends(shown_.size(), 0);
+    for (const SpringPoint<Real>& point : points_) {
+      if (!point.pushes()) continue;
+      const auto k = static_cast<std::size_t>(point.interface);
+      BasicJoint<Real>& joint = shown_[k];
+      const bool first = ends[k]++ == 0;
+      joint.touch = static_cast<Touch>(point.side);
+      joint.corner_below = point.corner_below;
+      joint.slip = first || joint.slip == point.slide ? point.slide : 0;
+      const Real offset = point.slider - slip_from_offset(stack_.blocks, point.interface, joint);
+      joint.offset = first ? offset : Real((joint.offset + offset) / 2);
+      if (!first) joint.touch = Touch::flat;
+    }
+    for (std::size_t k = 0; k < shown_.size(); ++k)
+      if (stack_.soft(k) && ends[k] == 0) shown_[k] = {Touch::apart, 0, false, shown_[k].offset};
+  }
+
+  /// What the springs of each interface do.
+  std::vector<BasicSpringState<Real>> states(const BasicBodies<Real>& bodies) const {
+    if (points_.empty()) return {};
+    std::vector<BasicSpringState<Real>> result(stack_.blocks.size());
+    const BasicFreeVector<Real> rates = vector_of(bodies.rate);
+    for (std::size_t k = 0; k < result.size(); ++k) result[k].energy = lost_[k];
+    for (const SpringPoint<Real>& point : points_) {
+      BasicSpringState<Real>& state = result[static_cast<std::size_t>(point.interface)];
+      const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
+      const BasicPointRows<Real> rows = rows_of(stack_.blocks, bodies, corner);
+      const PointForce<Real> force = force_of(law_of(stack_, point.interface), point, rows, rates);
+      state.reaction.normal += force.normal;
+      state.reaction.tangential += force.tangential;
+      // From the middle of the block above: its own corner, or where that of the block below is under it.
+      state.reaction.centre += force.normal * (point.corner_below ? Real(-rows.slip) : corner.x);
+      state.energy.elastic += elastic_energy(stack_, point, bodies);
+    }
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      BasicReaction<Real>& reaction = result[k].reaction;
+      reaction.centre = reaction.normal > 0 ? Real(reaction.centre / reaction.normal)
+                                            : std::numeric_limits<Real>::quiet_NaN();
+    }
+    return result;
+  }
+
+ private:
+  static Press pressed_before(SpringChange change) {
+    switch (change) {
+      case SpringChange::touch:
+        return Press::off;
+      case SpringChange::push_again:
+      case SpringChange::leave:
+        return Press::left_behind;
+      default:
+        return Press::pushing;
+    }
+  }
+
+  BasicSpringEnergy<Real>& losses(const SpringPoint<Real>& point) {
+    return lost_[static_cast<std::size_t>(point.interface)];
+  }
+
+  /// Whether the depth is zero to rounding.
+  bool is_at_face(const SpringPoint<Real>& point, const BasicBodies<Real>& bodies) const {
+    using std::abs;
+    const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
+    Real height = 0;
+    for (const Block& block : stack_.blocks) height += 2 * Real(block.half_height);
+    return abs(rows_of(stack_.blocks, bodies, corner).gap) <= tolerance<Real>(1e-14) * height;
+  }
+
+  void start_pushing(SpringPoint<Real>& point, const BasicBodies<Real>& bodies) {
+    point.press = Press::pushing;
+    point.slide = 0;
+    point.slider = rows_of(stack_.blocks, bodies, corner_of(stack_.blocks, point)).slip;
+  }
+
+  /// The corner of the other block takes over, its slider at the end of its face.
+  void pass(SpringPoint<Real>& point) const {
+    point.corner_below = !point.corner_below;
+    const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
+    const int outward = point.side * corner.upward;
+    point.slider = outward * half_width_of<Real>(stack_.blocks, corner.face);
+    point.at_end = true;
+  }
+
+  static constexpr int steps_per_rate = 8;
+
+  const BasicFrictionStack<Real>& stack_;
+  SpringPoints<Real> points_;
+  std::vector<BasicSpringEnergy<Real>> lost_;
+  Joints<Real> shown_;
+};
+
+}  // namespace rockstack

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "analytic/scene/history.hpp"
+#include "analytic/unilateral/springs/spring_series.hpp"
+
+namespace rockstack {
+
+/// ∫ first · second ds from 0 to s, without loss of terms.
+template <class Real>
+Real integral_of_product(const Polynomial<Real>& first, const Polynomial<Real>& second, const Real& s) {
+  std::array<Real, 2 * max_terms<Real>> weights;
+  Real power = s;
+  for (std::size_t m = 0; m < weights.size(); ++m, power *= s) weights[m] = power / Real(m + 1);
+  Real sum = 0;
+  for (std::size_t i = first.terms; i-- > 0;) {
+    Real inner = 0;
+    for (std::size_t j = second.terms; j-- > 0;) inner += second[j] * weights[i + j];
+    sum += first[i] * inner;
+  }
+  return sum;
+}
+
+/// What a point's springs hold, J. A spring that is left behind keeps what its depth stands for, and loses it
+/// as the corner backs away.
+template <class Real>
+Real elastic_energy(const BasicFrictionStack<Real>& stack, const SpringPoint<Real>& point,
+                    const BasicBodies<Real>& bodies) {
+  if (point.press == Press::off) return 0;
+  const PointLaw<Real> law = law_of(stack, point.interface);
+  const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+  Real energy = law.stiffness * rows.gap * rows.gap / 2;
+  if (point.pushes() && law.friction > 0) {
+    const Real stretch = rows.slip - point.slider;
+    energy += law.tangential_stiffness * stretch * stretch / 2;
+  }
+  return energy;
+}
+
+/// Adds what a point that pushes loses up to s of a step.
+template <class Real>
+void add_losses(const GrowingSpring<Real>& spring, const SpringSeries<Real>& series, const Real& s,
+                BasicSpringEnergy<Real>& lost) {
+  const PointLaw<Real>& law = spring.law;
+  const auto dissipated = [&](const Real& damping, const Polynomial<Real>& place) -> Real {
+    if (damping == 0) return 0;
+    const Polynomial<Real> rate = derivative(place);
+    return damping / series.length() * integral_of_product(rate, rate, s);
+  };
+  lost.damped += dissipated(law.damping, spring.depth);
+  if (law.friction == 0) return;
+  lost.damped += dissipated(law.tangential_damping, spring.stretch);
+  if (spring.start.slide == 0) return;
+  const Polynomial<Real> slider = sum(spring.slip, times(-1, spring.stretch));
+  lost.rubbed -= integral_of_product(spring.force.tangential, derivative(slider), s) / series.unit();
+}
+
+}  // namespace rockstack

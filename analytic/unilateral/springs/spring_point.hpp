@@ -1,0 +1,128 @@
+#pragma once
+
+#include <vector>
+
+#include "analytic/unilateral/contact/friction_stack.hpp"
+#include "analytic/unilateral/contact/point_rows.hpp"
+
+namespace rockstack {
+
+/// Whether a corner pushes: not where it is off its face, nor where it leaves a spring behind that would have
+/// to pull.
+enum class Press : std::int8_t { off, left_behind, pushing };
+
+/// An end of an interface with a spring and a dashpot across the face, N = max(0, kδ + cδ̇) where the depth δ
+/// is above zero, and along it a spring and a dashpot beside each other, before a slider of strength μN:
+///
+///     |k_t τ + c_t τ̇| ≤ μN,  the slider stands still where it is less, and moves with the force else,
+///
+/// τ how far the tangential spring is stretched. The slider is at slip − τ, where the slip is the corner's.
+template <class Real>
+struct SpringPoint {
+  int interface = 0;          ///< from 0
+  int side = 0;               ///< −1 left end, 1 right end
+  bool corner_below = false;  ///< it is a corner of the block below, under the face of the one above
+  Press press = Press::off;
+  int slide = 0;  ///< the way the slider moves, of the block above against the one below; 0: it stands still
+  Real slider = 0;  ///< its place on the slip coordinate, m
+
+  // What is zero by the event that has just been, however it rounds.
+  bool at_face = false;      ///< the depth
+  bool at_no_force = false;  ///< the normal force
+  bool at_grip = false;      ///< what parts standing still from sliding
+  bool at_end = false;       ///< how far the slider is from the end of the face
+
+  bool pushes() const { return press == Press::pushing; }
+  void move_on() { at_face = at_no_force = at_grip = at_end = false; }
+};
+
+template <class Real>
+using SpringPoints = std::vector<SpringPoint<Real>>;
+
+template <class Real>
+CornerOnFace<Real> corner_of(const std::vector<Block>& blocks, const SpringPoint<Real>& point) {
+  return point.corner_below ? lower_corner<Real>(blocks, point.interface, point.side)
+                            : upper_corner<Real>(blocks, point.interface, point.side);
+}
+
+/// The law of a point, with its friction.
+template <class Real>
+struct PointLaw {
+  Real stiffness, damping;                        ///< across the face, N/m and N·s/m
+  Real tangential_stiffness, tangential_damping;  ///< along it
+  Real friction;
+};
+
+template <class Real>
+PointLaw<Real> law_of(const BasicFrictionStack<Real>& stack, int interface) {
+  const auto k = static_cast<std::size_t>(interface);
+  const BasicSpringLaw<Real>& law = stack.springs[k];
+  return {law.stiffness, law.damping, law.stiffness * law.tangential, law.damping * law.tangential,
+          stack.friction[k]};
+}
+
+/// What a point that pushes does to the block above, N, across the face and along it.
+template <class Real>
+struct PointForce {
+  Real normal, tangential;
+};
+
+template <class Real>
+PointForce<Real> force_of(const PointLaw<Real>& law, const SpringPoint<Real>& point,
+                          const BasicPointRows<Real>& rows, const BasicFreeVector<Real>& rates) {
+  if (!point.pushes()) return {0, 0};
+  const Real normal = -(law.stiffness * rows.gap + law.damping * rows.gap_row.dot(rates));
+  if (point.slide != 0) return {normal, -point.slide * law.friction * normal};
+  if (law.friction == 0) return {normal, 0};
+  return {normal, -(law.tangential_stiffness * (rows.slip - point.slider) +
+                    law.tangential_damping * rows.slip_row.dot(rates))};
+}
+
+/// The forces of all points on bodies, and moments.
+template <class Real>
+BasicFreeVector<Real> forces_of(const BasicFrictionStack<Real>& stack, const SpringPoints<Real>& points,
+                                const BasicBodies<Real>& bodies) {
+  BasicFreeVector<Real> forces = BasicFreeVector<Real>::Zero(Eigen::Index{3} * stack.size());
+  const BasicFreeVector<Real> rates = vector_of(bodies.rate);
+  for (const SpringPoint<Real>& point : points) {
+    if (!point.pushes()) continue;
+    const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+    const PointForce<Real> force = force_of(law_of(stack, point.interface), point, rows, rates);
+    forces += force.normal * rows.gap_row.transpose() + force.tangential * rows.slip_row.transpose();
+  }
+  return forces;
+}
+
+/// No oscillation of the stack on points that push is faster than this, and nothing dies out faster, 1/s:
+/// from the trace of M⁻¹K and that of M⁻¹C; and k/c, by which a stretch relaxes while its slider moves.
+template <class Real>
+Real fastest_rate(const BasicFrictionStack<Real>& stack, const SpringPoints<Real>& points,
+                  const BasicBodies<Real>& bodies) {
+  using std::abs;
+  using std::sqrt;
+  Real square = 0;
+  Real damped = 0;
+  Real relaxing = 0;
+  for (const SpringPoint<Real>& point : points) {
+    if (!point.pushes()) continue;
+    const PointLaw<Real> law = law_of(stack, point.interface);
+    const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+    const auto product = [&](const FreeRow<Real>& a, const FreeRow<Real>& b) -> Real {
+      return (a.array() * stack.inverse_mass.transpose().array() * b.array()).sum();
+    };
+    const Real across = product(rows.gap_row, rows.gap_row);
+    Real along = law.friction == 0 ? Real(0) : product(rows.slip_row, rows.slip_row);
+    if (point.slide != 0) {
+      along = 0;
+      const Real coupled = law.friction * abs(product(rows.gap_row, rows.slip_row));
+      square += law.stiffness * coupled;
+      damped += law.damping * coupled;
+      if (law.damping > 0) relaxing = std::max<Real>(relaxing, law.stiffness / law.damping);
+    }
+    square += law.stiffness * across + law.tangential_stiffness * along;
+    damped += law.damping * across + law.tangential_damping * along;
+  }
+  return std::max<Real>({sqrt(square), damped, relaxing});
+}
+
+}  // namespace rockstack

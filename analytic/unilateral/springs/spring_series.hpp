@@ -1,0 +1,147 @@
+#pragma once
+
+#include "analytic/unilateral/series/mode_series.hpp"
+#include "analytic/unilateral/springs/spring_point.hpp"
+
+namespace rockstack {
+
+/// A point that pushes, along a step in s, its share.
+template <class Real>
+struct GrowingSpring {
+  std::size_t index;  ///< of the point
+  SpringPoint<Real> start;
+  PointLaw<Real> law;
+  GrowingPoint<Real> point;
+  ForceSeries<Real> force;   ///< in the unit of the step's series
+  Polynomial<Real> depth;    ///< m
+  Polynomial<Real> slip;     ///< m
+  Polynomial<Real> stretch;  ///< of the tangential spring, m
+};
+
+/// The forces of springs along a step: coefficient n of a force is that of kδ + cδ̇, which the places' up to
+/// n + 1 make.
+template <class Real>
+class SpringSeries {
+ public:
+  /// Keeps references to all but `bodies`.
+  SpringSeries(const BasicFrictionStack<Real>& stack, const SpringPoints<Real>& points,
+               const BasicBodies<Real>& bodies)
+      : stack_(stack), points_(points), bodies_(bodies) {}
+
+  /// `body_of` tells a body's series.
+  template <class BodyOf>
+  void begin(const BodyOf& body_of, const Real& length) {
+    length_ = length;
+    unit_ = length * length;
+    growing_.reserve(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const SpringPoint<Real>& point = points_[i];
+      if (!point.pushes()) continue;
+      const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
+      growing_.push_back(
+          {i,
+           point,
+           law_of(stack_, point.interface),
+           GrowingPoint<Real>(stack_.blocks, corner, body_of(corner.face), body_of(corner.body)),
+           {},
+           {},
+           {},
+           {}});
+      const BasicPointRows<Real> rows = rows_of(stack_.blocks, bodies_, corner);
+      GrowingSpring<Real>& spring = growing_.back();
+      put(spring.depth, 0, point.at_face ? Real(0) : Real(-rows.gap));
+      put(spring.slip, 0, rows.slip);
+      put(spring.stretch, 0, rows.slip - point.slider);
+    }
+    extend_places(0);
+    extend_places(1);
+  }
+
+  void extend_places(std::size_t m) {
+    for (GrowingSpring<Real>& spring : growing_) {
+      spring.point.extend(m);
+      if (m == 0) continue;
+      const int sign = spring.point.corner.upward;
+      put(spring.depth, m, -sign * spring.point.place.above[m]);
+      put(spring.slip, m, sign * spring.point.place.along[m]);
+    }
+  }
+
+  /// Coefficient n of forces, which it adds to those of interfaces.
+  void extend_forces(std::size_t n, std::vector<ForceSeries<Real>>& forces) {
+    for (GrowingSpring<Real>& spring : growing_) {
+      const PointLaw<Real>& law = spring.law;
+      const Real normal = law.stiffness * spring.depth[n] + law.damping * rate(spring.depth, n);
+      Real tangential = 0;
+      if (spring.start.slide != 0) {
+        tangential = -spring.start.slide * law.friction * normal;
+        extend_sliding(spring, n, normal);
+      } else {
+        if (n > 0) put(spring.stretch, n, spring.slip[n]);
+        if (law.friction > 0)
+          tangential =
+              -(law.tangential_stiffness * spring.stretch[n] + law.tangential_damping * rate(spring.slip, n));
+      }
+      put(spring.force.normal, n, unit_ * normal);
+      put(spring.force.tangential, n, unit_ * tangential);
+      spring.point.extend_force(spring.force, n);
+      ForceSeries<Real>& sum = forces[static_cast<std::size_t>(spring.start.interface)];
+      sum.normal[n] += unit_ * normal;
+      sum.tangential[n] += unit_ * tangential;
+    }
+  }
+
+  void add_forces(std::size_t n, BasicFreeVector<Real>& result) const {
+    for (const GrowingSpring<Real>& spring : growing_) spring.point.add_force(spring.force, n, result);
+  }
+
+  /// The largest coefficient m of a stretch that goes by a law of its own, m.
+  Real size_of(std::size_t m) const {
+    using std::abs;
+    Real size = 0;
+    for (const GrowingSpring<Real>& spring : growing_)
+      if (spring.start.slide != 0) size = std::max<Real>(size, abs(coefficient(spring.stretch, m - 1)));
+    return size;
+  }
+
+  /// Makes the step `ratio` times as long.
+  void rescale_by(const Real& ratio) {
+    length_ *= ratio;
+    for (GrowingSpring<Real>& spring : growing_)
+      for (Polynomial<Real>* part : {&spring.depth, &spring.slip, &spring.stretch, &spring.force.normal,
+                                     &spring.force.tangential, &spring.point.place.along})
+        rescale(*part, ratio);
+  }
+
+  const std::vector<GrowingSpring<Real>>& springs() const { return growing_; }
+  const Real& length() const { return length_; }
+  const Real& unit() const { return unit_; }  ///< one over that of forces, s²
+
+ private:
+  /// Coefficient n of a rate, 1/s.
+  Real rate(const Polynomial<Real>& series, std::size_t n) const {
+    return Real(n + 1) * series[n + 1] / length_;
+  }
+
+  /// While the slider moves, k_t τ + c_t τ̇ = ±μN.
+  void extend_sliding(GrowingSpring<Real>& spring, std::size_t n, const Real& normal) const {
+    const PointLaw<Real>& law = spring.law;
+    const Real limit = spring.start.slide * law.friction * normal;
+    if (law.tangential_damping > 0) {
+      put(spring.stretch, n + 1,
+          length_ * (limit - law.tangential_stiffness * spring.stretch[n]) /
+              (law.tangential_damping * Real(n + 1)));
+    } else {
+      put(spring.stretch, n, limit / law.tangential_stiffness);
+    }
+  }
+
+  const BasicFrictionStack<Real>& stack_;
+  const SpringPoints<Real>& points_;
+  const BasicBodies<Real>& bodies_;
+  Real length_ = 0;
+  Real unit_ = 0;
+  std::vector<GrowingSpring<Real>> growing_;
+};
+
+}  // namespace rockstack

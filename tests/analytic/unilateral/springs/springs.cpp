@@ -1,0 +1,285 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/analytic/unilateral/scenes.hpp"
+#include "tests/analytic/unilateral/springs/explicit_steps.hpp"
+#include "tests/analytic/unilateral/springs/random_springs.hpp"
+#include "tests/analytic/unilateral/springs/stiff_cases.hpp"
+
+namespace rockstack {
+namespace {
+
+/// A block of half-sizes b and h in m on two corner springs of k N/m, c N·s/m.
+Scene on_springs(double half_width, double half_height, double stiffness, double damping, double duration) {
+  Scene scene = testing::single(half_width, half_height, duration);
+  scene.law = Law::compliant;
+  scene.springs = {{stiffness}, {damping}};
+  return scene;
+}
+
+// Lifted by the ground's fall beneath it and without weight, a block comes down flat on both corners: a mass
+// on two springs and dashpots that push alone. m = 2500 kg, ω² = 2k/m, ζ = c/√(2km).
+TEST(CornerSprings, RestoreWhatADampedImpactLeaves) {
+  for (const double ratio : {0.01, 0.1, 0.5, 0.9, 1.0, 1.1, 2.0, 10.0}) {
+    constexpr double stiffness = 1e7;
+    Scene scene = on_springs(0.25, 0.5, stiffness, 0, 2);
+    const double mass = scene.blocks.front().mass;
+    scene.springs.damping = {ratio * std::sqrt(2 * stiffness * mass)};
+    scene.gravity = 1e-10;
+    scene.initial.settled = false;
+    scene.vertical.samples = {-10, -10, 10, 10, 0};
+    scene.vertical.interval = 0.1;
+    const ContactHistory history = solve_unilateral(scene);
+    const auto touch = std::find_if(history.events.begin(), history.events.end(), [](const auto& event) {
+      return event.kind == EventKind::touch && event.time > 0.4;
+    });
+    ASSERT_NE(touch, history.events.end());
+    EXPECT_EQ(history.events.back().kind, EventKind::part);
+    const double root = std::sqrt(std::abs(1 - ratio * ratio));
+    const double expected =
+        ratio == 1  ? std::exp(-2)
+        : ratio < 1 ? std::exp(-ratio / root *
+                               (std::numbers::pi - std::atan2(2 * ratio * root, 1 - 2 * ratio * ratio)))
+                    : std::exp(-ratio / root * std::log((ratio + root) / (ratio - root)));
+    EXPECT_NEAR(-history.events.back().after[0].y / touch->before[0].y, expected, 1e-10) << ratio;
+  }
+}
+
+// The ground is pushed down by a fifth of g for a while: y = −(a/ω²)(1 − cos ωt), ω² = 2k/m, with a = g/5.
+TEST(CornerSprings, CarryABlockUpAndDownAtItsFrequency) {
+  Scene scene = on_springs(0.25, 0.5, 1e7, 0, 0.5);
+  scene.vertical = testing::pulse_of(PulseShape::rectangle, scene.gravity / 5, 1);
+  const double frequency = std::sqrt(2 * 1e7 / scene.blocks.front().mass);
+  const std::vector<double> times = regular_times(0.01, scene.duration);
+  const ContactHistory history = solve_unilateral(scene, {.sample_times = times});
+  const double rest = history.samples.front().bodies.at[0].y;
+  EXPECT_NEAR(rest, 0.5 - scene.gravity / (frequency * frequency), 1e-15);
+  EXPECT_TRUE(history.events.empty());
+  const double depth = scene.gravity / 5 / (frequency * frequency);
+  // Positions round to 10⁻¹⁶ m each step, of which there are some hundreds.
+  for (const auto& sample : history.samples)
+    EXPECT_NEAR(sample.bodies.at[0].y - rest, -depth * (1 - std::cos(frequency * sample.time)), 1e-10 * depth)
+        << sample.time;
+}
+
+// A block that slides on springs has N = mg, so that friction stops it after v₀²/(2μg): from its slider,
+// which leaves the springs' stretch out. Its springs are soft across, so stiff enough against tipping.
+TEST(CornerSprings, SlideAsFarAsOnRigidGround) {
+  Scene scene = on_springs(1, 0.05, 1e7, 0, 1);
+  scene.friction = {0.4};
+  scene.initial.slip_velocities = {1};
+  const ContactHistory history = solve_unilateral(scene, {.peaks = true});
+  // The slider stops while the block moves on against the springs and back: within μ mg/(2k) of that.
+  const double elastic = 0.4 * scene.blocks[0].mass * scene.gravity / (2 * 1e7);
+  EXPECT_NEAR(history.slips_left[0], 1 / (2 * 0.4 * scene.gravity), 2 * elastic);
+  EXPECT_EQ(history.events.back().kind, EventKind::stick);
+}
+
+TEST(CornerSprings, AStackThatHasSettledRests) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Scene scene = testing::springy_scene(seed);
+    scene.horizontal = scene.vertical = {};
+    scene.initial = {std::vector<double>(scene.blocks.size()), std::vector<double>(scene.blocks.size())};
+    for (double& friction : scene.friction) friction = std::max(friction, 0.5);
+    // Stiff enough not to fall over: at 10⁷ N/m a tonne a stack of metres has 2kb² > mgh.
+    for (double& stiffness : scene.springs.stiffness) stiffness *= 100;
+    scene.inclination = seed % 2 == 0 ? 0 : 1e-3;
+    const ContactHistory history =
+        solve_unilateral(scene, {.sample_times = {0, scene.duration / 2, scene.duration}});
+    EXPECT_TRUE(history.events.empty()) << seed << ' ' << name(history.events.front().kind);
+    for (const auto& sample : history.samples)
+      for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+        const BodyPlacement& start = history.samples.front().bodies.at[k];
+        const double rounding = 1e-11;
+        EXPECT_NEAR(sample.bodies.at[k].x, start.x, rounding) << seed;
+        EXPECT_NEAR(sample.bodies.at[k].y, start.y, rounding) << seed;
+        EXPECT_NEAR(sample.bodies.at[k].angle, start.angle, rounding) << seed;
+      }
+  }
+}
+
+double energy_with_losses(const Scene& scene, const ContactHistory::Sample& sample) {
+  double sum = energy(scene, sample.bodies);
+  for (const auto& springs : sample.springs)
+    sum += springs.energy.elastic + springs.energy.damped + springs.energy.rubbed;
+  return sum;
+}
+
+double weight_times_height(const Scene& scene) {
+  double below = 0;
+  double sum = 0;
+  for (const Block& block : scene.blocks) {
+    sum += block.mass * scene.gravity * (below + block.half_height);
+    below += 2 * block.half_height;
+  }
+  return sum;
+}
+
+bool all_soft(const Scene& scene) {
+  return std::all_of(scene.springs.stiffness.begin(), scene.springs.stiffness.end(),
+                     [](double stiffness) { return std::isfinite(stiffness); });
+}
+
+// Where the ground is still, mechanical and elastic energy and what dashpots and friction have taken stay the
+// same; impacts of rigid interfaces take some away.
+TEST(CornerSprings, EnergyIsKeptOrTold) {
+  int soft = 0;
+  double lost = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const Scene scene = testing::springy_scene(seed);
+    if (!scene.horizontal.empty() || !scene.vertical.empty()) continue;
+    const ContactHistory history =
+        solve_unilateral(scene, {.sample_times = regular_times(scene.duration / 20, scene.duration)});
+    const double scale = weight_times_height(scene);
+    double last = energy_with_losses(scene, history.samples.front());
+    for (const auto& sample : history.samples) {
+      const double now = energy_with_losses(scene, sample);
+      EXPECT_LE(now, last + 1e-11 * scale) << seed << ' ' << sample.time;
+      if (!all_soft(scene)) last = now;
+      EXPECT_GE(now, last - 1e-11 * scale) << seed << ' ' << sample.time;
+    }
+    for (const auto& springs : history.samples.back().springs)
+      lost = std::max(lost, (springs.energy.damped + springs.energy.rubbed) / scale);
+    soft += all_soft(scene) ? 1 : 0;
+  }
+  EXPECT_GE(soft, 5);
+  EXPECT_GT(lost, 1e-3);
+}
+
+Scene mirrored(Scene scene) {
+  for (std::vector<double>* values :
+       {&scene.initial.angles, &scene.initial.velocities, &scene.horizontal.samples})
+    for (double& value : *values) value = -value;
+  if (scene.horizontal.pulse) scene.horizontal.pulse->amplitude *= -1;
+  return scene;
+}
+
+// Sums run from left to right, so that mirror images round differently.
+TEST(CornerSprings, MirrorImagesMoveAlike) {
+  int events = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Scene scene = testing::springy_scene(seed);
+    const ContactHistory one = solve_unilateral(scene);
+    const ContactHistory other = solve_unilateral(mirrored(scene));
+    const std::size_t count = std::min<std::size_t>({one.events.size(), other.events.size(), 12});
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(one.events[i].kind, other.events[i].kind) << seed << ' ' << i;
+      EXPECT_NEAR(one.events[i].time, other.events[i].time, 1e-9) << seed << ' ' << i;
+      ++events;
+    }
+    if (one.events.size() > 12) continue;
+    for (std::size_t k = 0; k < scene.blocks.size(); ++k)
+      EXPECT_NEAR(one.last.at[k].angle, -other.last.at[k].angle, 1e-8) << seed;
+  }
+  EXPECT_GT(events, 60);
+}
+
+/// Random stacks, soft enough for explicit steps of 10⁻⁵ s.
+Scene soft_scene(std::uint64_t seed) {
+  testing::Draw draw(seed + 4000);
+  Scene scene = testing::random_scene(draw, 1 + draw.below(3), false);
+  scene.law = Law::compliant;
+  double mass = 0;
+  for (const Block& block : scene.blocks) mass += block.mass;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const double stiffness = mass * std::pow(10, draw.between(2.5, 3.5));
+    scene.springs.stiffness.push_back(stiffness);
+    scene.springs.damping.push_back(draw.coin() ? 0 : draw.between(0.02, 0.5) * std::sqrt(stiffness * mass));
+    scene.friction.push_back(draw.between(0.2, 0.8));
+  }
+  scene.springs.tangential = draw.between(0.4, 1);
+  scene.initial.settled = false;
+  scene.duration = 0.3;
+  return scene;
+}
+
+std::vector<testing::PlaneBlock> explicit_answer(const Scene& scene, const ContactHistory& history,
+                                                 double step) {
+  std::vector<testing::PlaneBlock> blocks;
+  const Bodies& start = history.samples.front().bodies;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k)
+    blocks.push_back({{start.at[k].x, start.at[k].y},
+                      {start.rate[k].x, start.rate[k].y},
+                      start.at[k].angle,
+                      start.rate[k].angle});
+  return testing::explicit_motion(scene, std::move(blocks), static_cast<double>(history.end_time), step);
+}
+
+// A method of another kind, with errors of its own that fall with the step: so the exact motion is no further
+// from it than it is from its own at larger steps, four times that for what is no clean order.
+TEST(CornerSprings, MoveAsExplicitStepsDo) {
+  int slid = 0;
+  int parted = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Scene scene = soft_scene(seed);
+    const ContactHistory history = solve_unilateral(scene, {.sample_times = {0}});
+    const auto coarse = explicit_answer(scene, history, 5e-5);
+    const auto middle = explicit_answer(scene, history, 3.1e-5);
+    const auto fine = explicit_answer(scene, history, 2e-5);
+    double own = 0;
+    double other = 0;
+    const auto note = [](const testing::PlaneBlock& a, const testing::PlaneBlock& b, double& largest) {
+      largest = std::max({largest, std::abs(a.place - b.place), std::abs(a.angle - b.angle)});
+    };
+    for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+      const BodyPlacement& exact = history.last.at[k];
+      note(coarse[k], fine[k], own);
+      note(middle[k], fine[k], own);
+      note({{exact.x, exact.y}, {}, exact.angle, 0}, fine[k], other);
+    }
+    EXPECT_LT(other, 4 * own + 1e-8) << seed;
+    EXPECT_LT(own, 1e-3) << seed;
+    for (const ContactEvent& event : history.events) {
+      slid += event.kind == EventKind::slip ? 1 : 0;
+      parted += event.kind == EventKind::part ? 1 : 0;
+    }
+  }
+  EXPECT_GT(slid, 10);
+  EXPECT_GT(parted, 10);
+}
+
+// As stiffness grows, a rigid interface is what springs on it come to.
+TEST(CornerSprings, StiffOnesComeToRigidFaces) {
+  Scene scene = testing::released({testing::block(1, 1), testing::block(0.6, 2)}, {0.1, 0.1}, 0.3);
+  scene.law = Law::compliant;
+  scene.friction = {0.9, 0.9};
+  scene.springs = {{1e7, INFINITY}, {1e5, 0}};
+  const ContactHistory rigid = solve_unilateral(scene);
+  double before = INFINITY;
+  for (const double stiffness : {1e9, 1e10, 1e11}) {
+    scene.springs.stiffness[1] = stiffness;
+    scene.springs.damping[1] = 2 * std::sqrt(stiffness * 1000);
+    const ContactHistory soft = solve_unilateral(scene);
+    const double difference = std::abs(soft.last.at[1].angle - rigid.last.at[1].angle);
+    EXPECT_LT(difference, before / 2) << stiffness;
+    before = difference;
+  }
+  EXPECT_LT(before, 1e-4);
+}
+
+// After strong dashpots the velocity that a rocking impact leaves tends to Housner's 0.7, as 1/k. After weak
+// ones the block hops on its landing corner, and keeps more, however stiff they are.
+TEST(CornerSprings, ThatAreStiffLeaveHousnersRatioWhereDashpotsAreStrong) {
+  EXPECT_NEAR(testing::rocking_ratio(1e10, 10), 0.7, 1.5e-4);
+  EXPECT_NEAR(testing::rocking_ratio(1e8, 10), 0.7, 1.5e-2);
+  for (const double stiffness : {1e8, 1e10}) EXPECT_GT(testing::rocking_ratio(stiffness, 0.1), 0.8);
+}
+
+// A squat top falls back on a resting base: by law paper the base stays, by the other two all above the
+// ground lifts. Stiff springs with strong dashpots lift it too, within a tenth as far.
+TEST(CornerSprings, ThatAreStiffLiftABaseThatPushingImpulsesLift) {
+  const testing::StiffAnswer answer = testing::answer_of(testing::stiff_cases().front(), 1e10, 10);
+  EXPECT_EQ(answer.paper, 0);
+  EXPECT_NEAR(answer.springs / answer.consistent, 1, 0.1);
+  EXPECT_NEAR(answer.unilateral, answer.consistent, 1e-12);
+}
+
+TEST(CornerSprings, ThatAreTooStiffToFollowAreRefusedAtOnce) {
+  Scene scene = on_springs(0.25, 0.5, 1e19, 0, 10);
+  EXPECT_THROW(solve_unilateral(scene), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace rockstack
