@@ -60,7 +60,8 @@ TEST(Overrides, AreThePlaceOfTheirErrors) {
   EXPECT_EQ(error_with("blocks.1.height=3 m"),
             "--set blocks.1.height=3 m: blocks.1.height = \"3 m\": must be a number");
   EXPECT_EQ(error_with("law=papr"),
-            "--set law=papr: law = \"papr\": must be \"paper\" or \"consistent\" or \"unilateral\"");
+            "--set law=papr: law = \"papr\": must be \"paper\" or \"consistent\" or \"unilateral\" or "
+            "\"compliant\"");
   EXPECT_EQ(error_with("engine.grip=1"),
             "--set engine.grip=1: engine.grip: unknown key, must be one of friction, depth");
   EXPECT_EQ(error_with("ground.vertical.scale=2"),
