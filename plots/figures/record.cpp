@@ -69,7 +69,7 @@ struct Scale {
 };
 
 Scale scale_of(double largest) {
-  constexpr double least = 1e-2, tiny = 1e-5;
+  constexpr double least = 0.1, tiny = 1e-4;
   if (largest >= least || largest == 0) return {1, "", ""};
   return largest >= tiny ? Scale{1e3, "m", "10⁻³ "} : Scale{1e6, "µ", "10⁻⁶ "};
 }

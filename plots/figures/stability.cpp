@@ -58,6 +58,7 @@ class Places {
 
 /// What is drawn of one solver: its cells, and the largest stable step at each value.
 struct Map {
+  std::string solver;  ///< in words
   std::vector<Cell> cells;
   std::vector<std::pair<double, double>> stable;
 };
@@ -73,8 +74,9 @@ std::map<std::string, Map> read_maps(const std::filesystem::path& results) {
     const auto& row = table.rows[i];
     if (row[dt].empty()) continue;
     const std::string place = fmt::format("{}:{}", file.string(), i + 2);
-    maps[row[engine] + "-" + row[solver] + "-" + row[settings]].cells.push_back(
-        {number(row[value], place, "value"), number(row[dt], place, "dt"), row[verdict]});
+    Map& map = maps[row[engine] + "-" + row[solver] + "-" + row[settings]];
+    map.solver = fmt::format("{} {}, {}", row[engine], row[solver], row[settings]);
+    map.cells.push_back({number(row[value], place, "value"), number(row[dt], place, "dt"), row[verdict]});
   }
   const auto steps_file = results / "steps.csv";
   const Table steps = read_table(steps_file);
@@ -107,7 +109,7 @@ std::string question(const Map& map) {
   return fmt::format("Where does it stop being right? {} of {} runs are sound", sound, map.cells.size());
 }
 
-Drawing drawing(const std::string& solver, const Map& map, const nlohmann::json& facts) {
+Drawing drawing(const Map& map, const nlohmann::json& facts) {
   std::set<double> values;
   std::set<double> steps;
   for (const Cell& cell : map.cells) {
@@ -138,7 +140,7 @@ Drawing drawing(const std::string& solver, const Map& map, const nlohmann::json&
   }
   elements.emplace_back("$stable using 1:2 with lines lw 4 lc rgb 'black' notitle");
   legend.emplace_back("with lines lw 4 lc rgb 'black'", "largest stable step");
-  Sheet sheet(solver + ": " + facts.at("title").get<std::string>(), legend, question(map));
+  Sheet sheet(map.solver + ": " + facts.at("title").get<std::string>(), legend, question(map));
   sheet.data(data);
   sheet.panel(
       460, 0,
@@ -170,7 +172,7 @@ void draw_stability(const std::filesystem::path& results) {
   for (const auto& [solver, map] : read_maps(results)) {
     const std::string name =
         "stability." + file_name(solver, (results / "stability.csv").string() + ": solver");
-    if (!map.cells.empty()) draw(drawing(solver, map, facts), results / "figures" / name);
+    if (!map.cells.empty()) draw(drawing(map, facts), results / "figures" / name);
   }
 }
 

@@ -100,11 +100,14 @@ std::string row_settings(std::size_t runs) {
       plain(2 * count + 0.7), plain(1.5 * count + 0.5), plain(0.5 * count + 0.5), plain(count + 0.5));
 }
 
-/// Impacts are counted, so that the axis has whole numbers alone, up to `most` of them.
+/// Impacts are counted, so that the axis has whole numbers alone, up to `most` of them, and none beyond the
+/// last.
 std::string number_settings(double last, double most) {
   int step = 1;
   for (int i = 0; last / step > most; ++i) step = i % 2 == 0 ? step * 5 : step * 2;
-  return fmt::format("set xrange [0.4:{}]\nset xtics {}, {}\n", plain(last + 0.6), step, step) + grid_lines;
+  return fmt::format("set xrange [0.4:{}]\nset xtics {}, {}, {}\n", plain(last + 0.6), step, step,
+                     std::floor(last)) +
+         grid_lines;
 }
 
 double median_size(const Impacts& impacts) {
