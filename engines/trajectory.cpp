@@ -21,7 +21,14 @@ void append(Trajectory& trajectory, const Simulation& simulation, std::size_t bl
   for (std::size_t k = 0; bodies && k < blocks; ++k) trajectory.bodies.push_back(simulation.body(k));
 }
 
-/// True also where an angle is no number any more.
+double stepping_seconds(Simulation& simulation, std::size_t steps) {
+  const auto start = std::chrono::steady_clock::now();
+  for (std::size_t step = 0; step < steps; ++step) simulation.step();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
 bool has_ended(const Setup& setup, const Trajectory& trajectory) {
   const std::size_t blocks = setup.blocks.size();
   const std::span<const double> last = std::span(trajectory.angles).last(blocks);
@@ -30,14 +37,6 @@ bool has_ended(const Setup& setup, const Trajectory& trajectory) {
   }
   return false;
 }
-
-double stepping_seconds(Simulation& simulation, std::size_t steps) {
-  const auto start = std::chrono::steady_clock::now();
-  for (std::size_t step = 0; step < steps; ++step) simulation.step();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-}  // namespace
 
 void require_finite(const Trajectory& trajectory, std::size_t blocks, double dt) {
   for (std::size_t i = 0; i < trajectory.angles.size(); ++i) {

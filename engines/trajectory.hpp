@@ -31,6 +31,9 @@ class NotFinite : public std::runtime_error {
 /// @throws NotFinite with the time at which that happened, or the engine's own error.
 Trajectory run(const Engine& engine, const Setup& setup, const Parameters& parameters, bool bodies = false);
 
+/// True where a block has toppled in the last sample, or an angle there is no number any more.
+bool has_ended(const Setup& setup, const Trajectory& trajectory);
+
 /// @throws NotFinite as above, for a trajectory of that many blocks.
 void require_finite(const Trajectory& trajectory, std::size_t blocks, double dt);
 

@@ -74,7 +74,7 @@ void print_advice(const Advice& advice, const AdviseArguments& arguments, const 
 int advise_command(const AdviseArguments& arguments, const Common& common) {
   require_positive_option("--error", arguments.error);
   require_positive_option("--time-limit", arguments.time_limit);
-  const NamedScene scene = read_named_scene(find_file(arguments.scene, "scenes"), common.overrides);
+  const NamedScene scene = read_one_scene(arguments.scene, common);
   const ResultsFolder folder(arguments.out, Results::advice);
   Wish wish{.error = arguments.error};
   wish.limits.time = arguments.time_limit;

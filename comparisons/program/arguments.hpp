@@ -58,7 +58,8 @@ struct CheckEngineArguments {
 };
 
 struct CanonArguments {
-  std::vector<std::string> engines;  ///< empty: all
+  std::vector<std::string> engines;   ///< empty: all
+  std::vector<std::string> settings;  ///< empty: both
   std::filesystem::path out;
 };
 

@@ -6,6 +6,7 @@
 
 #include "comparisons/canon/canon.hpp"
 #include "comparisons/program/commands.hpp"
+#include "comparisons/program/output.hpp"
 #include "comparisons/results/files.hpp"
 #include "comparisons/results/results_folder.hpp"
 #include "comparisons/suites/shipped.hpp"
@@ -48,14 +49,20 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
   if (talk)
     fmt::print("{:<28} {:<8} {:<16} {:<12} steps off at {} and {} s\n", "engine", "set", "scene", "verdict",
                canon_steps().coarse, canon_steps().fine);
+  const std::vector<const WorkerEngine*> engines = chosen(arguments.engines);
+  const std::vector<std::string> sets = both_if_empty(arguments.settings);
+  const auto show = progress(common);
+  const std::size_t total = engines.size() * sets.size() * suite.scenes.size();
+  std::size_t done = 0, off = 0;
   std::vector<CanonRow> rows;
-  bool all_agree = true;
-  for (const WorkerEngine* engine : chosen(arguments.engines)) {
-    for (const char* settings : {"default", "tuned"}) {
+  for (const WorkerEngine* engine : engines) {
+    for (const std::string& settings : sets) {
       const CanonRow head{engine, settings, {}};
       rows.push_back(make_canon_row(suite, *engine, settings, [&](const CanonAnswer& answer) {
-        if (answer.verdict != "agrees" && answer.verdict != "converges") all_agree = false;
+        if (answer.verdict != "agrees" && answer.verdict != "converges") ++off;
+        clear_progress(common);
         if (talk) print(head, answer);
+        show({++done, total, fmt::format("{} {} {}", engine->name(), settings, answer.scene), {}});
       }));
     }
   }
@@ -67,7 +74,9 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
   plots::write_canon_report(arguments.out);
   if (talk) fmt::print("report: {}\n", (arguments.out / "report.html").string());
 #endif
-  return all_agree ? 0 : 1;
+  if (talk)
+    fmt::print("{} of {} answers neither agree nor converge{}\n", off, total, off > 0 ? ": exit code 1" : "");
+  return off == 0 ? 0 : 1;
 }
 
 }  // namespace rockstack

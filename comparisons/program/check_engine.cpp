@@ -20,26 +20,42 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string full_name(const WorkerEngine& engine) {
+  return engine.name() + ":" + engine.solver();
+}
+
 /// What became of a check.
 struct Finding {
   std::string engine, settings, check;
   std::string verdict;  ///< "holds", "fails", "known limit" or "no run"
   double value = 0, limit = 0;
-  std::string what;  ///< of the value, with its unit; or the reason
+  std::string what;          ///< of the value, with its unit; or the reason
+  std::size_t warnings = 0;  ///< of its runs
 };
 
-Adapter adapter_of(const WorkerEngine& engine, const Parameters& parameters) {
+/// A worker that never answers is to cost a row.
+constexpr Limits limits{.time = 60};
+
+Parameters parameters_of(const WorkerEngine& engine, const std::string& settings) {
+  return settings == "tuned" ? engine.tuned_parameters() : engine.default_parameters();
+}
+
+/// `warnings` counts those of all runs.
+Adapter adapter_of(const WorkerEngine& engine, const Parameters& parameters, std::size_t& warnings) {
   return {engine.capabilities(), parameters,
-          [&engine](const Setup& setup, const Parameters& given) { return run(engine, setup, given, true); }};
+          [&engine, &warnings](const Setup& setup, const Parameters& given) {
+            Trajectory made = run(engine, setup, given, true, limits);
+            warnings += made.warnings;
+            return made;
+          }};
 }
 
 Finding judge(const WorkerEngine& engine, const std::string& settings, const Check& check) {
-  Finding finding{engine.name() + ":" + engine.solver(), settings, check.name, "no run", 0, 0, ""};
+  Finding finding{full_name(engine), settings, check.name, "no run", 0, 0, "", 0};
   const std::string limit = known_limit(engine.name(), engine.solver(), settings, check.name);
   try {
-    const bool tuned = settings == "tuned";
     const Judgement verdict =
-        check.judge(adapter_of(engine, tuned ? engine.tuned_parameters() : engine.default_parameters()));
+        check.judge(adapter_of(engine, parameters_of(engine, settings), finding.warnings));
     finding.verdict = verdict.holds() ? "holds" : limit.empty() ? "fails" : "known limit";
     finding.value = verdict.value;
     finding.limit = verdict.limit;
@@ -68,20 +84,17 @@ std::vector<Check> checks_named(const std::vector<std::string>& names) {
   return list;
 }
 
-/// Contacts are told where a run of a resting block has a record of them.
-bool tells_contacts(const WorkerEngine& engine) {
-  try {
-    const Scene scene = at_rest({make_block(1, 1, 2500)}, 1e-2);
-    const Parameters parameters = engine.tuned_parameters();
-    return run(engine, set_up(scene, 1e-3, parameters), parameters, true).contacts.has_value();
-  } catch (const std::exception&) {
-    return false;
-  }
+/// A run of a resting block that is asked for everything that an answer may have.
+/// @return whether its contacts are told. @throws std::runtime_error where it is not done.
+bool tells_contacts(const WorkerEngine& engine, const std::string& settings) {
+  const Scene scene = at_rest({make_block(1, 1, 2500)}, 1e-2);
+  const Parameters parameters = parameters_of(engine, settings);
+  return run(engine, set_up(scene, 1e-3, parameters), parameters, true, limits, 1).contacts.has_value();
 }
 
-Json capabilities_json(const WorkerEngine& engine) {
+Json capabilities_json(const WorkerEngine& engine, bool tells_contacts) {
   const Capabilities& able = engine.capabilities();
-  Json json{{"engine", engine.name() + ":" + engine.solver()},
+  Json json{{"engine", full_name(engine)},
             {"version", engine.version()},
             {"licence", engine.licence()},
             {"worker", engine.program().string()},
@@ -90,7 +103,7 @@ Json capabilities_json(const WorkerEngine& engine) {
             {"planar", able.planar},
             {"lead", able.lead},
             {"moves_ground", engine.default_parameters().count("shaking") != 0},
-            {"tells_contacts", tells_contacts(engine)},
+            {"tells_contacts", tells_contacts},
             {"settings", Json::array()}};
   for (const Setting& setting : engine.settings()) {
     json["settings"].push_back({{"name", setting.name},
@@ -119,18 +132,22 @@ void print(const Finding& finding) {
   const std::string numbers = finding.verdict == "no run"
                                   ? std::string(24, ' ')
                                   : fmt::format("{:>10.3g} of {:<10.3g}", finding.value, finding.limit);
-  fmt::print("  {:<8} {:<32} {:<11} {}  {}\n", finding.settings, finding.check, finding.verdict, numbers,
-             finding.what);
+  fmt::print("  {:<8} {:<32} {:<11} {}  {}{}\n", finding.settings, finding.check, finding.verdict, numbers,
+             finding.what, finding.warnings > 0 ? fmt::format("; {} warnings", finding.warnings) : "");
   std::fflush(stdout);
 }
 
 Json to_json(const Finding& finding) {
   return {{"engine", finding.engine},   {"settings", finding.settings}, {"check", finding.check},
           {"verdict", finding.verdict}, {"value", finding.value},       {"limit", finding.limit},
-          {"what", finding.what}};
+          {"what", finding.what},       {"warnings", finding.warnings}};
 }
 
 }  // namespace
+
+std::vector<std::string> both_if_empty(const std::vector<std::string>& settings) {
+  return settings.empty() ? std::vector<std::string>{"default", "tuned"} : settings;
+}
 
 std::vector<const WorkerEngine*> engines_named(const std::string& name) {
   if (name.find('/') != std::string::npos && name.find(':', name.rfind('/')) == std::string::npos)
@@ -150,19 +167,23 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
   Json report{{"engines", Json::array()}, {"checks", Json::array()}};
   std::size_t broken = 0, count = 0;
   const std::vector<Check> chosen = checks_named(arguments.checks);
-  const std::vector<std::string> sets =
-      arguments.settings.empty() ? std::vector<std::string>{"default", "tuned"} : arguments.settings;
+  const std::vector<std::string> sets = both_if_empty(arguments.settings);
+  const auto tell = [&](const Finding& finding) {
+    ++count;
+    if (finding.verdict == "fails" || finding.verdict == "no run") ++broken;
+    if (talk) print(finding);
+    report["checks"].push_back(to_json(finding));
+  };
   for (const WorkerEngine* engine : engines_named(arguments.engine)) {
-    report["engines"].push_back(capabilities_json(*engine));
+    try {
+      report["engines"].push_back(capabilities_json(*engine, tells_contacts(*engine, sets.front())));
+    } catch (const std::exception& error) {
+      tell({full_name(*engine), sets.front(), "FirstRun", "no run", 0, 0, error.what(), 0});
+      continue;
+    }
     if (talk) print_capabilities(report["engines"].back());
     for (const std::string& settings : sets) {
-      for (const Check& check : chosen) {
-        const Finding finding = judge(*engine, settings, check);
-        ++count;
-        if (finding.verdict == "fails" || finding.verdict == "no run") ++broken;
-        if (talk) print(finding);
-        report["checks"].push_back(to_json(finding));
-      }
+      for (const Check& check : chosen) tell(judge(*engine, settings, check));
     }
   }
   report["broken"] = broken;

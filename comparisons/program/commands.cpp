@@ -179,6 +179,16 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
 
 }  // namespace
 
+NamedScene read_one_scene(const std::string& input, const Common& common) {
+  const auto file = find_file(input, "scenes");
+  std::error_code ignored;
+  const bool there = std::filesystem::exists(file, ignored);
+  const auto suite = there ? file : find_file(input, "suites");
+  if (std::filesystem::is_regular_file(suite, ignored) && is_suite(suite))
+    throw InputError(input + ": must be a scene, this is a suite, which `rockstack compare` takes");
+  return read_named_scene(file, common.overrides);
+}
+
 void require_positive_option(const char* option, double value) {
   if (!(value > 0) || !std::isfinite(value))
     throw InputError(fmt::format("{} = {}: must be a finite number > 0", option, value));
@@ -192,7 +202,7 @@ void refuse_overrides(const Common& common, const char* reason) {
 int solve_command(const SolveArguments& arguments, const Common& common) {
   require_positive_option("--step", arguments.step);
   require_positive_option("--interval", arguments.interval);
-  const auto scene = read_named_scene(find_file(arguments.scene, "scenes"), common.overrides);
+  const auto scene = read_one_scene(arguments.scene, common);
   const SolveOptions options{
       .integrator = arguments.integrator == "rk4" ? Integrator::rk4 : Integrator::taylor,
       .sample_times = regular_times(arguments.interval, scene.scene.duration),
@@ -212,7 +222,7 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   require_positive_option("--dt", arguments.dt);
   const WorkerEngine& engine = find_engine(arguments.engine);
   const Parameters changes = read_parameters(arguments.parameters, engine);
-  const auto scene = read_named_scene(find_file(arguments.scene, "scenes"), common.overrides);
+  const auto scene = read_one_scene(arguments.scene, common);
   check_step(arguments.dt, scene.scene.duration);
   const ResultsFolder folder(arguments.out, Results::motion);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);

@@ -35,6 +35,12 @@ int stability_command(const std::filesystem::path& file, const std::filesystem::
 /// or one, named with its solver. @throws InputError as find_engine().
 std::vector<const WorkerEngine*> engines_named(const std::string& name);
 
+/// Those given, or "default" and "tuned" where none is.
+std::vector<std::string> both_if_empty(const std::vector<std::string>& settings);
+
+/// @throws InputError also where the input names a suite.
+NamedScene read_one_scene(const std::string& input, const Common& common);
+
 /// @throws InputError where the value is not finite and > 0.
 void require_positive_option(const char* option, double value);
 

@@ -232,6 +232,12 @@ Command add_list(CLI::App& app, const Common& common) {
   return {command, [what, &common] { return list_command(*what, common); }};
 }
 
+void add_settings(CLI::App& command, std::vector<std::string>& settings) {
+  command.add_option("--settings", settings, "parameter sets; left out: both")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"default", "tuned"}));
+}
+
 Command add_check_engine(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<CheckEngineArguments>();
   CLI::App* command =
@@ -240,9 +246,7 @@ Command add_check_engine(CLI::App& app, const Common& common) {
       ->add_option("engine", arguments->engine,
                    "worker program, e.g. ./my_engine.py, or a name from `rockstack list engines`")
       ->required();
-  command->add_option("--settings", arguments->settings, "parameter sets; left out: both")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"default", "tuned"}));
+  add_settings(*command, arguments->settings);
   command->add_option("--check", arguments->checks, "names of checks; left out: all")->delimiter(',');
   return {command, [arguments, &common] { return check_engine_command(*arguments, common); }};
 }
@@ -253,6 +257,7 @@ Command add_canon(CLI::App& app, const Common& common) {
       app.add_subcommand("canon", "run small scenes with closed forms on engines: which law do they follow?");
   command->add_option("engines", arguments->engines,
                       "worker programs, or names from `rockstack list engines`; left out: all");
+  add_settings(*command, arguments->settings);
   command->add_option("--out", arguments->out, out_help)->required();
   return {command, [arguments, &common] { return canon_command(*arguments, common); }};
 }
@@ -307,6 +312,7 @@ int run(int count, char** arguments) {
   }
   const auto given = std::find_if(commands.begin(), commands.end(),
                                   [](const Command& command) { return command.app->parsed(); });
+  require_folders("--workers", common.workers);
   if (!common.workers.empty()) setenv(workers_variable, common.workers.c_str(), 1);
   if (given != commands.end()) return given->run();
   std::string names;

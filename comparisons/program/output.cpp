@@ -99,6 +99,10 @@ std::function<void(const Progress&)> progress(const Common& common) {
   };
 }
 
+void clear_progress(const Common& common) {
+  if (shows_progress(common)) fmt::print(stderr, "\r\033[K");
+}
+
 std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const Common& common) {
   if (!shows_progress(common)) return [](std::size_t, std::size_t, std::size_t) {};
   using Clock = std::chrono::steady_clock;

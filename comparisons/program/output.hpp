@@ -20,6 +20,9 @@ std::string shell_word(const std::string& word);
 /// A line that counts runs, names the last one and says how long the rest will take.
 std::function<void(const Progress&)> progress(const Common& common);
 
+/// Takes that line away, so that something else can be printed there.
+void clear_progress(const Common& common);
+
 /// A line that counts runs done and says how long the rest will take.
 std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const Common& common);
 

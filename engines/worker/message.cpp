@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -30,35 +31,60 @@ class Depth : public nlohmann::json_sax<json> {
   bool number_float(number_float_t, const string_t&) override { return true; }
   bool string(string_t&) override { return true; }
   bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return ++levels_ <= most; }
+  bool start_object(std::size_t) override { return enter(); }
   bool key(string_t&) override { return true; }
   bool end_object() override { return leave(); }
-  bool start_array(std::size_t) override { return ++levels_ <= most; }
+  bool start_array(std::size_t) override { return enter(); }
   bool end_array() override { return leave(); }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+  bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception&) override {
+    position_ = position;
     return false;
   }
 
- private:
   static constexpr int most = 8;
+  bool is_too_deep() const { return levels_ > most; }
+  /// Of the byte that cannot be read, from 1; beyond the last where one is missing.
+  std::size_t position() const { return position_; }
+
+ private:
+  bool enter() { return ++levels_ <= most; }
   bool leave() {
     --levels_;
     return true;
   }
   int levels_ = 0;
+  std::size_t position_ = 0;
 };
 
-[[noreturn]] void refuse(const char* name, const char* what) {
-  throw std::runtime_error(fmt::format("`{}` must be {}", name, what));
+/// Why bytes are no message; `found` has stopped in them.
+std::string why_unreadable(std::string_view bytes, bool text, const Depth& found) {
+  if (found.is_too_deep()) return fmt::format("the message has more than {} levels", Depth::most);
+  if (found.position() > bytes.size())
+    return fmt::format("the message is cut short, after {} bytes", bytes.size());
+  const std::string_view rest = bytes.substr(found.position() > 0 ? found.position() - 1 : 0);
+  for (const char* bare : {"NaN", "Infinity"}) {
+    if (text && rest.starts_with(bare))
+      return fmt::format(
+          "the message has a bare {} at byte {}; must be a text there, \"nan\", \"inf\" or \"-inf\"", bare,
+          found.position());
+  }
+  if (text) return fmt::format("the message is no JSON from byte {} on", found.position());
+  return "the message is no JSON, which begins with '{', and no MessagePack";
 }
 
-/// @return not a number where the field is neither one nor a text that stands for one.
-double number_of(const json& value, const char* name) {
+[[noreturn]] void refuse(const char* name, const char* what) {
+  throw WrongField(name, what);
+}
+
+constexpr const char* any_number = "a number, \"inf\", \"-inf\" or \"nan\"";
+
+/// @return nothing where the field is neither a number nor a text that stands for one.
+std::optional<double> number_of(const json& value) {
   if (value.is_number()) return value.get<double>();
   if (value == "inf") return std::numeric_limits<double>::infinity();
   if (value == "-inf") return -std::numeric_limits<double>::infinity();
   if (value == "nan" || value.is_null()) return std::nan("");
-  refuse(name, "a number, \"inf\", \"-inf\" or \"nan\"");
+  return {};
 }
 
 json parsed(std::string_view bytes, json::input_format_t format) {
@@ -85,7 +111,7 @@ Message read_message(std::string_view bytes) {
   const auto format = text ? json::input_format_t::json : json::input_format_t::msgpack;
   Depth depth;
   if (!json::sax_parse(bytes, &depth, format))
-    throw std::runtime_error("the message is cut short, or no JSON and no MessagePack");
+    throw std::runtime_error(why_unreadable(bytes, text, depth));
   Message message{parsed(bytes, format), text ? Form::json : Form::messagepack};
   if (!message.fields.is_object() || !has_field(message.fields, version_field))
     throw std::runtime_error("the message is no object with a field `rockstack`");
@@ -124,7 +150,9 @@ const json& field(const json& object, const char* name) {
 }
 
 double number_field(const json& object, const char* name) {
-  return number_of(field(object, name), name);
+  const std::optional<double> number = number_of(field(object, name));
+  if (!number) refuse(name, any_number);
+  return *number;
 }
 
 std::vector<double> numbers_field(const json& object, const char* name) {
@@ -139,7 +167,11 @@ std::vector<double> numbers_field(const json& object, const char* name) {
   }
   if (!value.is_array()) refuse(name, "a list of numbers");
   values.reserve(value.size());
-  for (const json& item : value) values.push_back(number_of(item, name));
+  for (const json& item : value) {
+    const std::optional<double> number = number_of(item);
+    if (!number) throw WrongField(name, any_number, true);
+    values.push_back(*number);
+  }
   return values;
 }
 
@@ -159,6 +191,12 @@ std::size_t count_field(const json& object, const char* name) {
   const json& value = field(object, name);
   if (!value.is_number_unsigned()) refuse(name, "a whole number ≥ 0");
   return value.get<std::size_t>();
+}
+
+const json& list_field(const json& object, const char* name) {
+  const json& list = field(object, name);
+  if (!list.is_array()) refuse(name, "a list");
+  return list;
 }
 
 }  // namespace rockstack

@@ -98,7 +98,7 @@ std::string last_line(const Descriptor& pipe) {
 
 /// What the child finds open.
 struct Files {
-  int input, reply, complaint, nothing;
+  int input, reply, complaint, nothing, failure;
 };
 
 /// Between fork and exec: system calls alone, since another thread may have held any lock.
@@ -120,7 +120,20 @@ struct Files {
   }
   std::array<char*, 2> arguments{const_cast<char*>(program), nullptr};
   execv(program, arguments.data());
-  _exit(no_program);
+  const int error = errno;
+  _exit(write(files.failure, &error, sizeof error) == sizeof error ? no_program : 1);
+}
+
+/// Why a program could not be started, where it left that behind.
+void require_started(const std::string& path, const Descriptor& failure) {
+  const std::string bytes = content(failure);
+  int error = 0;
+  if (bytes.size() != sizeof error) return;
+  std::memcpy(&error, bytes.data(), sizeof error);
+  const bool there = access(path.c_str(), F_OK) == 0;
+  throw std::runtime_error(
+      fmt::format("{}: cannot be started as a worker: {}{}", path, std::strerror(error),
+                  error == ENOENT && there ? ", the interpreter that its first line names" : ""));
 }
 
 /// The time that a child may take. None passes while it is stopped, and little while this process is.
@@ -203,6 +216,7 @@ ProcessEnd collect(pid_t child, const Descriptor& pipe, Allowance time) {
 ProcessEnd run_process(const std::filesystem::path& program, std::string_view input, const Limits& limits) {
   const Descriptor in = memory_file(input);
   const Descriptor reply = memory_file({});
+  const Descriptor failure = memory_file({});
   const Descriptor nothing = high(open("/dev/null", O_WRONLY | O_CLOEXEC));
   std::array<int, 2> ends{};
   // What does not fit into the pipe is lost: a worker that talks without end must not be held up.
@@ -214,12 +228,11 @@ ProcessEnd run_process(const std::filesystem::path& program, std::string_view in
   const pid_t child = fork();
   if (child < 0) fail("a worker cannot be started");
   if (child == 0)
-    become(parent, path.c_str(), {in.get(), reply.get(), write_end.get(), nothing.get()}, limits);
+    become(parent, path.c_str(), {in.get(), reply.get(), write_end.get(), nothing.get(), failure.get()},
+           limits);
   write_end.close();
   ProcessEnd end = collect(child, read_end, {child, limits.time});
-  if (end.exit_code == no_program) {
-    throw std::runtime_error(fmt::format("{}: cannot be started as a worker", path));
-  }
+  require_started(path, failure);
   end.reply = content(reply);
   end.last_words = last_line(read_end);
   return end;

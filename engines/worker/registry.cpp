@@ -84,24 +84,29 @@ fs::path find_worker(const std::string& name) {
   throw std::runtime_error(fmt::format("{}: must be there, it came with this program", file.string()));
 }
 
+std::vector<std::string> folders_of(const std::string& given) {
+  std::vector<std::string> folders;
+  std::istringstream stream(given);
+  for (std::string folder; std::getline(stream, folder, ':');) {
+    if (!folder.empty()) folders.push_back(folder);
+  }
+  return folders;
+}
+
 /// Programs in the folders of workers_variable, in order of folders and then of names.
 std::vector<fs::path> found_workers() {
   std::vector<fs::path> programs;
   const char* given = std::getenv(workers_variable);
-  std::istringstream folders(given != nullptr ? given : "");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    if (folder.empty()) continue;
+  if (given == nullptr) return {};
+  require_folders(workers_variable, given);
+  for (const std::string& folder : folders_of(given)) {
     std::vector<fs::path> here;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
       const auto permissions = entry.status().permissions();
       const bool runs = (permissions & fs::perms::owner_exec) != fs::perms::none;
       if (entry.is_regular_file() && runs && entry.path().filename().string().starts_with(prefix))
         here.push_back(fs::absolute(entry.path()));
     }
-    if (error)
-      throw InputError(fmt::format("{} = {}: must be folders that can be read, with ':' between them; {}: {}",
-                                   workers_variable, given, folder, error.message()));
     std::sort(here.begin(), here.end());
     programs.insert(programs.end(), here.begin(), here.end());
   }
@@ -167,6 +172,16 @@ const std::deque<WorkerEngine>& engines_at(const fs::path& program) {
 
 }  // namespace
 
+void require_folders(const std::string& name, const std::string& given) {
+  for (const std::string& folder : folders_of(given)) {
+    std::error_code error;
+    fs::directory_iterator(folder, error);
+    if (error)
+      throw InputError(fmt::format("{} = {}: must be folders that can be read, with ':' between them; {}: {}",
+                                   name, given, folder, error.message()));
+  }
+}
+
 const std::vector<WorkerEngine>& engines() {
   return registry().engines;
 }
@@ -215,6 +230,10 @@ const WorkerEngine& find_engine(const std::string& name) {
     const bool whole = colon == std::string::npos || fs::exists(name, ignored);
     return find_engine_at(whole ? name : name.substr(0, colon), whole ? "" : name.substr(colon + 1));
   }
+  std::error_code ignored;
+  const std::string file = name.substr(0, name.find(':'));
+  const std::string hint =
+      fs::is_regular_file(file, ignored) ? fmt::format("; for the file in this folder write ./{}", name) : "";
   std::vector<std::string> there;
   there.reserve(engines().size());
   for (const WorkerEngine& engine : engines()) {
@@ -223,8 +242,8 @@ const WorkerEngine& find_engine(const std::string& name) {
   }
   for (const BrokenWorker& broken : broken_workers())
     there.push_back(fmt::format("({}: no worker: {})", broken.program, broken.reason));
-  throw InputError(fmt::format("engine = {}: must be one of: {}; left out of this build: {}", name,
-                               joined(there), joined(engines_left_out())));
+  throw InputError(fmt::format("engine = {}: must be one of: {}; left out of this build: {}{}", name,
+                               joined(there), joined(engines_left_out()), hint));
 }
 
 }  // namespace rockstack

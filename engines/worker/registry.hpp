@@ -12,6 +12,10 @@ namespace rockstack {
 /// option --workers. A worker there is an executable file whose name begins with "rockstack-".
 inline constexpr const char* workers_variable = "ROCKSTACK_WORKERS";
 
+/// @throws InputError where one of these folders cannot be read; `name` is of the option or variable that has
+/// them.
+void require_folders(const std::string& name, const std::string& given);
+
 /// Every engine with every solver that this program was built with, and then those of the workers in the
 /// folders of workers_variable, which are asked at the first call. Engines switched off are not there.
 /// @throws std::runtime_error naming a worker program that is not beside this one and not where it was built.

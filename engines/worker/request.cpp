@@ -1,6 +1,10 @@
 #include "engines/worker/request.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <type_traits>
 #include <utility>
 
 namespace rockstack {
@@ -87,16 +91,28 @@ void read_columns(const json& object, std::vector<Object>& list,
   for (const auto& [name, member] : fields) {
     const std::vector<double> column = numbers_field(object, name);
     if (list.empty()) list.resize(column.size());
-    if (column.size() != list.size())
-      throw std::runtime_error(std::string("`") + name + "` must be as long as the lists beside it");
+    if (column.size() != list.size()) throw WrongField(name, "as long as the lists beside it");
     for (std::size_t i = 0; i < list.size(); ++i) list[i].*member = column[i];
   }
 }
 
-const json& list_field(const json& object, const char* name) {
-  const json& list = field(object, name);
-  if (!list.is_array()) throw std::runtime_error(std::string("`") + name + "` must be a list");
-  return list;
+/// What `read` makes of each item of a list.
+template <class Read>
+auto read_list(const json& object, const char* name, const Read& read) {
+  std::vector<std::invoke_result_t<Read, const json&>> items;
+  const json& list = list_field(object, name);
+  items.reserve(list.size());
+  for (const json& item : list)
+    items.push_back(
+        within(name + ("." + std::to_string(items.size() + 1)), [&] { return read(item); }));
+  return items;
+}
+
+/// Whole settings as whole numbers: some languages will not count to 400.0.
+json parameter_field(const RunRequest& run, const std::string& name, double value) {
+  constexpr double most = 9007199254740992;  // 2^53: up to there all are told apart
+  const bool whole = run.whole.count(name) != 0 && std::abs(value) <= most;
+  return whole ? json(static_cast<std::int64_t>(value)) : to_field(value);
 }
 
 json fields_of(const RunRequest& run, Form form) {
@@ -112,7 +128,8 @@ json fields_of(const RunRequest& run, Form form) {
               {"blocks", json::array()},
               {"parameters", json::object()}};
   for (const Placement& block : setup.blocks) object["blocks"].push_back(object_of(block, placement_fields));
-  for (const auto& [name, value] : run.parameters) object["parameters"][name] = to_field(value);
+  for (const auto& [name, value] : run.parameters)
+    object["parameters"][name] = parameter_field(run, name, value);
   if (!setup.accelerations.empty())
     write_columns(object["accelerations"], setup.accelerations, acceleration_fields, form);
   if (!setup.ground.empty()) write_columns(object["ground"], setup.ground, ground_fields, form);
@@ -125,15 +142,18 @@ RunRequest read_run_request(const json& object) {
   run.solver = text_field(object, "solver");
   setup.dt = number_field(object, "dt");
   setup.steps = count_field(object, "steps");
-  setup.gravity = read_object(field(object, "gravity"), acceleration_fields);
+  setup.gravity =
+      within("gravity", [&] { return read_object(field(object, "gravity"), acceleration_fields); });
   setup.friction = numbers_field(object, "friction");
   setup.toppling_angles = numbers_field(object, "toppling_angles");
   run.repeats = count_field(object, "repeats");
   run.bodies = flag_field(object, "bodies");
-  for (const json& block : list_field(object, "blocks"))
-    setup.blocks.push_back(read_object(block, placement_fields));
-  for (const auto& [name, value] : field(object, "parameters").items())
+  setup.blocks =
+      read_list(object, "blocks", [](const json& block) { return read_object(block, placement_fields); });
+  for (const auto& [name, value] : field(object, "parameters").items()) {
     run.parameters[name] = number_field(object["parameters"], name.c_str());
+    if (value.is_number_integer()) run.whole.insert(name);
+  }
   if (has_field(object, "accelerations"))
     read_columns(object["accelerations"], setup.accelerations, acceleration_fields);
   if (has_field(object, "ground")) read_columns(object["ground"], setup.ground, ground_fields);
@@ -168,7 +188,7 @@ Setting read_setting(const json& object) {
   if (has_field(object, "unit")) setting.unit = text_field(object, "unit");
   if (!has_field(object, "choices")) return setting;
   for (const json& choice : list_field(object, "choices")) {
-    if (!choice.is_string()) throw std::runtime_error("`choices` must be texts");
+    if (!choice.is_string()) throw WrongField("choices", "a text", true);
     setting.choices.push_back(choice.get<std::string>());
   }
   return setting;
@@ -186,7 +206,7 @@ EngineDescription read_engine(const json& object) {
   if (has_field(object, "single_precision")) able.single_precision = flag_field(object, "single_precision");
   if (has_field(object, "planar")) able.planar = flag_field(object, "planar");
   if (has_field(object, "lead")) able.lead = number_field(object, "lead");
-  for (const json& setting : list_field(object, "settings")) engine.settings.push_back(read_setting(setting));
+  engine.settings = read_list(object, "settings", read_setting);
   return engine;
 }
 
@@ -236,6 +256,13 @@ json fields_of(const RunReply& run, Form form) {
   return object;
 }
 
+std::vector<BodyState> read_bodies(const json& object) {
+  std::vector<BodyState> bodies;
+  read_columns(object, bodies, body_fields);
+  if (has_field(object, "z")) read_columns(object, bodies, out_of_plane_fields);
+  return bodies;
+}
+
 RunReply read_run_reply(const json& object) {
   RunReply run;
   run.status = text_field(object, "status");
@@ -247,12 +274,10 @@ RunReply read_run_reply(const json& object) {
   made.velocities = numbers_field(object, "velocities");
   if (has_field(object, "seconds")) run.seconds = numbers_field(object, "seconds");
   if (has_field(object, "warnings")) made.warnings = count_field(object, "warnings");
-  if (has_field(object, "bodies")) {
-    const json& bodies = object["bodies"];
-    read_columns(bodies, made.bodies, body_fields);
-    if (has_field(bodies, "z")) read_columns(bodies, made.bodies, out_of_plane_fields);
-  }
-  if (has_field(object, "contacts")) made.contacts = read_contacts(object["contacts"]);
+  if (has_field(object, "bodies"))
+    made.bodies = within("bodies", [&] { return read_bodies(object["bodies"]); });
+  if (has_field(object, "contacts"))
+    made.contacts = within("contacts", [&] { return read_contacts(object["contacts"]); });
   return run;
 }
 
@@ -281,10 +306,7 @@ Request read_request(const Message& message) {
 
 Reply read_reply(const Message& message) {
   if (has_field(message.fields, "run")) return {{}, read_run_reply(message.fields["run"])};
-  Reply reply;
-  for (const json& engine : list_field(message.fields, "engines"))
-    reply.engines.push_back(read_engine(engine));
-  return reply;
+  return {read_list(message.fields, "engines", read_engine), {}};
 }
 
 }  // namespace rockstack

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,7 @@ struct RunRequest {
   Parameters parameters;
   std::size_t repeats = 0;  ///< timed runs after the one that gives the trajectory
   bool bodies = false;      ///< whether the trajectory is to tell bodies and contacts
+  std::set<std::string> whole = {};  ///< names of parameters that are written as whole numbers
 };
 
 /// A worker is asked for a run, or without one to describe its engines.

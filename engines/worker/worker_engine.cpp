@@ -32,21 +32,36 @@ RunReply explain(const ProcessEnd& end, const Limits& limits) {
   return run;
 }
 
+void require_count(const char* list, std::size_t has, std::size_t must, const std::string& what) {
+  if (has != must)
+    throw std::runtime_error(fmt::format("`{}` has {} numbers; must have {}, {}", list, has, must, what));
+}
+
+/// @throws std::runtime_error where samples are missing or too many.
+void require_all_samples(const Setup& setup, const Trajectory& made) {
+  const std::size_t blocks = setup.blocks.size(), all = (setup.steps + 1) * blocks, has = made.angles.size();
+  if (has > 0 && has < all && has % blocks == 0 && has_ended(setup, made)) return;
+  require_count("angles", has, all,
+                fmt::format("{} in each of {} samples; fewer samples only where a block of the last one is "
+                            "beyond its `toppling_angles`",
+                            blocks, setup.steps + 1));
+}
+
 /// @throws std::runtime_error where a run that is said to be done has no trajectory of the scene, or not all
 /// times.
 void require_whole(const RunReply& run, const RunRequest& asked) {
   const Trajectory& made = run.trajectory;
   const std::size_t blocks = asked.setup.blocks.size();
+  require_all_samples(asked.setup, made);
   const std::size_t samples = made.angles.size() / blocks;
   const auto require = [](bool holds, const char* what) {
     if (!holds) throw std::runtime_error(what);
   };
-  require(samples >= 1 && samples <= asked.setup.steps + 1 && made.angles.size() == samples * blocks,
-          "`angles` must have a number for each block, at the start and after each step");
-  require(made.velocities.size() == made.angles.size(), "`velocities` must be as long as `angles`");
-  require(run.seconds.size() == asked.repeats, "`seconds` must have a number for each of `repeats`");
-  require(made.bodies.size() == (asked.bodies ? made.angles.size() : 0),
-          "`bodies` must have lists as long as `angles` where they are asked for");
+  require_count("velocities", made.velocities.size(), made.angles.size(), "as many as `angles`");
+  require_count("seconds", run.seconds.size(), asked.repeats, "one for each of `repeats`");
+  require(made.bodies.empty() != asked.bodies, asked.bodies ? "`bodies` must be there, they are asked for"
+                                                            : "`bodies` must be left out, they are not asked for");
+  if (asked.bodies) require_count("bodies.x", made.bodies.size(), made.angles.size(), "as many as `angles`");
   if (!made.contacts) return;
   require(made.contacts->elastic.size() == samples, "`elastic` must have a number for each sample");
   require(made.contacts->stiffness > 0 && made.contacts->damping >= 0,
@@ -64,19 +79,35 @@ std::uint64_t reply_limit(const RunRequest& asked) {
   return (std::uint64_t{1} << 20) + numbers * each;
 }
 
+RunRequest request(const WorkerEngine& engine, const Parameters& parameters, std::size_t repeats,
+                   bool bodies) {
+  RunRequest asked{engine.solver(), {}, parameters, repeats, bodies};
+  for (const Setting& setting : engine.settings()) {
+    if (setting.whole) asked.whole.insert(setting.name);
+  }
+  return asked;
+}
+
 /// What a worker answered, or why it did not; what it took.
 struct Answer {
   RunReply run;
   double processor_time = 0;  ///< s
 };
 
+/// @throws std::runtime_error where it is none.
+Message read_answer(const std::string& bytes) {
+  if (bytes.empty()) throw std::runtime_error("nothing came on descriptor 3; standard output is thrown away");
+  return read_message(bytes);
+}
+
 /// A whole reply to what was asked. @throws std::runtime_error where it is not that.
 RunReply read_run(const std::string& bytes, const RunRequest& asked) {
-  Reply reply = read_reply(read_message(bytes));
+  Reply reply = read_reply(read_answer(bytes));
   if (!reply.run) throw std::runtime_error("`run` must be there");
   static constexpr std::array<const char*, 4> states{"done", "failed", "not finite", "memory limit"};
   if (std::find(states.begin(), states.end(), reply.run->status) == states.end())
     throw std::runtime_error("`status` must be \"done\", \"failed\", \"not finite\" or \"memory limit\"");
+  if (reply.run->status != "done" && reply.run->reason.empty()) reply.run->reason = "no `reason` is given";
   if (reply.run->status != "done") return *std::move(reply.run);
   require_whole(*reply.run, asked);
   try {
@@ -97,7 +128,7 @@ Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
   } catch (const std::exception& error) {
     const std::string reason =
         fmt::format("{} gave a reply that cannot be read: {}", engine.program().string(), error.what());
-    return {{"failed", reason, {}, {}, 0}, end.processor_time};
+    return {{"failed", with_last_words(reason, end), {}, {}, 0}, end.processor_time};
   }
 }
 
@@ -111,30 +142,30 @@ double WorkerEngine::friction(double asked) const {
 }
 
 std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, double answering_time) {
-  const ProcessEnd end = run_process(program, to_bytes(Request{}, Form::json), {.time = answering_time});
+  const Limits limits{.time = answering_time};
+  const ProcessEnd end = run_process(program, to_bytes(Request{}, Form::json), limits);
   const auto refuse = [&](const std::string& why) {
-    return std::runtime_error(
-        with_last_words(fmt::format("{}: does not say which engines it has{}", program.string(), why), end));
+    return std::runtime_error(fmt::format("{}: does not say which engines it has{}", program.string(), why));
   };
-  if (end.timed_out) throw refuse(fmt::format(" within {} s", answering_time));
-  if (end.signal != 0 || end.exit_code != 0) throw refuse("");
+  if (end.timed_out) throw refuse(with_last_words(fmt::format(" within {} s", answering_time), end));
+  if (end.signal != 0 || end.exit_code != 0) throw refuse(": " + explain(end, limits).reason);
   try {
     std::vector<WorkerEngine> engines;
-    const Message message = read_message(end.reply);
+    const Message message = read_answer(end.reply);
     const Reply reply = read_reply(message);
     check_descriptions(reply.engines);
     for (const EngineDescription& engine : reply.engines) engines.emplace_back(program, engine, message.form);
     return engines;
   } catch (const std::exception& error) {
-    throw refuse(fmt::format(": {}", error.what()));
+    throw refuse(with_last_words(fmt::format(": {}", error.what()), end));
   }
 }
 
 WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double dt,
                         const Parameters& parameters, int repeats, const Limits& limits, bool bodies) {
   WorkerRun result;
-  RunRequest asked{
-      engine.solver(), {}, parameters, static_cast<std::size_t>(repeats), needs_bodies(scene, bodies)};
+  RunRequest asked =
+      request(engine, parameters, static_cast<std::size_t>(repeats), needs_bodies(scene, bodies));
   try {
     asked.setup = set_up(scene, dt, parameters);
   } catch (const std::exception& error) {
@@ -154,8 +185,10 @@ WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double d
 }
 
 Trajectory run(const WorkerEngine& engine, const Setup& setup, const Parameters& parameters, bool bodies,
-               const Limits& limits) {
-  Answer answer = ask(engine, {engine.solver(), setup, parameters, 0, bodies}, limits);
+               const Limits& limits, std::size_t repeats) {
+  RunRequest asked = request(engine, parameters, repeats, bodies);
+  asked.setup = setup;
+  Answer answer = ask(engine, asked, limits);
   if (answer.run.status != "done") throw std::runtime_error(answer.run.status + ": " + answer.run.reason);
   return std::move(answer.run.trajectory);
 }

@@ -158,6 +158,17 @@ TEST_P(Messages, HaveEveryFieldOfAReply) {
   EXPECT_EQ(messages.size(), changes.size() + 1);
 }
 
+TEST_P(Messages, HaveWholeParametersAsWholeNumbers) {
+  Request request = full_request();
+  request.run->parameters = {{"sweeps", 400}, {"margin", 1}, {"large", 1e300}};
+  request.run->whole = {"sweeps", "large"};
+  const Message message = read_message(to_bytes(request, GetParam()));
+  const nlohmann::json& parameters = message.fields["run"]["parameters"];
+  EXPECT_TRUE(parameters["sweeps"].is_number_integer());
+  EXPECT_TRUE(parameters["margin"].is_number_float());
+  EXPECT_EQ(read_request(message).run->parameters, request.run->parameters);
+}
+
 INSTANTIATE_TEST_SUITE_P(Forms, Messages, testing::Values(Form::json, Form::messagepack),
                          [](const auto& form) { return form.param == Form::json ? "json" : "messagepack"; });
 
@@ -200,15 +211,49 @@ TEST(MessageBytes, WhateverIsNoneIsRefused) {
   }
 }
 
-TEST(MessageBytes, FieldThatIsWrongIsNamed) {
-  Message message = read_message(to_bytes(full_reply(), Form::json));
-  message.fields["run"]["angles"] = "many";
+/// What is said of bytes that are no reply.
+std::string complaint(const std::string& bytes) {
   try {
-    read_reply(message);
-    FAIL() << "no error";
+    read_reply(read_message(bytes));
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "`angles` must be a list of numbers");
+    return error.what();
   }
+  return "no error";
+}
+
+std::string complaint(const Message& message) {
+  return complaint(message.fields.dump());
+}
+
+TEST(MessageBytes, WhyTheyCannotBeReadIsSaid) {
+  EXPECT_EQ(complaint(R"({"rockstack": 1, "run": {)"), "the message is cut short, after 25 bytes");
+  for (const std::string bare : {"NaN", "Infinity"})
+    EXPECT_EQ(complaint("{\"rockstack\": 1, \"a\": [0, -" + bare + "]}"),
+              "the message has a bare " + bare +
+                  " at byte 28; must be a text there, \"nan\", \"inf\" or \"-inf\"");
+  EXPECT_EQ(complaint(R"({"rockstack": 1, 'run': 2})"), "the message is no JSON from byte 18 on");
+  EXPECT_EQ(complaint("words"), "the message is no JSON, which begins with '{', and no MessagePack");
+  EXPECT_EQ(complaint("{\"a\":" + std::string(20, '[')), "the message has more than 8 levels");
+}
+
+TEST(MessageBytes, FieldThatIsWrongIsNamedWithTheObjectsThatHaveIt) {
+  const Message whole = read_message(to_bytes(full_reply(), Form::json));
+  Message message = whole;
+  message.fields["run"]["angles"] = "many";
+  EXPECT_EQ(complaint(message), "`angles` must be a list of numbers");
+  message = whole;
+  message.fields["run"]["angles"] = {{0.1}, {0.2}};
+  EXPECT_EQ(complaint(message), "each of `angles` must be a number, \"inf\", \"-inf\" or \"nan\"");
+  message = whole;
+  message.fields["run"]["contacts"].erase("elastic");
+  EXPECT_EQ(complaint(message), "`contacts.elastic` must be there");
+  message = whole;
+  message.fields["run"]["bodies"].erase("y");
+  EXPECT_EQ(complaint(message), "`bodies.y` must be there");
+  message = read_message(to_bytes(full_description(), Form::json));
+  message.fields["engines"][1]["settings"][0]["least"] = "few";
+  EXPECT_EQ(complaint(message),
+            "`engines.2.settings.1.least` must be a number, \"inf\", \"-inf\" or \"nan\"");
 }
 
 }  // namespace

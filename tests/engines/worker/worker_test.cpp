@@ -1,5 +1,6 @@
 // Whatever an engine does in its worker ends that run, with a status that says why, and nothing else.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 
 namespace rockstack {
 namespace {
+
+using nlohmann::json;
 
 Scene one_block(double duration) {
   Scene scene;
@@ -137,7 +140,70 @@ TEST(Workers, HalfAReplyIsAFailureThatNamesTheProgram) {
   EXPECT_EQ(made.status, "failed");
   EXPECT_EQ(made.reason,
             std::string(FAULTY_WORKER) +
-                " gave a reply that cannot be read: the message is cut short, or no JSON and no MessagePack");
+                " gave a reply that cannot be read: the message is no JSON, which begins with '{', and no "
+                "MessagePack");
+}
+
+/// A worker that gives an answer that was written beforehand.
+class Written {
+ public:
+  explicit Written(const json& run) {
+    const auto program =
+        script(folder_, fmt::format("#!/bin/sh\ncat >&3 <<'END'\n{}\nEND\n",
+                                    json{{"rockstack", 1}, {"run", run}}.dump()));
+    EngineDescription description{"written", "step", "1", "none", {}, {}};
+    engine_.emplace_back(program, description, Form::json);
+  }
+  /// Of one block in four steps.
+  WorkerRun run(int repeats = 0, bool bodies = false) const {
+    return run_in_worker(engine_[0], one_block(0.5), 0.125, {}, repeats, {}, bodies);
+  }
+  /// What is said of the answer.
+  std::string complaint(int repeats = 0, bool bodies = false) const {
+    const std::string start = engine_[0].program().string() + " gave a reply that cannot be read: ";
+    const std::string reason = run(repeats, bodies).reason;
+    return reason.starts_with(start) ? reason.substr(start.size()) : reason;
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::vector<WorkerEngine> engine_;
+};
+
+json answer(std::vector<double> angles) {
+  json run{{"status", "done"}, {"velocities", angles}};
+  run["angles"] = std::move(angles);
+  return run;
+}
+
+TEST(Answers, HaveEverySampleOrEndWhereABlockTopples) {
+  EXPECT_EQ(Written(answer({0, 0, 0, 0, 0})).run().status, "done");
+  EXPECT_EQ(Written(answer({0, 0, -1})).run().status, "done");
+  const std::string must =
+      "must have 5, 1 in each of 5 samples; fewer samples only where a block of the last one is beyond its "
+      "`toppling_angles`";
+  EXPECT_EQ(Written(answer({0, 0, 0, 0})).complaint(), "`angles` has 4 numbers; " + must);
+  EXPECT_EQ(Written(answer({0, -1, 0})).complaint(), "`angles` has 3 numbers; " + must);
+  EXPECT_EQ(Written(answer({0, 0, 0, 0, 0, 0})).complaint(), "`angles` has 6 numbers; " + must);
+  EXPECT_EQ(Written(answer({})).complaint(), "`angles` has 0 numbers; " + must);
+}
+
+TEST(Answers, HaveWhatIsAskedForAndSayWhatIsNot) {
+  json run = answer({0, 0, 0, 0, 0});
+  EXPECT_EQ(Written(run).complaint(2), "`seconds` has 0 numbers; must have 2, one for each of `repeats`");
+  EXPECT_EQ(Written(run).complaint(0, true), "`bodies` must be there, they are asked for");
+  run["velocities"] = {0, 0};
+  EXPECT_EQ(Written(run).complaint(), "`velocities` has 2 numbers; must have 5, as many as `angles`");
+  run["angles"] = {{0}, {0}};
+  EXPECT_EQ(Written(run).complaint(),
+            "each of `angles` must be a number, \"inf\", \"-inf\" or \"nan\"");
+  EXPECT_EQ(Written(json{{"status", "failed"}}).run().reason, "no `reason` is given");
+}
+
+TEST(Answers, MayHaveFieldsThatNobodyKnows) {
+  json run = answer({0, 0, 0, 0, 0});
+  run["colour"] = "red";
+  EXPECT_EQ(Written(run).run().status, "done");
 }
 
 TEST(Workers, HungerMeetsTheMemoryLimit) {
@@ -166,13 +232,43 @@ TEST(Workers, SimulateThrowsTheStatusAndItsReason) {
   }
 }
 
-TEST(Workers, ProgramThatIsNotThereIsNamed) {
+/// Why a program is no worker.
+std::string refusal(const std::filesystem::path& program) {
   try {
-    engines_of("/nowhere/rockstack-newton");
-    FAIL() << "no error";
+    engines_of(program);
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "/nowhere/rockstack-newton: cannot be started as a worker");
+    return error.what();
   }
+  return "no error";
+}
+
+std::filesystem::path script(const TemporaryFolder& folder, const std::string& text) {
+  auto program = folder.write("worker", text);
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  return program;
+}
+
+TEST(Workers, ProgramThatCannotBeStartedIsNamedWithTheReason) {
+  EXPECT_EQ(refusal("/nowhere/rockstack-newton"),
+            "/nowhere/rockstack-newton: cannot be started as a worker: No such file or directory");
+  const TemporaryFolder folder;
+  const auto plain = folder.write("plain", "");
+  EXPECT_EQ(refusal(plain), plain.string() + ": cannot be started as a worker: Permission denied");
+  const auto program = script(folder, "words\n");
+  EXPECT_EQ(refusal(program), program.string() + ": cannot be started as a worker: Exec format error");
+  script(folder, "#!/nowhere/python\n");
+  EXPECT_EQ(refusal(program), program.string() +
+                                  ": cannot be started as a worker: No such file or directory, the "
+                                  "interpreter that its first line names");
+}
+
+TEST(Workers, ProgramThatEndsBeforeItDescribesItsEnginesSaysHow) {
+  const TemporaryFolder folder;
+  const auto program = script(folder, "#!/bin/sh\necho no licence >&2\nexit 127\n");
+  const std::string start = program.string() + ": does not say which engines it has: ";
+  EXPECT_EQ(refusal(program), start + "ended with exit code 127 and no result: no licence");
+  script(folder, "#!/bin/sh\necho '{}'\n");
+  EXPECT_EQ(refusal(program), start + "nothing came on descriptor 3; standard output is thrown away");
 }
 
 TEST(Workers, ProgramThatDoesNotAnswerIsNamedInTime) {
