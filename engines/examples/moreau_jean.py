@@ -100,7 +100,7 @@ def take_step(bodies, friction, dt, pull, parameters):
         body.move(dt / 2)
         body.rate = [body.rate[0] + dt * pull[0], body.rate[1] + dt * pull[1], body.rate[2]]
     contacts = find_contacts(bodies, friction, parameters["margin"])
-    for _ in range(int(parameters["sweeps"])):
+    for _ in range(parameters["sweeps"]):
         if max((contact.solve() for contact in contacts), default=0.0) <= parameters["tolerance"]:
             break
     for body in bodies[1:]:

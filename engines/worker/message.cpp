@@ -110,8 +110,7 @@ Message read_message(std::string_view bytes) {
   const bool text = first != std::string_view::npos && bytes[first] == '{';
   const auto format = text ? json::input_format_t::json : json::input_format_t::msgpack;
   Depth depth;
-  if (!json::sax_parse(bytes, &depth, format))
-    throw std::runtime_error(why_unreadable(bytes, text, depth));
+  if (!json::sax_parse(bytes, &depth, format)) throw std::runtime_error(why_unreadable(bytes, text, depth));
   Message message{parsed(bytes, format), text ? Form::json : Form::messagepack};
   if (!message.fields.is_object() || !has_field(message.fields, version_field))
     throw std::runtime_error("the message is no object with a field `rockstack`");

@@ -103,8 +103,7 @@ auto read_list(const json& object, const char* name, const Read& read) {
   const json& list = list_field(object, name);
   items.reserve(list.size());
   for (const json& item : list)
-    items.push_back(
-        within(name + ("." + std::to_string(items.size() + 1)), [&] { return read(item); }));
+    items.push_back(within(name + ("." + std::to_string(items.size() + 1)), [&] { return read(item); }));
   return items;
 }
 
@@ -232,11 +231,11 @@ ContactRecord read_contacts(const json& object) {
   contacts.friction_excess = number_field(object, "friction_excess");
   if (has_field(object, "stiffness")) contacts.stiffness = number_field(object, "stiffness");
   if (has_field(object, "damping")) contacts.damping = number_field(object, "damping");
-  for (const json& one : list_field(object, "impacts")) {
+  contacts.impacts = read_list(object, "impacts", [](const json& one) {
     ContactImpact impact = read_object(one, impact_fields);
     impact.interface = static_cast<int>(count_field(one, "interface"));
-    contacts.impacts.push_back(impact);
-  }
+    return impact;
+  });
   return contacts;
 }
 

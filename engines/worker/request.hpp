@@ -25,8 +25,8 @@ struct RunRequest {
   std::string solver;
   Setup setup;
   Parameters parameters;
-  std::size_t repeats = 0;  ///< timed runs after the one that gives the trajectory
-  bool bodies = false;      ///< whether the trajectory is to tell bodies and contacts
+  std::size_t repeats = 0;           ///< timed runs after the one that gives the trajectory
+  bool bodies = false;               ///< whether the trajectory is to tell bodies and contacts
   std::set<std::string> whole = {};  ///< names of parameters that are written as whole numbers
 };
 

@@ -59,16 +59,16 @@ void require_whole(const RunReply& run, const RunRequest& asked) {
   };
   require_count("velocities", made.velocities.size(), made.angles.size(), "as many as `angles`");
   require_count("seconds", run.seconds.size(), asked.repeats, "one for each of `repeats`");
-  require(made.bodies.empty() != asked.bodies, asked.bodies ? "`bodies` must be there, they are asked for"
-                                                            : "`bodies` must be left out, they are not asked for");
+  require(made.bodies.empty() || asked.bodies, "`bodies` must be left out, they are not asked for");
+  require(!made.bodies.empty() || !asked.bodies, "`bodies` must be there, they are asked for");
   if (asked.bodies) require_count("bodies.x", made.bodies.size(), made.angles.size(), "as many as `angles`");
   if (!made.contacts) return;
-  require(made.contacts->elastic.size() == samples, "`elastic` must have a number for each sample");
+  require_count("contacts.elastic", made.contacts->elastic.size(), samples, "one for each sample");
   require(made.contacts->stiffness > 0 && made.contacts->damping >= 0,
-          "`stiffness` must be above zero, and `damping` not below");
+          "`contacts.stiffness` must be above zero, and `contacts.damping` not below");
   for (const ContactImpact& impact : made.contacts->impacts)
     require(impact.interface >= 1 && impact.interface <= static_cast<int>(blocks),
-            "`interface` must be the number of a block");
+            "`contacts.impacts` must have the number of a block as their `interface`");
 }
 
 /// The most bytes that a reply to this takes: numbers of at most 25 characters, in lists; contacts tell no

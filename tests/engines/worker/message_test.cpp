@@ -228,9 +228,9 @@ std::string complaint(const Message& message) {
 TEST(MessageBytes, WhyTheyCannotBeReadIsSaid) {
   EXPECT_EQ(complaint(R"({"rockstack": 1, "run": {)"), "the message is cut short, after 25 bytes");
   for (const std::string bare : {"NaN", "Infinity"})
-    EXPECT_EQ(complaint("{\"rockstack\": 1, \"a\": [0, -" + bare + "]}"),
-              "the message has a bare " + bare +
-                  " at byte 28; must be a text there, \"nan\", \"inf\" or \"-inf\"");
+    EXPECT_EQ(
+        complaint("{\"rockstack\": 1, \"a\": [0, -" + bare + "]}"),
+        "the message has a bare " + bare + " at byte 28; must be a text there, \"nan\", \"inf\" or \"-inf\"");
   EXPECT_EQ(complaint(R"({"rockstack": 1, 'run': 2})"), "the message is no JSON from byte 18 on");
   EXPECT_EQ(complaint("words"), "the message is no JSON, which begins with '{', and no MessagePack");
   EXPECT_EQ(complaint("{\"a\":" + std::string(20, '[')), "the message has more than 8 levels");

@@ -27,6 +27,13 @@ Scene one_block(double duration) {
   return scene;
 }
 
+/// A worker program of that text.
+std::filesystem::path script(const TemporaryFolder& folder, const std::string& text) {
+  auto program = folder.write("worker", text);
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  return program;
+}
+
 const WorkerEngine& faulty(const std::string& solver) {
   static const std::vector<WorkerEngine> engines = engines_of(FAULTY_WORKER);
   return *std::find_if(engines.begin(), engines.end(),
@@ -148,9 +155,8 @@ TEST(Workers, HalfAReplyIsAFailureThatNamesTheProgram) {
 class Written {
  public:
   explicit Written(const json& run) {
-    const auto program =
-        script(folder_, fmt::format("#!/bin/sh\ncat >&3 <<'END'\n{}\nEND\n",
-                                    json{{"rockstack", 1}, {"run", run}}.dump()));
+    const auto program = script(folder_, fmt::format("#!/bin/sh\ncat >&3 <<'END'\n{}\nEND\n",
+                                                     json{{"rockstack", 1}, {"run", run}}.dump()));
     EngineDescription description{"written", "step", "1", "none", {}, {}};
     engine_.emplace_back(program, description, Form::json);
   }
@@ -178,12 +184,12 @@ json answer(std::vector<double> angles) {
 
 TEST(Answers, HaveEverySampleOrEndWhereABlockTopples) {
   EXPECT_EQ(Written(answer({0, 0, 0, 0, 0})).run().status, "done");
-  EXPECT_EQ(Written(answer({0, 0, -1})).run().status, "done");
+  EXPECT_EQ(Written(answer({0, 0, -2})).run().status, "done");
   const std::string must =
       "must have 5, 1 in each of 5 samples; fewer samples only where a block of the last one is beyond its "
       "`toppling_angles`";
   EXPECT_EQ(Written(answer({0, 0, 0, 0})).complaint(), "`angles` has 4 numbers; " + must);
-  EXPECT_EQ(Written(answer({0, -1, 0})).complaint(), "`angles` has 3 numbers; " + must);
+  EXPECT_EQ(Written(answer({0, -2, 0})).complaint(), "`angles` has 3 numbers; " + must);
   EXPECT_EQ(Written(answer({0, 0, 0, 0, 0, 0})).complaint(), "`angles` has 6 numbers; " + must);
   EXPECT_EQ(Written(answer({})).complaint(), "`angles` has 0 numbers; " + must);
 }
@@ -195,8 +201,7 @@ TEST(Answers, HaveWhatIsAskedForAndSayWhatIsNot) {
   run["velocities"] = {0, 0};
   EXPECT_EQ(Written(run).complaint(), "`velocities` has 2 numbers; must have 5, as many as `angles`");
   run["angles"] = {{0}, {0}};
-  EXPECT_EQ(Written(run).complaint(),
-            "each of `angles` must be a number, \"inf\", \"-inf\" or \"nan\"");
+  EXPECT_EQ(Written(run).complaint(), "each of `angles` must be a number, \"inf\", \"-inf\" or \"nan\"");
   EXPECT_EQ(Written(json{{"status", "failed"}}).run().reason, "no `reason` is given");
 }
 
@@ -242,12 +247,6 @@ std::string refusal(const std::filesystem::path& program) {
   return "no error";
 }
 
-std::filesystem::path script(const TemporaryFolder& folder, const std::string& text) {
-  auto program = folder.write("worker", text);
-  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-  return program;
-}
-
 TEST(Workers, ProgramThatCannotBeStartedIsNamedWithTheReason) {
   EXPECT_EQ(refusal("/nowhere/rockstack-newton"),
             "/nowhere/rockstack-newton: cannot be started as a worker: No such file or directory");
@@ -273,8 +272,7 @@ TEST(Workers, ProgramThatEndsBeforeItDescribesItsEnginesSaysHow) {
 
 TEST(Workers, ProgramThatDoesNotAnswerIsNamedInTime) {
   const TemporaryFolder folder;
-  const auto silent = folder.write("silent", "#!/bin/sh\nexec sleep 600\n");
-  std::filesystem::permissions(silent, std::filesystem::perms::owner_all);
+  const auto silent = script(folder, "#!/bin/sh\nexec sleep 600\n");
   try {
     engines_of(silent, 0.25);
     FAIL() << "no error";
