@@ -41,6 +41,11 @@ std::string fit_label(const Fit& fit) {
                      model_error);
 }
 
+/// An engine may have no error at all in a draw, which no logarithm shows.
+double drawable(double error) {
+  return std::max(error, least_error);
+}
+
 std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::string& scene,
                                    const Errors& errors) {
   std::vector<ErrorLine> lines;
@@ -50,10 +55,10 @@ std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::stri
       const double error = errors.of(run);
       if (!(error > 0) || !std::isfinite(error)) continue;
       line.errors.times.push_back(run.dt);
-      line.errors.values.push_back(error);
+      line.errors.values.push_back(drawable(error));
       const bool drawn = errors.lower != nullptr && !std::isnan(run.*errors.lower);
-      line.lower.push_back(drawn ? run.*errors.lower : error);
-      line.upper.push_back(drawn ? run.*errors.upper : error);
+      line.lower.push_back(drawable(drawn ? run.*errors.lower : error));
+      line.upper.push_back(drawable(drawn ? run.*errors.upper : error));
     }
     if (line.errors.size() > 0) lines.push_back(line);
   }

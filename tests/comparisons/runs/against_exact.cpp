@@ -31,7 +31,7 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   const BodyRecord bodies{.energy = {0, 300, 100},
                           .input = {0, 50, 50},
                           .penetration = {0, 1, 0.5},
-                          .contacts = ContactRecord{{0, 0, 100}, 6, 7, told},
+                          .contacts = ContactRecord{{0, 0, 100}, 6, 7, 3e5, 40, told},
                           .gap = 2,
                           .slip = 3,
                           .out_of_plane = 4,
@@ -88,6 +88,8 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   EXPECT_EQ(row.out_of_plane_tilt, 5);
   EXPECT_NEAR(*row.complementarity_residual, 6 / weight_height, rounding);
   EXPECT_EQ(row.friction_cone_violation, 7);
+  EXPECT_EQ(row.contact_stiffness, 3e5);
+  EXPECT_EQ(row.contact_damping, 40);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/gnuplot.hpp"
 #include "plots/drawing/layout.hpp"
+#include "plots/figures/comparison/drawings.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {
@@ -170,6 +171,14 @@ constexpr const char* two_fits = R"([
 TEST(Figures, FitsAreDrawnWhereTheyHold) {
   draw_sample(
       {.engines = {{"bullet", "nncg", "tuned", 2e-3}, ode()}, .steps = {1e-2, 1e-3}, .fits = two_fits});
+}
+
+TEST(Figures, AQuartileWithoutAnyErrorHasAPlaceOnALogarithmicAxis) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, {.engines = {ode()}, .steps = {1e-2, 1e-3}, .fits = two_fits});
+  Comparison comparison = read_comparison(folder);
+  for (plots::Run& run : comparison.runs) run.rms_angle_difference_lower = 0;
+  EXPECT_NO_THROW(draw(error_step(comparison, comparison.scenes.at(0)), folder / "error-step"));
 }
 
 TEST(Figures, DistributionsOverPerturbedScenes) {
