@@ -31,11 +31,12 @@ bool same_series(const Run& a, const Run& b) {
   return a.scene == b.scene && solver_name(a) == solver_name(b) && a.settings == b.settings;
 }
 
-/// What the smallest step leaves of the error at the largest.
+/// What the smallest step leaves of the error at the largest, where that is more than rounding.
 double left_of_error(const Comparison& comparison, const Run& run) {
   const auto [coarsest, finest] = step_ends(comparison, run);
-  return coarsest->dt > finest->dt ? finest->rms_angle_difference / coarsest->rms_angle_difference
-                                   : std::nan("");
+  return coarsest->dt > finest->dt && coarsest->rms_angle_difference > least_error
+             ? finest->rms_angle_difference / coarsest->rms_angle_difference
+             : std::nan("");
 }
 
 double middle(std::vector<double> values) {
@@ -58,18 +59,18 @@ StepEnds step_ends(const Comparison& comparison, const Run& run) {
 
 const std::vector<SolverQuestion>& solver_questions() {
   static const std::vector<SolverQuestion> questions{
-      {"accuracy", "Which is nearest to the exact motion?", "RMS angle difference (rad)",
+      {"accuracy", "Which is nearest to the exact motion?", "RMS angle difference (rad)", "",
        [](const Comparison&, const Run& run) { return run.rms_angle_difference; }},
-      {"convergence", "What does a smaller step leave of the error?",
-       "share of the error at the largest step", left_of_error},
-      {"first-impact", "Does the first impact come in time?", "first impact off by (steps)",
+      {"convergence", "What does a smaller step leave of the error?", "share of the error that is left",
+       "from the largest step to the smallest", left_of_error},
+      {"first-impact", "Does the first impact come in time?", "first impact off by (steps)", "",
        [](const Comparison&, const Run& run) { return std::abs(run.first_impact_time_difference) / run.dt; }},
-      {"energy", "Do contacts make energy?", "energy gained (share of weight times height)",
+      {"energy", "Do contacts make energy?", "energy gained (share of weight times height)", "",
        cell<energy_gain>},
-      {"overlap", "How deep do blocks sink into each other?", "largest overlap (m)", cell<penetration>},
-      {"rest", "Is what rests at rest?", "RMS angular velocity where the exact one is zero (rad/s)",
+      {"overlap", "How deep do blocks sink into each other?", "largest overlap (m)", "", cell<penetration>},
+      {"rest", "Is what rests at rest?", "RMS angular velocity where the exact one is zero (rad/s)", "",
        cell<residual_motion>},
-      {"cost", "What does a step cost?", "time of one step (s)",
+      {"cost", "What does a step cost?", "time of one step (s)", "",
        [](const Comparison&, const Run& run) { return run.stepping_time / run.steps; }},
   };
   return questions;

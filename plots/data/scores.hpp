@@ -12,6 +12,7 @@ struct SolverQuestion {
   std::string name;      ///< of its figure, behind "solvers."
   std::string question;  ///< "Which is …?"
   std::string axis;      ///< what is shown, with its unit
+  std::string steps;     ///< which of a series it is of; empty: the common one
   /// The answer of a run at the common step; NaN where it has none.
   double (*value)(const Comparison& comparison, const Run& run);
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "plots/data/selection.hpp"
 #include "plots/pages/sentences.hpp"
@@ -70,13 +71,22 @@ std::string line_phrase(Run run) {
   return run_phrase(run);
 }
 
-/// Series by ascending error. That of a series with one run has the quartiles of its draws.
+/// Series by ascending error, those that have most scenes. That of a series with one run has the quartiles of
+/// its draws.
 std::vector<Series> series_at(const std::vector<Run>& runs, double dt) {
   std::map<std::string, std::vector<const Run*>> groups;
   for (const Run& run : runs)
     if (run.dt == dt) groups[line_phrase(run)].push_back(&run);
+  const auto scenes_of = [](const std::vector<const Run*>& group) {
+    std::set<std::string> names;
+    for (const Run* run : group) names.insert(run->scene);
+    return names.size();
+  };
+  std::size_t most = 0;
+  for (const auto& [label, group] : groups) most = std::max(most, scenes_of(group));
   std::vector<Series> list;
   for (const auto& [label, group] : groups) {
+    if (scenes_of(group) < most) continue;
     std::vector<double> errors;
     for (const Run* run : group) errors.push_back(run->rms_angle_difference);
     const Run& first = *group.front();

@@ -79,10 +79,12 @@ Drawing solver_scores(const Comparison& comparison, const SolverQuestion& questi
                   row_names(list, scenes) + logarithmic_tics("x", extent.low, extent.high, width),
               plots}},
             1, left);
-  sheet.note(fmt::format("at a step of {}; crosses: scenes; large marks: their median; on the left edge: "
-                         "nothing, or too little to show",
-                         duration_text(list.front().runs.front().dt)),
-             "#000000");
+  sheet.note(
+      fmt::format("{}; crosses: scenes; large marks: their median; on the left edge: nothing, or too "
+                  "little to show",
+                  question.steps.empty() ? "at a step of " + duration_text(list.front().runs.front().dt)
+                                         : question.steps),
+      "#000000");
   return sheet.finish();
 }
 
