@@ -60,6 +60,8 @@ constexpr std::pair<const char*, Better> told_columns[]{
     {"out_of_plane_tilt", Better::less},
     {"complementarity_residual", Better::less},
     {"friction_cone_violation", Better::less},
+    {"contact_stiffness", Better::neither},
+    {"contact_damping", Better::neither},
     {"contact_impacts_missed", Better::less},
     {"contact_impacts_extra", Better::less},
     {"impact_readings_differ", Better::less},
