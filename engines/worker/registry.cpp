@@ -175,7 +175,7 @@ const std::deque<WorkerEngine>& engines_at(const fs::path& program) {
 void require_folders(const std::string& name, const std::string& given) {
   for (const std::string& folder : folders_of(given)) {
     std::error_code error;
-    fs::directory_iterator(folder, error);
+    const fs::directory_iterator entries(folder, error);
     if (error)
       throw InputError(fmt::format("{} = {}: must be folders that can be read, with ':' between them; {}: {}",
                                    name, given, folder, error.message()));

@@ -152,10 +152,11 @@ TEST(BareSettings, ChangeTheMotion) {
     const Parameters tuned = one.engine->tuned_parameters();
     if (one.parameters == tuned) continue;
     bool changed = false;
-    for (const Scene& scene : scenes()) {
-      changed = changed || simulate(*one.engine, scene, step, one.parameters).history.angles !=
-                               simulate(*one.engine, scene, step, tuned).history.angles;
-    }
+    // The last, of one block, takes the least time.
+    const std::vector<Scene> list = scenes();
+    for (auto scene = list.rbegin(); !changed && scene != list.rend(); ++scene)
+      changed = simulate(*one.engine, *scene, step, one.parameters).history.angles !=
+                simulate(*one.engine, *scene, step, tuned).history.angles;
     EXPECT_TRUE(changed) << one.name;
   }
 }
