@@ -177,7 +177,10 @@ TEST(Figures, AQuartileWithoutAnyErrorHasAPlaceOnALogarithmicAxis) {
   const fs::path folder = testing::fresh_folder();
   testing::write_sample(folder, {.engines = {ode()}, .steps = {1e-2, 1e-3}, .fits = two_fits});
   Comparison comparison = read_comparison(folder);
-  for (plots::Run& run : comparison.runs) run.rms_angle_difference_lower = 0;
+  for (plots::Run& run : comparison.runs) {
+    run.rms_angle_difference_lower = 0;
+    run.rms_angle_difference_upper = run.rms_angle_difference;
+  }
   EXPECT_NO_THROW(draw(error_step(comparison, comparison.scenes.at(0)), folder / "error-step"));
 }
 
