@@ -12,9 +12,9 @@ std::filesystem::path shipped(const std::string& kind);
 /// The names of those, in order.
 std::vector<std::string> shipped_names(const std::string& kind);
 
-/// The file that an input names: that very file, or one of a kind that comes with the program, by its name
-/// without ending. Where neither is there, the input as a file, for whoever reads it to refuse. Files are
-/// looked for from `folder`.
+/// The file that an input names: that very file, or one of a kind that comes with the program, or of a folder
+/// of that kind, by its name without ending. Where neither is there, the input as a file, for whoever reads
+/// it to refuse. Files are looked for from `folder`.
 std::filesystem::path find_file(const std::string& input, const std::string& kind,
                                 const std::filesystem::path& folder = {});
 
