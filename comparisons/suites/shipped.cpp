@@ -26,7 +26,7 @@ namespace {
 /// A file of a kind, or of a folder in it, such as scenes/canon.
 std::filesystem::path shipped_file(const std::string& kind, const std::string& name) {
   std::error_code ignored;  // a link may lead in a circle
-  const std::filesystem::path file = shipped(kind) / name;
+  std::filesystem::path file = shipped(kind) / name;
   if (std::filesystem::exists(file, ignored)) return file;
   for (const auto& entry : std::filesystem::directory_iterator(shipped(kind), ignored))
     if (std::filesystem::exists(entry.path() / name, ignored)) return entry.path() / name;
