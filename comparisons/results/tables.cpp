@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -31,6 +33,25 @@ const char* side_name(Contact side) {
   return side == Contact::left ? "left" : side == Contact::right ? "right" : "closed";
 }
 
+/// Adds where a motion ends, and both sides of where it jumps as it starts or ends: times next to each other,
+/// s.
+void add_edges(const GroundMotion& motion, std::vector<double>& times) {
+  if (motion.empty()) return;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double largest = motion.pulse ? std::abs(motion.pulse->amplitude) : peak(motion);
+  const auto add_jump = [&](double last, double next) {
+    const double jump = acceleration(motion, next) - acceleration(motion, last);
+    if (std::abs(jump) > 1e-12 * largest) times.insert(times.end(), {last, next});
+  };
+  const double end = motion.end();
+  if (motion.pulse && motion.pulse->start > 0)
+    add_jump(std::nextafter(motion.pulse->start, 0), motion.pulse->start);
+  if (end < infinity) {
+    times.push_back(end);
+    add_jump(end, std::nextafter(end, infinity));
+  }
+}
+
 /// Times that show all of the ground motion up to the end of the scene, s.
 std::vector<double> ground_times(const Scene& scene) {
   std::vector<double> times{0, scene.duration};
@@ -38,8 +59,10 @@ std::vector<double> ground_times(const Scene& scene) {
     const double interval = motion->pulse ? 1e-3 : motion->interval;
     const double end = std::min(motion->end(), scene.duration);
     for (int i = 1; interval > 0 && i * interval <= end; ++i) times.push_back(i * interval);
+    add_edges(*motion, times);
   }
   std::sort(times.begin(), times.end());
+  times.erase(std::upper_bound(times.begin(), times.end(), scene.duration), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }

@@ -62,6 +62,23 @@ TEST(Results, GroundMotionHoldsEverySampleAndEveryMillisecondOfAPulse) {
   EXPECT_EQ(number(split(lines.back(), ',')[0]), scene.duration);
 }
 
+// Lines between what is written go where the ground does: a rectangle has an edge, at any time.
+TEST(Results, GroundMotionJumpsWhereAPulseDoes) {
+  Scene scene;
+  scene.duration = 1;
+  scene.vertical.pulse =
+      Pulse{.shape = PulseShape::rectangle, .amplitude = -3, .period = 0.1002, .start = 0.2501};
+  const auto lines = split(ground_csv(scene), '\n');
+  double impulse = 0;
+  for (std::size_t i = 2; i < lines.size(); ++i) {
+    const auto last = split(lines[i - 1], ',');
+    const auto next = split(lines[i], ',');
+    EXPECT_LT(number(last[0]), number(next[0]));
+    impulse += (number(next[0]) - number(last[0])) * (number(next[2]) + number(last[2])) / 2;
+  }
+  EXPECT_NEAR(impulse, -3 * 0.1002, 1e-12);
+}
+
 TEST(Results, EveryColumnHasANameOfItsOwnAndADefinition) {
   std::set<std::string> names;
   for (const Column& column : columns()) {
