@@ -176,8 +176,8 @@ class ContactSolver {
     Joints<Real> touching = state_.joints;
     const int interface = found.courses.front().interface + 1;
     if (apply(found, stack_, state_.bodies, touching)) return meet(before, std::move(touching), interface);
-    // A decision that does not last beyond its moment is taken for a later one. What lasts longer is motion,
-    // however small: to look beyond its next event would make energy.
+    // A decision that does not last beyond its moment is taken for a later one, unless an impact ended it.
+    // What lasts longer is motion, however small: to look beyond its next event would make energy.
     const Real longest_moment = Real(1e-4) * unit_time_;
     const Real moment_and_rounding = Real(1.001) * moment_;
     moment_ = last_decision_ >= 0 && time() - last_decision_ <= moment_and_rounding
@@ -204,6 +204,7 @@ class ContactSolver {
 
   /// An impact of joints that touch.
   void meet(const Joints<Real>& before, Joints<Real> touching, int interface) {
+    last_decision_ = -1;
     const Placements<Real> rates = state_.bodies.rate;
     close_negligible(stack_, chatter_, state_.bodies, touching);
     place(stack_.blocks, touching, state_.bodies);
@@ -326,7 +327,7 @@ class ContactSolver {
   ContactState<Real> state_;
   SpringContacts<Real> springs_;
   bool decided_ = false;     ///< the step starts at an event
-  Real last_decision_ = -1;  ///< s
+  Real last_decision_ = -1;  ///< s; negative: none since the last impact
   Real burst_start_ = 0;     ///< s
   int burst_ = 0;
   bool ended_ = false;
