@@ -139,10 +139,12 @@ void require_started(const std::string& path, const Descriptor& failure) {
 /// The time that a child may take. None passes while it is stopped, and little while this process is.
 class Allowance {
  public:
-  Allowance(pid_t child, double seconds) : child_(child), left_(seconds) {}
+  Allowance(pid_t child, const Limits& limits) : child_(child), left_(limits.time), asked_(limits.unwanted) {}
+
+  bool unwanted() const { return unwanted_; }
 
   /// Takes off the time since the last call, in which this process meant to wait for `wait` at most.
-  /// @return whether any is left.
+  /// @return whether any is left, for what is still wanted.
   bool lasts(std::chrono::microseconds wait) {
     const auto now = Clock::now();
     const auto passed = std::min<Clock::duration>(now - std::exchange(last_, now), 10 * wait);
@@ -153,12 +155,15 @@ class Allowance {
       change.si_pid = 0;
     }
     if (!stopped_) left_ -= std::chrono::duration<double>(passed).count();
-    return left_ > 0;
+    unwanted_ = asked_ != nullptr && (*asked_)();
+    return left_ > 0 && !unwanted_;
   }
 
  private:
   pid_t child_;
   double left_;
+  const std::function<bool()>* asked_;
+  bool unwanted_ = false;
   bool stopped_ = false;
   Clock::time_point last_ = Clock::now();
 };
@@ -172,11 +177,10 @@ bool has_ended(pid_t child) {
 /// Waits until the last writer of the pipe is gone, which is when the child ends, but for what it has
 /// started.
 /// @return whether it did.
-bool wait_for_end(pid_t child, const Descriptor& pipe, Allowance& time) {
-  constexpr std::chrono::milliseconds tick{50};
+bool wait_for_end(pid_t child, const Descriptor& pipe, Allowance& time, std::chrono::milliseconds tick) {
   while (time.lasts(tick)) {
     pollfd watched{pipe.get(), 0, 0};
-    const int count = poll(&watched, 1, tick.count());
+    const int count = poll(&watched, 1, static_cast<int>(tick.count()));
     if ((count > 0 && (watched.revents & POLLHUP) != 0) || (count == 0 && has_ended(child))) return true;
     if (count < 0 && errno != EINTR) fail("a worker cannot be waited for");
   }
@@ -188,11 +192,12 @@ double seconds(const timeval& time) {
 }
 
 /// Collects the child, and kills it where it is not done in time.
-ProcessEnd collect(pid_t child, const Descriptor& pipe, Allowance time) {
+ProcessEnd collect(pid_t child, const Descriptor& pipe, const Limits& limits) {
+  Allowance time(child, limits);
   ProcessEnd end;
   int status = 0;
   rusage usage{};
-  bool gone = wait_for_end(child, pipe, time);
+  bool gone = wait_for_end(child, pipe, time, std::chrono::milliseconds(limits.unwanted != nullptr ? 5 : 50));
   // A child that has closed its standard error may live on.
   while (gone && wait4(child, &status, WNOHANG, &usage) == 0) {
     constexpr std::chrono::microseconds tick{200};
@@ -200,12 +205,13 @@ ProcessEnd collect(pid_t child, const Descriptor& pipe, Allowance time) {
     gone = time.lasts(tick);
   }
   if (!gone) {
-    end.timed_out = true;
+    end.unwanted = time.unwanted();
+    end.timed_out = !end.unwanted;
     kill(child, SIGKILL);
     wait4(child, &status, 0, &usage);
   }
   kill(-child, SIGKILL);  // what is left of its process group
-  if (WIFSIGNALED(status) && !end.timed_out) end.signal = WTERMSIG(status);
+  if (WIFSIGNALED(status) && gone) end.signal = WTERMSIG(status);
   if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
   end.processor_time = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   return end;
@@ -231,7 +237,7 @@ ProcessEnd run_process(const std::filesystem::path& program, std::string_view in
     become(parent, path.c_str(), {in.get(), reply.get(), write_end.get(), nothing.get(), failure.get()},
            limits);
   write_end.close();
-  ProcessEnd end = collect(child, read_end, {child, limits.time});
+  ProcessEnd end = collect(child, read_end, limits);
   require_started(path, failure);
   end.reply = content(reply);
   end.last_words = last_line(read_end);

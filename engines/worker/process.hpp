@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -11,13 +12,15 @@ namespace rockstack {
 /// without it, because that reserves terabytes.
 struct Limits {
   double time = 600;  ///< wall time in which nobody has stopped it, s; may be infinite
-  std::uint64_t memory = std::uint64_t{4} << 30;  ///< bytes
-  std::uint64_t reply = std::uint64_t{16} << 20;  ///< bytes of its reply, as of any file that it writes
+  std::uint64_t memory = std::uint64_t{4} << 30;    ///< bytes
+  std::uint64_t reply = std::uint64_t{16} << 20;    ///< bytes of its reply, as of any file that it writes
+  const std::function<bool()>* unwanted = nullptr;  ///< asked every few ms: true ends the run; null: none
 };
 
 /// How a process ended.
 struct ProcessEnd {
   bool timed_out = false;     ///< and was killed for it
+  bool unwanted = false;      ///< likewise
   int signal = 0;             ///< that ended it otherwise; 0: none did
   int exit_code = 0;          ///< where it ended by itself
   double processor_time = 0;  ///< user and system, as the operating system accounts for it, s

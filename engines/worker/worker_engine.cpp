@@ -22,9 +22,13 @@ std::string with_last_words(const std::string& reason, const ProcessEnd& end) {
 /// Why there is no reply.
 RunReply explain(const ProcessEnd& end, const Limits& limits) {
   RunReply run;
-  run.status = end.timed_out ? "time limit" : end.signal != 0 && end.signal != SIGXFSZ ? "signal" : "failed";
+  run.status = end.unwanted                               ? "stopped"
+               : end.timed_out                            ? "time limit"
+               : end.signal != 0 && end.signal != SIGXFSZ ? "signal"
+                                                          : "failed";
   run.reason =
-      end.timed_out           ? fmt::format("not done after {} s", limits.time)
+      end.unwanted            ? "nobody wants it any more"
+      : end.timed_out         ? fmt::format("not done after {} s", limits.time)
       : end.signal == SIGXFSZ ? fmt::format("its reply is longer than {} bytes", limits.reply)
       : end.signal != 0
           ? with_last_words(fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal)), end)
@@ -121,7 +125,7 @@ RunReply read_run(const std::string& bytes, const RunRequest& asked) {
 Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
   limits.reply = reply_limit(asked);
   const ProcessEnd end = run_process(engine.program(), to_bytes(Request{asked}, engine.form()), limits);
-  if (end.timed_out || end.signal != 0 || end.exit_code != 0)
+  if (end.unwanted || end.timed_out || end.signal != 0 || end.exit_code != 0)
     return {explain(end, limits), end.processor_time};
   try {
     return {read_run(end.reply, asked), end.processor_time};

@@ -43,7 +43,8 @@ std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, doubl
 
 /// What became of a run in a worker.
 struct WorkerRun {
-  std::string status;           ///< "done", "failed", "not finite", "time limit", "memory limit" or "signal"
+  /// "done", "failed", "not finite", "time limit", "memory limit", "signal" or, of unwanted runs, "stopped".
+  std::string status;
   std::string reason;           ///< why not done
   EngineRun run;                ///< where done
   std::vector<double> seconds;  ///< wall time of stepping alone, each timed run, s

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -120,6 +121,15 @@ TEST(Workers, EndlessLoopMeetsTheTimeLimit) {
   const WorkerRun made = run("loop", limits);
   EXPECT_EQ(made.status, "time limit");
   EXPECT_EQ(made.reason, "not done after 0.3 s");
+}
+
+TEST(Workers, RunThatNobodyWantsAnyMoreIsStopped) {
+  int asked = 0;
+  const std::function<bool()> unwanted = [&] { return ++asked == 3; };
+  Limits limits;
+  limits.unwanted = &unwanted;
+  EXPECT_EQ(run("loop", limits).status, "stopped");
+  EXPECT_EQ(asked, 3);
 }
 
 TEST(Workers, TimeLimitHoldsForAWorkerThatHasClosedItsStandardError) {
