@@ -33,45 +33,45 @@ std::string shortened(double value) {
   return fmt::format("{:.7g}", value);
 }
 
-/// Of a motion that is told with its reactions.
-void add_told(const History& history, CsvWriter& csv) {
-  const auto blocks = static_cast<std::size_t>(history.blocks);
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const std::span<const Reaction> row(history.reactions.data() + i * blocks, blocks);
-    csv.add(history.times[i]);
-    for (const Reaction& reaction : row) csv.add(shortened(reaction.normal));
-    for (const Reaction& reaction : row) csv.add(shortened(reaction.tangential));
-    for (const Reaction& reaction : row)
-      csv.add(std::isfinite(reaction.centre) ? shortened(reaction.centre) : "");
-    csv.end_line();
+/// The forces of one sample, from the equations of motion.
+void add_reactions(const Model<double>& model, const Scene& scene, const History& history, std::size_t sample,
+                   std::vector<Reaction>& rows) {
+  const double time = history.times[sample];
+  const Point<double> ground{acceleration(scene.horizontal, time) - gravity_of(scene).along,
+                             acceleration(scene.vertical, time)};
+  const PatternSolution<double> solution = accelerate(model, state_at(history, sample), ground);
+  const auto& reactions = solution.reactions;
+  for (int k = 0; k < history.blocks; ++k) {
+    const bool carried = solution.pattern[k] == Contact::closed && reactions.normal[k] > solution.rounding[k];
+    rows.push_back({reactions.normal[k], reactions.tangential[k],
+                    carried ? -reactions.moment[k] / reactions.normal[k] : std::nan("")});
   }
 }
 
 }  // namespace
 
-std::string reactions_csv(const Scene& scene, const History& history) {
+std::vector<Reaction> reactions_of(const Scene& scene, const History& history) {
+  if (!history.reactions.empty()) return history.reactions;
   const Model<double> model = make_model<double>(scene);
-  const int blocks = history.blocks;
+  std::vector<Reaction> rows;
+  rows.reserve(history.size() * static_cast<std::size_t>(history.blocks));
+  for (std::size_t i = 0; i < history.size(); ++i) add_reactions(model, scene, history, i, rows);
+  return rows;
+}
+
+std::string reactions_csv(const Scene& scene, const History& history) {
+  const auto blocks = static_cast<std::size_t>(history.blocks);
+  const std::vector<Reaction> rows = reactions_of(scene, history);
   CsvWriter csv;
-  csv.line("time", numbered("normal_", blocks), numbered("tangential_", blocks), numbered("centre_", blocks));
-  if (!history.reactions.empty()) {
-    add_told(history, csv);
-    return csv.text();
-  }
+  csv.line("time", numbered("normal_", history.blocks), numbered("tangential_", history.blocks),
+           numbered("centre_", history.blocks));
   for (std::size_t i = 0; i < history.size(); ++i) {
-    const double time = history.times[i];
-    const Point<double> ground{acceleration(scene.horizontal, time) - gravity_of(scene).along,
-                               acceleration(scene.vertical, time)};
-    const PatternSolution<double> solution = accelerate(model, state_at(history, i), ground);
-    const auto& reactions = solution.reactions;
-    csv.add(time);
-    for (const double normal : reactions.normal) csv.add(shortened(normal));
-    for (const double tangential : reactions.tangential) csv.add(shortened(tangential));
-    for (int k = 0; k < blocks; ++k) {
-      const bool carried =
-          solution.pattern[k] == Contact::closed && reactions.normal[k] > solution.rounding[k];
-      csv.add(carried ? shortened(-reactions.moment[k] / reactions.normal[k]) : "");
-    }
+    const std::span<const Reaction> row(rows.data() + i * blocks, blocks);
+    csv.add(history.times[i]);
+    for (const Reaction& reaction : row) csv.add(shortened(reaction.normal));
+    for (const Reaction& reaction : row) csv.add(shortened(reaction.tangential));
+    for (const Reaction& reaction : row)
+      csv.add(std::isfinite(reaction.centre) ? shortened(reaction.centre) : "");
     csv.end_line();
   }
   return csv.text();

@@ -199,13 +199,11 @@ double weight_of(const ComparedScene& scene) {
 }
 
 Json events_of(const Run& run, const ComparedScene& scene) {
-  Json events{{"spans", Json::array()}, {"stops", Json::array()}};
-  if (!run.exact()) return events;
+  if (!run.exact()) return player_events({}, {}, 0, scene.blocks);
   const std::vector<double> times = read_columns(run.folder / "history.csv", {"time"})[0];
   const double end = times.empty() ? 0 : times.back();
-  events["spans"] = spans_of(read_events(run, scene.blocks, end, starting_pattern(run)).spans, scene.blocks);
-  events["stops"] = stops_of(read_changes(run, scene.blocks), scene.chatter_speed, scene.blocks);
-  return events;
+  return player_events(read_events(run, scene.blocks, end, starting_pattern(run)).spans,
+                       read_changes(run, scene.blocks), scene.chatter_speed, scene.blocks);
 }
 
 /// The exact motion's impacts above the chatter speed are its row in the strip.
@@ -233,14 +231,18 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
   return data;
 }
 
-/// Text that ends no element, whatever it holds.
+}  // namespace
+
+Json player_events(const std::vector<PatternSpan>& spans, const std::vector<PatternChange>& changes,
+                   double chatter_speed, int blocks) {
+  return {{"spans", spans_of(spans, blocks)}, {"stops", stops_of(changes, chatter_speed, blocks)}};
+}
+
 std::string for_script(const Json& data) {
   std::string text;
   for (const char c : data.dump()) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return text;
 }
-
-}  // namespace
 
 std::string player(const Comparison& comparison, const ComparedScene& scene, std::size_t players,
                    const std::string& id, const Json& start) {

@@ -8,7 +8,8 @@ const steepest = 1.45; // rad: angles are not exaggerated beyond
 const tints = ["#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0", "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"];
 
 const unpack = (text) => {
-  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const letters = atob(text), bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
   return new Float32Array(bytes.buffer);
 };
 
@@ -162,27 +163,15 @@ class Part {
 }
 
 class Player {
-  constructor(root) {
-    const data = JSON.parse(root.querySelector(".player-data").textContent);
+  constructor(root, data) {
     this.find = (name) => root.querySelector("." + name);
-    this.stack = new Stack(data.blocks);
-    this.tracks = data.tracks.map((track) => new Track(track, data.blocks.length));
-    this.events = data.events;
-    this.ground = data.ground ? { times: unpack(data.ground.times), values: unpack(data.ground.values) } : null;
-    this.weight = data.weight;
-    this.friction = data.friction;
-    this.title = data.title;
-    this.end = Math.max(...this.tracks.map((track) => track.end));
     this.time = 0;
     this.playing = false;
     this.frames = 0;
     this.tint = new Map();
-    for (const span of this.events.spans)
-      if (!this.tint.has(span[1])) this.tint.set(span[1], tints[this.tint.size % tints.length]);
-    this.starts = this.events.spans.map((span) => span[0]);
-    this.makeControls(root);
-    this.makeTable();
-    this.makeList();
+    this.tracks = [];
+    this.load(data);
+    this.makeControls();
     if (data.start) this.start(data.start);
     new ResizeObserver(() => this.resize()).observe(this.find("stage"));
     this.resize();
@@ -190,20 +179,39 @@ class Player {
     root.player = this;
   }
 
-  makeControls(root) {
+  load(data) {
+    const hidden = this.tracks.filter((track) => !track.shown).map((track) => track.label);
+    this.stack = new Stack(data.blocks);
+    this.tracks = data.tracks.map((track) => new Track(track, data.blocks.length));
+    for (const track of this.tracks) if (hidden.includes(track.label)) track.shown = false;
+    this.events = data.events;
+    this.ground = data.ground ? { times: unpack(data.ground.times), values: unpack(data.ground.values) } : null;
+    this.weight = data.weight;
+    this.friction = data.friction;
+    this.title = data.title;
+    this.end = Math.max(...this.tracks.map((track) => track.end));
+    this.most = this.far = undefined;
+    for (const span of this.events.spans)
+      if (!this.tint.has(span[1])) this.tint.set(span[1], tints[this.tint.size % tints.length]);
+    this.starts = this.events.spans.map((span) => span[0]);
+    this.fitControls();
+    this.makeTable();
+    this.makeList();
+  }
+
+  // Another motion in the place of this one; time and settings stay.
+  show(data) {
+    this.load(data);
+    this.time = Math.min(this.time, this.end);
+    this.resize();
+    if (!this.playing) this.say();
+  }
+
+  makeControls() {
     const speeds = [0.01, 0.05, 0.1, 0.25, 0.5, 1, 2, 4];
     const usual = this.end > 8 ? 1 : this.end > 2 ? 0.5 : 0.1;
     for (const speed of speeds)
       this.find("speed").add(new Option(speed + " ×", speed, speed === usual, speed === usual));
-    for (const track of this.tracks) this.find("tracks").append(this.checkbox(track));
-    const forces = this.tracks.some((track) => track.forces);
-    for (const [name, there] of [["force-option", forces], ["force-hint", forces], ["cone-hint", forces && this.friction],
-      ["slip-hint", this.tracks.some((track) => track.slipped)]]) this.find(name).hidden = !there;
-    this.stop = this.events.stops.some((stop) => stop[5] !== "impact") ? "event" : "impact";
-    this.find("next").textContent = this.stop + " ▶";
-    this.find("previous").textContent = "◀ " + this.stop;
-    if (this.tracks.length === 1) this.find("view").parentElement.hidden = true;
-    this.find("scrub").max = this.end * 1000;
     this.find("play").addEventListener("click", () => this.toggle());
     this.find("next").addEventListener("click", () => this.step(1));
     this.find("previous").addEventListener("click", () => this.step(-1));
@@ -217,6 +225,20 @@ class Player {
       if (event.buttons) this.goTo((event.offsetX / event.target.clientWidth) * this.end);
     };
     for (const kind of ["pointerdown", "pointermove"]) this.find("strip").addEventListener(kind, drag);
+  }
+
+  // What controls offer of this motion.
+  fitControls() {
+    const forces = this.tracks.some((track) => track.forces);
+    for (const [name, there] of [["force-option", forces], ["force-hint", forces], ["cone-hint", forces && this.friction],
+      ["slip-hint", this.tracks.some((track) => track.slipped)]]) this.find(name).hidden = !there;
+    this.stop = this.events.stops.some((stop) => stop[5] !== "impact") ? "event" : "impact";
+    this.find("next").textContent = this.stop + " ▶";
+    this.find("previous").textContent = "◀ " + this.stop;
+    this.find("view").parentElement.hidden = this.tracks.length === 1;
+    this.find("scrub").max = this.end * 1000;
+    for (const label of this.find("tracks").querySelectorAll("label")) label.remove();
+    for (const track of this.tracks) this.find("tracks").append(this.checkbox(track));
   }
 
   // Stands where a lesson wants it, with its settings made.
@@ -410,7 +432,10 @@ class Player {
   }
 
   drawStage() {
-    const canvas = this.find("stage"), pen = canvas.getContext("2d"), sharp = window.devicePixelRatio || 1;
+    const canvas = this.find("stage"), pen = canvas.getContext("2d");
+    // Where type is large, so is all that the picture is drawn with.
+    const type = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+    const sharp = (window.devicePixelRatio || 1) * type;
     const width = canvas.width / sharp, height = canvas.height / sharp;
     pen.setTransform(sharp, 0, 0, sharp, 0, 0);
     pen.clearRect(0, 0, width, height);
@@ -618,5 +643,10 @@ function arrow(pen, fromX, fromY, toX, toY, colour, width) {
   pen.fill();
 }
 
-for (const root of document.querySelectorAll(".player")) new Player(root);
+// A player without data waits for its page to start it.
+for (const root of document.querySelectorAll(".player")) {
+  const data = JSON.parse(root.querySelector(".player-data").textContent);
+  if (data) new Player(root, data);
+  else root.start = (first) => new Player(root, first);
+}
 })();
