@@ -102,6 +102,13 @@ struct TeachArguments {
   std::filesystem::path out;
 };
 
+struct LiveArguments {
+  std::string input = "spanos-free-rocking";   ///< scene, lesson, or a link that was copied from a page
+  std::vector<std::filesystem::path> records;  ///< that the page may choose
+  int port = 0;                                ///< 0: any that is free
+  bool browser = true;                         ///< is opened where there is one
+};
+
 struct SweepArguments {
   std::string ensemble;
   std::filesystem::path out;

@@ -20,7 +20,8 @@ int diff_command(const DiffArguments& arguments, const Common& common);  ///< 1 
 int record_command(const RecordArguments& arguments, const Common& common);
 int sweep_command(const SweepArguments& arguments, const Common& common);
 int teach_command(const TeachArguments& arguments, const Common& common);
-int list_command(const std::string& what, const Common& common);  ///< empty: all kinds
+int live_command(const LiveArguments& arguments, const Common& common);  ///< serves until it is ended
+int list_command(const std::string& what, const Common& common);         ///< empty: all kinds
 int check_engine_command(const CheckEngineArguments& arguments, const Common& common);
 int canon_command(const CanonArguments& arguments, const Common& common);
 int keys_command(const KeysArguments& arguments, const Common& common);

@@ -224,6 +224,23 @@ Command add_teach(CLI::App& app, const Common& common) {
   return {command, [arguments, &common] { return teach_command(*arguments, common); }};
 }
 
+#ifdef ROCKSTACK_WITH_LIVE
+Command add_live(CLI::App& app, const Common& common) {
+  const auto arguments = std::make_shared<LiveArguments>();
+  CLI::App* command = app.add_subcommand(
+      "live", "serve a page on this machine with sliders, on which solver and engines answer at once");
+  command->add_option("input", arguments->input, "scene file, name of a scene or lesson, or a link of a page")
+      ->capture_default_str();
+  command->add_option("--record", arguments->records, "record that the page may choose; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--port", arguments->port, "of 127.0.0.1; left out: any that is free")
+      ->check(CLI::Range(1, 65535));
+  command->add_flag_callback(
+      "--no-browser", [arguments] { arguments->browser = false; }, "print the address alone");
+  return {command, [arguments, &common] { return live_command(*arguments, common); }};
+}
+#endif
+
 Command add_list(CLI::App& app, const Common& common) {
   const auto what = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("list", "list what there is, with a line on each");
@@ -299,7 +316,11 @@ int run(int count, char** arguments) {
                      "folders of more engines, with ':' between them; left out: $ROCKSTACK_WORKERS")};
   std::vector<Command> commands;
   for (const auto add : {add_solve, add_simulate, add_compare, add_advise, add_sweep, add_diff, add_plot,
-                         add_record, add_teach, add_list, add_check_engine, add_canon, add_keys, add_new}) {
+                         add_record, add_teach,
+#ifdef ROCKSTACK_WITH_LIVE
+                         add_live,
+#endif
+                         add_list, add_check_engine, add_canon, add_keys, add_new}) {
     commands.push_back(add(app, common));
     commands.back().app->footer(CLI::Formatter().make_group("Common options", false, common_options));
   }

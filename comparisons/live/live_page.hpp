@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace rockstack::live {
+
+/// What a page begins with, and what it may choose from.
+struct PageStart {
+  std::filesystem::path scene;                 ///< its file
+  std::vector<std::string> overrides;          ///< of that scene, key=value
+  std::string engine;                          ///< as find_engine(); empty: none
+  std::string lesson;                          ///< by which it is known, empty: none
+  std::vector<std::filesystem::path> records;  ///< that scenes may name, besides those that the scene has
+};
+
+/// The whole page, and the records that its scenes may name.
+struct LivePage {
+  std::string text;
+  std::set<std::string> records;
+};
+
+/// The page: one file that needs no network but this server. @throws InputError for a scene that is none, or
+/// beyond what a live page takes.
+LivePage make_live_page(const PageStart& start);
+
+}  // namespace rockstack::live

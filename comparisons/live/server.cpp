@@ -1,0 +1,186 @@
+#include "comparisons/live/server.hpp"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <httplib.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "analytic/scene/input/document.hpp"
+#include "comparisons/live/connection.hpp"
+
+namespace rockstack::live {
+namespace {
+
+constexpr const char* home = "127.0.0.1";
+constexpr std::size_t longest_request = std::size_t{512} << 10U;  // bytes, headers included
+constexpr double reading_time = 10;                               // s
+constexpr std::size_t threads = 64;
+
+std::string drawn_token() {
+  std::random_device device;  // the system's own
+  std::string token;
+  for (int i = 0; i < 4; ++i) token += fmt::format("{:08x}", device());
+  return token;
+}
+
+/// In a time that does not tell how much is right.
+bool is_same(const std::string& given, const std::string& token) {
+  unsigned different = given.size() == token.size() ? 0 : 1;
+  for (std::size_t i = 0; i < token.size(); ++i)
+    different |=
+        static_cast<unsigned char>(token[i]) ^ static_cast<unsigned char>(i < given.size() ? given[i] : 0);
+  return different == 0;
+}
+
+/// A connection as the library wants it.
+class BoundedStream : public httplib::Stream {
+ public:
+  explicit BoundedStream(socket_t socket) : connection_(socket, longest_request, reading_time) {}
+
+  bool is_readable() const override { return connection_.can_read(); }
+  bool is_writable() const override { return connection_.is_open(); }
+  ssize_t read(char* to, std::size_t size) override { return connection_.read(to, size); }
+  ssize_t write(const char* from, std::size_t size) override { return connection_.write(from, size); }
+  void get_remote_ip_and_port(std::string& ip, int& port) const override {
+    ip = home;
+    port = 0;
+  }
+  void get_local_ip_and_port(std::string& ip, int& port) const override { get_remote_ip_and_port(ip, port); }
+  socket_t socket() const override { return connection_.socket(); }
+
+ private:
+  Connection connection_;
+};
+
+/// The connection that this thread serves.
+thread_local const BoundedStream* current = nullptr;
+
+/// Whether nobody waits for its answer.
+bool has_left() {
+  return !current->is_writable();
+}
+
+void refuse(httplib::Response& response, int status, const std::string& reason) {
+  response.status = status;
+  response.set_content(reason + "\n", "text/plain; charset=utf-8");
+}
+
+void set_json(httplib::Response& response, const std::string& text) {
+  response.set_content(text, "application/json");
+}
+
+/// What is wrong with a question is its answer, with status 400.
+template <class Answer>
+void answer_with(httplib::Response& response, const Answer& answer) {
+  try {
+    set_json(response, answer());
+  } catch (const nlohmann::json::exception& error) {
+    refuse(response, 400, std::string("the page: must be a question in JSON: ") + error.what());
+  } catch (const std::invalid_argument& error) {
+    refuse(response, 400, one_line(error.what()));
+  } catch (const std::exception& error) {
+    refuse(response, 500, one_line(error.what()));
+  }
+}
+
+}  // namespace
+
+class LiveServer::Http : public httplib::Server {
+ public:
+  Http(Questions& questions, std::string page, int port) : page_(std::move(page)) {
+    new_task_queue = [] { return new httplib::ThreadPool(threads); };
+    // Without the port being shared, which is what the library sets.
+    set_socket_options([](socket_t socket) {
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    port_ = port == 0 ? bind_to_any_port(home) : (bind_to_port(home, port) ? port : -1);
+    if (port_ <= 0) throw std::runtime_error(fmt::format("port {} of {}: cannot be listened to", port, home));
+    set_payload_max_length(longest_request);
+    set_default_headers(
+        {{"Cache-Control", "no-store"},
+         {"X-Content-Type-Options", "nosniff"},
+         {"Referrer-Policy", "no-referrer"},
+         {"Cross-Origin-Resource-Policy", "same-origin"},
+         {"Content-Security-Policy",
+          "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; "
+          "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"}});
+    set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+      return admits(request, response) ? HandlerResponse::Unhandled : HandlerResponse::Handled;
+    });
+    Get("/", [this](const httplib::Request&, httplib::Response& response) {
+      response.set_content(page_, "text/html; charset=utf-8");
+    });
+    Post("/answer", [&questions](const httplib::Request& request, httplib::Response& response) {
+      answer_with(response, [&] { return questions.answer(request.body, has_left); });
+    });
+    Post("/files", [&questions](const httplib::Request& request, httplib::Response& response) {
+      answer_with(response, [&] { return questions.files(request.body); });
+    });
+  }
+
+  std::string address() const { return fmt::format("http://{}:{}/?token={}", home, port_, token_); }
+
+ private:
+  /// Whoever has been led here by another name or another page does not know the token either; each is
+  /// refused for itself.
+  bool admits(const httplib::Request& request, httplib::Response& response) const {
+    const std::string host = request.get_header_value("Host"), origin = request.get_header_value("Origin");
+    const bool known =
+        host == fmt::format("{}:{}", home, port_) || host == fmt::format("localhost:{}", port_);
+    const bool own = !request.has_header("Origin") || origin == "http://" + host;
+    if (!known || request.get_header_value_count("Host") != 1 || !own) {
+      refuse(response, 403, "Host or Origin: must be the address that `rockstack live` has printed");
+      return false;
+    }
+    const bool page = request.method == "GET" || request.method == "HEAD";
+    const std::string token =
+        page ? request.get_param_value("token") : request.get_header_value("X-Rockstack-Token");
+    if (!is_same(token, token_)) {
+      refuse(response, 403, "token: must be that of the address that this `rockstack live` has printed");
+      return false;
+    }
+    return true;
+  }
+
+  /// In the place of the library's own: a connection of bounded length and time, for one request.
+  bool process_and_close_socket(socket_t socket) override {
+    BoundedStream stream(socket);
+    current = &stream;
+    bool closed = false;
+    // Packing an answer takes ten times as long as making it.
+    const bool done = process_request(
+        stream, true, closed, [](httplib::Request& request) { request.headers.erase("Accept-Encoding"); });
+    current = nullptr;
+    shutdown(socket, SHUT_RDWR);
+    close(socket);
+    return done;
+  }
+
+  std::string page_, token_ = drawn_token();
+  int port_ = 0;
+};
+
+LiveServer::LiveServer(Questions& questions, std::string page, int port)
+    : http_(std::make_unique<Http>(questions, std::move(page), port)) {}
+LiveServer::~LiveServer() = default;
+
+std::string LiveServer::address() const {
+  return http_->address();
+}
+
+void LiveServer::run() {
+  http_->listen_after_bind();
+}
+
+void LiveServer::stop() {
+  http_->stop();
+}
+
+}  // namespace rockstack::live
