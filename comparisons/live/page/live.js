@@ -185,6 +185,8 @@ const cloudWidth = () => {
 const logs = ({ x, y }, style) => ({ x, y: y.map((value) => value > 0 ? Math.log10(value) : NaN), ...style });
 const partsAt = ({ x, y }) => x[y.findIndex((value) => value > parting)];
 
+const warned = ({ warnings }) => warnings ? ` Its solver has warned ${warnings} times.` : "";
+
 const drawFigures = () => {
   const { exact, engine } = shown;
   if (!exact?.track) return;
@@ -204,7 +206,7 @@ const drawFigures = () => {
   const told = off ? `The engine is at most ${Math.max(...off.y).toPrecision(3)} rad off` +
     (parted === undefined ? " and never parts." : `; it parts from the exact motion at ${parted.toFixed(2)} s.`) : "";
   const among = wide ? ` ${shown.cloud.length} runs of the cloud ` + (spread === undefined ? "stay together." : `part at ${spread.toFixed(2)} s.`) : "";
-  shown.words = [`Exact: ${exact.verdict}.`, current ? `${state.engine}: ${engine.verdict}. ${told}` : "", among.trim()].filter(Boolean).join("\n");
+  shown.words = [`Exact: ${exact.verdict}.`, current ? `${state.engine}: ${engine.verdict}. ${told}${warned(engine)}` : "", among.trim()].filter(Boolean).join("\n");
   find("verdicts").textContent = shown.words;
   find("angles").setAttribute("aria-label", `Angle of block ${block + 1} over time. ${shown.words}`);
   find("differences").setAttribute("aria-label", "Difference of angles over time. " + told + among);
@@ -288,6 +290,8 @@ const choice = ({ label, hint = "", options, get, set }) => {
 
 const group = (title, open, ...parts) => {
   const box = made("details", { open: unfolded.get(title) ?? open }, made("summary", { textContent: title }), ...parts);
+  box.setAttribute("role", "group");
+  box.setAttribute("aria-label", title);
   box.addEventListener("toggle", () => unfolded.set(title, box.open));
   return box;
 };
