@@ -50,13 +50,12 @@ std::string ground(const Setup& setup, const Parameters& parameters) {
 }
 
 /// Two slides and a hinge through the centre, so that moments of inertia about x and y have no effect.
-std::string body(const Placement& block, std::size_t number, double masses) {
+std::string body(const Placement& block, std::size_t number, double masses, double depth) {
   return fmt::format(
       "<body><joint type='slide' axis='1 0 0'/><joint type='slide' axis='0 1 0'/><joint type='hinge' "
       "axis='0 0 1'/><inertial pos='0 0 0' mass='{0}' diaginertia='{1} {1} {1}'/>{2}</body>",
       masses * block.mass, masses * block.inertia,
-      geom(number,
-           fmt::format("type='box' size='{} {} {}'", block.width / 2, block.height / 2, block.depth / 2)));
+      geom(number, fmt::format("type='box' size='{} {} {}'", block.width / 2, block.height / 2, depth / 2)));
 }
 
 std::string surface(const Parameters& given) {
@@ -84,7 +83,9 @@ std::string pairs(const Setup& setup, const Parameters& parameters) {
 std::string stack_text(const Setup& setup, const Parameters& parameters) {
   const double masses = mass_factor(setup, parameters);
   std::string blocks;
-  for (std::size_t k = 0; k < setup.blocks.size(); ++k) blocks += body(setup.blocks[k], k + 1, masses);
+  double share = 1;
+  for (std::size_t k = 0; k < setup.blocks.size(); ++k, share *= parameters.at("depth_ratio"))
+    blocks += body(setup.blocks[k], k + 1, masses, share * setup.blocks[k].depth);
   return fmt::format("<mujoco><worldbody>{}{}</worldbody><contact>{}</contact></mujoco>",
                      ground(setup, parameters), blocks, pairs(setup, parameters));
 }

@@ -78,13 +78,13 @@ __attribute__((format(printf, 1, 2))) std::string print(const char* format, ...)
 }
 
 /// Two slides and a hinge keep a block in the plane; the hinge is at its centre.
-std::string body(const Block& block, std::size_t number) {
+std::string body(const Block& block, std::size_t number, double depth) {
   return "<body><joint type='slide' axis='1 0 0'/><joint type='slide' axis='0 1 0'/>"
          "<joint type='hinge' axis='0 0 1'/>" +
          print("<inertial pos='0 0 0' mass='%.17g' diaginertia='%.17g %.17g %.17g'/>", block.mass,
                block.about_x, block.about_y, block.about_z) +
          print("<geom name='%zu' type='box' size='%.17g %.17g %.17g' contype='0' conaffinity='0'/></body>",
-               number, block.width / 2, block.height / 2, block.depth / 2);
+               number, block.width / 2, block.height / 2, depth / 2);
 }
 
 std::string ground(const Question& question) {
@@ -118,7 +118,11 @@ std::string pairs(const Question& question) {
 
 std::string model_text(const Question& question) {
   std::string text = "<mujoco><compiler angle='radian'/><worldbody>" + ground(question);
-  for (std::size_t k = 0; k < question.blocks.size(); ++k) text += body(question.blocks[k], k + 1);
+  double share = 1;
+  for (std::size_t k = 0; k < question.blocks.size(); ++k) {
+    text += body(question.blocks[k], k + 1, share * question.blocks[k].depth);
+    share *= question.setting("depth_ratio", 1);
+  }
   return text + "</worldbody><contact>" + pairs(question) + "</contact></mujoco>";
 }
 
