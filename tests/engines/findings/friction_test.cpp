@@ -9,6 +9,7 @@
 
 #include "comparisons/statistics/step_fit.hpp"
 #include "tests/engines/findings/draws.hpp"
+#include "tests/engines/findings/impact_laws.hpp"
 
 namespace rockstack {
 namespace {
@@ -32,34 +33,14 @@ double impact(const Engine& engine, const Parameters& parameters, double r, doub
   return -velocity;
 }
 
-/// Housner's ratio, where nothing slips.
-double sticking(double r) {
-  return 1 - 1.5 / (1 + r * r);
-}
-
-/// Friction in the cone that the impulse itself opens.
-double coulomb(double r, double friction) {
-  if (friction >= 3 * r / (1 + 4 * r * r)) return sticking(r);
-  return (r * r - 2 + 3 * friction * r) / (4 + r * r - 3 * friction * r);
-}
-
-/// Friction up to a coefficient times the normal impulse that there would be without friction.
-double limited_by_frictionless(double r, double friction) {
-  const double without = (r * r - 2) / (4 + r * r);
-  const double threshold = 3 * r * (4 + r * r) / (4 * (1 + r * r) * (1 + r * r));
-  return std::min(sticking(r), without + (sticking(r) - without) * friction / threshold);
-}
-
-using ImpactLaw = double (*)(double r, double friction);
-
 /// Bullet's Lemke solver is not among them: its friction is no coefficient.
 constexpr std::array<std::pair<const char*, ImpactLaw>, 6> impact_laws{
-    {{"ode:step", limited_by_frictionless},
-     {"bullet:mlcp-dantzig", limited_by_frictionless},
-     {"ode:quickstep", coulomb},
-     {"bullet:sequential-impulse", coulomb},
-     {"bullet:nncg", coulomb},
-     {"bullet:mlcp-pgs", coulomb}}};
+    {{"ode:step", left_by_frictionless},
+     {"bullet:mlcp-dantzig", left_by_frictionless},
+     {"ode:quickstep", left_by_coulomb},
+     {"bullet:sequential-impulse", left_by_coulomb},
+     {"bullet:nncg", left_by_coulomb},
+     {"bullet:mlcp-pgs", left_by_coulomb}}};
 
 /// As rigid and as exactly solved as each solver can be.
 Parameters for_one_impact(const Engine& engine) {
@@ -123,7 +104,7 @@ TEST(Contacts, GapsOfOneImpactToItsLawCloseInProportionToTheStepAndToTheOtherSta
       // What softness and unfinished sweeps leave, where the laws differ by 0.0076 and more.
       EXPECT_LT(fit.model_error.high, 1e-4) << name << ", friction " << friction;
     }
-    const ImpactLaw other = law == coulomb ? limited_by_frictionless : coulomb;
+    const ImpactLaw other = law == left_by_coulomb ? left_by_frictionless : left_by_coulomb;
     for (const StepError& at : impact_errors(*engine, other, 0.4)) EXPECT_GT(at.error, 0.06) << name;
   }
 }
