@@ -36,4 +36,13 @@ double left_by_convex_cone(double r, double friction) {
   return 1 - impulse * arm / inertia;
 }
 
+/// As above: until the corner stops, friction pushes it back and the block down, then the other way.
+double left_by_routh(double r, double friction, double slip) {
+  const double inertia = (1 + r * r) / 3, turn = r / inertia;
+  const double first = slip / (friction * (1 + r * turn) + turn);
+  const double lifted = first * (1 + 1 / inertia + friction * turn);
+  const double second = (2 - lifted) / (1 + 1 / inertia - friction * turn);
+  return 1 - (first * (1 + friction * r) + second * (1 - friction * r)) / inertia;
+}
+
 }  // namespace rockstack

@@ -17,4 +17,10 @@ double left_by_frictionless(double r, double friction);
 /// "Optimization-based simulation of nonsmooth rigid multibody dynamics", Math. Program. 105, 2006, 113-143).
 double left_by_convex_cone(double r, double friction);
 
+/// Coulomb's friction against the slip of every moment of the impact (Routh), for a landing corner that
+/// slides towards the other one at `slip`, half widths times the angular velocity before. Friction turns
+/// round where the corner does. Precondition: it does, and the friction does not stop it. Others take the
+/// slip at the end.
+double left_by_routh(double r, double friction, double slip);
+
 }  // namespace rockstack
