@@ -148,18 +148,30 @@ void validate_springs(const Scene& scene) {
     };
     if (any(springs.stiffness, std::numeric_limits<double>::infinity())) refuse("contact.stiffness");
     if (any(springs.damping, 0)) refuse("contact.damping");
+    if (any(springs.bed_stiffness, std::numeric_limits<double>::infinity())) refuse("contact.bed_stiffness");
+    if (any(springs.bed_damping, 0)) refuse("contact.bed_damping");
     if (springs.tangential != 1) refuse("contact.tangential");
     if (!scene.initial.settled) refuse("initial.springs");
     return;
   }
-  for (const auto& [key, values] :
-       {std::pair("contact.stiffness", &springs.stiffness), std::pair("contact.damping", &springs.damping)})
-    if (!values->empty()) require_one_each(key, *values, scene.blocks.size());
-  for (std::size_t k = 0; k < springs.stiffness.size(); ++k)
-    if (!(springs.stiffness[k] == std::numeric_limits<double>::infinity()))
-      require_positive("contact.stiffness." + std::to_string(k + 1), springs.stiffness[k]);
-  for (std::size_t k = 0; k < springs.damping.size(); ++k)
-    require_between("contact.damping." + std::to_string(k + 1), springs.damping[k], 0);
+  constexpr double rigid = std::numeric_limits<double>::infinity();
+  const auto require = [&](const std::string& key, const std::vector<double>& values, const auto& one) {
+    if (!values.empty()) require_one_each(key.c_str(), values, scene.blocks.size());
+    for (std::size_t k = 0; k < values.size(); ++k) one(key + "." + std::to_string(k + 1), values[k]);
+  };
+  const auto stiffness = [](const std::string& key, double value) {
+    if (value != rigid) require_positive(key, value);
+  };
+  const auto damping = [](const std::string& key, double value) { require_between(key, value, 0); };
+  require("contact.stiffness", springs.stiffness, stiffness);
+  require("contact.damping", springs.damping, damping);
+  require("contact.bed_stiffness", springs.bed_stiffness, stiffness);
+  require("contact.bed_damping", springs.bed_damping, damping);
+  for (std::size_t k = 0; k < std::min(springs.stiffness.size(), springs.bed_stiffness.size()); ++k)
+    if (springs.stiffness[k] != rigid && springs.bed_stiffness[k] != rigid)
+      throw FieldError("contact.bed_stiffness." + std::to_string(k + 1),
+                       number_text(springs.bed_stiffness[k]),
+                       "inf where contact.stiffness is not: an interface has springs at corners or a bed");
   require_positive("contact.tangential", springs.tangential);
 }
 

@@ -68,11 +68,14 @@ struct InitialState {
   bool settled = true;  ///< springs carry what rests on them at the start; else they are not loaded yet
 };
 
-/// Springs and dashpots at the corners of each interface, from the ground up; law `compliant` alone.
+/// Springs and dashpots at the corners of each interface, or in a Winkler bed along it, from the ground up;
+/// law `compliant` alone. An interface with neither is rigid.
 struct CornerSprings {
-  std::vector<double> stiffness = {};  ///< k of each corner, N/m, > 0, or infinite: the interface is rigid
-  std::vector<double> damping = {};    ///< c of each corner, N·s/m, ≥ 0; none: 0
-  double tangential = 1;               ///< stiffness and damping along a face over those across it, > 0
+  std::vector<double> stiffness = {};      ///< k of each corner, N/m, > 0, or infinite: no springs
+  std::vector<double> damping = {};        ///< c of each corner, N·s/m, ≥ 0; none: 0
+  std::vector<double> bed_stiffness = {};  ///< per length, N/m², > 0, or infinite: no bed; not beside k
+  std::vector<double> bed_damping = {};    ///< per length, N·s/m², ≥ 0; none: 0
+  double tangential = 1;                   ///< stiffness and damping along a face over those across it, > 0
 };
 
 /// What engines need and the exact model does not.

@@ -82,9 +82,9 @@ std::vector<double> read_each(const Node& table, std::string_view key, std::size
 }
 
 /// The same of stiffnesses, where `inf` is a rigid interface.
-std::vector<double> read_stiffness(const Node& table, std::size_t size) {
-  const Node* node = find(table, "stiffness");
-  if (node == nullptr || node->kind != Node::Kind::array) return read_each(table, "stiffness", size);
+std::vector<double> read_stiffness(const Node& table, std::string_view key, std::size_t size) {
+  const Node* node = find(table, key);
+  if (node == nullptr || node->kind != Node::Kind::array) return read_each(table, key, size);
   std::vector<double> values;
   values.reserve(node->children.size());
   for (const Node& entry : node->children) values.push_back(number(entry));
@@ -97,8 +97,10 @@ void read_contact(const Node& root, Scene& scene) {
   require_table(*table, contact_keys);
   const std::size_t size = scene.blocks.size();
   scene.friction = read_each(*table, "friction", size);
-  scene.springs.stiffness = read_stiffness(*table, size);
+  scene.springs.stiffness = read_stiffness(*table, "stiffness", size);
   scene.springs.damping = read_each(*table, "damping", size);
+  scene.springs.bed_stiffness = read_stiffness(*table, "bed_stiffness", size);
+  scene.springs.bed_damping = read_each(*table, "bed_damping", size);
   scene.springs.tangential = number_or(*table, "tangential", scene.springs.tangential);
 }
 

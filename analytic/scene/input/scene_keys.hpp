@@ -65,6 +65,10 @@ inline constexpr KeyTable contact_keys{
       "of a spring at each corner of the interface under each block, across the face; inf: rigid"},
      {"damping", "0.0", "N·s/m", "≥ 0, or one for each block; law \"compliant\"", "0",
       "of the dashpot beside each spring; nothing pulls"},
+     {"bed_stiffness", "inf", "N/m²", "> 0 or inf, or one for each block; law \"compliant\"", "inf",
+      "of a Winkler bed along the interface under each block, per length; inf: none; not beside stiffness"},
+     {"bed_damping", "0.0", "N·s/m²", "≥ 0, or one for each block; law \"compliant\"", "0",
+      "of that bed, per length; no part of it pulls"},
      {"tangential", "1.0", "", "> 0; law \"compliant\"", "1",
       "stiffness and damping along the face over those across it; friction holds up to its coefficient"}}};
 

@@ -7,12 +7,13 @@
 
 namespace rockstack {
 
-/// A spring and a dashpot at each corner of an interface, or rigid faces. SI units.
+/// A spring and a dashpot at each corner of an interface, or a bed along it, or rigid faces. SI units.
 template <class Real>
 struct BasicSpringLaw {
   Real stiffness = std::numeric_limits<Real>::infinity();  ///< N/m, across the face; infinite: rigid
   Real damping = 0;                                        ///< N·s/m, likewise
   Real tangential = 1;  ///< stiffness and damping along the face over those across it
+  bool bed = false;     ///< stiffness and damping are those of a whole bed
 
   bool soft() const { return stiffness < std::numeric_limits<Real>::infinity(); }
 };
@@ -48,10 +49,21 @@ template <class Real>
 BasicFrictionStack<Real> friction_stack_of(const Scene& scene) {
   BasicFrictionStack<Real> stack(scene.blocks, friction_of(scene));
   const CornerSprings& springs = scene.springs;
-  for (std::size_t k = 0; k < springs.stiffness.size(); ++k)
-    stack.springs.push_back({Real(springs.stiffness[k]),
-                             springs.damping.empty() ? Real(0) : Real(springs.damping[k]),
-                             Real(springs.tangential)});
+  if (springs.stiffness.empty() && springs.bed_stiffness.empty()) return stack;
+  const auto of = [](const std::vector<double>& values, std::size_t k, double standard) {
+    return Real(values.empty() ? standard : values[k]);
+  };
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    constexpr double rigid = std::numeric_limits<double>::infinity();
+    BasicSpringLaw<Real> law{of(springs.stiffness, k, rigid), of(springs.damping, k, 0),
+                             Real(springs.tangential)};
+    const Real bed = of(springs.bed_stiffness, k, rigid);
+    if (bed < std::numeric_limits<Real>::infinity()) {
+      const Real width = 2 * Real(interface_half_width(scene, static_cast<int>(k)));
+      law = {width * bed, width * of(springs.bed_damping, k, 0), law.tangential, true};
+    }
+    stack.springs.push_back(law);
+  }
   return stack;
 }
 

@@ -7,6 +7,37 @@
 
 namespace rockstack {
 
+/// Signs of a bed's ends by where bodies are and go.
+template <class Real>
+void note_signs(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies,
+                SpringPoint<Real>& point) {
+  const PointLaw<Real> law = law_of(stack, point.interface);
+  const GrowingBed<Real> bed =
+      bed_at(law, point, bed_rows(stack.blocks, point, bodies), vector_of(bodies.rate));
+  for (std::size_t end = 0; end < 2; ++end)
+    point.bed.ends[end] = {bed.depth[end][0] > 0, bed.pressure[end][0] > 0};
+  point.bed.crossed = law.damping > 0 && bed.crosses();
+  point.press = stretch_of(point.bed).presses ? Press::pushing : Press::off;
+}
+
+/// A bed before it is loaded: the ends that touch are at its surface.
+template <class Real>
+SpringPoint<Real> initial_bed(const BasicFrictionStack<Real>& stack, int interface,
+                              const BasicJoint<Real>& joint, const BasicBodies<Real>& bodies) {
+  SpringPoint<Real> point;
+  point.interface = interface;
+  point.corner_below =
+      half_width_of<Real>(stack.blocks, interface - 1) < half_width_of<Real>(stack.blocks, interface);
+  note_signs(stack, bodies, point);
+  for (const int side : {-1, 1})
+    if (joint.touch == Touch::flat || joint.side() == side)
+      point.bed.ends[side < 0 ? 0 : 1] = {true, true, true, true};
+  if (joint.touches()) point.press = Press::pushing;
+  if (law_of(stack, interface).friction > 0) point.slide = joint.slip;
+  point.slider = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point)).slip;
+  return point;
+}
+
 /// The points of soft interfaces, where rigid contacts would touch; they push, but not yet. Those that slip
 /// from the start slide.
 template <class Real>
@@ -17,6 +48,10 @@ SpringPoints<Real> initial_points(const BasicFrictionStack<Real>& stack, const C
     const auto interface = static_cast<int>(k);
     const BasicJoint<Real>& joint = state.joints[k];
     const PointLaw<Real> law = law_of(stack, interface);
+    if (stack.springs[k].bed) {
+      points.push_back(initial_bed(stack, interface, joint, state.bodies));
+      continue;
+    }
     for (const int side : {-1, 1}) {
       SpringPoint<Real> point;
       point.interface = interface;
@@ -82,6 +117,8 @@ Settling<Real> find_equilibrium(const Scene& scene, const BasicFrictionStack<Rea
   constexpr int most = 1000;
   Real before = std::numeric_limits<Real>::infinity();
   for (int round = 0; round < most; ++round) {
+    for (SpringPoint<Real>& point : standing)
+      if (point.is_bed()) note_signs(stack, bodies, point);
     SquareMatrix<Real> motions = SquareMatrix<Real>::Zero(weight.size(), size);
     for (std::size_t c = 0; c < soft.size(); ++c) {
       const Point<Real> about = foot(soft[c]);
@@ -101,8 +138,17 @@ Settling<Real> find_equilibrium(const Scene& scene, const BasicFrictionStack<Rea
       const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
       const FreeRow<Real> across = rows.gap_row * motions;
       const FreeRow<Real> along = rows.slip_row * motions;
-      stiffness +=
-          law.stiffness * across.transpose() * across + law.tangential_stiffness * along.transpose() * along;
+      stiffness += law.tangential_stiffness * along.transpose() * along;
+      if (!point.is_bed()) {
+        stiffness += law.stiffness * across.transpose() * across;
+        continue;
+      }
+      const auto ends = bed_rows(stack.blocks, point, bodies);
+      const FreeRow<Real> turning = (ends[1].gap_row - ends[0].gap_row) / 2 * motions;
+      const auto& [whole, first, second] = moments_in_contact(-ends[0].gap, -ends[1].gap);
+      stiffness += law.stiffness * (whole * across.transpose() * across +
+                                    first * (turning.transpose() * across + across.transpose() * turning) +
+                                    second * turning.transpose() * turning);
     }
     const BasicFreeVector<Real> forces = weight + forces_of(stack, standing, bodies);
     const BasicFreeVector<Real> change =
@@ -118,20 +164,55 @@ Settling<Real> find_equilibrium(const Scene& scene, const BasicFrictionStack<Rea
     if (round + 1 == most || !(largest < height)) return {bodies.at, false};
     before = largest;
   }
-  const BasicFreeVector<Real> rates = BasicFreeVector<Real>::Zero(weight.size());
   for (const SpringPoint<Real>& point : standing) {
     using std::abs;
     const PointLaw<Real> law = law_of(stack, point.interface);
     const PointForce<Real> force =
-        force_of(law, point, rows_of(stack.blocks, bodies, corner_of(stack.blocks, point)), rates);
+        force_of(stack, point, bodies, rows_of(stack.blocks, bodies, corner_of(stack.blocks, point)));
     if (!(force.normal > 0)) return {bodies.at, false};
     if (abs(force.tangential) > law.friction * force.normal) return {bodies.at, false};
   }
   return {bodies.at, true};
 }
 
+/// How deep a bed's lower end is under a weight, m, where the other is higher by `rise`, from its stiffness
+/// in all: a trapezium of pressure, or a triangle.
+template <class Real>
+Real depth_under(const Real& weight, const Real& stiffness, const Real& rise) {
+  using std::sqrt;
+  const Real level = weight / stiffness;
+  return 2 * level > rise ? Real(level + rise / 2) : Real(sqrt(2 * level * rise));
+}
+
+/// How far a soft interface gives way under a weight, m; how many of its points bear it.
+template <class Real>
+struct GivingWay {
+  Real depth;
+  int points;
+};
+
+template <class Real>
+GivingWay<Real> give_way(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies,
+                         const Real& weight, const std::vector<SpringPoint<Real>*>& ends) {
+  const SpringPoint<Real>& first = *ends.front();
+  const PointLaw<Real> law = law_of(stack, first.interface);
+  if (first.is_bed()) {
+    const auto rows = bed_rows(stack.blocks, first, bodies);
+    const Real lower = std::min(rows[0].gap, rows[1].gap);
+    return {lower + depth_under<Real>(weight, law.stiffness, std::max(rows[0].gap, rows[1].gap) - lower), 1};
+  }
+  SpringPoint<Real>& other = *ends.back();
+  if (other.pushes()) return {weight / law.stiffness / 2, 2};
+  const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, other));
+  if (!(rows.gap * law.stiffness < weight)) return {weight / law.stiffness, 1};
+  other.press = Press::pushing;
+  other.slide = first.slide;
+  other.slider = rows.slip;
+  return {(rows.gap + weight / law.stiffness) / 2, 2};
+}
+
 /// Lets one soft interface bear the weight above it without velocity: N and T across and along its face, by
-/// the corners that touch. One that is open by less than that presses it in touches at both ends.
+/// the corners that touch or the bed. A corner that is open by less than that presses it in touches too.
 template <class Real>
 void settle_interface(const Gravity& gravity, const BasicFrictionStack<Real>& stack, std::size_t interface,
                       BasicBodies<Real>& bodies, SpringPoints<Real>& points) {
@@ -139,33 +220,21 @@ void settle_interface(const Gravity& gravity, const BasicFrictionStack<Real>& st
   std::vector<SpringPoint<Real>*> ends;
   for (SpringPoint<Real>& point : points)
     if (point.interface == static_cast<int>(interface)) ends.push_back(&point);
-  if (!ends.front()->pushes()) std::swap(ends[0], ends[1]);
-  const SpringPoint<Real>& first = *ends[0];
-  SpringPoint<Real>& other = *ends[1];
+  if (!ends.front()->pushes()) std::swap(ends.front(), ends.back());
+  const SpringPoint<Real>& first = *ends.front();
   const int face = corner_of(stack.blocks, first).face;
   const Real angle = placement(bodies.at, face).angle;
   Real mass = 0;
   for (std::size_t k = interface; k < bodies.at.size(); ++k) mass += Real(stack.blocks[k].mass);
   const Point<Real> load = turned<Real>({mass * Real(gravity.along), -mass * Real(gravity.across)}, -angle);
-  Real gap = 0;  // of the end that is higher
-  if (!other.pushes()) {
-    const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, other));
-    if (rows.gap * law.stiffness < -load.y()) {
-      gap = rows.gap;
-      other.press = Press::pushing;
-      other.slide = first.slide;
-      other.slider = rows.slip;
-    }
-  }
-  const int count = other.pushes() ? 2 : 1;
+  const auto [depth, count] = give_way<Real>(stack, bodies, -load.y(), ends);
   const Real most = -law.friction * load.y();
   const Real along = first.slide != 0 ? Real(first.slide * most) : std::clamp<Real>(load.x(), -most, most);
   const Real stretch = along / (count * law.tangential_stiffness);
   // What slides keeps its place: its slider stands back.
   if (first.slide != 0)
     for (SpringPoint<Real>* end : ends) end->slider -= stretch;
-  const Point<Real> moved =
-      turned<Real>({first.slide != 0 ? Real(0) : stretch, -(gap - load.y() / law.stiffness) / count}, angle);
+  const Point<Real> moved = turned<Real>({first.slide != 0 ? Real(0) : stretch, -depth}, angle);
   move_above<Real>(interface, {Real(0), Real(0)}, moved, 0, bodies.at);
   const Point<Real> turning = quarter_turned(moved) * placement(bodies.rate, face).angle;
   for (std::size_t k = interface; k < bodies.at.size(); ++k) {
@@ -188,13 +257,13 @@ void settle(const Scene& scene, const BasicFrictionStack<Real>& stack, ContactSt
   for (SpringPoint<Real>& point : points) point.at_face = false;
   if (still) {
     const Settling<Real> found = find_equilibrium(scene, stack, bodies, points);
-    if (found.stands) {
-      bodies.at = found.at;
-      return;
-    }
+    if (found.stands) bodies.at = found.at;
+    still = found.stands;
   }
   for (std::size_t k = 0; k < bodies.at.size(); ++k)
-    if (stack.soft(k)) settle_interface(gravity_of(scene), stack, k, bodies, points);
+    if (stack.soft(k) && !still) settle_interface(gravity_of(scene), stack, k, bodies, points);
+  for (SpringPoint<Real>& point : points)
+    if (point.is_bed()) note_signs(stack, bodies, point);
 }
 
 }  // namespace rockstack

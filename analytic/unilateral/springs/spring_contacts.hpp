@@ -68,6 +68,9 @@ class SpringContacts {
           const BasicBodies<Real>& after) {
     for (SpringPoint<Real>& point : points_) {
       if (s > 0) point.move_on();
+      if (point.is_bed())
+        losses(point).damped +=
+            elastic_energy_of_bed(stack_, point, before) - elastic_energy_of_bed(stack_, point, after);
       if (point.press == Press::left_behind)
         losses(point).damped += elastic_energy(stack_, point, before) - elastic_energy(stack_, point, after);
     }
@@ -85,6 +88,7 @@ class SpringContacts {
   void apply(const SpringCourse<Real>& course, const BasicBodies<Real>& bodies) {
     SpringPoint<Real>& point = points_[course.point];
     const PointLaw<Real> law = law_of(stack_, point.interface);
+    if (course.change >= SpringChange::bed_depth) return apply_to_bed(course, bodies);
     if (point.press != pressed_before(course.change)) return;
     const bool moves = point.slide != 0 || law.friction == 0;
     if (course.change == SpringChange::slide ? moves : course.change >= SpringChange::grip && !moves) return;
@@ -119,7 +123,7 @@ class SpringContacts {
       case SpringChange::pass:
         pass(point);
         break;
-      case SpringChange::fall:
+      default:
         break;
     }
     losses(point).damped += held - elastic_energy(stack_, point, bodies);
@@ -132,6 +136,11 @@ class SpringContacts {
       if (!point.pushes()) continue;
       const auto k = static_cast<std::size_t>(point.interface);
       BasicJoint<Real>& joint = shown_[k];
+      if (point.is_bed()) {
+        ends[k] = 2;
+        joint = {touch_of(point.bed), point.slide, point.corner_below, point.slider};
+        continue;
+      }
       const bool first = ends[k]++ == 0;
       joint.touch = static_cast<Touch>(point.side);
       joint.corner_below = point.corner_below;
@@ -148,17 +157,17 @@ class SpringContacts {
   std::vector<BasicSpringState<Real>> states(const BasicBodies<Real>& bodies) const {
     if (points_.empty()) return {};
     std::vector<BasicSpringState<Real>> result(stack_.blocks.size());
-    const BasicFreeVector<Real> rates = vector_of(bodies.rate);
     for (std::size_t k = 0; k < result.size(); ++k) result[k].energy = lost_[k];
     for (const SpringPoint<Real>& point : points_) {
       BasicSpringState<Real>& state = result[static_cast<std::size_t>(point.interface)];
       const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
       const BasicPointRows<Real> rows = rows_of(stack_.blocks, bodies, corner);
-      const PointForce<Real> force = force_of(law_of(stack_, point.interface), point, rows, rates);
+      const PointForce<Real> force = force_of(stack_, point, bodies, rows);
       state.reaction.normal += force.normal;
       state.reaction.tangential += force.tangential;
       // From the middle of the block above: its own corner, or where that of the block below is under it.
       state.reaction.centre += force.normal * (point.corner_below ? Real(-rows.slip) : corner.x);
+      if (point.is_bed()) state.reaction.centre += force.couple * bed_width(point);
       state.energy.elastic += elastic_energy(stack_, point, bodies);
     }
     for (std::size_t k = 0; k < result.size(); ++k) {
@@ -170,6 +179,59 @@ class SpringContacts {
   }
 
  private:
+  /// What histories tell of a bed: which of its ends press.
+  static Touch touch_of(const BedState& bed) {
+    const auto bound = [&](std::size_t end) { return bound_of(bed, end) == BedBound::end; };
+    if (bound(0) == bound(1)) return Touch::flat;
+    return bound(0) ? Touch::left : Touch::right;
+  }
+
+  Real bed_width(const SpringPoint<Real>& point) const {
+    return 2 * half_width_of<Real>(stack_.blocks, corner_of(stack_.blocks, point).body);
+  }
+
+  /// A sign of a bed changes, not where another course at the same time has changed it. The other end's does
+  /// so too where it is as near to zero as rounding.
+  void apply_to_bed(const SpringCourse<Real>& course, const BasicBodies<Real>& bodies) {
+    SpringPoint<Real>& point = points_[course.point];
+    BedState& bed = point.bed;
+    const PointLaw<Real> law = law_of(stack_, point.interface);
+    const auto rows = bed_rows(stack_.blocks, point, bodies);
+    const GrowingBed<Real> now = bed_at(law, point, rows, vector_of(bodies.rate));
+    const Real held = elastic_energy(stack_, point, bodies);
+    const bool above = course.way > 0;
+    if (course.change == SpringChange::bed_crossing) {
+      if (bed.crossed != above) return;
+      bed.crossed = !above;
+      bed.at_crossing = true;
+    } else {
+      const bool depth = course.change == SpringChange::bed_depth;
+      for (std::size_t end = 0; end < 2; ++end) {
+        BedEnd& here = bed.ends[end];
+        if ((depth ? here.deep : here.presses) != above) continue;
+        const Real left = depth ? now.depth[end][0] : Real(now.pressure[end][0] / law.stiffness);
+        if (end != course.end && !is_zero(left)) continue;
+        // Without dashpots both quantities are one.
+        if (depth || law.damping == 0) {
+          here.deep = !above;
+          here.at_face = true;
+        }
+        if (!depth || law.damping == 0) {
+          here.presses = !above;
+          here.at_no_force = true;
+        }
+      }
+      if (law.damping > 0 && !bed.at_crossing) bed.crossed = now.crosses();
+    }
+    const bool presses = stretch_of(bed).presses;
+    if (presses && !point.pushes()) start_pushing(point, bodies);
+    if (!presses) {
+      point.slide = 0;
+      point.press = Press::off;
+    }
+    losses(point).damped += held - elastic_energy(stack_, point, bodies);
+  }
+
   static Press pressed_before(SpringChange change) {
     switch (change) {
       case SpringChange::touch:
@@ -188,11 +250,15 @@ class SpringContacts {
 
   /// Whether the depth is zero to rounding.
   bool is_at_face(const SpringPoint<Real>& point, const BasicBodies<Real>& bodies) const {
+    return is_zero(rows_of(stack_.blocks, bodies, corner_of(stack_.blocks, point)).gap);
+  }
+
+  /// Of a length, m.
+  bool is_zero(const Real& gap) const {
     using std::abs;
-    const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
     Real height = 0;
     for (const Block& block : stack_.blocks) height += 2 * Real(block.half_height);
-    return abs(rows_of(stack_.blocks, bodies, corner).gap) <= tolerance<Real>(1e-14) * height;
+    return abs(gap) <= tolerance<Real>(1e-14) * height;
   }
 
   void start_pushing(SpringPoint<Real>& point, const BasicBodies<Real>& bodies) {

@@ -10,14 +10,17 @@ namespace rockstack {
 
 /// What happens to a point where a course becomes negative.
 enum class SpringChange : std::uint8_t {
-  touch,       ///< it meets the face
-  push_again,  ///< it has left a spring behind, and comes upon it
-  part,        ///< it would have to pull
-  leave,       ///< off the face, after it has left the spring behind
-  slide,       ///< the slider starts to move
-  grip,        ///< the slider stops
-  pass,        ///< the slider passes the end of the face
-  fall,        ///< nothing is left of the face
+  touch,         ///< it meets the face
+  push_again,    ///< it has left a spring behind, and comes upon it
+  part,          ///< it would have to pull
+  leave,         ///< off the face, after it has left the spring behind
+  slide,         ///< the slider starts to move
+  grip,          ///< the slider stops
+  pass,          ///< the slider passes the end of the face
+  fall,          ///< nothing is left of the face
+  bed_depth,     ///< an end of a bed passes its surface
+  bed_pressure,  ///< kδ + cδ̇ changes its sign there
+  bed_crossing,  ///< zeros of depth and pressure pass each other
 };
 
 /// Something of a point that stays positive for as long as its law has one form.
@@ -26,8 +29,9 @@ struct SpringCourse {
   Polynomial<Real> series;
   SpringChange change{};
   std::size_t point = 0;
-  int way = 0;                                      ///< of `slide`: the way the slider will move
-  bool below = false;                               ///< of `touch`: a corner of the block below
+  int way = 0;          ///< of `slide`: the way the slider will move; of a bed: the sign that ends
+  std::size_t end = 0;  ///< of a bed
+  bool below = false;   ///< of `touch`: a corner of the block below
   Polynomial<Real> within = {}, within_other = {};  ///< of `touch`: how far it is inside either end, m
 };
 
@@ -65,6 +69,10 @@ class SpringCourses {
   FirstSpringChange<Real> first() && {
     for (const GrowingSpring<Real>& spring : series_.springs()) add_pushing(spring);
     for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (points_[i].is_bed()) {
+        add_bed(i);
+        continue;
+      }
       if (points_[i].press == Press::left_behind) add_left_behind(i);
       if (points_[i].press == Press::off) add_touching(i);
     }
@@ -76,7 +84,9 @@ class SpringCourses {
     const std::size_t i = spring.index;
     const SpringPoint<Real>& start = spring.start;
     const PointLaw<Real>& law = spring.law;
-    found_.consider({spring.force.normal, SpringChange::part, i}, start.at_no_force || start.at_face ? 1 : 0);
+    if (!start.is_bed())
+      found_.consider({spring.force.normal, SpringChange::part, i},
+                      start.at_no_force || start.at_face ? 1 : 0);
     if (law.friction == 0) return add_ends(spring, spring.slip);
     if (start.slide == 0) {
       // Without a dashpot, a slider that has just stopped is at its strength as the slip comes to a halt.
@@ -97,6 +107,7 @@ class SpringCourses {
   void add_ends(const GrowingSpring<Real>& spring, const Polynomial<Real>& slider) {
     const CornerOnFace<Real>& corner = spring.point.corner;
     if (corner.face < 0) return;
+    if (spring.start.is_bed()) return add_bed_falling(spring.index, corner, slider);
     const Real end = half_width_of<Real>(stack_.blocks, corner.face);
     const int outward = spring.start.side * corner.upward;
     const int way = spring.start.slide * outward;  // zero where there is no friction, and no way it must go
@@ -104,6 +115,46 @@ class SpringCourses {
       found_.consider({line(end, -outward, slider), SpringChange::pass, spring.index},
                       spring.start.at_end ? 1 : 0);
     if (way <= 0) found_.consider({line(end, outward, slider), SpringChange::fall, spring.index});
+  }
+
+  /// A bed holds as long as its middle is over the other face.
+  void add_bed_falling(std::size_t i, const CornerOnFace<Real>& middle, const Polynomial<Real>& along) {
+    const Real end = half_width_of<Real>(stack_.blocks, middle.face);
+    for (const int way : {-1, 1}) found_.consider({line(end, way, along), SpringChange::fall, i});
+  }
+
+  void add_bed(std::size_t i) {
+    const SpringPoint<Real>& point = points_[i];
+    const PointLaw<Real> law = law_of(stack_, point.interface);
+    const auto corners = bed_corners(stack_.blocks, point);
+    std::array<Polynomial<Real>, 2> depth;
+    std::array<Polynomial<Real>, 2> pressure;
+    for (std::size_t end = 0; end < 2; ++end) {
+      const BedEnd& sign = point.bed.ends[end];
+      const CornerOnFace<Real>& corner = corners[end];
+      depth[end] = depth_of(corner, corner_series(stack_.blocks, motion_, corner));
+      if (sign.at_face) depth[end][0] = 0;
+      pressure[end] =
+          sum(times(law.stiffness, depth[end]), times(law.damping / motion_.length, derivative(depth[end])));
+      consider_sign(i, SpringChange::bed_depth, end, sign.deep, sign.at_face, depth[end]);
+      if (law.damping > 0)
+        consider_sign(i, SpringChange::bed_pressure, end, sign.presses, sign.at_no_force, pressure[end]);
+    }
+    if (law.damping > 0 && has_crossing(point.bed))
+      consider_sign(i, SpringChange::bed_crossing, 0, point.bed.crossed, point.bed.at_crossing,
+                    sum(product(pressure[0], depth[1]), times(-1, product(pressure[1], depth[0]))));
+    const CornerOnFace<Real> middle = corner_of(stack_.blocks, point);
+    if (middle.face >= 0 && !point.pushes())
+      add_bed_falling(i, middle, corner_series(stack_.blocks, motion_, middle).along);
+  }
+
+  /// A quantity of a bed that keeps its sign up to the change.
+  void consider_sign(std::size_t i, SpringChange change, std::size_t end, bool above, bool zero,
+                     const Polynomial<Real>& quantity) {
+    const int way = above ? 1 : -1;
+    SpringCourse<Real> course{times(way, quantity), change, i, way};
+    course.end = end;
+    found_.consider(std::move(course), zero ? 1 : 0);
   }
 
   Polynomial<Real> depth_of(const CornerOnFace<Real>& corner, const FaceSeries<Real>& place) const {

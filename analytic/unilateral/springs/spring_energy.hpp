@@ -20,15 +20,23 @@ Real integral_of_product(const Polynomial<Real>& first, const Polynomial<Real>& 
   return sum;
 }
 
+template <class Real>
+Real elastic_energy_of_bed(const BasicFrictionStack<Real>& stack, const SpringPoint<Real>& point,
+                           const BasicBodies<Real>& bodies) {
+  const auto rows = bed_rows(stack.blocks, point, bodies);
+  return elastic_energy_of_bed<Real>(law_of(stack, point.interface).stiffness, {-rows[0].gap, -rows[1].gap});
+}
+
 /// What a point's springs hold, J. A spring that is left behind keeps what its depth stands for, and loses it
 /// as the corner backs away.
 template <class Real>
 Real elastic_energy(const BasicFrictionStack<Real>& stack, const SpringPoint<Real>& point,
                     const BasicBodies<Real>& bodies) {
-  if (point.press == Press::off) return 0;
+  if (point.press == Press::off && !point.is_bed()) return 0;
   const PointLaw<Real> law = law_of(stack, point.interface);
   const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
-  Real energy = law.stiffness * rows.gap * rows.gap / 2;
+  Real energy = point.is_bed() ? elastic_energy_of_bed(stack, point, bodies)
+                               : Real(law.stiffness * rows.gap * rows.gap / 2);
   if (point.pushes() && law.friction > 0) {
     const Real stretch = rows.slip - point.slider;
     energy += law.tangential_stiffness * stretch * stretch / 2;
@@ -36,7 +44,17 @@ Real elastic_energy(const BasicFrictionStack<Real>& stack, const SpringPoint<Rea
   return energy;
 }
 
-/// Adds what a point that pushes loses up to s of a step.
+/// What presses a bed does to it up to s of a step, J.
+template <class Real>
+Real work_on_bed(const GrowingSpring<Real>& spring, const Real& s) {
+  const GrowingBed<Real>& bed = spring.bed;
+  const Polynomial<Real> turning = sum(bed.depth[1], times(-1, bed.depth[0]));
+  return integral_of_product(bed.normal, derivative(spring.depth), s) +
+         integral_of_product(bed.couple, derivative(turning), s);
+}
+
+/// Adds what a point that pushes loses up to s of a step; of a bed the work done on it, what it holds
+/// included.
 template <class Real>
 void add_losses(const GrowingSpring<Real>& spring, const SpringSeries<Real>& series, const Real& s,
                 BasicSpringEnergy<Real>& lost) {
@@ -46,7 +64,11 @@ void add_losses(const GrowingSpring<Real>& spring, const SpringSeries<Real>& ser
     const Polynomial<Real> rate = derivative(place);
     return damping / series.length() * integral_of_product(rate, rate, s);
   };
-  lost.damped += dissipated(law.damping, spring.depth);
+  if (spring.start.is_bed()) {
+    lost.damped += work_on_bed(spring, s);
+  } else {
+    lost.damped += dissipated(law.damping, spring.depth);
+  }
   if (law.friction == 0) return;
   lost.damped += dissipated(law.tangential_damping, spring.stretch);
   if (spring.start.slide == 0) return;

@@ -4,6 +4,7 @@
 
 #include "analytic/unilateral/contact/friction_stack.hpp"
 #include "analytic/unilateral/contact/point_rows.hpp"
+#include "analytic/unilateral/springs/winkler_bed.hpp"
 
 namespace rockstack {
 
@@ -17,11 +18,12 @@ enum class Press : std::int8_t { off, left_behind, pushing };
 ///     |k_t τ + c_t τ̇| ≤ μN,  the slider stands still where it is less, and moves with the force else,
 ///
 /// τ how far the tangential spring is stretched. The slider is at slip − τ, where the slip is the corner's.
+/// Or the middle of a Winkler bed, with its normal force and with one slider for all of it.
 template <class Real>
 struct SpringPoint {
   int interface = 0;          ///< from 0
-  int side = 0;               ///< −1 left end, 1 right end
-  bool corner_below = false;  ///< it is a corner of the block below, under the face of the one above
+  int side = 0;               ///< −1 left end, 1 right end; 0 a bed
+  bool corner_below = false;  ///< it is of the block below, under the face of the one above
   Press press = Press::off;
   int slide = 0;  ///< the way the slider moves, of the block above against the one below; 0: it stands still
   Real slider = 0;  ///< its place on the slip coordinate, m
@@ -32,8 +34,14 @@ struct SpringPoint {
   bool at_grip = false;      ///< what parts standing still from sliding
   bool at_end = false;       ///< how far the slider is from the end of the face
 
+  BedState bed = {};  ///< of a bed alone
+
+  bool is_bed() const { return side == 0; }
   bool pushes() const { return press == Press::pushing; }
-  void move_on() { at_face = at_no_force = at_grip = at_end = false; }
+  void move_on() {
+    at_face = at_no_force = at_grip = at_end = bed.at_crossing = false;
+    for (BedEnd& end : bed.ends) end.at_face = end.at_no_force = false;
+  }
 };
 
 template <class Real>
@@ -61,21 +69,64 @@ PointLaw<Real> law_of(const BasicFrictionStack<Real>& stack, int interface) {
           stack.friction[k]};
 }
 
-/// What a point that pushes does to the block above, N, across the face and along it.
+/// The ends of a bed, left and right, against the face of the other block.
+template <class Real>
+std::array<CornerOnFace<Real>, 2> bed_corners(const std::vector<Block>& blocks,
+                                              const SpringPoint<Real>& point) {
+  SpringPoint<Real> left = point;
+  SpringPoint<Real> right = point;
+  left.side = -1;
+  right.side = 1;
+  return {corner_of(blocks, left), corner_of(blocks, right)};
+}
+
+template <class Real>
+std::array<BasicPointRows<Real>, 2> bed_rows(const std::vector<Block>& blocks, const SpringPoint<Real>& point,
+                                             const BasicBodies<Real>& bodies) {
+  const auto corners = bed_corners(blocks, point);
+  return {rows_of(blocks, bodies, corners[0]), rows_of(blocks, bodies, corners[1])};
+}
+
+/// A bed at one instant.
+template <class Real>
+GrowingBed<Real> bed_at(const PointLaw<Real>& law, const SpringPoint<Real>& point,
+                        const std::array<BasicPointRows<Real>, 2>& rows, const BasicFreeVector<Real>& rates) {
+  GrowingBed<Real> bed;
+  bed.stretch = stretch_of(point.bed);
+  for (std::size_t end = 0; end < 2; ++end) {
+    put(bed.depth[end], 0, -rows[end].gap);
+    put(bed.pressure[end], 0, -(law.stiffness * rows[end].gap + law.damping * rows[end].gap_row.dot(rates)));
+  }
+  bed.extend(0);
+  return bed;
+}
+
+/// What a point that pushes does to the block above, N, across the face and along it; and the couple of a
+/// bed.
 template <class Real>
 struct PointForce {
   Real normal, tangential;
+  Real couple = 0;
 };
 
 template <class Real>
-PointForce<Real> force_of(const PointLaw<Real>& law, const SpringPoint<Real>& point,
-                          const BasicPointRows<Real>& rows, const BasicFreeVector<Real>& rates) {
+PointForce<Real> force_of(const BasicFrictionStack<Real>& stack, const SpringPoint<Real>& point,
+                          const BasicBodies<Real>& bodies, const BasicPointRows<Real>& rows) {
   if (!point.pushes()) return {0, 0};
-  const Real normal = -(law.stiffness * rows.gap + law.damping * rows.gap_row.dot(rates));
-  if (point.slide != 0) return {normal, -point.slide * law.friction * normal};
-  if (law.friction == 0) return {normal, 0};
-  return {normal, -(law.tangential_stiffness * (rows.slip - point.slider) +
-                    law.tangential_damping * rows.slip_row.dot(rates))};
+  const PointLaw<Real> law = law_of(stack, point.interface);
+  const BasicFreeVector<Real> rates = vector_of(bodies.rate);
+  PointForce<Real> force{-(law.stiffness * rows.gap + law.damping * rows.gap_row.dot(rates)), 0};
+  if (point.is_bed()) {
+    const GrowingBed<Real> bed = bed_at(law, point, bed_rows(stack.blocks, point, bodies), rates);
+    force = {bed.normal[0], 0, bed.couple[0]};
+  }
+  if (point.slide != 0) {
+    force.tangential = -point.slide * law.friction * force.normal;
+  } else if (law.friction > 0) {
+    force.tangential = -(law.tangential_stiffness * (rows.slip - point.slider) +
+                         law.tangential_damping * rows.slip_row.dot(rates));
+  }
+  return force;
 }
 
 /// The forces of all points on bodies, and moments.
@@ -83,12 +134,14 @@ template <class Real>
 BasicFreeVector<Real> forces_of(const BasicFrictionStack<Real>& stack, const SpringPoints<Real>& points,
                                 const BasicBodies<Real>& bodies) {
   BasicFreeVector<Real> forces = BasicFreeVector<Real>::Zero(Eigen::Index{3} * stack.size());
-  const BasicFreeVector<Real> rates = vector_of(bodies.rate);
   for (const SpringPoint<Real>& point : points) {
     if (!point.pushes()) continue;
     const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
-    const PointForce<Real> force = force_of(law_of(stack, point.interface), point, rows, rates);
+    const PointForce<Real> force = force_of(stack, point, bodies, rows);
     forces += force.normal * rows.gap_row.transpose() + force.tangential * rows.slip_row.transpose();
+    if (!point.is_bed()) continue;
+    const auto ends = bed_rows(stack.blocks, point, bodies);
+    forces += force.couple * (ends[1].gap_row - ends[0].gap_row).transpose();
   }
   return forces;
 }
@@ -110,7 +163,12 @@ Real fastest_rate(const BasicFrictionStack<Real>& stack, const SpringPoints<Real
     const auto product = [&](const FreeRow<Real>& a, const FreeRow<Real>& b) -> Real {
       return (a.array() * stack.inverse_mass.transpose().array() * b.array()).sum();
     };
-    const Real across = product(rows.gap_row, rows.gap_row);
+    Real across = product(rows.gap_row, rows.gap_row);
+    if (point.is_bed()) {
+      const auto ends = bed_rows(stack.blocks, point, bodies);
+      const FreeRow<Real> turning = (ends[1].gap_row - ends[0].gap_row) / 2;
+      across += product(turning, turning) / 3;
+    }
     Real along = law.friction == 0 ? Real(0) : product(rows.slip_row, rows.slip_row);
     if (point.slide != 0) {
       along = 0;

@@ -5,6 +5,13 @@
 
 namespace rockstack {
 
+/// An end of a bed, where one of the two forces of its couple acts.
+template <class Real>
+struct BedEndSeries {
+  GrowingPoint<Real> point;
+  ForceSeries<Real> force;  ///< in the unit of the step's series
+};
+
 /// A point that pushes, along a step in s, its share.
 template <class Real>
 struct GrowingSpring {
@@ -12,10 +19,12 @@ struct GrowingSpring {
   SpringPoint<Real> start;
   PointLaw<Real> law;
   GrowingPoint<Real> point;
-  ForceSeries<Real> force;   ///< in the unit of the step's series
-  Polynomial<Real> depth;    ///< m
-  Polynomial<Real> slip;     ///< m
-  Polynomial<Real> stretch;  ///< of the tangential spring, m
+  ForceSeries<Real> force;               ///< in the unit of the step's series
+  Polynomial<Real> depth;                ///< m
+  Polynomial<Real> slip;                 ///< m
+  Polynomial<Real> stretch;              ///< of the tangential spring, m
+  std::vector<BedEndSeries<Real>> ends;  ///< of a bed alone
+  GrowingBed<Real> bed;
 };
 
 /// The forces of springs along a step: coefficient n of a force is that of kδ + cδ̇, which the places' up to
@@ -46,12 +55,15 @@ class SpringSeries {
            {},
            {},
            {},
+           {},
+           {},
            {}});
       const BasicPointRows<Real> rows = rows_of(stack_.blocks, bodies_, corner);
       GrowingSpring<Real>& spring = growing_.back();
       put(spring.depth, 0, point.at_face ? Real(0) : Real(-rows.gap));
       put(spring.slip, 0, rows.slip);
       put(spring.stretch, 0, rows.slip - point.slider);
+      if (point.is_bed()) begin_bed(body_of, point, spring);
     }
     extend_places(0);
     extend_places(1);
@@ -65,13 +77,19 @@ class SpringSeries {
       put(spring.depth, m, -sign * spring.point.place.above[m]);
       put(spring.slip, m, sign * spring.point.place.along[m]);
     }
+    for (GrowingSpring<Real>& spring : growing_)
+      for (std::size_t end = 0; end < spring.ends.size(); ++end) {
+        GrowingPoint<Real>& point = spring.ends[end].point;
+        point.extend(m);
+        if (m > 0) put(spring.bed.depth[end], m, -point.corner.upward * point.place.above[m]);
+      }
   }
 
   /// Coefficient n of forces, which it adds to those of interfaces.
   void extend_forces(std::size_t n, std::vector<ForceSeries<Real>>& forces) {
     for (GrowingSpring<Real>& spring : growing_) {
       const PointLaw<Real>& law = spring.law;
-      const Real normal = law.stiffness * spring.depth[n] + law.damping * rate(spring.depth, n);
+      const Real normal = spring.start.is_bed() ? extend_bed(spring, n) : pressure(law, spring.depth, n);
       Real tangential = 0;
       if (spring.start.slide != 0) {
         tangential = -spring.start.slide * law.friction * normal;
@@ -92,7 +110,11 @@ class SpringSeries {
   }
 
   void add_forces(std::size_t n, BasicFreeVector<Real>& result) const {
-    for (const GrowingSpring<Real>& spring : growing_) spring.point.add_force(spring.force, n, result);
+    for (const GrowingSpring<Real>& spring : growing_) {
+      spring.point.add_force(spring.force, n, result);
+      if (!spring.start.is_bed()) continue;
+      for (const BedEndSeries<Real>& end : spring.ends) end.point.add_force(end.force, n, result);
+    }
   }
 
   /// The largest coefficient m of a stretch that goes by a law of its own, m.
@@ -108,8 +130,10 @@ class SpringSeries {
   void rescale_by(const Real& ratio) {
     length_ *= ratio;
     for (GrowingSpring<Real>& spring : growing_)
-      for (Polynomial<Real>* part : {&spring.depth, &spring.slip, &spring.stretch, &spring.force.normal,
-                                     &spring.force.tangential, &spring.point.place.along})
+      for (Polynomial<Real>* part :
+           {&spring.depth, &spring.slip, &spring.stretch, &spring.force.normal, &spring.force.tangential,
+            &spring.point.place.along, &spring.bed.depth[0], &spring.bed.depth[1], &spring.bed.normal,
+            &spring.bed.couple})
         rescale(*part, ratio);
   }
 
@@ -118,6 +142,39 @@ class SpringSeries {
   const Real& unit() const { return unit_; }  ///< one over that of forces, s²
 
  private:
+  template <class BodyOf>
+  void begin_bed(const BodyOf& body_of, const SpringPoint<Real>& point, GrowingSpring<Real>& spring) const {
+    spring.bed.stretch = stretch_of(point.bed);
+    const auto corners = bed_corners(stack_.blocks, point);
+    for (std::size_t end = 0; end < 2; ++end) {
+      const CornerOnFace<Real>& corner = corners[end];
+      spring.ends.push_back(
+          {GrowingPoint<Real>(stack_.blocks, corner, body_of(corner.face), body_of(corner.body)), {}});
+      const Real gap = rows_of(stack_.blocks, bodies_, corner).gap;
+      put(spring.bed.depth[end], 0, point.bed.ends[end].at_face ? Real(0) : Real(-gap));
+    }
+  }
+
+  /// Coefficient n of a bed's normal force.
+  Real extend_bed(GrowingSpring<Real>& spring, std::size_t n) const {
+    GrowingBed<Real>& bed = spring.bed;
+    for (std::size_t end = 0; end < 2; ++end)
+      put(bed.pressure[end], n, pressure(spring.law, bed.depth[end], n));
+    bed.extend(n);
+    for (std::size_t end = 0; end < 2; ++end) {
+      BedEndSeries<Real>& series = spring.ends[end];
+      put(series.force.normal, n, (end == 0 ? -unit_ : unit_) * bed.couple[n]);
+      put(series.force.tangential, n, 0);
+      series.point.extend_force(series.force, n);
+    }
+    return bed.normal[n];
+  }
+
+  /// Coefficient n of kδ + cδ̇, N.
+  Real pressure(const PointLaw<Real>& law, const Polynomial<Real>& depth, std::size_t n) const {
+    return law.stiffness * depth[n] + law.damping * rate(depth, n);
+  }
+
   /// Coefficient n of a rate, 1/s.
   Real rate(const Polynomial<Real>& series, std::size_t n) const {
     return Real(n + 1) * series[n + 1] / length_;

@@ -1,5 +1,5 @@
 // Compares the solver with the reference over seeded random scenes: reference_scenes [COUNT [FIRST
-// [linear | unilateral | compliant]]]. Prints a line for each scene whose events are not those of the
+// [linear | unilateral | compliant | bed]]]. Prints a line for each scene whose events are not those of the
 // reference, and a summary; fails where a scene does not itself answer a rounding of its input with other
 // events.
 
@@ -21,6 +21,7 @@ int main(int arguments, char** values) {
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const rockstack::Scene scene = kind == "unilateral"  ? rubbing_scene_of(seed)
                                    : kind == "compliant" ? springy_scene(seed)
+                                   : kind == "bed"       ? bedded_scene(seed)
                                                          : seeded_scene(seed, equations);
     const std::string words = tally.add(seed, scene);
     if (!words.empty()) std::printf("%s\n", words.c_str());

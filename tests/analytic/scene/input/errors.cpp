@@ -72,8 +72,28 @@ TEST(SceneErrors, FrictionAndSlip) {
       {12, "[contact]\nstiffness = 1e8",
        "scene.toml:13: contact.stiffness = given: must be left out under law consistent: springs are for law "
        "compliant"},
+      {12, "[contact]\nbed_stiffness = 1e8",
+       "scene.toml:13: contact.bed_stiffness = given: must be left out under law consistent: springs are for "
+       "law compliant"},
+      {12, "[contact]\nbed_damping = [1, 0]",
+       "scene.toml:13: contact.bed_damping = given: must be left out under law consistent: springs are for "
+       "law "
+       "compliant"},
       {12, "springs = 1", "scene.toml:12: initial.springs = 1: must be \"loaded\" or \"unloaded\""},
   });
+}
+
+TEST(SceneErrors, AnInterfaceHasCornerSpringsOrABed) {
+  const auto contact = [](const std::string& lines) {
+    return error_of("law = \"compliant\"\n" + with_line(12, "[contact]\n" + lines));
+  };
+  EXPECT_EQ(contact("stiffness = [inf, 1e8]\nbed_stiffness = [1e7, 1e9]"),
+            "scene.toml:15: contact.bed_stiffness.2 = 1e+09: must be inf where contact.stiffness is not: an "
+            "interface has springs at corners or a bed");
+  EXPECT_EQ(contact("bed_stiffness = [0, 1e8]"),
+            "scene.toml:14: contact.bed_stiffness.1 = 0: must be a number from 1e-20 to 1e+20");
+  EXPECT_EQ(contact("bed_damping = [0, -1]"),
+            "scene.toml:14: contact.bed_damping.2 = -1: must be a number from 0 to 1e+20");
 }
 
 TEST(SceneErrors, AToppledStartNamesTheLimit) {

@@ -29,4 +29,17 @@ Scene springy_scene(std::uint64_t seed) {
   return scene;
 }
 
+Scene bedded_scene(std::uint64_t seed) {
+  Scene scene = springy_scene(seed);
+  CornerSprings& springs = scene.springs;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const double half_width = interface_half_width(scene, static_cast<int>(k));
+    springs.bed_stiffness.push_back(springs.stiffness[k] / half_width);
+    springs.bed_damping.push_back(springs.damping[k] / half_width);
+  }
+  springs.stiffness.clear();
+  springs.damping.clear();
+  return scene;
+}
+
 }  // namespace rockstack::testing

@@ -11,4 +11,7 @@ namespace rockstack::testing {
 /// three is rigid where another is not. One scene in three has the ground move.
 Scene springy_scene(std::uint64_t seed);
 
+/// The same on Winkler beds that are as stiff in all as the two springs of an interface.
+Scene bedded_scene(std::uint64_t seed);
+
 }  // namespace rockstack::testing

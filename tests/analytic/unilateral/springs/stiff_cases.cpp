@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analytic/solve.hpp"
 #include "tests/analytic/solver/stacks.hpp"
@@ -21,7 +22,8 @@ const Event& first_impact(const History& history) {
 
 double base_angle_at(Scene scene, Law law, double time) {
   scene.law = law;
-  return solve(scene, {.sample_times = {time}}).angles.front();
+  const History history = solve(scene, {.sample_times = {time}});
+  return history.size() > 0 ? history.angles.front() : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -37,6 +39,7 @@ double rocking_ratio(double stiffness, double damping_ratio) {
   scene.law = Law::compliant;
   scene.springs = {{stiffness}, {2 * damping_ratio * std::sqrt(stiffness * met)}};
   const History history = solve(scene, {.sample_times = regular_times(1e-4, scene.duration)});
+  if (history.times.back() < scene.duration - 1e-3) return std::numeric_limits<double>::quiet_NaN();
   double peak = 0;
   for (std::size_t i = 0; i < history.size(); ++i) peak = std::max(peak, -history.angles_at(i)[0]);
   const double slenderness = std::atan2(one.half_width, one.half_height);

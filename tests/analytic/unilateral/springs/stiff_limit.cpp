@@ -1,6 +1,7 @@
 // What stiff springs come to: stiff_limit [LEAST [MOST]] goes through stiffnesses from 10^LEAST to 10^MOST
 // N/m (4 … 12 unless given) and damping ratios from 0.01 to 10, and prints two tables: what a rocking impact
-// leaves of one block's angular velocity, and the angle of a base after its upper block has fallen back.
+// leaves of one block's angular velocity, and the angle of a base after its upper block has fallen back; no
+// number where springs are too soft for a stack to stand.
 
 #include <cmath>
 #include <cstdio>
