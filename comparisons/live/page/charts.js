@@ -29,12 +29,22 @@ const rangeOf = (lines, log) => {
   return log ? [Math.floor(low), Math.ceil(high)] : [low - 0.04 * (high - low), high + 0.04 * (high - low)];
 };
 
+// Size and type of a canvas, which take the browser long to tell; forgotten where they may have changed.
+const looks = new Map();
+const lookOf = (canvas) => {
+  if (!looks.has(canvas)) looks.set(canvas, { width: canvas.clientWidth, height: canvas.clientHeight,
+    type: parseFloat(getComputedStyle(canvas).fontSize) * 0.8 });
+  return looks.get(canvas);
+};
+
 // lines: [{ x, y, colour, width, dash }], drawn in this order; `log`: y are powers of ten. `mark`: a dotted level.
 function drawChart(canvas, { lines, end, log, mark }) {
-  const sharp = window.devicePixelRatio || 1, type = parseFloat(getComputedStyle(canvas).fontSize) * 0.8;
-  [canvas.width, canvas.height] = [Math.round(canvas.clientWidth * sharp), Math.round(canvas.clientHeight * sharp)];
-  const pen = canvas.getContext("2d"), width = canvas.clientWidth, height = canvas.clientHeight;
+  const sharp = window.devicePixelRatio || 1, pen = canvas.getContext("2d"), { width, height, type } = lookOf(canvas);
+  const size = [Math.round(width * sharp), Math.round(height * sharp)];
+  if (canvas.width !== size[0] || canvas.height !== size[1]) [canvas.width, canvas.height] = size;
   pen.setTransform(sharp, 0, 0, sharp, 0, 0);
+  pen.setLineDash([]);
+  pen.clearRect(0, 0, width, height);
   const [low, high] = rangeOf(lines, log), left = 4.5 * type, bottom = height - 1.8 * type, top = 0.6 * type;
   const x = (time) => left + time / end * (width - left - type), y = (value) => bottom - (value - low) / (high - low) * (bottom - top);
   pen.font = `${type}px 'DejaVu Sans', sans-serif`;

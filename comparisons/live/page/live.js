@@ -449,9 +449,11 @@ const download = (name, text) => {
 };
 
 const save = async (kind) => {
-  const name = find("name").value;
+  const name = find("name").value, saved = copy(state), text = JSON.stringify(state.scene), mark = ", changed";
+  const known = [setup.start, ...setup.scenes].some(({ scene }) => JSON.stringify(scene) === text);
+  if (!known && !String(saved.scene.title).endsWith(mark)) saved.scene.title += mark;
   try {
-    const files = await post("files", { state, name, runs: cloud.runs });
+    const files = await post("files", { state: saved, name, runs: cloud.runs });
     download(name + ".toml", files.scene);
     if (kind === "suite") download(name + "-suite.toml", files.suite);
     find("text").textContent = files[kind];
@@ -484,7 +486,8 @@ const begin = () => {
   });
   find("large").addEventListener("click", (event) => {
     event.target.setAttribute("aria-pressed", document.body.classList.toggle("large"));
-    requestAnimationFrame(draw);
+    looks.clear();
+    draw();
   });
   find("link").addEventListener("click", async () => {
     history.replaceState(null, "", link());
@@ -495,7 +498,7 @@ const begin = () => {
   find("save-scene").addEventListener("click", () => save("scene"));
   find("save-suite").addEventListener("click", () => save("suite"));
   find("controls").addEventListener("submit", (event) => event.preventDefault());
-  addEventListener("resize", drawFigures);
+  new ResizeObserver(() => { looks.clear(); drawFigures(); }).observe(find("angles"));
   addEventListener("hashchange", () => { readLink(); rebuild(); changed(); });
   if (setup.lesson) {
     find("lesson").textContent = `Lesson “${setup.lesson.title}”: rockstack teach ${setup.lesson.name} --out DIR writes its text.`;

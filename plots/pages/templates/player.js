@@ -201,9 +201,11 @@ class Player {
 
   // Another motion in the place of this one; time and settings stay.
   show(data) {
+    const rows = this.shown().length;
     this.load(data);
     this.time = Math.min(this.time, this.end);
-    this.resize();
+    if (rows === this.shown().length) this.repaint();
+    else this.resize();
     if (!this.playing) this.say();
   }
 
@@ -227,18 +229,24 @@ class Player {
     for (const kind of ["pointerdown", "pointermove"]) this.find("strip").addEventListener(kind, drag);
   }
 
-  // What controls offer of this motion.
+  // What controls offer of this motion; they are made anew where that has changed.
   fitControls() {
-    const forces = this.tracks.some((track) => track.forces);
-    for (const [name, there] of [["force-option", forces], ["force-hint", forces], ["cone-hint", forces && this.friction],
-      ["slip-hint", this.tracks.some((track) => track.slipped)]]) this.find(name).hidden = !there;
+    const forces = this.tracks.some((track) => track.forces), slips = this.tracks.some((track) => track.slipped);
     this.stop = this.events.stops.some((stop) => stop[5] !== "impact") ? "event" : "impact";
+    const offered = JSON.stringify([forces, slips, Boolean(this.friction), this.stop, this.end,
+      this.tracks.map((track) => track.label)]);
+    const swatches = this.find("tracks").querySelectorAll(".swatch");
+    if (offered === this.offered)
+      return swatches.forEach((swatch, i) => { swatch.style.borderTopColor = this.tracks[i].colour; });
+    this.offered = offered;
+    for (const [name, there] of [["force-option", forces], ["force-hint", forces], ["cone-hint", forces && this.friction],
+      ["slip-hint", slips]]) this.find(name).hidden = !there;
     this.find("next").textContent = this.stop + " ▶";
     this.find("previous").textContent = "◀ " + this.stop;
     this.find("view").parentElement.hidden = this.tracks.length === 1;
     this.find("scrub").max = this.end * 1000;
     for (const label of this.find("tracks").querySelectorAll("label")) label.remove();
-    for (const track of this.tracks) this.find("tracks").append(this.checkbox(track));
+    this.tracks.forEach((track, place) => this.find("tracks").append(this.checkbox(track, place)));
   }
 
   // Stands where a lesson wants it, with its settings made.
@@ -250,12 +258,12 @@ class Player {
     this.time = Math.min(this.end, Math.max(0, time));
   }
 
-  checkbox(track) {
+  checkbox(track, place) {
     const label = document.createElement("label"), box = document.createElement("input");
     const swatch = document.createElement("span");
     box.type = "checkbox";
     box.checked = track.shown;
-    box.addEventListener("input", () => { track.shown = box.checked; this.makeTable(); this.resize(); });
+    box.addEventListener("input", () => { this.tracks[place].shown = box.checked; this.makeTable(); this.resize(); });
     swatch.className = "swatch";
     swatch.style.borderTopColor = track.colour;
     swatch.style.borderTopStyle = track.dash.length ? "dashed" : "solid";
@@ -384,13 +392,20 @@ class Player {
 
   resize() {
     const sharp = window.devicePixelRatio || 1;
+    // Where type is large, so is all that the picture is drawn with.
+    this.type = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
     const strip = this.find("strip"), stage = this.find("stage");
     strip.style.height = 24 + 11 * this.shown().length + "px";
     for (const canvas of [stage, strip]) {
       canvas.width = Math.round(canvas.clientWidth * sharp);
       canvas.height = Math.round(canvas.clientHeight * sharp);
     }
-    this.band = this.paintBand(strip.width, strip.height, sharp);
+    this.repaint();
+  }
+
+  repaint() {
+    const { width, height } = this.find("strip");
+    this.band = this.paintBand(width, height, window.devicePixelRatio || 1);
     this.draw();
   }
 
@@ -433,9 +448,7 @@ class Player {
 
   drawStage() {
     const canvas = this.find("stage"), pen = canvas.getContext("2d");
-    // Where type is large, so is all that the picture is drawn with.
-    const type = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
-    const sharp = (window.devicePixelRatio || 1) * type;
+    const sharp = (window.devicePixelRatio || 1) * this.type;
     const width = canvas.width / sharp, height = canvas.height / sharp;
     pen.setTransform(sharp, 0, 0, sharp, 0, 0);
     pen.clearRect(0, 0, width, height);
@@ -605,7 +618,8 @@ class Player {
       pen.fillStyle = this.tint.get(name);
       pen.fillRect(x(from), 0, x(to) - x(from) + 0.5, 20);
       pen.fillStyle = "#1a1a1a";
-      if (x(to) - x(from) > pen.measureText(name).width + 4) pen.fillText(name, (x(from) + x(to)) / 2, 14);
+      const room = x(to) - x(from) - 4, least = 6; // of a letter
+      if (room > least && room > pen.measureText(name).width) pen.fillText(name, (x(from) + x(to)) / 2, 14);
     });
     this.shown().forEach((track, row) => {
       pen.strokeStyle = track.colour;
