@@ -29,6 +29,7 @@ struct ContactRecord {
   double stiffness = std::numeric_limits<double>::infinity();
   double damping = 0;                  ///< of the dashpot beside it, N s/m: the mean by impulse
   std::vector<ContactImpact> impacts;  ///< in order of steps
+  double points = 1;                   ///< that push together at one end of an interface: the mean by impulse
 };
 
 }  // namespace rockstack

@@ -52,6 +52,7 @@ void ContactWatch::observe(const std::vector<ContactPoint>& points, std::span<co
   record_.elastic.push_back(elastic_energy(points));
   add_forces(points);
   std::vector<Ends> ends = ends_of(points);
+  add_counts(ends);
   std::vector<double> now_velocities = relative_to_below(velocities);
   if (samples_ > 0) add_impacts(ends, now_velocities);
   last_ends_ = std::move(ends);
@@ -89,6 +90,16 @@ void ContactWatch::add_forces(const std::vector<ContactPoint>& points) {
   }
 }
 
+void ContactWatch::add_counts(const std::vector<Ends>& ends) {
+  for (const Ends& both : ends) {
+    for (const End& end : both) {
+      counted_ += end.impulse * end.points;
+      borne_ += end.impulse;
+    }
+  }
+  record_.points = borne_ > 0 ? counted_ / borne_ : 1;
+}
+
 std::vector<ContactWatch::Ends> ContactWatch::ends_of(const std::vector<ContactPoint>& points) const {
   std::vector<Ends> ends(widths_.size());
   for (const ContactPoint& point : points) {
@@ -96,6 +107,7 @@ std::vector<ContactWatch::Ends> ContactWatch::ends_of(const std::vector<ContactP
     End& end = ends[point.interface][point.along < 0 ? 0 : 1];
     end.gap = end.impulse > 0 ? std::min(end.gap, point.gap_before) : point.gap_before;
     end.impulse += point.normal;
+    ++end.points;
   }
   return ends;
 }

@@ -28,6 +28,7 @@ class ContactWatch {
   struct End {
     double impulse = 0;  ///< N·s
     double gap = 0;      ///< least one of the points that bear, where the step starts, m
+    int points = 0;      ///< that bear
   };
   using Ends = std::array<End, 2>;  ///< left, right
 
@@ -36,6 +37,7 @@ class ContactWatch {
   /// could press it, and counts as rigid.
   double elastic_energy(const std::vector<ContactPoint>& points) const;
   void add_forces(const std::vector<ContactPoint>& points);
+  void add_counts(const std::vector<Ends>& ends);
   void add_impacts(const std::vector<Ends>& ends, const std::vector<double>& velocities);
   std::vector<Ends> ends_of(const std::vector<ContactPoint>& points) const;
 
@@ -47,7 +49,8 @@ class ContactWatch {
   std::size_t samples_ = 0;
   double pushed_ = 0, excess_ = 0;  ///< impulses so far: normal, and outside the cone, N·s
   double given_ = 0, damped_ = 0;  ///< sums of normal impulse over stiffness, m·s, and times damping, N²s²/m
-  bool rigid_ = false;             ///< whether a point that pushed was no spring
+  double counted_ = 0, borne_ = 0;  ///< sums over ends that bear: impulse times points, and impulse, N·s
+  bool rigid_ = false;              ///< whether a point that pushed was no spring
   std::vector<Ends> last_ends_;
   /// Of each interface at the last sample; the angles of the one before as well.
   std::vector<double> angles_, angles_before_, velocities_;

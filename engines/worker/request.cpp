@@ -215,6 +215,7 @@ json fields_of(const ContactRecord& contacts, Form form) {
               {"friction_excess", to_field(contacts.friction_excess)},
               {"stiffness", to_field(contacts.stiffness)},
               {"damping", to_field(contacts.damping)},
+              {"points", to_field(contacts.points)},
               {"impacts", json::array()}};
   for (const ContactImpact& impact : contacts.impacts) {
     json one = object_of(impact, impact_fields);
@@ -231,6 +232,7 @@ ContactRecord read_contacts(const json& object) {
   contacts.friction_excess = number_field(object, "friction_excess");
   if (has_field(object, "stiffness")) contacts.stiffness = number_field(object, "stiffness");
   if (has_field(object, "damping")) contacts.damping = number_field(object, "damping");
+  if (has_field(object, "points")) contacts.points = number_field(object, "points");
   contacts.impacts = read_list(object, "impacts", [](const json& one) {
     ContactImpact impact = read_object(one, impact_fields);
     impact.interface = static_cast<int>(count_field(one, "interface"));

@@ -70,6 +70,7 @@ void require_whole(const RunReply& run, const RunRequest& asked) {
   require_count("contacts.elastic", made.contacts->elastic.size(), samples, "one for each sample");
   require(made.contacts->stiffness > 0 && made.contacts->damping >= 0,
           "`contacts.stiffness` must be above zero, and `contacts.damping` not below");
+  require(made.contacts->points >= 1, "`contacts.points` must be 1 or more");
   for (const ContactImpact& impact : made.contacts->impacts)
     require(impact.interface >= 1 && impact.interface <= static_cast<int>(blocks),
             "`contacts.impacts` must have the number of a block as their `interface`");

@@ -205,6 +205,15 @@ TEST(ContactWatch, SpringsHaveOneStiffnessByWhichAllImpulsesOverlapAsMuch) {
   EXPECT_TRUE(std::isinf(record.stiffness));
 }
 
+TEST(ContactWatch, PointsAreCountedAtTheEndThatTheyBear) {
+  ContactWatch watch(rubbing(stack(1, 1), {0.5}, 1e-3), 1000);
+  const std::vector<double> still{0};
+  watch.observe({}, still, still);
+  EXPECT_EQ(watch.record().points, 1);
+  watch.observe({point(-0.5, 3), point(-0.5, 1), point(0.5, 4), point(0.5, 0)}, still, still);
+  EXPECT_DOUBLE_EQ(watch.record().points, (4 * 2 + 4 * 1) / 8.0);
+}
+
 // ODE's erp and cfm are the spring and dashpot that implicit Euler makes of them: of h, k and c again.
 TEST(ContactWatch, ErpAndCfmAreTheSpringAndDashpotThatGiveThem) {
   constexpr double dt = 1e-3, stiffness = 3e5, damping = 700;
