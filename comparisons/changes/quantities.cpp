@@ -62,11 +62,17 @@ constexpr std::pair<const char*, Better> told_columns[]{
     {"friction_cone_violation", Better::less},
     {"contact_stiffness", Better::neither},
     {"contact_damping", Better::neither},
+    {"contact_points", Better::neither},
+    {"contact_damping_ratio", Better::neither},
+    {"contact_restitution", Better::neither},
     {"contact_impacts_missed", Better::less},
     {"contact_impacts_extra", Better::less},
     {"impact_readings_differ", Better::less},
     {"residual_motion", Better::less},
     {"warnings", Better::less},
+    {"model_difference", Better::neither},
+    {"softness_difference", Better::neither},
+    {"step_difference", Better::less},
 };
 
 }  // namespace
@@ -86,10 +92,20 @@ const std::vector<TellingQuantity>& telling_quantities() {
 }
 
 const std::vector<std::string>& untold_columns() {
-  static const std::vector<std::string> list{
-      "relative_angle_difference", "impacts_matched",    "impacts_matched_null",
-      "impacts_missed_null",       "impacts_extra_null", "impacts_matched_random",
-      "impacts_matched_shifted",   "settlings_matched",  "contact_impacts_matched"};
+  static const std::vector<std::string> list{"relative_angle_difference",
+                                             "impacts_matched",
+                                             "impacts_matched_null",
+                                             "impacts_missed_null",
+                                             "impacts_extra_null",
+                                             "impacts_matched_random",
+                                             "impacts_matched_shifted",
+                                             "settlings_matched",
+                                             "contact_impacts_matched",
+                                             "model_share",
+                                             "softness_share",
+                                             "step_share",
+                                             "parts_over_whole",
+                                             "spring_factor"};
   return list;
 }
 

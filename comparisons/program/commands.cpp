@@ -53,6 +53,7 @@ void refuse_choice(const std::string& suite, const SceneChoice& choice) {
   const std::string option = !choice.engines.empty() ? "--engine " + choice.engines.front()
                              : !choice.steps.empty() ? fmt::format("--dt {}", choice.steps.front())
                              : choice.quick          ? "--quick"
+                             : choice.softness       ? "--softness"
                                                      : "";
   if (!option.empty())
     throw InputError(fmt::format("{}: must be left out of {}, a suite or study says its own", option, suite));

@@ -131,6 +131,9 @@ Command add_compare(CLI::App& app, const Common& common) {
   command->add_flag(
       "--quick", arguments->choice.quick,
       "of scenes: 3 draws, steps of 1e-2 and 1e-3 s, one timed run, 2000 samples of each history");
+  command->add_flag(
+      "--softness", arguments->choice.softness,
+      "of scenes: split each engine's difference into contact model, contact softness and time step");
   command->add_option("--history-interval", arguments->history_interval,
                       "least time between the samples that files keep, s; numbers are of all samples");
   command

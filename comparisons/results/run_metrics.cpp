@@ -290,6 +290,18 @@ std::vector<Column> body_columns() {
           "points. Empty where contacts are rigid, or the engine tells none"),
       drawn<&RunMetrics::contact_damping>(
           "contact_damping", "damping of the dashpot beside that spring, N s/m: the mean by impulse"),
+      drawn<&RunMetrics::contact_points>(
+          "contact_points",
+          "how many points push together at one end of an interface, the mean by impulse: a corner has that "
+          "many times the stiffness and damping of a point"),
+      drawn<&RunMetrics::contact_damping_ratio>(
+          "contact_damping_ratio",
+          "damping ratio of a corner of the lowest block on that spring and dashpot, "
+          "c/(2 sqrt(k m)) with 1/m = 1/mass + (half width)^2/inertia"),
+      drawn<&RunMetrics::contact_restitution>(
+          "contact_restitution",
+          "share of its speed with which such a corner leaves again, from that ratio; the force is cut at "
+          "zero, weight left out"),
       drawn<&RunMetrics::contact_impacts_matched>(
           "contact_impacts_matched",
           "as impacts_matched, of the engine's impacts as its contacts tell them: an end of an interface "
@@ -320,6 +332,39 @@ std::vector<Column> body_columns() {
   };
 }
 
+std::vector<Column> split_columns() {
+  return {
+      drawn<&RunMetrics::model_difference>(
+          "model_difference",
+          "contact model: RMS angle difference from the exact motion to the exact one under law unilateral "
+          "with the engine's friction, rad; this and the next two over the time that all motions cover, as "
+          "far as a suite asks for softness"),
+      drawn<&RunMetrics::softness_difference>(
+          "softness_difference",
+          "contact softness: from there to the exact motion under law compliant, with corners of the "
+          "engine's stiffness and damping, rad; 0 where its contacts are rigid"),
+      drawn<&RunMetrics::step_difference>(
+          "step_difference", "time step: from there to the engine, rad. In every sample the three add up"),
+      drawn<&RunMetrics::model_share>(
+          "model_share",
+          "share of the contact model in the difference: sum over samples and blocks of that part times the "
+          "whole, over the sum of squares of the whole. The three shares add up to 1; one is negative where "
+          "its part works against the others"),
+      drawn<&RunMetrics::softness_share>("softness_share", "likewise of contact softness"),
+      drawn<&RunMetrics::step_share>("step_share", "likewise of the time step"),
+      drawn<&RunMetrics::parts_over_whole>(
+          "parts_over_whole",
+          "root of the sum of squares of the three parts over the whole: 1 where they have nothing to do "
+          "with each other, more where they cancel"),
+      drawn<&RunMetrics::spring_factor>(
+          "spring_factor",
+          "1 where the compliant motion has the engine's own stiffness and damping. Where that would take "
+          "more than about 100000 steps, its angles are extrapolated from springs that are softer by this "
+          "factor and by twice as much"),
+      column<&RunMetrics::split_reason>("split_reason", "why a difference is not split"),
+  };
+}
+
 }  // namespace
 
 std::string name(RunStatus status) {
@@ -335,7 +380,8 @@ RunStatus run_status(const std::string& name) {
 const std::vector<Column>& columns() {
   static const std::vector<Column> list = [] {
     std::vector<Column> all;
-    for (const auto part : {run_columns, cost_columns, motion_columns, impact_columns, body_columns}) {
+    for (const auto part :
+         {run_columns, cost_columns, motion_columns, impact_columns, body_columns, split_columns}) {
       for (const Column& one : part()) all.push_back(one);
     }
     return all;

@@ -48,12 +48,17 @@ struct RunMetrics {
   std::optional<double> energy_gain, penetration, gap, slip, out_of_plane, out_of_plane_tilt;
   std::optional<double> complementarity_residual, friction_cone_violation;
   std::optional<double> contact_stiffness, contact_damping;
+  std::optional<double> contact_points, contact_damping_ratio, contact_restitution;
   std::optional<int> contact_impacts_matched, contact_impacts_missed, contact_impacts_extra;
   std::optional<int> impact_readings_differ;
   std::optional<double> residual_motion;
   std::optional<int> warnings;
   std::string toppled;
   TopplingVerdict toppling_verdict = TopplingVerdict::unknown;
+  std::optional<double> model_difference, softness_difference, step_difference;
+  std::optional<double> model_share, softness_share, step_share, parts_over_whole;
+  std::optional<double> spring_factor;
+  std::string split_reason;
 };
 
 /// A column of comparison.csv: its name, what it means, and how it is read from metrics and put into them.

@@ -144,6 +144,18 @@ std::string difference_csv(const Difference& difference) {
   return csv.text();
 }
 
+std::string parts_csv(const DifferenceParts& parts) {
+  const auto blocks = static_cast<int>(parts.model.blocks);
+  CsvWriter csv;
+  csv.line("time", numbered("model_", blocks), numbered("softness_", blocks), numbered("step_", blocks));
+  const auto sample = [&](const Difference& part, std::size_t i) {
+    return std::span(part.angles).subspan(i * part.blocks, part.blocks);
+  };
+  for (std::size_t i = 0; i < parts.model.times.size(); ++i)
+    csv.line(parts.model.times[i], sample(parts.model, i), sample(parts.softness, i), sample(parts.step, i));
+  return csv.text();
+}
+
 std::string impacts_csv(const std::vector<AlignedImpact>& alignment) {
   CsvWriter csv;
   csv.line("number", "interface", "exact_time", "engine_time", "difference", "verdict", "exact_side",

@@ -8,7 +8,7 @@
 #include "analytic/scene/scene.hpp"
 #include "comparisons/metrics/alignment.hpp"
 #include "comparisons/metrics/contact_patterns.hpp"
-#include "comparisons/metrics/difference.hpp"
+#include "comparisons/metrics/difference_parts.hpp"
 #include "comparisons/results/run_metrics.hpp"
 #include "engines/body_record.hpp"
 
@@ -32,6 +32,9 @@ std::string ground_csv(const Scene& scene);
 
 /// time,difference_1,…
 std::string difference_csv(const Difference& difference);
+
+/// time,model_1,…,softness_1,…,step_1,…
+std::string parts_csv(const DifferenceParts& parts);
 
 /// number,interface,exact_time,engine_time,difference,verdict,exact_side,engine_side.
 std::string impacts_csv(const std::vector<AlignedImpact>& alignment);

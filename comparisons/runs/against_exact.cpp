@@ -8,6 +8,7 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/metrics/contact_patterns.hpp"
+#include "comparisons/metrics/corner_springs.hpp"
 #include "comparisons/metrics/difference.hpp"
 #include "comparisons/metrics/energy.hpp"
 #include "comparisons/metrics/magnitude_phase.hpp"
@@ -16,6 +17,7 @@
 #include "comparisons/metrics/swings.hpp"
 #include "comparisons/metrics/toppling.hpp"
 #include "comparisons/results/tables.hpp"
+#include "comparisons/runs/add_parts.hpp"
 #include "comparisons/statistics/chance_matches.hpp"
 
 namespace rockstack {
@@ -126,6 +128,11 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   if (std::isinf(bodies.contacts->stiffness)) return;
   row.contact_stiffness = bodies.contacts->stiffness;
   row.contact_damping = bodies.contacts->damping;
+  row.contact_points = bodies.contacts->points;
+  const CornerSpring corner{*row.contact_points * *row.contact_stiffness,
+                            *row.contact_points * *row.contact_damping};
+  row.contact_damping_ratio = damping_ratio(corner, scene.blocks.front());
+  row.contact_restitution = restitution_of(*row.contact_damping_ratio);
 }
 
 std::vector<ImpactTime> told_impacts(const std::vector<ContactImpact>& impacts, double slowest) {
@@ -179,6 +186,7 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswe
   if (wanted.patterns) add_patterns(scene, apart.times, exact, history, row, files);
   if (answer.bodies) add_bodies(scene, *answer.bodies, row);
   if (answer.bodies && wanted.impacts) add_contact_impacts(scene, exact, answer, apart, row, files);
+  if (answer.bodies && suite.softness) add_parts(scene, exact, answer, wanted.histories, row, files);
   if (!wanted.histories) return;
   files["history.csv"] = history_csv(history);
   files["difference.csv"] = difference_csv(apart);

@@ -19,7 +19,9 @@ double columns_of(const Job& job) {
   const double history = 1 + 2 * blocks, difference = 1 + blocks, energy = 7, reactions = 1 + 3 * blocks;
   if (job.series == nullptr && job.variant == nullptr) return history + reactions;
   if (!job.suite.wanted.histories) return 0;
-  return history + difference + (job.series != nullptr && job.suite.wanted.bodies ? energy : 0);
+  const bool engine = job.series != nullptr;
+  return history + difference + (engine && job.suite.wanted.bodies ? energy : 0) +
+         (engine && job.suite.softness ? 1 + 3 * blocks : 0);
 }
 
 }  // namespace

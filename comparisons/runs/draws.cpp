@@ -24,6 +24,7 @@ Suite without_histories(const Suite& suite) {
   lean.tolerance = suite.tolerance;
   lean.wanted = suite.wanted;
   lean.wanted.histories = false;
+  lean.softness = suite.softness;
   lean.limits = suite.limits;
   lean.draws = suite.draws;
   return lean;

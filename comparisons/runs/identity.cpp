@@ -60,6 +60,7 @@ Json fields_of(const Scene& scene) {
           fields_of(scene.horizontal),
           fields_of(scene.vertical),
           scene.friction,
+          {scene.springs.stiffness, scene.springs.damping, scene.springs.tangential, initial.settled},
           {scene.engine.friction, scene.engine.depth}};
 }
 
@@ -73,7 +74,8 @@ Json fields_of(const Parameters& parameters) {
 }  // namespace
 
 std::string identity(const Job& job) {
-  Json run{fields_of(job.scene.scene), job.dt, job.suite.repeats, job.suite.wanted.bodies};
+  Json run{fields_of(job.scene.scene), job.dt, job.suite.repeats, job.suite.wanted.bodies,
+           job.suite.softness};
   std::string text = job.variant != nullptr ? job.variant->name() : "";
   if (job.series != nullptr) {
     const WorkerEngine& engine = *job.series->engine;

@@ -43,11 +43,17 @@ Json summary(const RunMetrics& row, const NamedScene& scene, const Json& paramet
   return json;
 }
 
-/// Every number that shapes an engine run, with the friction that really acts: of each interface from the
-/// ground up, or one number where all are alike.
-Json all_parameters(const EngineSeries& series, const Scene& scene) {
+/// That really acts, of each interface from the ground up.
+std::vector<double> acting_friction(const EngineSeries& series, const Scene& scene) {
   std::vector<double> friction = friction_of(scene);
   for (double& coefficient : friction) coefficient = series.engine->friction(coefficient);
+  return friction;
+}
+
+/// Every number that shapes an engine run, with the friction that acts: of each interface, or one number
+/// where all are alike.
+Json all_parameters(const EngineSeries& series, const Scene& scene) {
+  const std::vector<double> friction = acting_friction(series, scene);
   const bool alike =
       std::adjacent_find(friction.begin(), friction.end(), std::not_equal_to<>()) == friction.end();
   Json parameters = series.parameters;
@@ -210,10 +216,10 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
   row.steps = static_cast<int>(history.size() - 1);
   row.warnings = static_cast<int>(warnings);
   row.toppled = observed_toppling(scene, history);
-  compare_with_exact(
-      scene, job.suite,
-      {history, dt, observed_impacts(history, chatter_speed(scene)), !row.toppled.empty(), bodies}, row,
-      files);
+  compare_with_exact(scene, job.suite,
+                     {history, dt, observed_impacts(history, chatter_speed(scene)), !row.toppled.empty(),
+                      bodies, acting_friction(series, scene)},
+                     row, files);
   if (repeats > 0) set_time(stepping_time(made.seconds), history.times.back(), row);
   return row;
 }

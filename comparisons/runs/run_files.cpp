@@ -34,7 +34,7 @@ std::string thinned(const std::string& csv, double interval) {
 
 void thin_histories(RunFiles& files, double interval) {
   if (interval == 0) return;
-  for (const char* name : {"history.csv", "difference.csv", "energy.csv", "reactions.csv"}) {
+  for (const char* name : {"history.csv", "difference.csv", "energy.csv", "reactions.csv", "parts.csv"}) {
     if (const auto file = files.find(name); file != files.end())
       file->second = thinned(file->second, interval);
   }

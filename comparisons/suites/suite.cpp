@@ -88,6 +88,15 @@ Wanted read_wanted(const Node& array) {
   return wanted;
 }
 
+bool read_softness(const Node& node, const Wanted& wanted) {
+  const bool softness = node.text == "true";
+  if (node.kind != Node::Kind::other || (!softness && node.text != "false"))
+    throw wrong_value(node, "true or false");
+  if (softness && !wanted.bodies)
+    throw wrong_value(node, "false where `results` leaves out \"bodies\", which tell contacts");
+  return softness;
+}
+
 /// Those of some names, or the first solver of every usual engine of this build.
 std::vector<const WorkerEngine*> chosen_engines(const std::vector<std::string>& names) {
   std::vector<const WorkerEngine*> list;
@@ -243,6 +252,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
     suite.repeats = static_cast<int>(whole_number(*node, 1));
   }
   if (const Node* node = find(root, "results")) suite.wanted = read_wanted(*node);
+  if (const Node* node = find(root, "softness")) suite.softness = read_softness(*node, suite.wanted);
   if (const Node* table = find(root, "perturbations")) suite.perturbations = read_perturbations(*table);
   if (const Node* table = find(root, "draws")) suite.draws = read_draws(*table);
   if (const Node* node = find(root, "time_limit")) suite.limits.time = number_above_zero(*node);
@@ -281,6 +291,7 @@ Suite suite_for(NamedScene scene, const SceneChoice& choice) {
   Suite suite;
   suite.title = scene.scene.title;
   suite.draws.runs = choice.quick ? fewest_draws : quick_draws;
+  suite.softness = choice.softness;
   if (choice.quick) {
     suite.repeats = 1;
     suite.history_interval = scene.scene.duration / 2000;

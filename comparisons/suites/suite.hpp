@@ -69,6 +69,7 @@ struct Suite {
   Perturbations perturbations;  ///< none unless asked for
   Draws draws;                  ///< behind each number of an engine
   int repeats = 5;              ///< timed runs after the warm-up
+  bool softness = false;        ///< whether differences are split into model, softness and step
   double history_interval = 0;  ///< least time between samples that files keep, s; 0: all are kept
   Limits limits;                ///< of each engine run
 };
@@ -105,6 +106,7 @@ struct SceneChoice {
   std::vector<std::string> engines = {};  ///< "ode", "bullet:nncg"; none: the first solver of Bullet and ODE
   std::vector<double> steps = {};         ///< s; none: default_steps(), or of a quick one the first two
   bool quick = false;                     ///< fewer draws, one timed run, 2000 samples of each history
+  bool softness = false;                  ///< as in a suite
 };
 
 /// The suite for a single scene: each engine with its default and its tuned parameters.

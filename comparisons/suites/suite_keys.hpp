@@ -24,6 +24,8 @@ inline constexpr KeyTable suite_keys{
      {"results", "[\"angles\", \"impacts\"]", "",
       "of \"angles\", \"impacts\", \"patterns\", \"bodies\", \"histories\"", "all",
       "what is computed and written"},
+     {"softness", "true", "", "true or false; needs \"bodies\" in `results`", "false",
+      "differences of engines are split into contact model, contact softness and time step"},
      {"time_limit", "600.0", "s", "> 0", "600", "of each run of an engine"},
      {"memory_limit", "4096", "MiB", "64 to 10⁹", "4096", "of each run of an engine"},
      {"engines", "", "", "tables [[engines]]", "none: exact runs alone",

@@ -162,6 +162,12 @@ Run read_run(const RowReader& row) {
   for (const auto& [name, field] : {std::pair{"rms_angle_difference_lower", &run.rms_angle_difference_lower},
                                     {"rms_angle_difference_upper", &run.rms_angle_difference_upper},
                                     {"slip_error", &run.slip_error},
+                                    {"model_difference", &run.model_difference},
+                                    {"softness_difference", &run.softness_difference},
+                                    {"step_difference", &run.step_difference},
+                                    {"model_share", &run.model_share},
+                                    {"softness_share", &run.softness_share},
+                                    {"step_share", &run.step_share},
                                     {"draws", &run.draws},
                                     {"impacts_matched_null", &run.impacts_matched_null},
                                     {"impacts_missed_null", &run.impacts_missed_null},
@@ -178,6 +184,7 @@ Run read_run(const RowReader& row) {
 void note_kind(const Run& run, ComparedScene& scene) {
   scene.both_equations = scene.both_equations || has_other_equations(run);
   scene.frictions = scene.frictions || has_own_friction(run);
+  scene.split = scene.split || !std::isnan(run.step_difference);
   scene.slips = scene.slips || has_column(run, "slip_1");
 }
 

@@ -28,6 +28,9 @@ struct Run {
   double impacts_matched_random = 0, impacts_matched_shifted = 0;  ///< by chance
   double agreement_time = 0;                                       ///< s
   std::string toppled;
+  /// RMS of the parts of the angle difference, rad; NaN where it is not split.
+  double model_difference = 0, softness_difference = 0, step_difference = 0;
+  double model_share = 0, softness_share = 0, step_share = 0;  ///< of the difference, sum 1
   std::vector<std::string> cells;  ///< the whole row as text, for Comparison::columns
   std::filesystem::path folder;    ///< where its files are
 
@@ -61,6 +64,7 @@ struct ComparedScene {
 
   std::vector<double> friction = {};  ///< of each interface; none where the results do not say
   bool slips = false;                 ///< whether a run tells how far blocks have slipped
+  bool split = false;                 ///< whether differences are split into parts
   bool frictions = false;             ///< whether the exact solver ran with other friction too
 
   bool has(const std::string& result) const;

@@ -13,6 +13,7 @@
 #include "plots/pages/answer.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
+#include "plots/pages/parts_table.hpp"
 #include "plots/pages/remarks.hpp"
 #include "plots/pages/runs_table.hpp"
 #include "plots/pages/summary.hpp"
@@ -78,6 +79,7 @@ std::string scene_section(const fs::path& results, const Comparison& comparison,
   for (const FigureKind& kind : figure_kinds())
     if (has_figure(compared, kind))
       body += element("h3", escaped(kind.title)) + figure_part(results, comparison, scene, kind) + "\n";
+  body += parts_table(comparison, compared.name);
   body += impacts_table(comparison, compared.name);
   body += element("details", element("summary", fmt::format("The scene file of {}", escaped(compared.name))) +
                                  element("pre", element("code", escaped(compared.toml))));

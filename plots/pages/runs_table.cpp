@@ -97,9 +97,9 @@ std::string details_of(const Comparison& comparison, std::size_t index) {
   if (!run.done()) text += element("p", fmt::format("Failed: {}", escaped(run.reason)));
   if (const std::string version = version_of(comparison, run); !version.empty())
     text += element("p", escaped("Version: " + version));
-  const std::string files =
-      links(run.folder, fmt::format("runs/{}/", run.name),
-            {"history.csv", "difference.csv", "events.csv", "impacts.csv", "draws.csv", "summary.json"});
+  const std::string files = links(run.folder, fmt::format("runs/{}/", run.name),
+                                  {"history.csv", "difference.csv", "events.csv", "impacts.csv", "parts.csv",
+                                   "draws.csv", "summary.json"});
   if (!files.empty()) text += element("p", "Files beside this page: " + files);
   if (fs::exists(run.folder / "summary.json")) text += definition_list(read_summary(run));
   return element("details", element("summary", escaped(run.name)) + text,

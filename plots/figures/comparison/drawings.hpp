@@ -48,6 +48,10 @@ Drawing toppling(const Comparison& comparison, const ComparedScene& scene);
 /// RMS angle differences by rank, a column a time step, with quartiles and ranges over draws.
 Drawing ranking(const Comparison& comparison, const ComparedScene& scene);
 
+/// The parts of each difference: contact model, contact softness, time step. Precondition: the scene is
+/// split.
+Drawing split_parts(const Comparison& comparison, const ComparedScene& scene);
+
 /// The ground's acceleration, a panel for each axis that moves. Precondition: the scene has a ground motion.
 Drawing ground_motion(const Comparison& comparison, const ComparedScene& scene);
 

@@ -11,10 +11,10 @@ namespace {
 
 using Draw = Drawing (*)(const Comparison&, const ComparedScene&);
 
-constexpr std::array<Draw, 17> draws{histories,     slip,          friction,   differences, impact_times,
-                                     impact_energy, ranking,       error_time, error_step,  first_impact_step,
-                                     toppling,      distributions, equations,  energy,      phase,
-                                     occupancy,     ground_motion};
+constexpr std::array<Draw, 18> draws{
+    histories,     slip,        friction,   differences, impact_times,      impact_energy,
+    ranking,       split_parts, error_time, error_step,  first_impact_step, toppling,
+    distributions, equations,   energy,     phase,       occupancy,         ground_motion};
 
 bool sampled(const ComparedScene& scene) {
   return scene.has("histories");
@@ -76,6 +76,12 @@ const std::vector<FigureKind>& figure_kinds() {
        "vary; a column a time step. Marks are medians over draws, thick bars quartiles, thin ones the whole "
        "range. Rows whose bars overlap are not told apart.",
        [](const ComparedScene& scene) { return scene.has("angles"); }},
+      {"parts", "Contact model, contact softness, time step",
+       "What is a difference made of? Three bars a row: from the exact motion to the exact one on rigid "
+       "contacts with the engine's friction; from there to the exact one on springs as soft as the engine's "
+       "contacts; from there to the engine. The first does not depend on the engine's step, the last is what "
+       "a smaller step may take away. Bars that end on the left edge are smaller, or nothing.",
+       [](const ComparedScene& scene) { return scene.split; }},
       {"error-time", "Error against computing time",
        "What does accuracy cost? Each mark is a run, labelled with its time step where there is room, or in "
        "a "

@@ -1,0 +1,86 @@
+#include "comparisons/runs/add_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "analytic/solve.hpp"
+#include "comparisons/metrics/difference_parts.hpp"
+#include "comparisons/results/tables.hpp"
+
+namespace rockstack {
+namespace {
+
+/// Of angles that are linear in the factor by which springs are softer, those for factor 1.
+History extrapolated(const History& stiffer, const History& softer, double factor) {
+  History result;
+  result.blocks = stiffer.blocks;
+  const std::size_t samples = std::min(stiffer.size(), softer.size());
+  result.times.assign(stiffer.times.begin(), stiffer.times.begin() + static_cast<std::ptrdiff_t>(samples));
+  for (std::size_t i = 0; i < samples * static_cast<std::size_t>(stiffer.blocks); ++i)
+    result.angles.push_back(stiffer.angles[i] -
+                            (softer.angles[i] - stiffer.angles[i]) * (factor - 1) / factor);
+  return result;
+}
+
+CornerSpring corner_of(const ContactRecord& contacts) {
+  return {contacts.points * contacts.stiffness, contacts.points * contacts.damping};
+}
+
+/// Nothing where there is no difference.
+std::optional<double> share(const Difference& part, const Difference& whole) {
+  const double value = share_of(part, whole);
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+void add_sizes(const DifferenceParts& parts, RunMetrics& row) {
+  const Difference whole = whole_of(parts);
+  row.model_difference = root_mean_square(parts.model);
+  row.softness_difference = root_mean_square(parts.softness);
+  row.step_difference = root_mean_square(parts.step);
+  row.model_share = share(parts.model, whole);
+  row.softness_share = share(parts.softness, whole);
+  row.step_share = share(parts.step, whole);
+  if (row.model_share)
+    row.parts_over_whole = std::hypot(*row.model_difference, *row.softness_difference, *row.step_difference) /
+                           root_mean_square(whole);
+}
+
+}  // namespace
+
+SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, CornerSpring spring,
+                       const std::vector<double>& times, double most_steps) {
+  const double factor = spring_factor(scene, spring, most_steps);
+  const auto solved = [&](double softer) {
+    const CornerSpring one{spring.stiffness / softer, spring.damping / softer};
+    return solve(with_springs(scene, friction, one), {.sample_times = times});
+  };
+  if (factor == 1) return {solved(1), 1};
+  return {extrapolated(solved(factor), solved(2 * factor), factor), factor};
+}
+
+void add_parts(const Scene& scene, const History& exact, const OtherAnswer& answer, bool histories,
+               RunMetrics& row, RunFiles& files) {
+  if (!answer.bodies->contacts) {
+    row.split_reason = "the engine tells no contacts";
+    return;
+  }
+  try {
+    const bool rigid_engine = std::isinf(answer.bodies->contacts->stiffness);
+    const History rigid =
+        solve(with_rigid_contacts(scene, answer.friction), {.sample_times = answer.history.times});
+    SoftMotion soft{rigid};
+    if (!rigid_engine) {
+      soft = soft_motion(scene, answer.friction, corner_of(*answer.bodies->contacts), answer.history.times);
+      row.spring_factor = soft.factor;
+    }
+    const DifferenceParts parts = difference_parts(exact, rigid, soft.history, answer.history);
+    add_sizes(parts, row);
+    if (histories) files["parts.csv"] = parts_csv(parts);
+  } catch (const std::exception& failure) {
+    row.split_reason = failure.what();
+  }
+}
+
+}  // namespace rockstack

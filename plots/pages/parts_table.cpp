@@ -1,0 +1,83 @@
+#include "plots/pages/parts_table.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "plots/data/selection.hpp"
+#include "plots/pages/html.hpp"
+#include "plots/pages/page_parts.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// Per cent, without a sign of zero.
+double percent_of(double share) {
+  return std::round(100 * share) + 0.0;
+}
+
+std::string size_and_share(double size, double share) {
+  return std::isnan(share) ? fmt::format("{:.2g}", size)
+                           : fmt::format("{:.2g} ({:.0f} %)", size, percent_of(share));
+}
+
+double median_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[(values.size() - 1) / 2];
+}
+
+std::string cell_of(const Comparison& comparison, const Run& run, const std::string& column) {
+  const auto found = std::find(comparison.columns.begin(), comparison.columns.end(), column);
+  if (found == comparison.columns.end()) return "";
+  const std::string& text = run.cells[static_cast<std::size_t>(found - comparison.columns.begin())];
+  return text.empty() ? "" : fmt::format("{:.2g}", std::stod(text));
+}
+
+std::string sentence(const std::vector<Run>& runs) {
+  std::vector<double> model, softness, step;
+  for (const Run& run : runs) {
+    if (std::isnan(run.step_share)) continue;
+    model.push_back(run.model_share);
+    softness.push_back(run.softness_share);
+    step.push_back(run.step_share);
+  }
+  if (step.empty()) return "";
+  return element(
+      "p", fmt::format("In the median of {} runs the contact model makes {:.0f} % of the difference, contact "
+                       "softness {:.0f} % and the time step {:.0f} %.",
+                       step.size(), percent_of(median_of(model)), percent_of(median_of(softness)),
+                       percent_of(median_of(step))));
+}
+
+}  // namespace
+
+std::string parts_table(const Comparison& comparison, const std::string& scene) {
+  const std::vector<std::string> columns{"run",
+                                         "RMS difference (rad)",
+                                         "contact model (share)",
+                                         "contact softness (share)",
+                                         "time step (share)",
+                                         "stiffness of a point (N/m)",
+                                         "damping ratio",
+                                         "restitution",
+                                         "spring softer by, then extrapolated"};
+  std::vector<Run> runs = done_runs(comparison, scene);
+  std::erase_if(runs, [](const Run& run) { return std::isnan(run.step_difference); });
+  if (runs.empty()) return "";
+  std::string rows;
+  for (const Run& run : runs)
+    rows += table_row(
+        columns,
+        {run_label(run), fmt::format("{:.2g}", run.rms_angle_difference),
+         size_and_share(run.model_difference, run.model_share),
+         size_and_share(run.softness_difference, run.softness_share),
+         size_and_share(run.step_difference, run.step_share), cell_of(comparison, run, "contact_stiffness"),
+         cell_of(comparison, run, "contact_damping_ratio"), cell_of(comparison, run, "contact_restitution"),
+         cell_of(comparison, run, "spring_factor")});
+  return element("h3", "What the differences are made of") + sentence(runs) +
+         element("div", table(columns, rows), " class=\"statements\"") + "\n";
+}
+
+}  // namespace rockstack::plots
