@@ -6,6 +6,7 @@
 #include "comparisons/lessons/answers.hpp"
 #include "comparisons/lessons/values.hpp"
 #include "comparisons/lessons/wording.hpp"
+#include "comparisons/metrics/corner_springs.hpp"
 
 namespace rockstack {
 namespace {
@@ -88,9 +89,59 @@ Table springs(double weight) {
   return table;
 }
 
+/// Per corner; its contact lasts some twenty steps.
+constexpr double lesson_stiffness = 1e7;  // N/m
+
+CornerSpring corner_of(const Block& block, double ratio) {
+  const double critical = ratio / damping_ratio({lesson_stiffness, 1}, block);
+  return {lesson_stiffness, critical};
+}
+
+/// The greatest angular speed back, as a share of that of landing.
+double speed_back(const History& history, const Event& landing) {
+  double most = 0;
+  for (const double velocity : history.velocities) most = std::max(most, -velocity / landing.before[0]);
+  return most;
+}
+
+/// ODE on that spring: two points bear a corner.
+double speed_back_in_ode(const Scene& scene, const CornerSpring& corner, const Event& landing, double dt) {
+  const Parameters spring{{"contactStiffness", corner.stiffness / 2}, {"contactDamping", corner.damping / 2}};
+  return speed_back(answer("ode", "default", scene, dt, spring), landing);
+}
+
+/// Landings on springs of one stiffness, from hardly damped to more than critically.
+Table damped_landings(const Scene& scene, const Event& landing) {
+  Table table{{"damping ratio ζ", "one corner alone", "this block, exact", "ODE, 1 ms", "ODE, 0.1 ms"}, {}};
+  const std::vector<double> friction(1, 10);
+  for (const double ratio : {0.0, 0.1, 0.3, 1.0, 3.0}) {
+    const CornerSpring corner = corner_of(scene.blocks.front(), ratio);
+    const History exact = exact_answer(with_springs(scene, friction, corner));
+    table.rows.push_back({cell(ratio), fixed(restitution_of(ratio), 3), fixed(speed_back(exact, landing), 3),
+                          fixed(speed_back_in_ode(scene, corner, landing, 1e-3), 3),
+                          fixed(speed_back_in_ode(scene, corner, landing, 1e-4), 3)});
+  }
+  return table;
+}
+
+/// The parts of every difference of the suite; an empty cell where contacts are rigid.
+Table parts(const std::vector<RunMetrics>& rows) {
+  Table table{{"run", "step (s)", "ζ", "restitution", "contact model (rad)", "contact softness (rad)",
+               "time step (rad)"},
+              {}};
+  const auto words = [](const std::optional<double>& value) { return value ? power(*value, 1) : ""; };
+  for (const RunMetrics& row : rows) {
+    if (!row.step_difference) continue;
+    table.rows.push_back({row.engine + " " + row.settings, cell(*row.dt), words(row.contact_damping_ratio),
+                          words(row.contact_restitution), words(row.model_difference),
+                          words(row.softness_difference), words(row.step_difference)});
+  }
+  return table;
+}
+
 }  // namespace
 
-LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
+LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
   const Scene& scene = suite.scenes.front().scene;
   const Event landing = *first_event(exact_answer(scene), EventKind::impact);
   const Block& block = scene.blocks.front();
@@ -121,9 +172,13 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
                     {"ode_tuned", bounces[3]},
                     {"bullet_default", bounces[5]},
                     {"bullet_split", bounces[7]},
-                    {"bullet_tuned", bounces[8]}};
+                    {"bullet_tuned", bounces[8]},
+                    {"stiffness", power(lesson_stiffness, 0)}};
   values.player = {.time = landing.time - 0.01, .speed = 0.01, .gain = 10};
-  values.tables = {{"rebounds", table}, {"springs", springs(block.mass * scene.gravity)}};
+  values.tables = {{"rebounds", table},
+                   {"springs", springs(block.mass * scene.gravity)},
+                   {"damped_landings", damped_landings(scene, landing)},
+                   {"parts", parts(rows)}};
   return values;
 }
 
