@@ -89,11 +89,9 @@ Wanted read_wanted(const Node& array) {
 }
 
 bool read_softness(const Node& node, const Wanted& wanted) {
-  const bool softness = node.text == "true";
-  if (node.kind != Node::Kind::other || (!softness && node.text != "false"))
-    throw wrong_value(node, "true or false");
+  const bool softness = choice<bool>(node, {{"whole", false}, {"split", true}});
   if (softness && !wanted.bodies)
-    throw wrong_value(node, "false where `results` leaves out \"bodies\", which tell contacts");
+    throw wrong_value(node, "\"whole\" where `results` leaves out \"bodies\", which tell contacts");
   return softness;
 }
 

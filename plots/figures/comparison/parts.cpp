@@ -37,13 +37,23 @@ std::vector<StepLine> split_lines(const Comparison& comparison, const std::strin
   return lines;
 }
 
-/// The largest and the smallest time step; or the one that there is.
-std::vector<double> end_steps(const std::vector<StepLine>& lines) {
+/// The largest, the middle and the smallest of the time steps; or all, where there are fewer.
+std::vector<double> chosen_steps(const std::vector<StepLine>& lines) {
   std::set<double> all;
   for (const StepLine& line : lines)
     for (const Run& run : line) all.insert(run.dt);
-  if (all.size() < 2) return {all.begin(), all.end()};
-  return {*all.rbegin(), *all.begin()};
+  std::vector<double> steps(all.rbegin(), all.rend());
+  if (steps.size() > 3) steps = {steps.front(), steps[steps.size() / 2], steps.back()};
+  return steps;
+}
+
+/// Where panels begin, beside the longest words, as a share of the figure's width.
+double left_of(const std::vector<StepLine>& lines) {
+  constexpr double letter = 0.0072, margin = 0.025, widest = 0.6;
+  double left = left_edge;
+  for (const StepLine& line : lines)
+    left = std::max(left, letter * static_cast<double>(line_label(line).size()) + margin);
+  return std::min(left, widest);
 }
 
 /// The bars of one step: left end, row, right end, lower and upper edge of each.
@@ -106,8 +116,8 @@ Drawing split_parts(const Comparison& comparison, const ComparedScene& scene) {
   for (const Part& part : parts_of_difference)
     answer += fmt::format("{}{} in {}", answer.empty() ? "" : ", ", part.name, led_by(lines, part));
   Sheet sheet(heading(scene), legend, "What is a difference made of? The largest part, runs: " + answer);
-  const std::vector<double> steps = end_steps(lines);
-  const double high = 1.5 * largest_part(lines), left = 0.36;
+  const std::vector<double> steps = chosen_steps(lines);
+  const double high = 1.5 * largest_part(lines), left = left_of(lines);
   const double width = (right_edge - left) * 1200 / static_cast<double>(steps.size());
   std::vector<SidePanel> cells;
   for (std::size_t i = 0; i < steps.size(); ++i)
