@@ -54,8 +54,9 @@ Scene with_springs(Scene scene, const std::vector<double>& friction, const Corne
   const double tangential = scene.springs.tangential;
   scene = with_rigid_contacts(std::move(scene), friction);
   scene.law = Law::compliant;
-  scene.springs = {std::vector<double>(scene.blocks.size(), spring.stiffness),
-                   std::vector<double>(scene.blocks.size(), spring.damping), tangential};
+  scene.springs.stiffness.assign(scene.blocks.size(), spring.stiffness);
+  scene.springs.damping.assign(scene.blocks.size(), spring.damping);
+  scene.springs.tangential = tangential;
   scene.initial.settled = false;
   return scene;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "comparisons/metrics/corner_springs.hpp"
-#include "comparisons/runs/against_exact.hpp"
+#include "comparisons/results/run_metrics.hpp"
+#include "comparisons/runs/other_answer.hpp"
+#include "comparisons/runs/run_files.hpp"
 
 namespace rockstack {
 

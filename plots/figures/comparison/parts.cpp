@@ -49,11 +49,11 @@ std::vector<double> chosen_steps(const std::vector<StepLine>& lines) {
 
 /// Where panels begin, beside the longest words, as a share of the figure's width.
 double left_of(const std::vector<StepLine>& lines) {
-  constexpr double letter = 0.0072, margin = 0.025, widest = 0.6;
+  constexpr double character = 0.0072, beside = 0.025, most = 0.6;
   double left = left_edge;
   for (const StepLine& line : lines)
-    left = std::max(left, letter * static_cast<double>(line_label(line).size()) + margin);
-  return std::min(left, widest);
+    left = std::max(left, character * static_cast<double>(line_label(line).size()) + beside);
+  return std::min(left, most);
 }
 
 /// The bars of one step: left end, row, right end, lower and upper edge of each.
