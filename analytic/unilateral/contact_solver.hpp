@@ -230,7 +230,8 @@ class ContactSolver {
     decided_ = true;
     const Joints<Real> touching = state_.joints;
     const BasicFreeVector<Real> free = free_acceleration(later, moment);
-    Joints<Real> joints = later > 0 ? fresh_.joined(touching, time(), 2 * moment_) : touching;
+    const Joints<Real> joined = later > 0 ? fresh_.joined(touching, time(), 2 * moment_) : touching;
+    Joints<Real> joints = joined;
     auto mode = find_mode(stack_, joints, moment, free, Sought::accelerations);
     if (!mode) {
       joints = follow_without_solution(joints);
@@ -242,7 +243,7 @@ class ContactSolver {
     const bool others = has_others(stack_, joints, *mode, moment, free);
     const Placements<Real> rates = state_.bodies.rate;
     state_.joints = *mode;
-    fresh_.mark(touching, state_.joints, time());
+    fresh_.mark(touching, joined, state_.joints, time());
     hold();
     if (!same_modes(before, state_.joints))
       note(kind_of(before, state_.joints), lowest_change(before, state_.joints), before, rates,

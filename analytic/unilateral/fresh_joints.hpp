@@ -12,12 +12,16 @@ class FreshJoints {
   explicit FreshJoints(std::size_t size)
       : parted_(size, Real(-1)), slid_(parted_), parted_from_(size), parted_to_(size) {}
 
-  void mark(const Joints<Real>& before, const Joints<Real>& after, const Real& time) {
+  /// A decision from `joined` joints, which were `before` it. What only comes back to what it was joined to
+  /// has not parted.
+  void mark(const Joints<Real>& before, const Joints<Real>& joined, const Joints<Real>& after,
+            const Real& time) {
     for (std::size_t k = 0; k < after.size(); ++k) {
       if (before[k].slip == 0 && after[k].slip != 0) slid_[k] = time;
-      if (before[k].touch == after[k].touch || !before[k].touches()) continue;
+      const auto stays = [&](const BasicJoint<Real>& joint) { return joint.touch == after[k].touch; };
+      if (stays(before[k]) || stays(joined[k]) || !before[k].touches()) continue;
       parted_[k] = time;
-      parted_from_[k] = before[k];
+      parted_from_[k] = joined[k];
       parted_to_[k] = after[k].touch;
     }
   }

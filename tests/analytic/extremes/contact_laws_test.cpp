@@ -67,6 +67,15 @@ TEST(SlipperyExtremes, DecisionsThatAnImpactEndsMakeNoEnergy) {
   }
 }
 
+// A joint that comes back to what it parted from has not parted again. One of a stack that rests on ice was
+// taken back to a pivot that it had left, and turned into the block below.
+TEST(SlipperyExtremes, AJointThatClosesAgainHasNotParted) {
+  constexpr double few = 1000;
+  Scene scene = slippery_extreme_scene(426);
+  scene.duration = 0.0125;
+  EXPECT_LE(testing::breaches(scene, solve_unilateral(scene)).flight_drift, few);
+}
+
 // A block under one of 10ⁿ times its mass takes n digits from the forces between them, of 16 in double and of
 // 19 in long double, and some two more by its shape.
 TEST(SlipperyExtremes, MassesTooFarApartForAnyDigitsAreSaidToBe) {
