@@ -9,6 +9,7 @@
 #include "plots/data/spread.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
+#include "plots/drawing/row_words.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/comparison/drawings.hpp"
 
@@ -50,14 +51,13 @@ std::vector<RankedSeries> rows_of(const StepLine& line) {
 
 /// Rows by rising error, those with more steps first; at most so many that a page shows.
 std::vector<RankedSeries> ranked(const Comparison& comparison, const std::string& scene) {
-  constexpr std::size_t most = 30;
   std::vector<RankedSeries> rows;
   for (const StepLine& line : step_lines(comparison, scene))
     for (const RankedSeries& row : rows_of(line)) rows.push_back(row);
   std::stable_sort(rows.begin(), rows.end(), [](const RankedSeries& a, const RankedSeries& b) {
     return a.steps != b.steps ? a.steps > b.steps : a.largest < b.largest;
   });
-  rows.resize(std::min(rows.size(), most));
+  rows.resize(std::min(rows.size(), most_rows));
   return rows;
 }
 
@@ -119,53 +119,11 @@ std::vector<std::string> column_plots(Sheet& sheet, const std::vector<RankedSeri
   return plots;
 }
 
-constexpr double letter = 0.0070;  // width of one, a share of the figure's
-constexpr double margin = 0.025;
-constexpr double widest = 0.6;  // that words may take
-
-/// Words in as many lines as they need, each but the first beginning after a comma or at a plus.
-std::vector<std::string> lines_of(const std::string& words) {
-  const auto most = static_cast<std::size_t>((widest - margin) / letter);
-  std::vector<std::string> lines;
-  std::size_t start = 0;
-  while (words.size() - start > most) {
-    std::size_t end = start + most;
-    while (end > start && words[end] != '+' && words[end - 1] != ',') --end;
-    if (end == start) end = start + most;
-    lines.push_back(words.substr(start, end - start));
-    start = end;
-  }
-  lines.push_back(words.substr(start));
-  return lines;
-}
-
-/// How the rows' words stand beside the first column.
-struct RowWords {
-  double left = left_edge;  ///< where the columns begin, a share of the figure's width
-  std::size_t lines = 1;    ///< of the row that has most
-};
-
-RowWords row_words(const std::vector<RankedSeries>& rows) {
-  RowWords words;
-  for (const RankedSeries& row : rows) {
-    const std::vector<std::string> lines = lines_of(row.label);
-    words.lines = std::max(words.lines, lines.size());
-    for (const std::string& line : lines)
-      words.left = std::max(words.left, letter * static_cast<double>(line.size()) + margin);
-  }
-  return words;
-}
-
-/// The rows' words, which stand beside the first column alone.
-std::string label_tics(const std::vector<RankedSeries>& rows, bool first) {
-  std::string tics;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    std::string words;
-    for (const std::string& line : lines_of(first ? rows[i].label : ""))
-      words += fmt::format("{}{}", words.empty() ? "" : R"(."\n".)", in_quotes(line));
-    tics += fmt::format("{}{} {}", i > 0 ? ", " : "", words, i);
-  }
-  return fmt::format("set ytics ({}) noenhanced font ',11'\n", tics);
+RowWords words_of(const std::vector<RankedSeries>& rows) {
+  std::vector<std::string> labels;
+  labels.reserve(rows.size());
+  for (const RankedSeries& row : rows) labels.push_back(row.label);
+  return row_words(labels);
 }
 
 const Run& least_of(const std::vector<RankedSeries>& rows) {
@@ -189,9 +147,8 @@ Drawing ranking(const Comparison& comparison, const ComparedScene& scene) {
                           off_by(least.rms_angle_difference)));
   const ErrorExtent extent = extent_of(rows, ranges);
   const std::vector<double> steps = steps_of(rows);
-  const RowWords words = row_words(rows);
+  const RowWords words = words_of(rows);
   constexpr double pixels = 1200;
-  const double row = 10 + 16 * static_cast<double>(words.lines);
   const double width = (right_edge - words.left) * pixels / static_cast<double>(steps.size());
   std::vector<SidePanel> cells;
   for (std::size_t i = 0; i < steps.size(); ++i)
@@ -200,9 +157,10 @@ Drawing ranking(const Comparison& comparison, const ComparedScene& scene) {
                                  "set xlabel 'step {}'\n",
                                  plain(extent.low), plain(extent.high),
                                  static_cast<double>(rows.size()) - 0.3, duration_text(steps[i])) +
-                         label_tics(rows, i == 0) + logarithmic_tics("x", extent.low, extent.high, width),
+                         (i == 0 ? words.tics : words.blank) +
+                         logarithmic_tics("x", extent.low, extent.high, width),
                      column_plots(sheet, rows, steps[i], i, ranges)});
-  sheet.row(row * static_cast<double>(rows.size()) + 30, 0, cells, cells.size(), words.left);
+  sheet.row(row_height(words) * static_cast<double>(rows.size()) + 30, 0, cells, cells.size(), words.left);
   sheet.note("RMS angle differences (rad)", "#000000");
   sheet.note(ranges.empty() ? "one run each"
                             : "marks: medians over draws; thick bars: quartiles; thin: least to greatest",

@@ -9,6 +9,7 @@
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
+#include "plots/drawing/row_words.hpp"
 #include "plots/drawing/style.hpp"
 
 namespace rockstack::plots {
@@ -39,27 +40,30 @@ std::string marks(const std::vector<double>& values, std::size_t row, double low
   return lines;
 }
 
-std::string row_names(const std::vector<Score>& list, std::size_t scenes) {
-  std::string tics;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::size_t answered = list[i].runs.size();
-    const std::string words = line_label(list[i].runs.front()) +
-                              (answered < scenes ? fmt::format(" ({} of {})", answered, scenes) : "");
-    tics += fmt::format("{}{} {}", i > 0 ? ", " : "", in_quotes(words), i);
+RowWords words_of(const std::vector<Score>& list, std::size_t scenes) {
+  std::vector<std::string> labels;
+  labels.reserve(list.size());
+  for (const Score& score : list) {
+    const std::size_t answered = score.runs.size();
+    labels.push_back(line_label(score.runs.front()) +
+                     (answered < scenes ? fmt::format(" ({} of {})", answered, scenes) : ""));
   }
-  return fmt::format("set ytics ({}) noenhanced font ',11'\n", tics);
+  return row_words(labels);
 }
 
 }  // namespace
 
 Drawing solver_scores(const Comparison& comparison, const SolverQuestion& question) {
-  constexpr double row = 24, left = 0.36, pixels = 1200;
-  const std::vector<Score> list = scores(comparison, question);
+  constexpr double pixels = 1200;
+  std::vector<Score> list = scores(comparison, question);
+  const std::size_t all = list.size();
+  list.resize(std::min(list.size(), most_rows));
   const std::size_t scenes = list.front().runs.size();
   Sheet sheet(comparison.title, {},
               fmt::format("{} {}: {:.2g} in the median of {} scenes", question.question,
                           line_label(list.front().runs.front()), list.front().median, scenes));
   const Extent extent = extent_of(list);
+  const RowWords words = words_of(list, scenes);
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Run& run = list[i].runs.front();
@@ -70,15 +74,16 @@ Drawing solver_scores(const Comparison& comparison, const SolverQuestion& questi
         fmt::format("${} using 1:2 with points pt 2 ps 0.7 lc rgb '{}' notitle", name, style_of(run).colour));
     plots.push_back(fmt::format("${}_median using 1:2 {} notitle", name, mark_style(run, 1.6)));
   }
-  const double width = (right_edge - left) * pixels;
-  sheet.row(row * static_cast<double>(list.size()) + 30, 0,
+  const double width = (right_edge - words.left) * pixels;
+  sheet.row(row_height(words) * static_cast<double>(list.size()) + 30, 0,
             {{fmt::format("set logscale x\nset xrange [{}:{}]\nset yrange [{}:-0.7]\n"
                           "set grid x y lt 1 dt solid lw 1 lc rgb '#E4E4E4'\nset xlabel '{}'\n",
                           plain(extent.low), plain(extent.high), static_cast<double>(list.size()) - 0.3,
                           question.axis) +
-                  row_names(list, scenes) + logarithmic_tics("x", extent.low, extent.high, width),
+                  words.tics + logarithmic_tics("x", extent.low, extent.high, width),
               plots}},
-            1, left);
+            1, words.left);
+  if (all > list.size()) sheet.note(fmt::format("the first {} of {}", list.size(), all), "#000000");
   sheet.note(
       fmt::format("{}; crosses: scenes; large marks: their median; on the left edge: nothing, or too "
                   "little to show",
