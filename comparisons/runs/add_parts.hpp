@@ -17,7 +17,8 @@ struct SoftMotion {
 };
 
 /// Where that motion would take more steps, angles are extrapolated from springs softer by that factor and by
-/// twice as much, as if in proportion to it. What that leaves is a tenth of what softer springs are off.
+/// twice as much, as if in proportion to it. What that leaves is a tenth to a fifth of what softer springs
+/// are off, measured in one scene (comparisons/README.md).
 /// @throws as solve().
 SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, CornerSpring spring,
                        const std::vector<double>& times, double most_steps = most_spring_steps);
