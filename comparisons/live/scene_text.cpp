@@ -79,7 +79,7 @@ void add_table(const Json& table, const std::string& key, std::string& text) {
     if (!value.is_object() && !is_tables(value))
       text += fmt::format("{} = {}\n", name, name == "title" ? toml_text(value) : toml_value(value));
   for (const auto& [name, value] : table.items()) {
-    const std::string inner = key.empty() ? name : key + "." + name;
+    const std::string inner = fmt::format("{}{}{}", key, key.empty() ? "" : ".", name);
     const Json tables = is_tables(value) ? value : Json::array({value});
     for (const Json& entry : tables) {
       if (!entry.is_object()) continue;
