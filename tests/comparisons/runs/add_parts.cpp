@@ -126,13 +126,14 @@ TEST(AddParts, AFailureIsTheRowsOwn) {
   const Scene scene = let_go();
   RunMetrics row;
   RunFiles files;
-  OtherAnswer nobody = other_answer({}, {});
+  const History none;
+  OtherAnswer nobody = other_answer(none, {});
   nobody.bodies->contacts.reset();
-  add_parts(scene, {}, nobody, true, row, files);
+  add_parts(scene, none, nobody, true, row, files);
   EXPECT_EQ(row.split_reason, "the engine tells no contacts");
   EXPECT_FALSE(row.step_difference);
   nobody.bodies->contacts = contacts_of({-1, 0}, 1);
-  add_parts(scene, {}, nobody, true, row, files);
+  add_parts(scene, none, nobody, true, row, files);
   EXPECT_NE(row.split_reason, "");
   EXPECT_FALSE(row.step_difference);
 }
