@@ -17,7 +17,7 @@ struct RowWords {
 RowWords row_words(const std::vector<std::string>& rows);
 
 /// A page shows no more rows than these.
-inline constexpr std::size_t most_rows = 30;
+inline constexpr std::size_t most_rows = 36;
 
 /// The height of a row, in pixels of a sheet.
 double row_height(const RowWords& words);
