@@ -48,10 +48,10 @@ std::vector<Block> stack_of(const std::vector<std::pair<double, double>>& sizes)
 /// Spanos et al. 2001's two blocks, a slender block, and one that a sine of the ground lifts.
 std::vector<Scene> scenes() {
   std::vector<Scene> list(3);
-  list[0].duration = 1.5;
+  list[0].duration = 0.9;
   list[0].blocks = stack_of({{1.25, 1.25}, {1, 2.5}});
   list[0].initial = {{0.15, 0.15}, {0, 0}};
-  list[1].duration = 2;
+  list[1].duration = 1.2;
   list[1].blocks = stack_of({{0.5, 2.5}});
   list[1].initial = {{0.1}, {0}};
   list[2].duration = 0.9;
