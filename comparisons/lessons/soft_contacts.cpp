@@ -151,10 +151,12 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
   const std::vector<Fall> every = falls(scene);
   Table table{{"engine and parameters", "speed after / before: median", "least", "most"}, {}};
   std::vector<std::string> bounces;
+  std::vector<double> medians;
   for (const Choice& choice : all) {
     const std::vector<double> list = rebounds(choice, every);
     table.rows.push_back({choice.label, cell(list[list.size() / 2]), cell(list.front()), cell(list.back())});
     bounces.push_back(spread(list));
+    medians.push_back(list[list.size() / 2]);
   }
   LessonValues values;
   values.numbers = {{"alpha", fixed(alpha, 3)},
@@ -175,6 +177,7 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
                     {"bullet_split", bounces[7]},
                     {"bullet_tuned", bounces[8]},
                     {"stiffness", power(lesson_stiffness, 0)}};
+  values.measured = {{"bounce", medians[0]}};
   values.player = {.time = landing.time - 0.01, .speed = 0.01, .gain = 10};
   values.tables = {{"rebounds", table},
                    {"springs", springs(block.mass * scene.gravity)},

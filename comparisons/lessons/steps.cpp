@@ -77,6 +77,10 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
       {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
       {"single_rounding", power(std::ldexp(1.0, -24), 1)}};
   values.tables = {{"steps", over_steps(rows, scene.name)}, {"iterations", over_iterations(scene.scene)}};
+  values.measured = {
+      {"first_impact_in_steps", *find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3},
+      {"rms_fall", *find_run(rows, "ode", "tuned", 1e-2).rms_angle_difference /
+                       *find_run(rows, "ode", "tuned", 1e-4).rms_angle_difference}};
   values.player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true};
   return values;
 }

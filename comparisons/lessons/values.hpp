@@ -24,6 +24,7 @@ struct LessonValues {
   std::map<std::string, std::string> numbers;
   std::map<std::string, Table> tables;
   PlayerStart player = {};
+  std::map<std::string, double> measured = {};  ///< of engines and histories, that predictions ask for
 };
 
 // The values of each lesson, computed with the exact solver and the engines. What a function is given is its
@@ -41,5 +42,7 @@ LessonValues limits_values(const Suite& suite, const std::vector<RunMetrics>& ro
 LessonValues friction_values(const Suite& suite, const std::vector<RunMetrics>& rows);
 LessonValues lift_off_values(const Suite& suite, const std::vector<RunMetrics>& rows);
 LessonValues contact_models_values(const Suite& suite, const std::vector<RunMetrics>& rows);
+LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>& rows);
+LessonValues reading_values(const Suite& suite, const std::vector<RunMetrics>& rows);
 
 }  // namespace rockstack

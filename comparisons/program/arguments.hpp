@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -98,8 +99,10 @@ struct DiffArguments {
 };
 
 struct TeachArguments {
-  std::string lesson;  ///< empty: list all
+  std::string lesson;  ///< empty or "list": list them; "all": the whole course
   std::filesystem::path out;
+  std::optional<std::uint64_t> sheet;  ///< a problem sheet of that seed, in the place of the lesson
+  bool pdf = false;                    ///< slides as PDF too
 };
 
 struct LiveArguments {

@@ -31,8 +31,9 @@
 #include "plots/figures/stability.hpp"
 #include "plots/figures/sweep/sweep.hpp"
 #include "plots/pages/canon.hpp"
+#include "plots/pages/course/course.hpp"
+#include "plots/pages/course/lesson.hpp"
 #include "plots/pages/impact_laws.hpp"
-#include "plots/pages/lesson.hpp"
 #include "plots/pages/motion.hpp"
 #include "plots/pages/report.hpp"
 #include "plots/pages/studies.hpp"
@@ -109,6 +110,7 @@ bool has_runs(const std::filesystem::path& results) {
 
 /// The first that is there holds: a study has runs too.
 constexpr Picture pictures[]{
+    {plots::has_course, [](const std::filesystem::path&) {}, plots::write_course},
     {has_record, plots::draw_record, plots::write_record_report},
     {plots::has_canon, [](const std::filesystem::path&) {}, plots::write_canon_report},
     {plots::has_stability, plots::draw_stability, plots::write_stability_report},

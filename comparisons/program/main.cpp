@@ -221,9 +221,15 @@ Command add_diff(CLI::App& app, const Common& common) {
 
 Command add_teach(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<TeachArguments>();
-  CLI::App* command = app.add_subcommand("teach", "list the lessons, or run one and write its page");
-  command->add_option("lesson", arguments->lesson, "name of a lesson; left out: list them");
+  CLI::App* command =
+      app.add_subcommand("teach", "list the lessons, or run one and write its page and slides");
+  command->add_option("lesson", arguments->lesson, "name of a lesson, or all; left out, or list: list them");
   command->add_option("--out", arguments->out, out_help);
+  command->add_flag("--pdf", arguments->pdf, "slides as PDF too, by Chromium");
+  command
+      ->add_option("--sheet", arguments->sheet,
+                   "write a problem sheet instead, its numbers drawn from this seed, and its key")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53U));
   return {command, [arguments, &common] { return teach_command(*arguments, common); }};
 }
 

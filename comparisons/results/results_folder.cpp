@@ -27,8 +27,8 @@ Kind kind_of(Results results) {
                "report.html"}};
     case Results::lesson:
       return {"a lesson",
-              {"lesson.html", "lesson.json", "comparison.json", "comparison.csv", "fits.csv",
-               "distributions.csv", "ground", "figures", "report.html"}};
+              {"lesson.html", "slides.html", "slides.pdf", "lesson.json", "comparison.json", "comparison.csv",
+               "fits.csv", "distributions.csv", "ground", "figures", "report.html"}};
     case Results::advice:
       return {"advice", {"advice.csv"}};
     case Results::stability:
@@ -47,6 +47,10 @@ Kind kind_of(Results results) {
       return {"results held together", {"diff.json", "diff.csv"}};
     case Results::canon:
       return {"a canon", {"canon.json", "canon.csv", "report.html"}};
+    case Results::course:
+      return {"a course", {"index.html", "course.json"}};
+    case Results::sheets:
+      return {"problem sheets", {}};
     case Results::record:
       break;
   }

@@ -7,7 +7,20 @@
 namespace rockstack {
 
 /// What a folder holds, by the command that fills it.
-enum class Results { motion, comparison, lesson, advice, stability, impact_laws, sweep, record, diff, canon };
+enum class Results {
+  motion,
+  comparison,
+  lesson,
+  advice,
+  stability,
+  impact_laws,
+  sweep,
+  record,
+  diff,
+  canon,
+  course,
+  sheets
+};
 
 /// A folder that this process alone fills, with results of one kind. Runs that are there stay for the command
 /// to judge; tables, figures and pages that were made of them go before anything is made again, so that

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace rockstack::plots {
 namespace {
@@ -54,23 +53,6 @@ std::string escaped(std::string_view text) {
 
 std::string element(const std::string& name, const std::string& content, const std::string& attributes) {
   return fmt::format("<{0}{1}>{2}</{0}>", name, attributes, content);
-}
-
-std::string filled_in(std::string_view page, const std::map<std::string, std::string>& values) {
-  std::string result;
-  for (std::size_t at = 0; at < page.size();) {
-    const std::size_t open = page.find("{{", at);
-    result += page.substr(at, open - at);
-    if (open == std::string_view::npos) break;
-    const std::size_t close = page.find("}}", open);
-    const std::string name(page.substr(open + 2, close - open - 2));
-    const auto value = values.find(name);
-    if (close == std::string_view::npos || value == values.end())
-      throw std::logic_error("page template: no value for {{" + name + "}}");
-    result += value->second;
-    at = close + 2;
-  }
-  return result;
 }
 
 std::string inline_svg(const std::string& file, const std::string& prefix, const std::string& label) {

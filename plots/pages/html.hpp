@@ -1,8 +1,9 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
+
+#include "comparisons/results/filled_in.hpp"
 
 namespace rockstack::plots {
 
@@ -12,8 +13,7 @@ std::string escaped(std::string_view text);
 /// <name>content</name>, the content as it is. `attributes` starts with a space where there are any.
 std::string element(const std::string& name, const std::string& content, const std::string& attributes = "");
 
-/// Puts each value in the place of its {{name}}. @throws std::logic_error for a place without a value.
-std::string filled_in(std::string_view page, const std::map<std::string, std::string>& values);
+using rockstack::filled_in;
 
 /// The part of an SVG file that stands inside a page: without its preamble, every id begun with `prefix`,
 /// with `label` as its text for those who do not see it.

@@ -16,7 +16,6 @@ extern const std::string_view report_html;
 extern const std::string_view study_html;
 extern const std::string_view canon_html;
 extern const std::string_view impact_laws_html;
-extern const std::string_view lesson_html;
 extern const std::string_view lesson_css;
 
 /// One player, and the style sheet and script of all players on a page.

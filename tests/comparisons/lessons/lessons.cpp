@@ -79,7 +79,7 @@ TEST(Wording, NumbersReadAsTheyShould) {
 }
 
 TEST(Lessons, EachHasASuiteAndATextThatEndsWithQuestionsAndWhatToTry) {
-  EXPECT_EQ(lessons().size(), 12u);
+  EXPECT_EQ(lessons().size(), 14u);
   for (const Lesson& lesson : lessons()) {
     EXPECT_FALSE(title(lesson).empty()) << lesson.name;
     std::ifstream in(std::filesystem::path(ROCKSTACK_LESSONS) / (lesson.name + ".html"));

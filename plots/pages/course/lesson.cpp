@@ -1,4 +1,4 @@
-#include "plots/pages/lesson.hpp"
+#include "plots/pages/course/lesson.hpp"
 
 #include <fmt/core.h>
 
@@ -8,10 +8,11 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/results/files.hpp"
 #include "plots/data/json_file.hpp"
+#include "plots/pages/course/predictions.hpp"
+#include "plots/pages/course/templates.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
 #include "plots/pages/player.hpp"
-#include "plots/pages/template.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -65,22 +66,67 @@ Values values_of(const fs::path& results, const Comparison& comparison, const Js
   Values values;
   for (const auto& [name, value] : lesson.at("numbers").items())
     values[name] = escaped(value.get<std::string>());
+  const Values numbers = values;
   for (const auto& [name, value] : lesson.at("tables").items()) values["table:" + name] = lesson_table(value);
+  for (const Json& question : lesson.at("predictions"))
+    values["predict:" + question.at("name").get<std::string>()] = prediction_part(question, numbers);
   add_parts(results, comparison, lesson.value("player", Json()), values);
   return values;
 }
 
-std::string lesson_page(const fs::path& results, const Json& lesson) {
+std::string list_of(const Json& texts) {
+  std::string items;
+  for (const Json& text : texts) items += element("li", text.get<std::string>()) + "\n";
+  return element("ul", items);
+}
+
+std::string link(const std::string& name, const std::string& words) {
+  return fmt::format("<a href=\"../{}/lesson.html\">{}</a> ", escaped(name), words);
+}
+
+/// To the course and the lessons beside this one, where they are.
+std::string navigation(const Json& lesson) {
+  if (!lesson.contains("neighbours")) return "";
+  const Json& beside = lesson.at("neighbours");
+  const auto previous = beside.at("previous").get<std::string>(), next = beside.at("next").get<std::string>();
+  std::string links = "<a href=\"../index.html\">All lessons</a> ";
+  if (!previous.empty()) links += link(previous, "◀ the one before");
+  if (!next.empty()) links += link(next, "the next one ▶");
+  return element("nav", links, " class=\"bar\" aria-label=\"Course\"");
+}
+
+std::string titles_after(const Json& lesson) {
+  std::string titles;
+  for (const Json& one : lesson.at("after"))
+    titles += fmt::format("{}<code>{}</code>", titles.empty() ? " · after " : ", ",
+                          escaped(one.at("name").get<std::string>()));
+  return titles;
+}
+
+/// What a lesson's page and its slides share.
+Values lesson_values(const fs::path& results, const Json& lesson) {
   const Comparison comparison = read_comparison(results);
-  const std::string title = lesson.at("title").get<std::string>();
-  const std::string text = lesson.at("text").get<std::string>();
-  return page({title, "lesson",
-               filled_in(lesson_html, {{"title", escaped(title)},
-                                       {"number", escaped(lesson.at("number").dump())},
-                                       {"count", escaped(lesson.at("count").dump())},
-                                       {"text", filled_in(text, values_of(results, comparison, lesson))},
-                                       {"command", escaped(comparison.command)},
-                                       {"environment", definition_list(comparison.environment)}})});
+  const auto words = [&](const char* key) { return escaped(lesson.at(key).get<std::string>()); };
+  const auto text = lesson.at("text").get<std::string>();
+  return {{"title", words("title")},
+          {"name", words("name")},
+          {"number", lesson.at("number").dump()},
+          {"count", lesson.at("count").dump()},
+          {"minutes", lesson.at("minutes").dump()},
+          {"after", titles_after(lesson)},
+          {"navigation", navigation(lesson)},
+          {"aims", list_of(lesson.at("aims"))},
+          {"references", list_of(lesson.at("references"))},
+          {"text", filled_in(text, values_of(results, comparison, lesson))},
+          {"command", escaped(comparison.command)},
+          {"environment", definition_list(comparison.environment)}};
+}
+
+std::string page_of(const std::string& title, Values values, const char* kind, std::string_view content,
+                    std::string_view css, std::string_view script) {
+  values["css"] = css;
+  values["script"] = script;
+  return page({title, kind, filled_in(content, values)});
 }
 
 }  // namespace
@@ -91,13 +137,16 @@ bool has_lesson(const std::filesystem::path& results) {
 
 void write_lesson(const std::filesystem::path& results) {
   const std::filesystem::path file = results / "lesson.json";
-  std::string text;
   try {
-    text = lesson_page(results, read_json(file));
+    const Json lesson = read_json(file);
+    const Values values = lesson_values(results, lesson);
+    const auto title = lesson.at("title").get<std::string>();
+    const std::string slides = page_of(title, values, "slides", slides_html, slides_css, slides_js);
+    write_file(results / "lesson.html", page_of(title, values, "lesson", lesson_html, "", lesson_js));
+    write_file(results / "slides.html", slides);
   } catch (const nlohmann::json::exception& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }
-  write_file(results / "lesson.html", text);
 }
 
 }  // namespace rockstack::plots

@@ -1,0 +1,37 @@
+"use strict";
+// Predict before reveal: what follows a question in its section is shown once somebody has committed to an answer.
+(() => {
+const reveal = (form, verdict) => {
+  form.classList.remove("waiting");
+  form.querySelector(".verdict").textContent = verdict;
+  for (const input of form.querySelectorAll("input, button")) input.disabled = true;
+  form.querySelector(".revealed").focus();
+};
+
+// What was answered, and whether it holds; nothing where there is no answer yet.
+const judged = (form) => {
+  const chosen = form.querySelector("input[type=radio]:checked");
+  if (chosen) return chosen.value === form.dataset.right ? "Your prediction holds." : "It is otherwise.";
+  const text = form.querySelector("input[type=text]")?.value.trim().replace("−", "-").replace(",", ".");
+  const number = Number(text);
+  if (!text || Number.isNaN(number)) return null;
+  const value = Number(form.dataset.value), off = Math.abs(number - value) / Math.abs(value);
+  if (off <= Number(form.dataset.within)) return "Your prediction holds.";
+  return number > value ? "It is less than you predicted." : "It is more than you predicted.";
+};
+
+for (const form of document.querySelectorAll(".predict")) {
+  form.classList.add("waiting");
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    const verdict = judged(form);
+    form.querySelector(".complaint").textContent = verdict ? "" : "Commit to an answer first: choose one, or write a number.";
+    if (verdict) reveal(form, verdict);
+  });
+  form.querySelector(".skip").addEventListener("click", () => reveal(form, "Not predicted."));
+}
+
+document.getElementById("large")?.addEventListener("click", (event) => {
+  event.target.setAttribute("aria-pressed", document.documentElement.classList.toggle("large"));
+});
+})();

@@ -1,0 +1,58 @@
+#include "plots/pages/course/course.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "plots/pages/course/sheet.hpp"
+#include "tests/plots/sample.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has_part(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Course, ItsIndexLinksEachLessonWithAimsAndTime) {
+  const fs::path folder = testing::fresh_folder();
+  EXPECT_FALSE(has_course(folder));
+  std::ofstream(folder / "course.json") << R"({"lessons": [
+    {"name": "a", "title": "First < all", "minutes": 45, "aims": ["see"], "after": []},
+    {"name": "b", "title": "Then", "minutes": 75, "aims": ["do"], "after": [{"name": "a", "title": "First < all"}]}]})";
+  EXPECT_TRUE(has_course(folder));
+  write_course(folder);
+  const std::string page = testing::bytes_of(folder / "index.html");
+  for (const char* part : {"href=\"a/lesson.html\">First &lt; all</a>", "href=\"b/slides.html\"",
+                           "75 minutes", "<li>do</li>", "After: <a href=\"#a\">", "2 lessons, 2 hours"})
+    EXPECT_TRUE(has_part(page, part)) << part;
+}
+
+TEST(Sheet, ThePageHasRoomWhereTheKeyHasAnswers) {
+  const fs::path folder = testing::fresh_folder();
+  const fs::path file = folder / "a-key-3.json";
+  std::ofstream(file)
+      << R"({"lesson": "a", "title": "A & B", "seed": 3, "problems": [{"name": "", "text": "A block.",
+    "parts": [{"ask": "When?", "choices": [], "unit": "s", "within": 0.05, "value": 1.5, "shown": "1.50 s", "why": ""},
+      {"ask": "Where?", "choices": ["left", "right"], "right": 0, "unit": "", "within": 0.05, "value": 1, "shown": "left", "why": ""}]}]})";
+  const SheetPages pages = write_sheet(file);
+  const std::string sheet = testing::bytes_of(pages.sheet), key = testing::bytes_of(pages.key);
+  EXPECT_EQ(pages.sheet.filename(), "a-sheet-3.html");
+  EXPECT_FALSE(has_part(sheet, "1.50"));
+  EXPECT_TRUE(has_part(sheet, "class=\"blank\"></span> s"));
+  EXPECT_TRUE(has_part(sheet, "left / right"));
+  EXPECT_TRUE(has_part(key, "1.50 s") && has_part(key, ">left</strong>"));
+  EXPECT_TRUE(has_part(key, "A &amp; B"));
+}
+
+TEST(Sheet, AMalformedFileIsNamed) {
+  const fs::path file = testing::fresh_folder() / "a-key-3.json";
+  std::ofstream(file) << R"({"lesson": "a"})";
+  EXPECT_THROW(write_sheet(file), InputError);
+}
+
+}  // namespace
+}  // namespace rockstack::plots

@@ -1,0 +1,155 @@
+#include "plots/pages/course/lesson.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "plots/figures/comparison/figures.hpp"
+#include "tests/plots/browser.hpp"
+#include "tests/plots/sample.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A made-up comparison with a lesson's text beside it.
+fs::path lesson_folder(const std::string& text) {
+  fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, {});
+  nlohmann::json lesson = nlohmann::json::parse(R"json({
+    "name": "signs", "title": "A lesson on <signs>", "number": 2, "count": 9, "minutes": 45, "numbers": {"least": "3 < 4"},
+    "aims": ["read <i>signs</i>"], "after": [{"name": "housner", "title": "Housner"}], "references": ["A book"],
+    "neighbours": {"previous": "", "next": "steps"},
+    "predictions": [
+      {"name": "side", "text": "A block leans.", "parts": [{"ask": "Where?", "choices": ["left", "right"], "right": 1,
+        "unit": "", "within": 0.05, "value": 2, "shown": "right", "why": "It is {{least}}."}]},
+      {"name": "time", "text": "", "parts": [{"ask": "When?", "choices": [], "unit": "s", "within": 0.05,
+        "value": 2, "shown": "2.00 s", "why": ""}]}],
+    "tables": {"steps": {"columns": ["step (s)", "error"], "rows": [["0.01", "2"], ["0.001", "1"]]},
+               "near": {"columns": ["time (s)"], "rows": [["0.12345671"], ["0.12345682"]]}},
+    "player": {"time": 1.25, "speed": 0.05, "gain": 10, "overlaid": true, "chatter": true}
+  })json");
+  lesson["text"] = text;
+  std::ofstream(folder / "lesson.json") << lesson.dump();
+  draw_figures(folder);
+  return folder;
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Lesson, NumbersTablesFiguresAndPlayersTakeTheirPlaces) {
+  const fs::path folder =
+      lesson_folder("<p>{{least}}</p>{{table:steps}}{{figure:sample.histories}}{{player:sample}}");
+  EXPECT_TRUE(has_lesson(folder));
+  write_lesson(folder);
+  const std::string page = testing::bytes_of(folder / "lesson.html");
+  for (const char* part : {"<h1>A lesson on &lt;signs&gt;</h1>", "Lesson 2 of 9", "<p>3 &lt; 4</p>", "<svg ",
+                           "class=\"player\"", "data-value=\"0.001\""})
+    EXPECT_TRUE(holds(page, part)) << part;
+  EXPECT_FALSE(holds(page, "{{"));
+}
+
+TEST(Lesson, APlaceWithoutAValueIsAnErrorThatNamesItAndLeavesNoPage) {
+  const fs::path folder = lesson_folder("<p>{{lest}}</p>");
+  try {
+    write_lesson(folder);
+    FAIL() << "no error";
+  } catch (const std::logic_error& error) {
+    EXPECT_TRUE(holds(error.what(), "{{lest}}")) << error.what();
+  }
+  EXPECT_FALSE(fs::exists(folder / "lesson.html"));
+}
+
+TEST(Lesson, AMalformedFileIsNamed) {
+  const fs::path folder = lesson_folder("");
+  std::ofstream(folder / "lesson.json") << R"({"title": "no text"})";
+  EXPECT_THROW(write_lesson(folder), InputError);
+}
+
+TEST(Lesson, NumbersOfAColumnKeepTheDigitsThatTellThemApart) {
+  const fs::path folder = lesson_folder("{{table:near}}");
+  write_lesson(folder);
+  const std::string page = testing::bytes_of(folder / "lesson.html");
+  EXPECT_TRUE(holds(page, ">0.1234567</td>"));
+  EXPECT_TRUE(holds(page, ">0.1234568</td>"));
+}
+
+TEST(Lesson, ItsPageWorksInABrowser) {
+  if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const fs::path folder =
+      lesson_folder("{{table:steps}}{{player:sample}}<details class=\"question\">why</details>");
+  write_lesson(folder);
+  const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "lesson.html"), R"(
+    document.querySelector("main table thead button").click();
+    dispatchEvent(new Event("beforeprint"));
+    return { first: document.querySelector("main table tbody td").textContent, end: player.end, start: [player.time, player.find("speed").value,
+        player.find("gain-text").textContent, player.find("view").value, player.find("chatter").checked],
+      answered: document.querySelector(".question").open };)");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result["first"], "0.001");
+  EXPECT_EQ(answer.result["end"], 5);
+  EXPECT_EQ(answer.result["start"], nlohmann::json::parse(R"([1.25, "0.05", "10", "over", true])"));
+  EXPECT_EQ(answer.result["answered"], true);
+}
+
+TEST(Lesson, WhatFollowsAPredictionIsHiddenUntilItIsMade) {
+  if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const fs::path folder = lesson_folder(
+      "<section><h2>First</h2>{{predict:side}}<p id='told'>told</p>{{predict:time}}<p "
+      "id='more'>more</p></section>");
+  write_lesson(folder);
+  const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "lesson.html"), R"(
+    const seen = (id) => document.getElementById(id).getClientRects().length > 0;
+    const [side, time] = document.querySelectorAll(".predict"), states = [[seen("told"), seen("more")]];
+    side.querySelector("[type=submit]").click();
+    states.push([seen("told"), side.querySelector(".complaint").textContent !== ""]);
+    side.querySelector("input[value='1']").click();
+    side.querySelector("[type=submit]").click();
+    states.push([seen("told"), seen("more"), side.querySelector(".verdict").textContent,
+      document.activeElement === side.querySelector(".revealed"), side.textContent.includes("It is 3 < 4.")]);
+    time.querySelector("input").value = "2,5";
+    time.querySelector("[type=submit]").click();
+    states.push([seen("more"), time.querySelector(".verdict").textContent]);
+    document.getElementById("large").click();
+    states.push(getComputedStyle(document.documentElement).fontSize);
+    return states;)");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result, nlohmann::json::parse(R"([[false, false], [false, true],
+    [true, false, "Your prediction holds.", true, true], [true, "It is less than you predicted."], "24px"])"));
+}
+
+TEST(Lesson, ItsSlidesHoldWhatIsMarkedAndFitTheScreen) {
+  if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const fs::path folder = lesson_folder(
+      "<section><h2>First</h2>{{predict:side}}<p>Long. <span class=\"key\">Short.</span></p>{{table:steps}}"
+      "{{player:sample}}{{figure:sample.histories}}</section><section><h2>Questions</h2>"
+      "<details class=\"question\"><summary>Why?</summary><p>So.</p></details></section>");
+  write_lesson(folder);
+  const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "slides.html"), R"(
+    const { slides } = slideShow, small = slides.filter((one) => {
+      one.classList.add("now");
+      const held = one.scrollHeight <= one.clientHeight + 1;
+      one.classList.remove("now");
+      return !held;
+    });
+    slideShow.show(0);
+    const press = (key) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+    press("ArrowRight");
+    return { names: slides.map((one) => one.getAttribute("aria-label")), overflowing: small.length,
+      place: document.getElementById("place").textContent, told: slides[3].querySelector("li").textContent };)");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result["names"],
+            nlohmann::json::parse(R"(["Title", "Predict", "Predict", "First", "First", "First", "First",
+    "Questions", "Questions", "References"])"));
+  EXPECT_EQ(answer.result["overflowing"], 0);
+  EXPECT_EQ(answer.result["place"], "2 of 10");
+  EXPECT_EQ(answer.result["told"], "Short.");
+}
+
+}  // namespace
+}  // namespace rockstack::plots
