@@ -110,6 +110,28 @@ TEST(Chatter, EndingItEarlyMovesTheMotionByLessThanTheResolution) {
   }
 }
 
+// Of a base that chatters under a rocking block. What is left out are terms of the next order, in proportion
+// to u: over two decades of u the ratio keeps within u and the rounding of the error.
+TEST(Chatter, EndingItAtASpeedMovesTheMotionByTheThirdPowerOfThat) {
+  Scene scene = testing::paper_example();
+  scene.duration = 1.2;
+  const auto ended = [&](double resolution) {
+    return Solver<long double, 2>(scene, {.sample_times = {1.2}, .resolution = resolution}).run();
+  };
+  const auto exact = ended(1e-19);
+  std::vector<double> speeds, ratios;
+  for (const double resolution : {1e-6, 1e-7, 1e-9}) {
+    const auto history = ended(resolution);
+    const auto closure = std::find_if(history.events.begin(), history.events.end(),
+                                      [](const auto& event) { return event.kind == EventKind::closure; });
+    ASSERT_NE(closure, history.events.end());
+    speeds.push_back(std::abs(static_cast<double>(closure->before[0])));
+    ratios.push_back(static_cast<double>(history.angles[1] - exact.angles[1]) / std::pow(speeds.back(), 3));
+  }
+  EXPECT_GT(speeds.front(), 30 * speeds.back());
+  for (const double ratio : ratios) EXPECT_NEAR(ratio / ratios.back(), 1, 2 * speeds.front());
+}
+
 // A block that leaves the ground at a speed u ≤ √(2ρa), a = p² sin α, rises to θ with u²/2 = p² ∫₀^θ sin(α −
 // s) ds ≥ p² θ sin(α − θ) ≥ p² θ (1 − θ/α) sin α, the sine being concave: to θ = α/2 (1 − √(1 − 4ρ/α)) at
 // most.
