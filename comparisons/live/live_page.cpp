@@ -58,9 +58,12 @@ Json engine_list() {
   return list;
 }
 
-Json lesson_json(const std::string& name) {
-  if (name.empty()) return {};
-  return {{"name", name}, {"title", title(find_lesson(name))}};
+Json lesson_list(const PageStart& start, std::set<std::string>& records) {
+  Json list = Json::array();
+  for (const auto& [name, scene] : start.lessons)
+    list.push_back(
+        {{"name", name}, {"title", title(find_lesson(name))}, {"scene", scene_of(scene, {}, records)}});
+  return list;
 }
 
 Json state_json(const PageStart& start, std::set<std::string>& records) {
@@ -85,9 +88,16 @@ LivePage make_live_page(const PageStart& start) {
   MotionLibrary library;
   read_state(state, page.records, library);
   for (const std::string& record : page.records) library.record(record);
-  const Json setup{
-      {"start", state},          {"scenes", shipped_scenes(page.records)}, {"engines", engine_list()},
-      {"records", page.records}, {"lesson", lesson_json(start.lesson)},    {"blocks", most_blocks}};
+  const Json scenes = shipped_scenes(page.records), lessons = lesson_list(start, page.records);
+  if (!start.course.empty()) page.course = course_files(start.course);
+  const Json setup{{"start", state},
+                   {"scenes", scenes},
+                   {"engines", engine_list()},
+                   {"records", page.records},
+                   {"lesson", start.lesson},
+                   {"lessons", lessons},
+                   {"pages", page.course.lessons},
+                   {"blocks", most_blocks}};
   const std::string player =
       plots::filled_in(plots::player_html, {{"id", "player"}, {"title", "the scene"}, {"data", "null"}});
   page.text = plots::filled_in(
@@ -96,6 +106,7 @@ LivePage make_live_page(const PageStart& start) {
        {"player", player},
        {"setup", plots::for_script(setup)},
        {"player_js", std::string(plots::player_js)},
+       {"controls_js", std::string(controls_js)},
        {"charts_js", std::string(charts_js)},
        {"js", std::string(live_js)}});
   return page;

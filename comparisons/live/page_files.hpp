@@ -8,6 +8,7 @@ namespace rockstack::live {
 extern const std::string_view live_html;
 extern const std::string_view live_css;
 extern const std::string_view live_js;
+extern const std::string_view controls_js;
 extern const std::string_view charts_js;
 
 }  // namespace rockstack::live

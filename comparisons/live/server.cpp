@@ -5,6 +5,9 @@
 #include <httplib.h>
 #include <unistd.h>
 
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <stdexcept>
@@ -21,6 +24,9 @@ constexpr const char* home = "127.0.0.1";
 constexpr std::size_t longest_request = std::size_t{512} << 10U;  // bytes, headers included
 constexpr double reading_time = 10;                               // s
 constexpr std::size_t threads = 64;
+
+/// Lessons lie under this, a token and a sign, so that links between them keep the token.
+const std::string course_root = "/course/";
 
 std::string drawn_token() {
   std::random_device device;  // the system's own
@@ -89,11 +95,27 @@ void answer_with(httplib::Response& response, const Answer& answer) {
   }
 }
 
+const char* media_type(const std::filesystem::path& file) {
+  static const std::map<std::string, const char*> types{{".html", "text/html; charset=utf-8"},
+                                                        {".json", "application/json"},
+                                                        {".svg", "image/svg+xml"},
+                                                        {".png", "image/png"},
+                                                        {".pdf", "application/pdf"}};
+  const auto type = types.find(file.extension().string());
+  return type == types.end() ? "text/plain; charset=utf-8" : type->second;
+}
+
+void send_file(httplib::Response& response, const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return refuse(response, 404, "the file is no longer there");
+  response.set_content(std::string{std::istreambuf_iterator<char>(in), {}}, media_type(file));
+}
+
 }  // namespace
 
 class LiveServer::Http : public httplib::Server {
  public:
-  Http(Questions& questions, std::string page, int port) : page_(std::move(page)) {
+  Http(Questions& questions, LivePage page, int port) : page_(std::move(page)) {
     new_task_queue = [] { return new httplib::ThreadPool(threads); };
     // Without the port being shared, which is what the library sets.
     set_socket_options([](socket_t socket) {
@@ -110,12 +132,19 @@ class LiveServer::Http : public httplib::Server {
          {"Cross-Origin-Resource-Policy", "same-origin"},
          {"Content-Security-Policy",
           "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; "
-          "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"}});
+          "connect-src 'self'; frame-src 'self'; frame-ancestors 'self'; base-uri 'none'; form-action "
+          "'none'"}});
     set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
       return admits(request, response) ? HandlerResponse::Unhandled : HandlerResponse::Handled;
     });
     Get("/", [this](const httplib::Request&, httplib::Response& response) {
-      response.set_content(page_, "text/html; charset=utf-8");
+      response.set_content(page_.text, "text/html; charset=utf-8");
+    });
+    Get(course_root + ".*", [this](const httplib::Request& request, httplib::Response& response) {
+      const std::size_t root = course_path().size();
+      const auto file = page_.course.files.find(request.path.size() < root ? "" : request.path.substr(root));
+      if (file == page_.course.files.end()) return refuse(response, 404, "there is no such page");
+      send_file(response, file->second);
     });
     Post("/answer", [&questions](const httplib::Request& request, httplib::Response& response) {
       answer_with(response, [&] { return questions.answer(request.body, has_left); });
@@ -125,9 +154,25 @@ class LiveServer::Http : public httplib::Server {
     });
   }
 
-  std::string address() const { return fmt::format("http://{}:{}/?token={}", home, port_, token_); }
+  std::string address() const {
+    const std::string& first = page_.course.first;
+    return fmt::format("http://{}:{}{}", home, port_,
+                       first.empty() ? "/?token=" + token_ : course_path() + first);
+  }
 
  private:
+  std::string course_path() const { return course_root + token_ + "/"; }
+
+  /// What a request gives for the token.
+  static std::string token_of(const httplib::Request& request) {
+    if (request.method != "GET" && request.method != "HEAD")
+      return request.get_header_value("X-Rockstack-Token");
+    if (request.path.compare(0, course_root.size(), course_root) != 0)
+      return request.get_param_value("token");
+    const std::string rest = request.path.substr(course_root.size());
+    return rest.substr(0, rest.find('/'));
+  }
+
   /// Whoever has been led here by another name or another page does not know the token either; each is
   /// refused for itself.
   bool admits(const httplib::Request& request, httplib::Response& response) const {
@@ -139,10 +184,7 @@ class LiveServer::Http : public httplib::Server {
       refuse(response, 403, "Host or Origin: must be the address that `rockstack live` has printed");
       return false;
     }
-    const bool page = request.method == "GET" || request.method == "HEAD";
-    const std::string token =
-        page ? request.get_param_value("token") : request.get_header_value("X-Rockstack-Token");
-    if (!is_same(token, token_)) {
+    if (!is_same(token_of(request), token_)) {
       refuse(response, 403, "token: must be that of the address that this `rockstack live` has printed");
       return false;
     }
@@ -163,11 +205,12 @@ class LiveServer::Http : public httplib::Server {
     return done;
   }
 
-  std::string page_, token_ = drawn_token();
+  LivePage page_;
+  std::string token_ = drawn_token();
   int port_ = 0;
 };
 
-LiveServer::LiveServer(Questions& questions, std::string page, int port)
+LiveServer::LiveServer(Questions& questions, LivePage page, int port)
     : http_(std::make_unique<Http>(questions, std::move(page), port)) {}
 LiveServer::~LiveServer() = default;
 

@@ -4,19 +4,21 @@
 #include <memory>
 #include <string>
 
+#include "comparisons/live/live_page.hpp"
 #include "comparisons/live/questions.hpp"
 
 namespace rockstack::live {
 
-/// Serves a page and its questions on this machine alone: on 127.0.0.1, to who knows the token and calls the
-/// server by this address. A connection carries one request, of limited length and time.
+/// Serves a page, its questions and the lessons beside it on this machine alone: on 127.0.0.1, to who knows
+/// the token and calls the server by this address. A connection carries one request, of limited length and
+/// time.
 class LiveServer {
  public:
   /// `port` 0: any that is free. `page` stays as it is. @throws std::runtime_error where the port is taken.
-  LiveServer(Questions& questions, std::string page, int port);
+  LiveServer(Questions& questions, LivePage page, int port);
   ~LiveServer();
 
-  /// With a token that is drawn anew for each server.
+  /// With a token that is drawn anew for each server: of the lessons, where there are any, else of the page.
   std::string address() const;
 
   /// Until stop(), which another thread calls.

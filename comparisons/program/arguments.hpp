@@ -106,7 +106,7 @@ struct TeachArguments {
 };
 
 struct LiveArguments {
-  std::string input = "spanos-free-rocking";   ///< scene, lesson, or a link that was copied from a page
+  std::string input = "spanos-free-rocking";   ///< scene, lesson, folder of lessons, or a page's link
   std::vector<std::filesystem::path> records;  ///< that the page may choose
   int port = 0;                                ///< 0: any that is free
   bool browser = true;                         ///< is opened where there is one

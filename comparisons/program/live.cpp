@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/lessons/lesson.hpp"
+#include "comparisons/live/course_files.hpp"
 #include "comparisons/live/live_page.hpp"
 #include "comparisons/live/questions.hpp"
 #include "comparisons/live/server.hpp"
@@ -26,11 +28,6 @@ std::string usual_engine() {
   return usual == engines().end() ? "" : usual->name();
 }
 
-bool is_lesson(const std::string& name) {
-  return std::any_of(lessons().begin(), lessons().end(),
-                     [&](const Lesson& lesson) { return lesson.name == name; });
-}
-
 /// The scene of a lesson's suite.
 std::filesystem::path lesson_scene(const std::string& name) {
   const std::filesystem::path suite = find_file(name, "lessons");
@@ -43,9 +40,12 @@ live::PageStart start_of(const LiveArguments& arguments, const Common& common) {
   start.overrides = common.overrides;
   start.engine = usual_engine();
   start.records = arguments.records;
-  if (is_lesson(arguments.input)) {
-    start.lesson = arguments.input;
-    start.scene = lesson_scene(arguments.input);
+  for (const Lesson& lesson : lessons()) start.lessons[lesson.name] = lesson_scene(lesson.name);
+  if (live::has_course_files(arguments.input)) {
+    start.course = arguments.input;
+    start.scene = find_file(LiveArguments().input, "scenes");
+  } else if (const auto lesson = start.lessons.find(arguments.input); lesson != start.lessons.end()) {
+    std::tie(start.lesson, start.scene) = *lesson;
   } else {
     read_one_scene(arguments.input, common);
     start.scene = find_file(arguments.input, "scenes");
@@ -86,7 +86,7 @@ int live_command(const LiveArguments& arguments, const Common& common) {
   }
   live::LivePage page = live::make_live_page(start_of(asked, common));
   live::Questions questions(worker_folder() / "rockstack_exact", page.records);
-  live::LiveServer server(questions, std::move(page.text), asked.port);
+  live::LiveServer server(questions, std::move(page), asked.port);
   const std::string address = server.address() + fragment;
   print_address(address, common);
   if (asked.browser) open_browser(address);

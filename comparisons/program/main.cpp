@@ -238,7 +238,9 @@ Command add_live(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<LiveArguments>();
   CLI::App* command = app.add_subcommand(
       "live", "serve a page on this machine with sliders, on which solver and engines answer at once");
-  command->add_option("input", arguments->input, "scene file, name of a scene or lesson, or a link of a page")
+  command
+      ->add_option("input", arguments->input,
+                   "scene file, name of a scene or lesson, folder of `rockstack teach`, or a link of a page")
       ->capture_default_str();
   command->add_option("--record", arguments->records, "record that the page may choose; may be repeated")
       ->allow_extra_args(false);

@@ -2,13 +2,18 @@
 // The page's state is a scene with an engine; each change of it is asked anew, and the newest answer is shown.
 (() => {
 const setup = JSON.parse(document.getElementById("setup").textContent);
-const token = new URLSearchParams(location.search).get("token");
-const page = crypto.getRandomValues(new Uint32Array(4)).join("-");
+const query = new URLSearchParams(location.search), token = query.get("token");
+const name = crypto.getRandomValues(new Uint32Array(4)).join("-");
 const find = (id) => document.getElementById(id);
 const copy = (value) => JSON.parse(JSON.stringify(value));
 const parting = 0.01; // rad: histories further apart have parted
 
-let state = copy(setup.start), cloud = { runs: 0, kind: "exact" }, sequence = 0;
+// A lesson that the address names has its own scene; a page within a lesson's has no heading of its own.
+const lesson = setup.lessons.find((one) => one.name === (query.get("lesson") ?? setup.lesson));
+const start = query.has("lesson") && lesson ? { ...setup.start, scene: lesson.scene } : setup.start;
+const within = query.has("within");
+
+let state = copy(start), cloud = { runs: 0, kind: "exact" }, sequence = 0;
 const shown = { exact: null, engine: null, cloud: [] };
 const latest = { exact: null, engine: null, members: 0 }; // ms from input to picture, and of which question
 window.live = { latest, shown, state: () => state };
@@ -53,7 +58,7 @@ class Line {
     const question = this.next, stop = new AbortController();
     [this.next, this.stop, this.sent] = [null, stop, performance.now()];
     try {
-      const answer = await post("answer", { page, kind: this.kind, sequence: question.sequence, member: question.member ?? 0,
+      const answer = await post("answer", { page: name, kind: this.kind, sequence: question.sequence, member: question.member ?? 0,
         state: question.state }, stop.signal);
       if (!answer.dropped) this.show(answer, question);
     } catch (error) {
@@ -111,8 +116,20 @@ const lines = {
   }),
 };
 
+const page = { setup, changed: () => changed(), tell: (text) => { find("error").textContent = text; },
+  get state() { return state; }, get cloud() { return cloud; } };
+const rebuild = controlsOf(page);
+
+const offerBlocks = () => {
+  const block = find("block"), last = state.scene.blocks.length - 1;
+  if (block.options.length === last + 1) return;
+  block.replaceChildren();
+  for (let k = 0; k <= last; ++k) block.add(new Option(`block ${k + 1}`, k, false, k === last));
+};
+
 let writing, clouding;
 const changed = () => {
+  offerBlocks();
   const question = { state: copy(state), sequence: ++sequence, asked: performance.now() };
   find("error").textContent = "";
   lines.exact.ask(question);
@@ -236,210 +253,6 @@ const say = () => {
   }, 250);
 };
 
-// Controls ----------------------------------------------------------------------------------------------------
-
-const made = (tag, properties = {}, ...children) => {
-  const element = Object.assign(document.createElement(tag), properties);
-  element.append(...children);
-  return element;
-};
-
-let controls = 0;
-const row = (label, hint, kind, ...inputs) => {
-  const id = `control-${++controls}`;
-  inputs.at(-1).id = id;
-  return made("div", { className: "control " + kind, title: hint }, made("label", { htmlFor: id, textContent: label }), ...inputs);
-};
-
-const digits = (value) => Number(Number(value).toPrecision(4));
-
-// A slider with a number beside it. `log`: equal ways are equal factors. Numbers beyond the slider's range may be typed.
-const slider = ({ label, hint = "", least, most, log = false, whole = false, get, set }) => {
-  const to = (value) => log ? Math.log(value) : value, back = (value) => log ? Math.exp(value) : value;
-  const span = to(most) - to(least);
-  const range = made("input", { type: "range", min: to(least), max: to(most), step: whole && !log ? 1 : span / 400 });
-  const number = made("input", { type: "text", inputMode: "decimal" });
-  range.setAttribute("aria-label", `${label}, slider`);
-  range.dataset.key = label;
-  const place = (value) => { range.value = to(Math.min(most, Math.max(least, value))); range.setAttribute("aria-valuetext", digits(value)); };
-  const put = (value) => { set(value); changed(); };
-  range.addEventListener("input", () => {
-    const value = whole ? Math.round(back(Number(range.value))) : digits(back(Number(range.value)));
-    number.value = value;
-    range.setAttribute("aria-valuetext", value);
-    put(value);
-  });
-  number.addEventListener("change", () => {
-    const text = number.value.trim().replace("−", "-"), value = text === "inf" ? "inf" : Number(text);
-    if (text === "" || Number.isNaN(value)) { find("error").textContent = `${label} = ${text}: must be a number`; return; }
-    if (value !== "inf") place(value);
-    put(value);
-  });
-  const begin = get();
-  number.value = begin === "inf" ? begin : Number(Number(begin).toPrecision(6));
-  place(Number(get() === "inf" ? most : get()));
-  return row(label, hint, "", range, number);
-};
-
-const choice = ({ label, hint = "", options, get, set }) => {
-  const select = made("select");
-  for (const [value, text] of options) select.add(new Option(text, value, false, String(value) === String(get())));
-  select.addEventListener("input", () => { set(select.value); rebuild(); changed(); });
-  return row(label, hint, "choice", select);
-};
-
-const group = (title, open, ...parts) => {
-  const box = made("details", { open: unfolded.get(title) ?? open }, made("summary", { textContent: title }), ...parts);
-  box.setAttribute("role", "group");
-  box.setAttribute("aria-label", title);
-  box.addEventListener("toggle", () => unfolded.set(title, box.open));
-  return box;
-};
-const unfolded = new Map();
-
-// A value in a table of the scene, made where it is missing.
-const key = (table, name, otherwise, entry) => ({
-  get: () => { const value = table()?.[name]; return (Array.isArray(value) ? value[entry ?? 0] : value) ?? otherwise; },
-  set: (value) => {
-    const home = table(true);
-    if (entry === undefined) { home[name] = value; return; }
-    home[name] ??= state.scene.blocks.map(() => otherwise);
-    home[name][entry] = value;
-  },
-});
-const inTable = (name) => (make) => make ? state.scene[name] ??= {} : state.scene[name];
-
-const blockGroup = (block, k) => {
-  const one = (name, otherwise) => key(() => state.scene.blocks[k], name, otherwise);
-  const size = (name, label) => slider({ label, least: 0.1, most: 10, log: true, ...one(name, 1) });
-  const mass = block.mass !== undefined ? slider({ label: "mass, kg", least: 1, most: 1e6, log: true, ...one("mass", 1) })
-    : slider({ label: "density, kg/m³", least: 100, most: 20000, log: true, ...one("density", 2500) });
-  return group(`Block ${k + 1}${k === 0 ? " (lowest)" : ""}`, k < 3, size("width", "width, m"), size("height", "height, m"), mass,
-    slider({ label: "angle, rad", hint: "clockwise positive", least: -0.5, most: 0.5, ...key(inTable("initial"), "angles", 0, k) }),
-    slider({ label: "velocity, rad/s", least: -2, most: 2, ...key(inTable("initial"), "velocities", 0, k) }));
-};
-
-const addBlock = () => {
-  const { blocks, initial } = state.scene, top = copy(blocks.at(-1));
-  blocks.push(top);
-  for (const values of Object.values(initial ?? {})) if (Array.isArray(values)) values.push(values.at(-1));
-  lengthenLists(1);
-};
-const removeBlock = () => {
-  state.scene.blocks.pop();
-  for (const values of Object.values(state.scene.initial ?? {})) if (Array.isArray(values)) values.pop();
-  lengthenLists(-1);
-};
-// Lists with an entry for each block, besides those of the start.
-const lengthenLists = (by) => {
-  for (const [table, name] of [[state.scene, "restitution"], ...["friction", "stiffness", "damping"].map((one) => [state.scene.contact, one])])
-    if (Array.isArray(table?.[name])) by > 0 ? table[name].push(table[name].at(-1)) : table[name].pop();
-};
-
-const stackGroup = () => {
-  const bar = made("div", { className: "bar" });
-  const button = (text, act, there) => {
-    const one = made("button", { type: "button", textContent: text, disabled: !there });
-    one.addEventListener("click", () => { act(); rebuild(); changed(); });
-    bar.append(one);
-  };
-  button("Add a block on top", addBlock, state.scene.blocks.length < setup.blocks);
-  button("Take the top one off", removeBlock, state.scene.blocks.length > 1);
-  return bar;
-};
-
-const motions = { none: null, sine: { pulse: "sine", amplitude: 3, period: 0.5, cycles: 1 }, cosine: { pulse: "cosine", amplitude: 3, period: 0.5, cycles: 1 },
-  "half-sine": { pulse: "half-sine", amplitude: 3, period: 0.5 }, rectangle: { pulse: "rectangle", amplitude: 3, period: 0.5 },
-  ricker: { pulse: "ricker", amplitude: 3, period: 0.5 },
-  "mavroeidis-papageorgiou": { pulse: "mavroeidis-papageorgiou", amplitude: 3, period: 0.5, cycles: 2, phase: 0 },
-  "made-up earthquake": { synthetic: 1, peak: 4 } };
-for (const record of setup.records) motions[record] = { record, scale: 1 };
-
-const groundGroup = (axis) => {
-  const motion = state.scene.ground?.[axis];
-  const now = !motion ? "none" : motion.pulse ?? motion.record ?? (motion.synthetic !== undefined ? "made-up earthquake" : "as the scene has it");
-  const names = Object.keys(motions);
-  if (!names.includes(now)) names.push(now);
-  const pick = choice({ label: "motion", options: names.map((name) => [name, name.split("/").at(-1)]), get: () => now, set: (name) => {
-    if (name === now) return;
-    state.scene.ground ??= {};
-    if (name === "none") delete state.scene.ground[axis]; else state.scene.ground[axis] = copy(motions[name]);
-  } });
-  const value = (name, otherwise) => key(() => state.scene.ground[axis], name, otherwise);
-  const offered = !motion ? [] : motion.pulse ? [["amplitude", "amplitude, m/s²", -10, 10], ["period", "period, s", 0.05, 5, true], ["start", "start, s", 0, 10]]
-    : motion.synthetic !== undefined ? [["peak", "peak, m/s²", 0.1, 15, true], ["synthetic", "seed", 0, 100, false, true], ["frequency", "frequency, Hz", 0.5, 10, true]]
-    : motion.peak !== undefined ? [["peak", "peak, m/s²", 0.1, 15, true]] : [["scale", "scale", -3, 3]];
-  if (motion?.cycles !== undefined || ["sine", "cosine"].includes(motion?.pulse)) offered.push(["cycles", "cycles", 0.5, 10]);
-  if (motion?.phase !== undefined) offered.push(["phase", "phase, rad", -3.15, 3.15]);
-  const standard = { start: 0, cycles: 1, scale: 1, frequency: 2.5 };
-  return group(axis === "horizontal" ? "Ground" : "Ground, vertical", axis === "horizontal", pick,
-    ...offered.map(([name, label, least, most, log, whole]) => slider({ label, least, most, log, whole, ...value(name, standard[name] ?? 0) })));
-};
-
-const lawGroup = () => {
-  const scene = () => state.scene, contact = inTable("contact");
-  const everywhere = (name, otherwise) => ({ get: key(contact, name, otherwise).get, set: (value) => { contact(true)[name] = value; } });
-  const soft = state.scene.law === "compliant" ? [slider({ label: "stiffness, N/m", hint: "of each corner; inf: rigid", least: 1e5, most: 1e11, log: true, ...everywhere("stiffness", "inf") }),
-    slider({ label: "damping, N·s/m", least: 0, most: 1e6, ...everywhere("damping", 0) })] : [];
-  return group("Contact", true,
-    choice({ label: "law", options: [["paper", "paper: pivots"], ["consistent", "consistent: pivots"], ["unilateral", "unilateral: slip, lift-off"], ["compliant", "compliant: springs"]],
-      get: key(scene, "law", "consistent").get, set: (law) => {
-        state.scene.law = law;
-        if (law !== "compliant" && state.scene.contact) for (const name of ["stiffness", "damping", "tangential"]) delete state.scene.contact[name];
-      } }),
-    slider({ label: "friction", hint: "of law unilateral and compliant, and of engines", least: 0.01, most: 1000, log: true,
-      ...everywhere("friction", state.scene.engine?.friction ?? 1000) }), ...soft,
-    choice({ label: "equations", options: [["nonlinear", "nonlinear"], ["linear", "linear, as the paper has them"], ["small-angle", "small angles"]], ...key(scene, "equations", "nonlinear") }));
-};
-
-const wholeGroup = () => {
-  const scene = () => state.scene;
-  return group("Scene", false, slider({ label: "duration, s", least: 0.5, most: 60, log: true, ...key(scene, "duration", 5) }),
-    slider({ label: "gravity, m/s²", least: 1, most: 25, ...key(scene, "gravity", 9.81) }));
-};
-
-const parameter = (setting) => {
-  const base = setting[state.settings];
-  const get = () => state.parameters[setting.name] ?? base;
-  const set = (value) => { if (Number(value) === base) delete state.parameters[setting.name]; else state.parameters[setting.name] = Number(value); };
-  const label = setting.name + (setting.unit ? ", " + setting.unit : "");
-  if (setting.choices.length) return choice({ label, options: setting.choices.map((name, i) => [i, name]), get, set });
-  const finite = (value, otherwise) => typeof value === "number" && Math.abs(value) < 1e12 ? value : otherwise;
-  const most = finite(setting.most, Math.max(1, 100 * Math.abs(base))), least = finite(setting.least, -most);
-  const log = least >= 0 && most > 100 * Math.max(base, 1e-30) && base > 0;
-  return slider({ label, least: log ? Math.max(least, base / 1e4) : least, most: log ? Math.min(most, base * 1e4) : most, log, whole: setting.whole, get, set });
-};
-
-const engineGroup = () => {
-  const engine = setup.engines.find((one) => one.name === state.engine);
-  const pick = choice({ label: "engine", options: [["", "none"], ...setup.engines.map((one) => [one.name, one.name])], get: () => state.engine,
-    set: (name) => { state.engine = name; state.parameters = {}; } });
-  if (!engine) return group("Engine", true, pick);
-  return group("Engine", true, pick,
-    choice({ label: "settings", options: [["tuned", "tuned"], ["default", "default"]], get: () => state.settings, set: (name) => { state.settings = name; state.parameters = {}; } }),
-    slider({ label: "step, s", least: 1e-4, most: 2e-2, log: true, get: () => state.dt, set: (value) => { state.dt = value; } }),
-    ...engine.settings.map(parameter));
-};
-
-const cloudGroup = () => group("Cloud", true,
-  slider({ label: "runs", hint: "scenes that hardly differ", least: 0, most: 50, whole: true, get: () => cloud.runs, set: (value) => { cloud.runs = Math.min(100, Math.max(0, Math.round(value))); } }),
-  slider({ label: "spread", hint: "largest relative change of sizes, start and ground motion", least: 1e-9, most: 0.1, log: true, get: () => state.spread || 1e-3, set: (value) => { state.spread = value; } }),
-  choice({ label: "of", options: [["exact", "the exact solver"], ["engine", "the engine"]], get: () => cloud.kind, set: (kind) => { cloud.kind = kind; } }));
-
-const rebuild = () => {
-  const held = document.activeElement?.id, scroll = find("controls").scrollTop;
-  controls = 0;
-  find("controls").replaceChildren(...state.scene.blocks.map(blockGroup), stackGroup(), groundGroup("horizontal"), groundGroup("vertical"),
-    lawGroup(), engineGroup(), cloudGroup(), wholeGroup());
-  find("controls").scrollTop = scroll;
-  if (held?.startsWith("control-")) find(held)?.focus();
-  const block = find("block"), last = state.scene.blocks.length - 1;
-  if (block.options.length !== last + 1) {
-    block.replaceChildren();
-    for (let k = 0; k <= last; ++k) block.add(new Option(`block ${k + 1}`, k, false, k === last));
-  }
-};
-
 // Saving ------------------------------------------------------------------------------------------------------
 
 const download = (name, text) => {
@@ -450,7 +263,7 @@ const download = (name, text) => {
 
 const save = async (kind) => {
   const name = find("name").value, saved = copy(state), text = JSON.stringify(state.scene), mark = ", changed";
-  const known = [setup.start, ...setup.scenes].some(({ scene }) => JSON.stringify(scene) === text);
+  const known = [start, ...setup.scenes].some(({ scene }) => JSON.stringify(scene) === text);
   if (!known && !String(saved.scene.title).endsWith(mark)) saved.scene.title += mark;
   try {
     const files = await post("files", { state: saved, name, runs: cloud.runs });
@@ -467,19 +280,27 @@ const save = async (kind) => {
 };
 
 const load = (scene) => {
-  state = { ...copy(setup.start), scene: copy(scene), engine: state.engine, settings: state.settings, parameters: state.parameters, dt: state.dt };
+  state = { ...copy(start), scene: copy(scene), engine: state.engine, settings: state.settings, parameters: state.parameters, dt: state.dt };
   find("lesson").hidden = true;
   rebuild();
   changed();
 };
 
+// Where its text is: beside this page, or a command that writes it.
+const tellLesson = () => {
+  const path = setup.pages[lesson.name], title = `“${lesson.title}”`;
+  find("lesson").replaceChildren(...path ? ["Lesson ", made("a", { href: `/course/${token}/${path}`, textContent: title })]
+    : [`Lesson ${title}: rockstack teach ${lesson.name} --out DIR writes its text, and rockstack live DIR has it with these sliders.`]);
+  find("lesson").hidden = false;
+};
+
 const begin = () => {
-  const own = setup.scenes.findIndex((one) => JSON.stringify(one.scene) === JSON.stringify(setup.start.scene));
-  const list = own < 0 ? [{ name: "as started", scene: setup.start.scene }, ...setup.scenes] : setup.scenes;
+  const own = setup.scenes.findIndex((one) => JSON.stringify(one.scene) === JSON.stringify(start.scene));
+  const list = own < 0 ? [{ name: "as started", scene: start.scene }, ...setup.scenes] : setup.scenes;
   list.forEach(({ name }, i) => find("scenes").add(new Option(name, i, false, i === Math.max(0, own))));
   find("scenes").addEventListener("input", (event) => load(list[event.target.value].scene));
   find("again").addEventListener("click", () => {
-    state = copy(setup.start);
+    state = copy(start);
     find("scenes").value = Math.max(0, own);
     rebuild();
     changed();
@@ -489,6 +310,7 @@ const begin = () => {
     looks.clear();
     draw();
   });
+  find("own").addEventListener("click", (event) => { event.currentTarget.href = "/?" + new URLSearchParams({ token }) + link(); });
   find("link").addEventListener("click", async () => {
     history.replaceState(null, "", link());
     await navigator.clipboard?.writeText(location.href).catch(() => {});
@@ -500,10 +322,8 @@ const begin = () => {
   find("controls").addEventListener("submit", (event) => event.preventDefault());
   new ResizeObserver(() => { looks.clear(); drawFigures(); }).observe(find("angles"));
   addEventListener("hashchange", () => { readLink(); rebuild(); changed(); });
-  if (setup.lesson) {
-    find("lesson").textContent = `Lesson “${setup.lesson.title}”: rockstack teach ${setup.lesson.name} --out DIR writes its text.`;
-    find("lesson").hidden = false;
-  }
+  document.body.classList.toggle("within", within);
+  if (lesson && !within) tellLesson();
   readLink();
   rebuild();
   changed();

@@ -103,6 +103,16 @@ std::string titles_after(const Json& lesson) {
   return titles;
 }
 
+/// The first scene's motion, where the text does not show it anyway.
+std::string picture(const fs::path& results, const Comparison& comparison, const std::string& text) {
+  const ComparedScene& scene = comparison.scenes.front();
+  for (const FigureKind& kind : figure_kinds())
+    if (std::string_view(kind.name) == "histories" && has_figure(scene, kind) &&
+        text.find(fmt::format("{{{{figure:{}.histories}}}}", scene.name)) == std::string::npos)
+      return figure_part(results, comparison, 0, kind);
+  return "";
+}
+
 /// What a lesson's page and its slides share.
 Values lesson_values(const fs::path& results, const Json& lesson) {
   const Comparison comparison = read_comparison(results);
@@ -117,6 +127,7 @@ Values lesson_values(const fs::path& results, const Json& lesson) {
           {"navigation", navigation(lesson)},
           {"aims", list_of(lesson.at("aims"))},
           {"references", list_of(lesson.at("references"))},
+          {"picture", picture(results, comparison, text)},
           {"text", filled_in(text, values_of(results, comparison, lesson))},
           {"command", escaped(comparison.command)},
           {"environment", definition_list(comparison.environment)}};

@@ -31,6 +31,15 @@ for (const form of document.querySelectorAll(".predict")) {
   form.querySelector(".skip").addEventListener("click", () => reveal(form, "Not predicted."));
 }
 
+// Where the program serves this page, the lesson's scene has sliders.
+const served = location.protocol === "http:" && location.pathname.match(/^\/course\/(\w+)\//);
+if (served) {
+  const place = document.getElementById("sliders"), frame = document.createElement("iframe");
+  const asked = { token: served[1], lesson: place.dataset.lesson, within: "" };
+  Object.assign(frame, { className: "live", title: "The scene of this lesson, with sliders", loading: "lazy", src: "/?" + new URLSearchParams(asked) });
+  place.querySelector(".asleep").replaceWith(frame);
+}
+
 document.getElementById("large")?.addEventListener("click", (event) => {
   event.target.setAttribute("aria-pressed", document.documentElement.classList.toggle("large"));
 });
