@@ -22,11 +22,18 @@ const asked = (heading, question, answer) => {
 };
 
 const prediction = (form) => {
-  const question = [made("p", { innerHTML: form.querySelector(".ask").innerHTML })];
-  for (const text of form.querySelectorAll(".given")) question.push(made("p", { innerHTML: text.innerHTML }));
+  const question = Array.from(form.querySelectorAll(".given, .ask"), (text) => made("p", { className: text.className, innerHTML: text.innerHTML }));
   const choices = Array.from(form.querySelectorAll("label.choice"), (label) => made("li", { textContent: label.textContent }));
   if (choices.length) question.push(made("ol", { type: "A" }, ...choices));
   return asked("Predict", question, Array.from(form.querySelectorAll(".revealed p:not(.verdict)")));
+};
+
+// A key sentence as a point of its own: it begins as one, and ends where the text goes on to what it tells of.
+const pointOf = (sentence) => {
+  const point = made("li", { innerHTML: sentence.innerHTML.trim().replace(/[:;]$/, ".") });
+  const first = document.createTreeWalker(point, NodeFilter.SHOW_TEXT).nextNode();
+  first.data = first.data.charAt(0).toUpperCase() + first.data.slice(1);
+  return point;
 };
 
 const whole = "figure, .player, section > table, pre, .predict, .question";
@@ -36,7 +43,7 @@ const slidesOf = (section) => {
   const points = made("ul"), first = [points];
   for (const part of section.querySelectorAll(`.key, math[display="block"], ${whole}`)) {
     if (part.closest(".player, .predict, .question") && !part.matches(whole)) continue;
-    if (part.matches(".key")) points.append(made("li", { innerHTML: part.innerHTML }));
+    if (part.matches(".key")) points.append(pointOf(part));
     else if (part.matches("math")) first.push(part);
     else if (part.matches(".predict")) list.push(...prediction(part));
     else if (part.matches(".question")) {
@@ -61,8 +68,9 @@ const least = 0.4;
 const fit = (one) => {
   for (let scale = 1; scale >= least; scale -= 0.05) {
     one.style.setProperty("--fit", scale);
-    if (one.scrollHeight <= one.clientHeight + 1 && one.scrollWidth <= one.clientWidth + 1) return;
+    if (one.scrollHeight <= one.clientHeight + 1 && one.scrollWidth <= one.clientWidth + 1) break;
   }
+  one.querySelector(".player")?.player?.resize();
 };
 
 let place = 0;
