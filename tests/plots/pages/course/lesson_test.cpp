@@ -126,7 +126,7 @@ TEST(Lesson, WhatFollowsAPredictionIsHiddenUntilItIsMade) {
 TEST(Lesson, ItsSlidesHoldWhatIsMarkedAndFitTheScreen) {
   if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
   const fs::path folder = lesson_folder(
-      "<section><h2>First</h2>{{predict:side}}<p>Long. <span class=\"key\">Short.</span></p>{{table:steps}}"
+      "<section><h2>First</h2>{{predict:side}}<p>Long. <span class=\"key\">short:</span></p>{{table:steps}}"
       "{{player:sample}}{{figure:sample.histories}}</section><section><h2>Questions</h2>"
       "<details class=\"question\"><summary>Why?</summary><p>So.</p></details></section>");
   write_lesson(folder);
@@ -140,7 +140,9 @@ TEST(Lesson, ItsSlidesHoldWhatIsMarkedAndFitTheScreen) {
     slideShow.show(0);
     const press = (key) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
     press("ArrowRight");
-    return { names: slides.map((one) => one.getAttribute("aria-label")), overflowing: small.length,
+    const stage = document.querySelector(".slide:not(.now) .player .stage");
+    const drawn = stage.width > 0 && stage.getContext("2d").getImageData(0, 0, stage.width, stage.height).data.some((value) => value !== 0);
+    return { drawn, names: slides.map((one) => one.getAttribute("aria-label")), overflowing: small.length,
       place: document.getElementById("place").textContent, told: slides[3].querySelector("li").textContent };)");
   EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
   EXPECT_EQ(answer.result["names"],
@@ -148,7 +150,8 @@ TEST(Lesson, ItsSlidesHoldWhatIsMarkedAndFitTheScreen) {
     "Questions", "Questions", "References"])"));
   EXPECT_EQ(answer.result["overflowing"], 0);
   EXPECT_EQ(answer.result["place"], "2 of 10");
-  EXPECT_EQ(answer.result["told"], "Short.");
+  EXPECT_EQ(answer.result["told"], "Short.") << "a point begins and ends as a sentence";
+  EXPECT_EQ(answer.result["drawn"], true) << "what is printed of a player is its picture";
 }
 
 }  // namespace
