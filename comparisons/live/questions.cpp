@@ -21,7 +21,6 @@ using Unwanted = std::function<bool()>;
 
 constexpr double longest_run = 20;                             // s
 constexpr std::uint64_t run_memory = std::uint64_t{2} << 30U;  // bytes
-constexpr int engine_niceness = 10;                            // the exact answer and its picture come first
 constexpr std::uint64_t longest_answer = std::uint64_t{64} << 20U;
 
 /// A question as it was asked.
@@ -100,15 +99,13 @@ std::string Questions::answer(const std::string& text, const Unwanted& gone) {
   const Question question = read_question(text, records_, library_);
   desk_.note(question.asker);
   const Unwanted unwanted = [&] { return desk_.is_superseded(question.asker) || gone(); };
-  const bool exact = question.asker.kind == Kind::exact || question.read.series.engine == nullptr;
-  const Limits limits{.time = longest_run,
-                      .memory = run_memory,
-                      .reply = longest_answer,
-                      .unwanted = &unwanted,
-                      .niceness = question.asker.kind == Kind::exact ? 0 : engine_niceness};
+  const Limits limits{
+      .time = longest_run, .memory = run_memory, .reply = longest_answer, .unwanted = &unwanted};
   Json answer{{"dropped", true}};
-  desk_.serve(question.asker.kind, unwanted,
-              [&] { answer = exact ? solved(solver_, question, limits) : simulated(question, limits); });
+  desk_.serve(question.asker.kind, unwanted, [&] {
+    const bool exact = question.asker.kind == Kind::exact || question.read.series.engine == nullptr;
+    answer = exact ? solved(solver_, question, limits) : simulated(question, limits);
+  });
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   answer["milliseconds"] = taken.count();
   return answer.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -110,7 +110,6 @@ struct Files {
   dup2(files.nothing, 1);
   dup2(files.complaint, 2);
   dup2(files.reply, 3);
-  setpriority(PRIO_PROCESS, 0, limits.niceness);
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
   const rlimit reply{limits.reply, limits.reply};

@@ -15,7 +15,6 @@ struct Limits {
   std::uint64_t memory = std::uint64_t{4} << 30;    ///< bytes
   std::uint64_t reply = std::uint64_t{16} << 20;    ///< bytes of its reply, as of any file that it writes
   const std::function<bool()>* unwanted = nullptr;  ///< asked every few ms: true ends the run; null: none
-  int niceness = 0;  ///< how far it gives way to other processes, as of nice(2), from 0 to 19
 };
 
 /// How a process ended.
