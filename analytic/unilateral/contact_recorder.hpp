@@ -48,13 +48,14 @@ class ContactRecorder {
   void note_step(const Joints<Real>& rigid, const ModeSeries<Real>& series,
                  const SpringContacts<Real>& springs, const SpringSeries<Real>& spring_series,
                  const Real& end_s, const Real& start) {
-    const Joints<Real> joints = springs.shown(rigid);
     while (sample_due()) {
       const Real s = (Real(options_.sample_times[next_sample_]) - start) / series.length;
       if (s >= end_s) break;
       note_sample({series.at(std::max(s, Real(0))), rigid}, springs, spring_series, std::max(s, Real(0)),
                   series);
     }
+    if (!demands_ && !options_.peaks) return;
+    const Joints<Real> joints = springs.shown(rigid);
     if (demands_ && end_s > 0) demands_->note_step(joints, series, end_s, start);
     if (!options_.peaks) return;
     note_peaks(series, end_s);
@@ -91,10 +92,12 @@ class ContactRecorder {
   bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
 
   /// At s of a step.
-  void note_sample(ContactState<Real> state, SpringContacts<Real> springs, const SpringSeries<Real>& series,
-                   const Real& s, const ModeSeries<Real>& motion) {
-    if (!springs.empty()) springs.go(series, s, motion.at(0), state.bodies);
-    note_sample(std::move(state), springs);
+  void note_sample(ContactState<Real> state, const SpringContacts<Real>& springs,
+                   const SpringSeries<Real>& series, const Real& s, const ModeSeries<Real>& motion) {
+    if (springs.empty()) return note_sample(std::move(state), springs);
+    SpringContacts<Real> then = springs;
+    then.go(series, s, motion.at(0), state.bodies);
+    note_sample(std::move(state), then);
   }
 
   void note_sample(ContactState<Real> state, const SpringContacts<Real>& springs) {

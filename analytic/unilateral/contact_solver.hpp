@@ -71,7 +71,10 @@ class ContactSolver {
     if (!springs_.empty()) length = std::min(length, springs_.longest_step(state_.bodies));
     const ScaledBodyForce<Real> body_force = scaled_body_force(across_, piece, offset_, length);
     SpringSeries<Real> springs(stack_, springs_.points(), state_.bodies);
-    const ModeStep<Real> step = mode_step(stack_, state_.joints, state_.bodies, body_force, length, springs);
+    NoForces none;
+    const ModeStep<Real> step =
+        springs_.empty() ? mode_step(stack_, state_.joints, state_.bodies, body_force, length, none)
+                         : mode_step(stack_, state_.joints, state_.bodies, body_force, length, springs);
     if (step.lengthens && length == longest_) longest_ *= Real(1.25);
     if (step.series.length < length) longest_ = step.series.length;
     if (longest_ < shortest_step_) return jam();
@@ -128,7 +131,7 @@ class ContactSolver {
     recorder_.note_step(state_.joints, series, springs_, springs, s, time());
     const BasicBodies<Real> before = std::exchange(state_.bodies, std::move(next));
     place(stack_.blocks, state_.joints, state_.bodies);
-    springs_.go(springs, s, before, state_.bodies);
+    if (!springs_.empty()) springs_.go(springs, s, before, state_.bodies);
     offset_ += s * series.length;
     if (s > 0) decided_ = false;
   }

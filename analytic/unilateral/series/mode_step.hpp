@@ -9,8 +9,18 @@
 
 namespace rockstack {
 
-/// Lets the series of a step grow, order by order. `known` are the forces of springs: each order of theirs
-/// follows from the same order of places and velocities.
+/// Where nothing but contacts holds blocks, no forces are known.
+struct NoForces {
+  void begin(const auto& /*body_of*/, const auto& /*length*/) const {}
+  void extend_places(std::size_t /*m*/) const {}
+  void extend_forces(std::size_t /*n*/, const auto& /*forces*/) const {}
+  void add_forces(std::size_t /*n*/, const auto& /*result*/) const {}
+  int size_of(std::size_t /*m*/) const { return 0; }
+  void rescale_by(const auto& /*ratio*/) const {}
+};
+
+/// Lets the series of a step grow, order by order. `known` are the forces of springs, or none: each order of
+/// theirs follows from the same order of places and velocities.
 template <class Real, class Known>
 class SeriesMaker {
  public:
@@ -73,7 +83,7 @@ class SeriesMaker {
       size = std::max<Real>({size, abs(body.x[m]) / unit, abs(body.y[m]) / unit, abs(body.angle[m]),
                              abs(body.cosine[m]), abs(body.sine[m])});
     }
-    return std::max<Real>(size, known_.size_of(m) / unit) * Real(m);
+    return std::max<Real>(size, Real(known_.size_of(m)) / unit) * Real(m);
   }
 
   /// The largest coefficient of order n of forces.
