@@ -12,7 +12,8 @@
 // contactStiffness k in N/m and contactDamping c in N s/m make each contact point a spring and a dashpot,
 // through Bullet's own erp = h k/(h k + c) and cfm = 1/(h k + c) with the step h; where both are zero, erp2
 // and globalCfm act. Only an overlap that goes through the velocities is a spring: splitImpulse = 0, or above
-// its threshold.
+// its threshold. Solvers of complementarity problems (mlcp-…) take a point's erp alone, and the world's
+// globalCfm for all: to them no contactStiffness makes a soft contact.
 //
 // What was measured of every setting: engines/README.md.
 //

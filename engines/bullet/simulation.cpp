@@ -105,12 +105,18 @@ double angle_of(const btRigidBody& body) {
   return std::atan2(-turn[1][0], turn[0][0]);
 }
 
+/// What makes a contact point a spring and a dashpot; cfm in s/kg.
+struct Softness {
+  double erp, cfm;
+};
+
 /// Of each contact point, N/m in the library's own masses: a spring where overlap is corrected through
 /// velocities, and all of it.
-double stiffness_of(const btContactSolverInfo& info, double dt, double penetration) {
+double stiffness_of(const btContactSolverInfo& info, const Softness& softness, double dt,
+                    double penetration) {
   const bool split = info.m_splitImpulse != 0 && penetration <= info.m_splitImpulsePenetrationThreshold;
   if (split || info.m_linearSlop != 0) return std::numeric_limits<double>::infinity();
-  return contact_stiffness(info.m_erp2, info.m_globalCfm, dt);
+  return contact_stiffness(softness.erp, softness.cfm, dt);
 }
 
 class BulletSimulation : public Simulation {
@@ -196,15 +202,24 @@ class BulletSimulation : public Simulation {
     point.normal = found.getAppliedImpulse() / mass_factor_;
     point.tangential =
         std::hypot(found.m_appliedImpulseLateral1, found.m_appliedImpulseLateral2) / mass_factor_;
-    const bool spring = (found.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING) != 0;
-    point.stiffness = (spring ? double{found.m_combinedContactStiffness1}
-                              : stiffness_of(world_.getSolverInfo(), dt_, point.gap_before)) /
-                      mass_factor_;
+    const Softness softness = softness_of(found);
     const btContactSolverInfo& info = world_.getSolverInfo();
-    point.damping =
-        (spring ? double{found.m_combinedContactDamping1} : contact_damping(info.m_erp2, info.m_globalCfm)) /
-        mass_factor_;
+    point.stiffness = stiffness_of(info, softness, dt_, point.gap_before) / mass_factor_;
+    point.damping = contact_damping(softness.erp, softness.cfm) / mass_factor_;
     return point;
+  }
+
+  /// A point with a spring of its own has its own erp and cfm; solvers of complementarity problems take its
+  /// erp, and the world's cfm for all points.
+  Softness softness_of(const btManifoldPoint& point) const {
+    const btContactSolverInfo& info = world_.getSolverInfo();
+    Softness softness{info.m_erp2, info.m_globalCfm};
+    if ((point.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING) == 0) return softness;
+    const double spring = dt_ * point.m_combinedContactStiffness1;
+    const double both = spring + point.m_combinedContactDamping1;
+    softness.erp = spring / both;
+    if (!solver_.is_complementarity()) softness.cfm = 1 / both;
+    return softness;
   }
 
   const btRigidBody& block(std::size_t k) const { return *bodies_[k + 1]; }

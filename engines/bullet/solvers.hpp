@@ -23,6 +23,8 @@ class ChosenSolver {
 
   btSequentialImpulseConstraintSolver* constraints() const { return constraints_.get(); }
 
+  bool is_complementarity() const { return algorithm_ != nullptr; }
+
   /// How often Bullet gave a problem up and took sequential impulse in its place.
   std::size_t fallbacks() const;
 

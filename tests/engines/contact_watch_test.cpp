@@ -138,6 +138,38 @@ TEST(Contacts, OfABlockAtRestOnSpringsHoldTheEnergyThatItsWeightPutsIn) {
   }
 }
 
+// Given a stiffness of their own, four points hold W at a depth of W/(4k), and tell k; Bullet's solvers of
+// complementarity problems take no point's cfm, and tell that they are rigid. Dantzig's gives four corners in
+// a plane up, to sequential impulse.
+TEST(Contacts, OfBulletAreAsStiffAsTheyTellWhereTheyAreGivenASpring) {
+  constexpr double dt = 1e-3, stiffness = 1e7, damping = 2e5;
+  for (const auto& engine : linked_engines()) {
+    const std::string solver = engine->solver();
+    if (engine->name() != "bullet" || (solver != "sequential-impulse" && solver != "mlcp-pgs")) continue;
+    Parameters parameters = engine->default_parameters();
+    parameters["splitImpulse"] = 0;
+    parameters["contactStiffness"] = stiffness;
+    parameters["contactDamping"] = damping;
+    const Scene scene = stack(1, 1);
+    const auto simulation = start(*engine, scene, dt, parameters);
+    simulation->watch_contacts();
+    for (int i = 0; i < 2000; ++i) simulation->step();
+    const auto points = simulation->contacts();
+    ASSERT_EQ(points.size(), 4U) << solver;
+    const double depth = scene.blocks[0].mass * scene.gravity / (4 * stiffness);
+    constexpr double left = 1e-4;  // of the depth: settling takes c/k = 0.02 s, iterations leave more
+    for (const ContactPoint& point : points) {
+      const bool spring = solver == "sequential-impulse";
+      EXPECT_NEAR(-point.gap, spring ? depth : 0, left * depth) << solver;
+      EXPECT_EQ(std::isinf(point.stiffness), !spring) << solver;
+      if (spring) {
+        EXPECT_NEAR(point.stiffness / stiffness, 1, 1e-12);
+        EXPECT_NEAR(point.damping / damping, 1, 1e-12);
+      }
+    }
+  }
+}
+
 // A block that is pushed along by more than friction bears slides at the cone; where the limit is a force it
 // does not, and the excess is what the cone does not bear.
 TEST(Contacts, ShowFrictionAboveItsCone) {
