@@ -20,6 +20,7 @@
 #include "tests/analytic/reference/example_scenes.hpp"
 #include "tests/benchmarks/measurement.hpp"
 #include "tests/benchmarks/methods.hpp"
+#include "tests/benchmarks/processor_time.hpp"
 #include "tests/benchmarks/stepped.hpp"
 #include "tests/engines/linked_engines.hpp"
 #ifdef ROCKSTACK_WITH_SUNDIALS
@@ -36,16 +37,6 @@ struct Contender {
       angles;                                   ///< absolute, at samples
   std::function<double(const Scene&)> seconds;  ///< of one run
 };
-
-double processor_seconds(const std::function<void()>& work) {
-  constexpr double shortest = 5e-3;
-  for (int repeats = 1;; repeats *= 4) {
-    const std::clock_t start = std::clock();
-    for (int i = 0; i < repeats; ++i) work();
-    const double elapsed = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    if (elapsed >= shortest) return elapsed / repeats;
-  }
-}
 
 Contender ours(const std::string& method, Integrator integrator, double setting) {
   SolveOptions options;
