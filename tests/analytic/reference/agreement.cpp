@@ -119,6 +119,35 @@ void take_larger(Deviation& deviation, const Deviation& other) {
   deviation.state = std::max(deviation.state, other.state);
 }
 
+/// Whether a response, of all events that there are, parts no later than another history and has those of its
+/// deviations up to there that are not small.
+bool makes(const Agreement& response, const Agreement& wanted) {
+  const bool parts = response.parts && (!wanted.parts || *response.parts <= *wanted.parts);
+  if (wanted.parts && !parts) return false;
+  const std::size_t count = std::min(wanted.events.size(), parts ? *response.parts : wanted.events.size());
+  constexpr double small = 1e-10;  // s, or of the state
+  constexpr double nearly = 1.01;  // what takes the same other course is off by as much
+  Deviation largest;
+  for (std::size_t i = 0; i < count; ++i) {
+    take_larger(largest, response.events[i]);
+    const Deviation& deviation = wanted.events[i];
+    if (std::abs(deviation.time) > std::max(small, nearly * largest.time) ||
+        deviation.state > std::max(small, nearly * largest.state))
+      return false;
+  }
+  return true;
+}
+
+/// The last event within a few roundings of a time.
+template <class Real>
+const BasicEvent<Real>& last_of_instant(const BasicHistory<Real>& history, std::size_t event) {
+  constexpr double roundings = 8;
+  const Real time = history.events[event].time;
+  const Real end = time * (1 + roundings * std::numeric_limits<double>::epsilon());
+  while (event + 1 < history.events.size() && history.events[event + 1].time <= end) ++event;
+  return history.events[event];
+}
+
 }  // namespace
 
 template <class Real>
@@ -147,7 +176,8 @@ Agreement compare(const BasicHistory<Real>& history, const QuadHistory& other) {
 template Agreement compare(const BasicHistory<double>&, const QuadHistory&);
 template Agreement compare(const BasicHistory<Quad>&, const QuadHistory&);
 
-Agreement response_to_rounding(const Scene& scene, const QuadHistory& history, int units, int draws) {
+Agreement response_to_rounding(const Scene& scene, const QuadHistory& history, int units, int draws,
+                               const std::optional<Agreement>& wanted) {
   Agreement response;
   response.events.resize(history.events.size());
   for (const Scene& rounded : roundings(scene, units, draws)) {
@@ -156,6 +186,7 @@ Agreement response_to_rounding(const Scene& scene, const QuadHistory& history, i
       response.parts = std::min(*agreement.parts, response.parts.value_or(*agreement.parts));
     for (std::size_t i = 0; i < agreement.events.size(); ++i)
       take_larger(response.events[i], agreement.events[i]);
+    if (wanted && makes(response, *wanted)) break;
   }
   response.events.resize(response.parts.value_or(response.events.size()));
   for (std::size_t i = 1; i < response.events.size(); ++i)
@@ -178,6 +209,18 @@ bool parts_at_resolution(const History& history, const QuadHistory& other, std::
     if ((flies ? excursion(history, event, k) : excursion(other, event, k)) > 2 * resolution) return false;
   }
   return true;
+}
+
+bool parts_within_an_instant(const History& history, const QuadHistory& other, std::size_t event) {
+  if (event >= history.events.size() || event >= other.events.size()) return false;
+  const Event& found = last_of_instant(history, event);
+  const BasicEvent<Quad>& expected = last_of_instant(other, event);
+  if (!(found.to == expected.to)) return false;
+  Sizes velocities;
+  velocities.note(expected.before);
+  velocities.note(expected.after);
+  constexpr double small = 1e-9;
+  return velocities.share(found.after, expected.after) < small;
 }
 
 bool parts_at_decision(const Scene& scene, const History& history, std::size_t event) {

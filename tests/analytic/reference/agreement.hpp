@@ -25,13 +25,19 @@ Agreement compare(const BasicHistory<Real>& history, const QuadHistory& other);
 /// What a scene itself makes of roundings of its input: the largest deviations of the reference when gravity
 /// or a height changes by some units in the last place of a double, up or down, and in that many draws all
 /// its numbers by up to as many at once, taken together. Each deviation is the largest so far, as what has
-/// once been amplified may come back in a later event.
-Agreement response_to_rounding(const Scene& scene, const QuadHistory& history, int units = 1, int draws = 0);
+/// once been amplified may come back in a later event. No more are drawn once they make of the scene what
+/// `wanted` is: its parting, and all of its deviations.
+Agreement response_to_rounding(const Scene& scene, const QuadHistory& history, int units = 1, int draws = 0,
+                               const std::optional<Agreement>& wanted = {});
 
 /// True where two histories that part at an event do so at the resolution at which chatter ends (solver.hpp):
 /// the impact is the same, and what one of them leaves out is a flight of at most twice the rounding of an
 /// angle, or none.
 bool parts_at_resolution(const History& history, const QuadHistory& other, std::size_t event);
+
+/// True where two histories that part at an event come to the same within a few roundings of its time:
+/// impacts at one instant that one of them has together and the other one by one.
+bool parts_within_an_instant(const History& history, const QuadHistory& other, std::size_t event);
 
 /// True where the reference does not part at an event when it decides for as much later as double does: a
 /// mode that lasts no longer than that is none in double (contact_solver.hpp).

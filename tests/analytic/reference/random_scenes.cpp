@@ -46,6 +46,10 @@ const char* explain(const Scene& scene, const History& found, const QuadHistory&
     ++tally.at_resolution;
     return ": at the resolution of chatter";
   }
+  if (parts_within_an_instant(found, expected, event)) {
+    ++tally.within_instant;
+    return ": impacts at one instant, together or one by one";
+  }
   if (parts_at_decision(scene, found, event)) {
     ++tally.at_decision;
     return ": at the resolution of decisions";
@@ -105,7 +109,7 @@ std::string Tally::add(std::uint64_t seed, const Scene& scene) {
   for (; matched < agreement.events.size(); ++matched) {
     const Deviation& deviation = agreement.events[matched];
     if (std::abs(deviation.time) > small || deviation.state > small) {
-      if (!response) response = response_to_rounding(scene, expected.history, several, draws);
+      if (!response) response = response_to_rounding(scene, expected.history, several, draws, agreement);
       if (matched >= response->events.size()) break;
       const Deviation& own = response->events[matched];
       amplified = std::max({amplified, std::abs(deviation.time) / own.time, deviation.state / own.state});
@@ -119,7 +123,7 @@ std::string Tally::add(std::uint64_t seed, const Scene& scene) {
   if (!agreement.parts) return {};
   ++parted;
   const std::size_t event = *agreement.parts;
-  if (!response) response = response_to_rounding(scene, expected.history, several, draws);
+  if (!response) response = response_to_rounding(scene, expected.history, several, draws, agreement);
   const char* reason = explain(scene, found.history, expected.history, *response, event, *this);
   text << "event " << event << " of " << expected.history.events.size() << ": found "
        << words(found.history, event) << ", expected " << words(expected.history, event)
@@ -132,10 +136,11 @@ std::string Tally::summary() const {
   std::ostringstream text;
   text << scenes << " scenes, " << events << " events; in " << stuck << " scenes the model cannot go on; "
        << parted << " part from the reference: " << at_resolution << " at the resolution of chatter, "
-       << at_decision << " at that of decisions, " << sensitive_input << " as by roundings of the input, "
-       << sensitive_arithmetic << " as by roundings of operations, " << unexplained
-       << " unexplained; worst event time off by " << worst.time << " s, worst state by " << worst.state
-       << "; " << sensitive << " scenes are off by more than 1e-10 somewhere, by at most " << amplified
+       << within_instant << " within an instant, " << at_decision << " at that of decisions, "
+       << sensitive_input << " as by roundings of the input, " << sensitive_arithmetic
+       << " as by roundings of operations, " << unexplained << " unexplained; worst event time off by "
+       << worst.time << " s, worst state by " << worst.state << "; " << sensitive
+       << " scenes are off by more than 1e-10 somewhere, by at most " << amplified
        << " times what 16 roundings of their input make";
   return text.str();
 }

@@ -16,10 +16,11 @@ Scene rubbing_scene_of(std::uint64_t seed);
 /// Sums over scenes that were compared with the reference.
 struct Tally {
   std::size_t scenes = 0;
-  std::size_t events = 0;         ///< of the reference
-  std::size_t parted = 0;         ///< scenes whose events are not those of the reference
-  std::size_t at_resolution = 0;  ///< of these, those that part in whether a last flight of chatter is one
-  std::size_t at_decision = 0;    ///< of the others, those that part in what lasts no longer than a decision
+  std::size_t events = 0;          ///< of the reference
+  std::size_t parted = 0;          ///< scenes whose events are not those of the reference
+  std::size_t at_resolution = 0;   ///< of these, those that part in whether a last flight of chatter is one
+  std::size_t within_instant = 0;  ///< of the others, those that part in how many impacts an instant has
+  std::size_t at_decision = 0;     ///< of the others, those that part in what lasts no longer than a decision
   std::size_t sensitive_input =
       0;  ///< of the others, those that part from themselves by a rounding of the input
   std::size_t sensitive_arithmetic =
