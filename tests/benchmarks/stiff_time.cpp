@@ -95,6 +95,7 @@ Contender stepped_by(const Engine& engine, double dt) {
           [=, &engine](const Scene& scene, const std::vector<double>& samples) {
             const History history = simulate(engine, as_rigid(scene), dt, springs_of(engine, scene)).history;
             std::vector<double> angles;
+            angles.reserve(samples.size());
             for (const double sample : samples)
               angles.push_back(
                   history.angles_at(std::min<std::size_t>(std::lround(sample / dt), history.size() - 1))[0]);
@@ -158,7 +159,7 @@ void print_row(double stiffness, double ratio, const std::vector<Contender>& all
 }  // namespace
 }  // namespace rockstack::benchmarks
 
-int main(int arguments, char** values) {
+int main(int arguments, char** values) try {
   using namespace rockstack::benchmarks;
   const int least = arguments > 1 ? std::atoi(values[1]) : 5;
   const int most = arguments > 2 ? std::atoi(values[2]) : 12;
@@ -170,4 +171,7 @@ int main(int arguments, char** values) {
   std::printf("\n");
   for (const double ratio : {0.1, 1.0})
     for (int decade = least; decade <= most; ++decade) print_row(std::pow(10, decade), ratio, all);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
 }
