@@ -173,6 +173,17 @@ void validate_springs(const Scene& scene) {
                        number_text(springs.bed_stiffness[k]),
                        "inf where contact.stiffness is not: an interface has springs at corners or a bed");
   require_positive("contact.tangential", springs.tangential);
+  if (scene.initial.settled) return;
+  // Depth and pressure of a bed would both be zero all along it, and its two zeros at one place.
+  const auto parts = [](const std::vector<double>& values, std::size_t k) {
+    return values[k] != (k == 0 ? 0 : values[k - 1]);
+  };
+  for (std::size_t k = 0; k < springs.bed_stiffness.size(); ++k)
+    if (springs.bed_stiffness[k] != rigid && !parts(scene.initial.angles, k) &&
+        parts(scene.initial.velocities, k))
+      throw FieldError(
+          "initial.springs", "unloaded",
+          "loaded where a block lies flat on a bed and turns, as block " + std::to_string(k + 1) + " does");
 }
 
 void validate_pulse(const Pulse& pulse, const std::string& key) {

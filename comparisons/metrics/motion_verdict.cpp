@@ -35,8 +35,10 @@ double peak_time(const History& history, std::size_t block) {
   return history.times[furthest];
 }
 
-bool ends_at_rest(const History& history) {
-  return !history.events.empty() && history.events.back().to == closed_pattern(history.blocks);
+/// On springs a stack moves on where all its corners push.
+bool ends_at_rest(const Scene& scene, const History& history) {
+  return scene.law != Law::compliant && !history.events.empty() &&
+         history.events.back().to == closed_pattern(history.blocks);
 }
 
 bool ends_with(const History& history, EventKind kind) {
@@ -123,7 +125,7 @@ std::string motion_verdict(const Scene& scene, const History& history) {
   const Lean most = largest_lean(scene, peak_angles(history));
   if (history.events.empty() && most.ratio < 1e-3) return "rests throughout" + freedom(history);
   const std::string rest =
-      ends_at_rest(history) ? fmt::format(", at rest from {:.4g} s", history.events.back().time) : "";
+      ends_at_rest(scene, history) ? fmt::format(", at rest from {:.4g} s", history.events.back().time) : "";
   const std::string lean =
       most.ratio < 1e-3 && !history.slips.empty()
           ? "; nothing rocks"

@@ -16,6 +16,7 @@ struct NoForces {
   void extend_forces(std::size_t /*n*/, const auto& /*forces*/) const {}
   void add_forces(std::size_t /*n*/, const auto& /*result*/) const {}
   int size_of(std::size_t /*m*/) const { return 0; }
+  std::size_t silent_orders() const { return 0; }
   void rescale_by(const auto& /*ratio*/) const {}
 };
 
@@ -213,7 +214,7 @@ ModeStep<Real> mode_step(const BasicFrictionStack<Real>& stack, const Joints<Rea
     forces.note(maker.force_of(orders) / force);
     ++orders;
     left = std::max(positions.share(), forces.share());
-    reached = orders > 2 && left <= 1;
+    reached = orders > 2 + known.silent_orders() && left <= 1;
   }
   using std::pow;
   const Real ratio = reached ? Real(1) : Real(0.9) * pow(1 / left, 1 / Real(most));

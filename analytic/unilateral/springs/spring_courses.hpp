@@ -35,6 +35,10 @@ struct SpringCourse {
   Polynomial<Real> within = {}, within_other = {};  ///< of `touch`: how far it is inside either end, m
 };
 
+/// The share of a step in which forces come to be told from rounding.
+template <class Real>
+inline const Real spring_moment = root_tolerance<Real>(1e-6);
+
 /// Those of all points that end first, at s of a step.
 template <class Real>
 struct FirstSpringChange {
@@ -42,12 +46,18 @@ struct FirstSpringChange {
   std::vector<SpringCourse<Real>> courses;
 
   /// Takes a course into account. By the event that has just been, its first `zeros` coefficients are not
-  /// below zero, however they round.
-  void consider(SpringCourse<Real> course, std::size_t zeros = 0) {
+  /// below zero, however they round; and what is above zero a moment later has been so all the while. A
+  /// course that ends after `until` is another's matter.
+  void consider(SpringCourse<Real> course, std::size_t zeros = 0, const Real& until = 1) {
     for (std::size_t i = 0; i < zeros && i < course.series.terms; ++i)
       course.series[i] = std::max(course.series[i], Real(0));
+    if (zeros > 0 && value(course.series, spring_moment<Real>) >= 0) {
+      Polynomial<Real> at_first = course.series;
+      rescale(at_first, spring_moment<Real>);
+      course.series[0] -= 2 * std::min(hull(at_first).least, Real(0));
+    }
     const std::optional<Real> crossing = first_crossing(course.series);
-    if (!crossing || *crossing > s) return;
+    if (!crossing || *crossing > std::min(s, until)) return;
     if (course.change == SpringChange::touch && course.within.terms > 0) {
       const Real slack = -tolerance<Real>(1e-12) * (course.within[0] + course.within_other[0]);
       if (value(course.within, *crossing) < slack || value(course.within_other, *crossing) < slack) return;
@@ -89,12 +99,18 @@ class SpringCourses {
                       start.at_no_force || start.at_face ? 1 : 0);
     if (law.friction == 0) return add_ends(spring, spring.slip);
     if (start.slide == 0) {
+      // What parts has no force left along the face either: it does not slide a moment before.
+      const std::optional<Real> parts = start.is_bed() ? std::nullopt : first_crossing(spring.force.normal);
+      const Real until = parts && *parts > spring_moment<Real> ? Real(*parts - spring_moment<Real>) : Real(1);
       // Without a dashpot, a slider that has just stopped is at its strength as the slip comes to a halt.
       const std::size_t zeros = law.tangential_damping > 0 ? 1 : 2;
-      for (const int way : {-1, 1})
-        found_.consider({sum(times(law.friction, spring.force.normal), times(way, spring.force.tangential)),
-                         SpringChange::slide, i, way},
-                        start.at_grip && way * spring.force.tangential[0] < 0 ? zeros : 0);
+      for (const int way : {-1, 1}) {
+        SpringCourse<Real> course{
+            sum(times(law.friction, spring.force.normal), times(way, spring.force.tangential)),
+            SpringChange::slide, i, way};
+        const bool at_limit = way * spring.force.tangential[0] < 0 || course.series[0] <= 0;
+        found_.consider(std::move(course), start.at_grip && at_limit ? zeros : 0, until);
+      }
       return;
     }
     const Polynomial<Real> slider = sum(spring.slip, times(-1, spring.stretch));

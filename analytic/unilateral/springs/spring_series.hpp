@@ -126,6 +126,15 @@ class SpringSeries {
     return size;
   }
 
+  /// Orders through which a force may be zero that then grows: that of a bed at whose surface a block starts
+  /// at rest, as depth and the length that presses both go with the square of time.
+  std::size_t silent_orders() const {
+    const auto silent = [](const GrowingSpring<Real>& spring) {
+      return spring.start.is_bed() && spring.force.normal[0] == 0;
+    };
+    return std::any_of(growing_.begin(), growing_.end(), silent) ? 4 : 0;
+  }
+
   /// Makes the step `ratio` times as long.
   void rescale_by(const Real& ratio) {
     length_ *= ratio;

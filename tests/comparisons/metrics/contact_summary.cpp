@@ -109,6 +109,20 @@ TEST(ContactSummary, OfABlockThatTheGroundLeaves) {
   EXPECT_TRUE(validity_warnings(scene, history).empty());
 }
 
+TEST(ContactSummary, OfABlockThatSwingsOnBothSpringsDoesNotCallItRest) {
+  Scene scene;
+  scene.law = Law::compliant;
+  scene.duration = 0.25;
+  scene.blocks = {make_block(1, 1, 2500)};
+  scene.springs.stiffness = {1e7};
+  scene.initial = {{0.01}, {0}};
+  const History history = sampled(scene);
+  ASSERT_FALSE(history.events.empty());
+  ASSERT_EQ(name(history.events.back().to), name(closed_pattern(1)));
+  EXPECT_EQ(motion_verdict(scene, history).rfind("stands; block 1 peaks", 0), 0U)
+      << motion_verdict(scene, history);
+}
+
 TEST(ContactSummary, IsEmptyUnderLawsOfPivots) {
   Scene scene = sliding();
   scene.law = Law::consistent;

@@ -148,6 +148,41 @@ TEST(WinklerBed, KeepsItsEnergyOrTellsIt) {
   EXPECT_GT(parted, 20);
 }
 
+// Where a leaning block starts at the bed's surface, nothing pushes yet: the force goes with the fourth power
+// of time. Without dashpots and slip the bed gives back what it takes, so that nothing is lost.
+TEST(WinklerBed, StopsABlockThatStartsAtItsSurface) {
+  for (const double angle : {0.02, -0.1, 0.2}) {
+    Scene scene = on_a_bed(1e7, 0, 0.2);
+    scene.initial.angles = {angle};
+    scene.friction = {0};
+    scene.initial.settled = false;
+    const ContactHistory history =
+        solve_unilateral(scene, {.sample_times = regular_times(0.01, scene.duration)});
+    const double scale = 2 * scene.blocks[0].mass * scene.gravity * scene.blocks[0].half_height;
+    const double first = energy(scene, history.samples.front().bodies);
+    for (const auto& sample : history.samples) {
+      EXPECT_NEAR(energy(scene, sample.bodies) + sample.springs[0].energy.elastic, first, 1e-11 * scale)
+          << angle << ' ' << sample.time;
+    }
+    EXPECT_NE(history.samples[4].bodies.at[0].angle, angle);
+  }
+}
+
+TEST(WinklerBed, RefusesABlockThatLiesFlatWithoutLoadAndTurns) {
+  Scene scene = on_a_bed(1e7, 0, 0.2);
+  scene.initial.velocities = {0.1};
+  EXPECT_NO_THROW(validate(scene));
+  scene.initial.settled = false;
+  try {
+    validate(scene);
+    FAIL() << "no error";
+  } catch (const FieldError& error) {
+    EXPECT_STREQ(error.what(),
+                 "initial.springs = unloaded: must be loaded where a block lies flat on a bed and turns, "
+                 "as block 1 does");
+  }
+}
+
 // Thrown up flat by the ground, a block leaves a bed and comes down on all of it at once.
 TEST(WinklerBed, PartsAndLandsFlat) {
   Scene scene = on_a_bed(1e7, 2e4, 2);
