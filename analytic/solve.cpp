@@ -58,7 +58,8 @@ History solve_with_contacts(const Scene& scene, const SolveOptions& options) {
   const ContactOptions asked{.sample_times = options.sample_times,
                              .resolution = options.resolution,
                              .validity = options.validity,
-                             .peaks = options.peaks};
+                             .peaks = options.peaks,
+                             .unwanted = options.unwanted};
   return double_does(scene) ? contacts_in<double>(scene, asked) : contacts_in<long double>(scene, asked);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <exception>
+#include <functional>
 #include <vector>
 
 namespace rockstack {
@@ -8,6 +10,12 @@ namespace rockstack {
 enum class Integrator {
   taylor,  ///< Taylor series to rounding
   rk4,     ///< the classical Runge–Kutta method at a fixed step: the baseline
+};
+
+/// What ends a motion that nobody wants any more.
+class Stopped : public std::exception {
+ public:
+  const char* what() const noexcept override { return "stopped: not wanted any more"; }
 };
 
 /// How to solve, and what to keep.
@@ -27,7 +35,15 @@ struct SolveOptions {
   double tolerance = 0;
   /// Of rk4: the longest step, s, > 0.
   double step = 2e-4;
+  /// Asked before every step: true ends the motion, which throws Stopped; null: none. Batches of scenes pass
+  /// it over.
+  const std::function<bool()>* unwanted = nullptr;
 };
+
+/// @throws Stopped where it is so.
+inline void stop_if_unwanted(const std::function<bool()>* unwanted) {
+  if (unwanted != nullptr && (*unwanted)()) throw Stopped();
+}
 
 /// @throws std::invalid_argument for what is out of range, with its name, value and range.
 void validate(const SolveOptions& options);

@@ -35,6 +35,7 @@ class Solver {
         stall_guard_(model_),
         ties_(model_),
         resting_(model_),
+        unwanted_(options.unwanted),
         upright_(upright_model(scene)),
         end_of_chatter_(model_, options.resolution > 0 ? Real(options.resolution)
                                                        : std::numeric_limits<Real>::epsilon()) {
@@ -55,7 +56,10 @@ class Solver {
   /// masses or sizes too far apart for the number type.
   BasicHistory<Real> run() {
     start();
-    while (!finished()) advance();
+    while (!finished()) {
+      stop_if_unwanted(unwanted_);
+      advance();
+    }
     return std::move(*this).history();
   }
   /// Once finished().
@@ -319,6 +323,7 @@ class Solver {
   StallGuard<Real> stall_guard_;
   TieBreaker<Real> ties_;
   RestingStack<Real, N> resting_;
+  const std::function<bool()>* unwanted_;
   std::optional<Model<Real, N>> upright_;  ///< of impacts, where they need one of their own
   EndOfChatter<Real, N> end_of_chatter_;
   Linkage<Real, N> linkage_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
@@ -60,6 +61,7 @@ struct ContactOptions {
   double moment = 0;      ///< an event decides for so much later, √(H/g), ≥ 0; 0: 6.7 √ε
   bool validity = false;  ///< whether to keep what acts at each interface
   bool peaks = false;     ///< whether to keep largest angles, slips left and lifts
+  const std::function<bool()>* unwanted = nullptr;  ///< as of SolveOptions
 };
 
 }  // namespace rockstack

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "analytic/scene/solve_options.hpp"
 #include "analytic/unilateral/contact/conditioning.hpp"
 #include "analytic/unilateral/contact_changes.hpp"
 #include "analytic/unilateral/contact_decision.hpp"
@@ -31,7 +32,8 @@ class ContactSolver {
         fresh_(scene.blocks.size()),
         state_(initial_contacts(stack_, scene.initial)),
         springs_(scene, stack_, state_),
-        recorder_(scene, stack_, options) {
+        recorder_(scene, stack_, options),
+        unwanted_(options.unwanted) {
     using std::cos;
     using std::sqrt;
     require_digits(stack_);
@@ -52,7 +54,10 @@ class ContactSolver {
   /// @throws std::runtime_error where the motion cannot go on.
   void run() {
     decide(Joints<Real>(state_.joints), state_.bodies, 0);
-    while (!ended_ && !pieces_.finished()) advance();
+    while (!ended_ && !pieces_.finished()) {
+      stop_if_unwanted(unwanted_);
+      advance();
+    }
     if (!ended_) recorder_.note_rest(state_, springs_, scene_.duration);
   }
 
@@ -336,6 +341,7 @@ class ContactSolver {
   int burst_ = 0;
   bool ended_ = false;
   ContactRecorder<Real> recorder_;
+  const std::function<bool()>* unwanted_;
 };
 
 }  // namespace rockstack

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "tests/analytic/solver/stacks.hpp"
@@ -208,6 +209,22 @@ TEST(Choices, AreNoneWhereThePushTellsTheSide) {
   const History history = solve(scene);
   ASSERT_FALSE(history.events.empty());
   EXPECT_TRUE(history.choices.empty());
+}
+
+TEST(Unwanted, MotionsEndBeforeTheirNextStep) {
+  for (const Law law : {Law::consistent, Law::unilateral, Law::compliant}) {
+    Scene scene = testing::released({testing::block(0.5, 2)}, {0.1}, 2);
+    scene.law = law;
+    if (law == Law::compliant) scene.springs.stiffness = {1e7};
+    int asked = 0;
+    const std::function<bool()> at_the_third = [&] { return ++asked == 3; };
+    EXPECT_THROW(solve(scene, {.unwanted = &at_the_third}), Stopped) << name(law);
+    EXPECT_EQ(asked, 3) << name(law);
+    const std::function<bool()> never = [] { return false; };
+    EXPECT_EQ(solve(scene, {.sample_times = {2}, .unwanted = &never}).angles,
+              solve(scene, {.sample_times = {2}}).angles)
+        << name(law);
+  }
 }
 
 }  // namespace
