@@ -198,13 +198,6 @@ void validate_pulse(const Pulse& pulse, const std::string& key) {
   require_signed(key + ".phase", pulse.phase);
 }
 
-void validate_motion(const GroundMotion& motion, const std::string& key) {
-  if (motion.empty()) return;
-  if (motion.pulse) return validate_pulse(*motion.pulse, key);
-  require_positive(key + ".interval", motion.interval);
-  require_all_signed(key + ".samples", motion.samples);
-}
-
 void validate_duration(const Scene& scene) {
   double smallest = std::numeric_limits<double>::infinity();
   double turning = 0;  // m/s², towards the centre of what turns
@@ -266,6 +259,13 @@ double toppling_angle(const Scene& scene, int block) {
   return 0.5 * (slenderness(scene, block) + 0.5 * std::numbers::pi);
 }
 
+void validate(const GroundMotion& motion, const std::string& key) {
+  if (motion.empty()) return;
+  if (motion.pulse) return validate_pulse(*motion.pulse, key);
+  require_positive(key + ".interval", motion.interval);
+  require_all_signed(key + ".samples", motion.samples);
+}
+
 void validate(const Scene& scene) {
   require_positive("duration", scene.duration);
   require_positive("gravity", scene.gravity);
@@ -283,8 +283,8 @@ void validate(const Scene& scene) {
   validate_friction(scene.friction, scene.blocks.size());
   validate_inclination(scene);
   validate_initial(scene);
-  validate_motion(scene.horizontal, "ground.horizontal");
-  validate_motion(scene.vertical, "ground.vertical");
+  validate(scene.horizontal, "ground.horizontal");
+  validate(scene.vertical, "ground.vertical");
   validate_duration(scene);
   require_positive("engine.friction", scene.engine.friction);
   require_positive("engine.depth", scene.engine.depth);

@@ -140,6 +140,9 @@ double slenderness(const Scene& scene, int block);
 /// rad.
 double toppling_angle(const Scene& scene, int block);
 
+/// Checks a motion's numbers; `key` is the motion's own. @throws FieldError.
+void validate(const GroundMotion& motion, const std::string& key);
+
 /// Checks every number of a scene against its range; scene files go through the same check. The duration is
 /// at most 10⁷ √(R/a), with R the least half diagonal of a block and a the largest acceleration that gravity
 /// and ground may add up to: blocks that do not come to rest would be followed for ever.
