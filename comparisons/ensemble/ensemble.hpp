@@ -71,6 +71,10 @@ void set_values(SceneDocument& document, const Variation& variation, const Value
 Ensemble read_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        MotionLibrary& library);
 
+/// The same of what stands in such a file; paths are relative to the folder of `file`.
+Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
+                       const std::vector<std::string>& overrides, MotionLibrary& library);
+
 /// A text that is the same for ensembles whose runs are the same: the base scene, all variations, the
 /// contents of the records, and the version, compiler and flags of this program.
 std::string identity(const Ensemble& ensemble, MotionLibrary& library);

@@ -157,7 +157,11 @@ void try_values(const Ensemble& ensemble, MotionLibrary& library) {
 
 Ensemble read_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        MotionLibrary& library) {
-  const Node root = read_toml(file);
+  return make_ensemble(read_toml(file), file, overrides, library);
+}
+
+Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
+                       const std::vector<std::string>& overrides, MotionLibrary& library) {
   require_table(root, ensemble_keys);
   Ensemble ensemble;
   ensemble.file = file;

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "analytic/scene/messages/number_text.hpp"
-#include "analytic/solve_batch.hpp"
 #include "comparisons/ensemble/run_outcome.hpp"
+#include "comparisons/ensemble/runs.hpp"
 #include "comparisons/results/csv_writer.hpp"
 
 namespace rockstack {
@@ -59,72 +59,6 @@ void add_failure(CsvWriter& line, std::size_t blocks, const std::string& reason)
   line.add(no_cells, "failed", reason, "", "");
 }
 
-/// The lines of consecutive runs, whose scenes it makes one after the other.
-class Lines {
- public:
-  Lines(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library)
-      : ensemble_(ensemble), first_(first), library_(library), document_(ensemble.base) {
-    lines_.resize(last - first);
-  }
-
-  /// The scene of the next run that has one; a run that has none says why in its line.
-  std::optional<Scene> next_scene() {
-    for (; begun_ < lines_.size(); ++begun_) {
-      const std::vector<Value> values = values_of(ensemble_, first_ + begun_);
-      CsvWriter& line = lines_[begun_];
-      line.add(first_ + begun_);
-      for (const Value& value : values) line.add(value.text);
-      std::optional<Scene> scene;
-      or_failure(line, [&] {
-        for (std::size_t v = 0; v < values.size(); ++v)
-          set_values(document_, ensemble_.variations[v], values[v]);
-        scene = make_scene(document_, library_);
-      });
-      if (!scene) continue;
-      of_scene_.push_back(begun_++);
-      return scene;
-    }
-    return std::nullopt;
-  }
-
-  void take(const Solved& solved) {
-    CsvWriter& line = lines_[of_scene_[solved.number]];
-    or_failure(line, [&] {
-      if (solved.failure) std::rethrow_exception(solved.failure);
-      add_outcome(line, run_outcome(solved.scene, solved.history));
-    });
-  }
-
-  std::string text() {
-    std::string text;
-    for (CsvWriter& line : lines_) {
-      line.end_line();
-      text += line.text();
-    }
-    return text;
-  }
-
- private:
-  template <class Part>
-  void or_failure(CsvWriter& line, const Part& part) const {
-    try {
-      part();
-    } catch (const std::bad_alloc&) {
-      throw;
-    } catch (const std::exception& error) {
-      add_failure(line, block_count(ensemble_), error.what());
-    }
-  }
-
-  const Ensemble& ensemble_;
-  std::size_t first_;
-  MotionLibrary& library_;
-  SceneDocument document_;
-  std::vector<CsvWriter> lines_;
-  std::size_t begun_ = 0;
-  std::vector<std::size_t> of_scene_;  ///< the line of each scene
-};
-
 }  // namespace
 
 std::vector<ColumnMeaning> run_columns(const Ensemble& ensemble) {
@@ -150,10 +84,21 @@ std::string header_line(const Ensemble& ensemble) {
 }
 
 std::string run_lines(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library) {
-  Lines lines(ensemble, first, last, library);
-  solve_batch([&] { return lines.next_scene(); }, run_options(ensemble.tolerance),
-              [&](const Solved& solved) { lines.take(solved); });
-  return lines.text();
+  std::vector<CsvWriter> lines(last - first);
+  make_runs(ensemble, first, last, library, [&](const RunResult& result) {
+    CsvWriter& line = lines[result.run - first];
+    line.add(result.run);
+    for (const Value& value : result.values) line.add(value.text);
+    if (result.outcome != nullptr) {
+      add_outcome(line, *result.outcome);
+    } else {
+      add_failure(line, block_count(ensemble), result.reason);
+    }
+    line.end_line();
+  });
+  std::string text;
+  for (const CsvWriter& line : lines) text += line.text();
+  return text;
 }
 
 }  // namespace rockstack
