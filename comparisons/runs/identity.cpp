@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "comparisons/results/files.hpp"
+#include "engines/worker/installation.hpp"
 
 namespace rockstack {
 namespace {
@@ -86,7 +87,7 @@ std::string identity(const Job& job) {
   const Perturbations& around = job.suite.perturbations;
   text += fmt::format(" {} {} {} {} {} {} {:x} ", fmt::join(names_of(job.suite.wanted), " "),
                       job.suite.tolerance, job.suite.history_interval, around.runs, around.size, around.seed,
-                      file_checksum("/proc/self/exe"));
+                      file_checksum(own_file()));
   return fmt::format("{:016x}", checksum(text + run.dump()));
 }
 

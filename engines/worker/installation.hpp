@@ -4,14 +4,18 @@
 
 namespace rockstack {
 
-/// The folder of this program's file.
+/// Leads to the file that this code is in: the program, or a module that another program has loaded.
+std::filesystem::path own_file();
+
+/// The folder of the programs: that of this program's file, or for a module, where those are that were
+/// installed with it.
 std::filesystem::path own_folder();
 
-/// True for a program where it was built, which takes its parts from the trees that it was built in and from.
-/// Any other takes what was installed with it, wherever that has been moved.
+/// True for a program or module where it was built, which takes its parts from the trees that it was built in
+/// and from. Any other takes what was installed with it, wherever that has been moved.
 bool in_build_tree();
 
-/// Where worker programs are: where the build puts them, or beside this program.
+/// Where worker programs are: where the build puts them, or in own_folder().
 std::filesystem::path worker_folder();
 
 }  // namespace rockstack

@@ -1,0 +1,28 @@
+# The Python module is built where pybind11 is found and an interpreter with numpy, the first in the path.
+function(has_numpy result interpreter)
+  execute_process(COMMAND ${interpreter} -c "import numpy" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if(failed)
+    set(${result} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+
+set(found OFF)
+if(NOT DEFINED ROCKSTACK_PYTHON OR ROCKSTACK_PYTHON)
+  find_program(Python3_EXECUTABLE python3 VALIDATOR has_numpy)
+  if(Python3_EXECUTABLE)
+    find_package(Python3 QUIET COMPONENTS Interpreter Development.Module)
+  endif()
+  if(Python3_FOUND)
+    find_package(pybind11 2.10 QUIET)
+    # Where Debian's Python looks for modules in /usr/local.
+    cmake_path(GET Python3_SITEARCH FILENAME packages)
+    set(ROCKSTACK_PYTHON_DIR lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/${packages} CACHE STRING
+      "Where the Python module is installed, from the prefix")
+  endif()
+  if(pybind11_FOUND)
+    set(found ON)
+  elseif(ROCKSTACK_PYTHON)
+    message(FATAL_ERROR "ROCKSTACK_PYTHON=ON: must be left out where there is no pybind11 2.10, or no python3 with numpy")
+  endif()
+endif()
+option(ROCKSTACK_PYTHON "Build the Python module with pybind11 and numpy" ${found})
