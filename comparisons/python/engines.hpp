@@ -1,0 +1,9 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace rockstack::python {
+
+void add_engines(pybind11::module_& core);
+
+}  // namespace rockstack::python

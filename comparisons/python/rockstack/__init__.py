@@ -1,0 +1,20 @@
+"""rockstack: exact histories of stacked rocking blocks, sweeps, and physics engines beside them, as arrays.
+
+SI units; angles in rad, clockwise positive. Keys of scenes are those of scene files: `rockstack.keys("scene")`.
+"""
+from rockstack._core import version as __version__
+from rockstack.compare import Comparison, compare
+from rockstack.engines import Simulation, canon, engines, simulate
+from rockstack.errors import EngineError, InputError, Unfinished
+from rockstack.ground import GroundMotion
+from rockstack.keys import keys, shipped
+from rockstack.scene import Scene
+from rockstack.solution import Motion, Solution, solve, solve_many
+from rockstack.sweep import Fragility, SweepTable, fragility, sweep
+from rockstack.worker import Setting, Setup, Worker
+
+__all__ = [
+    "Comparison", "EngineError", "Fragility", "GroundMotion", "InputError", "Motion", "Scene", "Setting", "Setup",
+    "Simulation", "Solution", "SweepTable", "Unfinished", "Worker", "__version__", "canon", "compare", "engines",
+    "fragility", "keys", "shipped", "simulate", "solve", "solve_many", "sweep",
+]

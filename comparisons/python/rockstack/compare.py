@@ -1,0 +1,93 @@
+"""The difference: scenes on the exact solver and on engines, as a table of runs."""
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import tempfile
+import weakref
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rockstack import _core
+from rockstack.scene import Scene
+from rockstack.solution import thread_count
+from rockstack.tables import Table
+
+
+class Comparison(Table):
+    """The rows of comparison.csv: one run each. Numbers that do not apply are nan, texts "". meanings says what each column
+    is, with its unit.
+
+    folder: the results, as `rockstack compare` writes them; of a comparison without `out` a temporary one, which lasts as
+    long as this.
+    """
+
+    meanings: dict[str, str] = _core.column_meanings()
+
+    def __init__(self, rows: list[dict[str, Any]], folder: Path):
+        super().__init__({name: _column([row[name] for row in rows]) for name in (rows[0] if rows else {})})
+        self.folder = folder
+
+    def history(self, run: str) -> np.ndarray:
+        """The samples of a run, a value of the column `run`: a structured array with time (s), theta_1, … (rad), omega_1, …
+        (rad/s) and pattern; shape (samples,)."""
+        return self.file(run, "history.csv")
+
+    def file(self, run: str, name: str) -> np.ndarray:
+        """A table of a run's folder, such as "difference.csv", "events.csv" or "impacts.csv", as a structured array."""
+        path = self.folder / "runs" / run / name
+        if not path.is_file():
+            raise _core.InputError(f"{path}: must be a file of a run")
+        return np.genfromtxt(path, delimiter=",", names=True, dtype=None, encoding="utf-8")
+
+
+def _column(cells: list[Any]) -> np.ndarray:
+    """Texts where there is one, else numbers."""
+    if any(isinstance(cell, str) for cell in cells):
+        return np.array([cell or "" for cell in cells])
+    return np.array([np.nan if cell is None else cell for cell in cells], dtype=float)
+
+
+def compare(inputs: Scene | str | os.PathLike[str] | Sequence[Scene | str | os.PathLike[str]],
+            out: str | os.PathLike[str] | None = None, *, engines: Sequence[str] = (), dt: Sequence[float] = (),
+            quick: bool = False, softness: bool = False, draws: int = 0, history_interval: float | None = None,
+            jobs: int = 1) -> Comparison:
+    """Solves scenes exactly and in engines, and measures how far each engine is off.
+
+    inputs: scenes (Scene, file or name) or suites (file or name). engines: "ode", "bullet:nncg", "./my_engine.py"; none:
+    Bullet and ODE, each with default and tuned settings. dt: time steps, s. quick: fewer draws and samples. softness: splits
+    differences into contact model, softness and step. draws: behind each number. history_interval: least time between
+    samples that are kept, s. jobs: runs at a time. Results go to the folder `out`, where runs that are there already are
+    not made again.
+
+    Raises InputError as the program does; a run that fails says why in its row. Ctrl-C ends it after the run under way.
+    """
+    given = [inputs] if isinstance(inputs, (Scene, str, os.PathLike)) else list(inputs)
+    asked = [(scene._core, _name(scene), scene.to_toml()) if isinstance(scene, Scene) else os.fspath(scene)
+             for scene in given]
+    choice = _core.SceneChoice(list(engines), list(dt), quick, softness)
+
+    def compared(folder: Path) -> Comparison:
+        rows = _core.compare(asked, str(folder), choice, draws, history_interval, thread_count(jobs))
+        return Comparison(json.loads(rows), folder)
+
+    if out is not None:
+        return compared(Path(out))
+    folder = Path(tempfile.mkdtemp(prefix="rockstack-"))
+    try:
+        comparison = compared(folder)
+    except BaseException:
+        shutil.rmtree(folder, ignore_errors=True)
+        raise
+    weakref.finalize(comparison, shutil.rmtree, folder, True)
+    return comparison
+
+
+def _name(scene: Scene) -> str:
+    """Of a scene, as a folder has it."""
+    return re.sub(r"[^A-Za-z0-9]+", "-", scene.title).strip("-").lower() or "scene"

@@ -1,0 +1,111 @@
+"""How the ground moves, what engineers call a motion by, and its spectrum."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockstack import _core
+
+
+class GroundMotion(Mapping):
+    """An acceleration of the ground along one axis, by the keys of a table [ground.horizontal].
+
+    GroundMotion(samples=trace.data, interval=trace.stats.delta)            straight lines between samples, m/s² and s
+    GroundMotion(record="motion.at2", scale=1.0)                            AT2, COSMOS, ESM, K-NET, SMC, Volume 2, columns
+    GroundMotion(pulse="sine", amplitude=3.0, period=0.5, cycles=2)         exact functions; an impulse is a short pulse
+    GroundMotion(synthetic=1, peak=4.0, duration=20.0)                      noise through a ground layer, by its seed
+
+    It is zero before and after. It stands for its table: `Scene(..., ground={"horizontal": motion})`. Raises InputError
+    as scenes do.
+    """
+
+    __slots__ = ("_table", "_core")
+
+    def __init__(self, table: Mapping[str, Any] | None = None, /, **keys: Any):
+        self._table = {**(table or {}), **keys}
+        self._core = _core.GroundMotion.made(self._table)
+
+    @classmethod
+    def _of(cls, table: Mapping[str, Any], core: _core.GroundMotion) -> GroundMotion:
+        """Of a scene, whose folder is not told: its samples as they are."""
+        motion = cls.__new__(cls)
+        motion._core = core
+        motion._table = {"samples": core.samples, "interval": core.interval} if len(core.samples) else dict(table)
+        return motion
+
+    def __getitem__(self, key: str) -> Any:
+        return self._table[key]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._table)
+
+    def __len__(self) -> int:
+        return len(self._table)
+
+    def __repr__(self) -> str:
+        return f"<rockstack.GroundMotion {self.source}: {self.end:g} s>"
+
+    @property
+    def source(self) -> str:
+        """Where it comes from."""
+        return self._core.source
+
+    @property
+    def samples(self) -> np.ndarray:
+        """Accelerations from t = 0, m/s², read-only; shape (samples,), empty of a pulse."""
+        return self._core.samples
+
+    @property
+    def interval(self) -> float:
+        """Between samples, s; 0 of a pulse."""
+        return self._core.interval
+
+    @property
+    def times(self) -> np.ndarray:
+        """Of the samples, s; shape (samples,)."""
+        return self.interval * np.arange(len(self.samples))
+
+    @property
+    def end(self) -> float:
+        """After which the ground is still, s."""
+        return self._core.end
+
+    def acceleration(self, times: ArrayLike) -> np.ndarray:
+        """At times ≥ 0 (s) of any shape, m/s²; the same shape."""
+        return self._core.acceleration(np.asarray(times, dtype=float))
+
+    def sampled(self, interval: float) -> GroundMotion:
+        """The motion by its values at 0, interval, … (s) up to its end."""
+        count = int(np.floor(self.end / interval + 1e-6)) + 1 if interval > 0 and np.isfinite(self.end) else 0
+        return GroundMotion(samples=self.acceleration(interval * np.arange(count)), interval=interval)
+
+    def velocities(self) -> np.ndarray:
+        """At the samples, from rest, m/s; shape (samples,)."""
+        return self._core.velocities()
+
+    def displacements(self) -> np.ndarray:
+        """At the samples, from rest, m; shape (samples,)."""
+        return self._core.displacements()
+
+    def husid(self) -> np.ndarray:
+        """The share of the final ∫a² dt at each sample, 0 to 1; shape (samples,)."""
+        return self._core.husid()
+
+    def measures(self) -> dict[str, Any]:
+        """points, interval (s), duration (s), peak_acceleration (m/s²), peak_velocity (m/s), peak_displacement (m), each
+        with value and time (s); final_velocity (m/s), final_displacement (m), arias_intensity (m/s), and
+        significant_5_95 and significant_5_75 with begin, end and length (s)."""
+        return self._core.measures()
+
+    def spectrum(self, periods: ArrayLike | None = None, damping: float = 0.05) -> tuple[np.ndarray, np.ndarray]:
+        """Periods (s) and the pseudo-accelerations (m/s²) of oscillators with them, shape (periods,); without `periods`
+        201 from 0.02 to 10 s. `damping` is a fraction of critical."""
+        return self._core.spectrum(None if periods is None else np.asarray(periods, dtype=float), damping)
+
+    def without_base_line(self) -> GroundMotion:
+        """The motion less the straight line whose removal leaves the least mean square of the velocity."""
+        value, slope = self._core.base_line()
+        return GroundMotion(samples=self.samples - (value + slope * self.times), interval=self.interval)

@@ -1,0 +1,22 @@
+"""What input files and their counterparts in Python may say, and what comes with rockstack."""
+from __future__ import annotations
+
+from rockstack import _core
+
+
+def keys(kind: str = "scene") -> list[dict[str, str]]:
+    """Every key of a "scene", "suite" or "ensemble": table, key, unit, range, default, meaning and an example, as texts.
+
+    `pandas.DataFrame(rockstack.keys("scene"))` shows them as a table.
+    """
+    tables = _core.keys()
+    if kind not in tables:
+        raise _core.InputError(f"kind = {kind}: must be {' or '.join(tables)}")
+    return tables[kind]
+
+
+def shipped(kind: str = "scenes") -> list[str]:
+    """The names of the "scenes", "suites" or "ensembles" that come with rockstack, in order."""
+    if kind not in ("scenes", "suites", "ensembles"):
+        raise _core.InputError(f"kind = {kind}: must be scenes or suites or ensembles")
+    return _core.shipped_names(kind)

@@ -1,0 +1,145 @@
+"""The question: blocks, how they start, how the ground moves, and for how long."""
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rockstack import _core
+from rockstack.ground import GroundMotion
+
+
+class Scene:
+    """A scene, checked as a scene file is; it never changes. SI units, angles in rad and clockwise positive.
+
+    Scene(duration=5.0, blocks=[{"width": 1.0, "height": 2.5, "density": 2500}], initial={"angles": [0.1]})
+    Scene({"duration": 5.0, "blocks": [...]})        the same from a mapping
+    Scene.read("scene.toml")                         from a file, or the name of a scene that comes with rockstack
+
+    Keys and tables are those of scene files (`rockstack.keys("scene")`); the ground's tables may be GroundMotion, and
+    arrays may be numpy's. A path of a record is relative to `folder`, the current one unless given.
+
+    Raises InputError with the key, the value and what is allowed: unknown keys, numbers out of range or not finite,
+    arrays of another length than there are blocks.
+    """
+
+    __slots__ = ("_core", "__weakref__")
+
+    def __init__(self, table: Mapping[str, Any] | None = None, /, *, folder: str | os.PathLike[str] = "",
+                 **keys: Any):
+        self._core = _core.Scene.made({**(table or {}), **keys}, os.path.abspath(folder), "scene")
+
+    @classmethod
+    def _of(cls, core: _core.Scene) -> Scene:
+        scene = cls.__new__(cls)
+        scene._core = core
+        return scene
+
+    @classmethod
+    def read(cls, file: str | os.PathLike[str], overrides: Sequence[str] = ()) -> Scene:
+        """A scene file, or a scene that comes with rockstack by its name; `overrides` as the program's --set has them,
+        "blocks.2.height=1.4". Raises InputError as the program does."""
+        return cls._of(_core.Scene.read(os.fspath(file), list(overrides)))
+
+    def replace(self, values: Mapping[str, Any]) -> Scene:
+        """Another scene with some keys changed: `scene.replace({"blocks.2.height": 1.4, "law": "paper"})`. Blocks and
+        interfaces count from 1. Raises InputError as Scene()."""
+        return self._of(self._core.changed(dict(values)))
+
+    def to_dict(self) -> dict[str, Any]:
+        """All that was given, as Scene() takes it."""
+        return self._core.document
+
+    def to_toml(self) -> str:
+        """The same as the text of a scene file."""
+        return "".join(f"{key} = {_toml(value)}\n" for key, value in self.to_dict().items())
+
+    @property
+    def title(self) -> str:
+        """Heads tables and figures."""
+        return self._core.title
+
+    @property
+    def duration(self) -> float:
+        """s."""
+        return self._core.duration
+
+    @property
+    def gravity(self) -> float:
+        """m/s²."""
+        return self._core.gravity
+
+    @property
+    def law(self) -> str:
+        """Of contact: "consistent", "paper", "unilateral" or "compliant"."""
+        return self._core.law
+
+    @property
+    def equations(self) -> str:
+        """Of motion: "nonlinear", "linear" or "small-angle"."""
+        return self._core.equations
+
+    @property
+    def blocks(self) -> int:
+        """How many there are."""
+        return self._core.blocks
+
+    @property
+    def friction(self) -> np.ndarray:
+        """Coulomb's coefficient of each interface, from the ground up; shape (blocks,)."""
+        return self._core.friction
+
+    @property
+    def slenderness(self) -> np.ndarray:
+        """Angle of each block's unstable balance on level ground, rad; shape (blocks,)."""
+        return self._core.slenderness
+
+    @property
+    def toppling_angles(self) -> np.ndarray:
+        """Angle at which each block counts as toppled, rad; shape (blocks,)."""
+        return self._core.toppling_angles
+
+    @property
+    def horizontal(self) -> GroundMotion | None:
+        """The ground's acceleration to the right, m/s²; None where there is none."""
+        return self._motion("horizontal")
+
+    @property
+    def vertical(self) -> GroundMotion | None:
+        """The ground's acceleration upwards, m/s²; None where there is none."""
+        return self._motion("vertical")
+
+    def _motion(self, axis: str) -> GroundMotion | None:
+        table = self.to_dict().get("ground", {}).get(axis)
+        return None if table is None else GroundMotion._of(table, _core.GroundMotion.of_scene(self._core, axis))
+
+    def __reduce__(self):
+        return _made, (self.to_dict(), self._core.folder)
+
+    def __repr__(self) -> str:
+        count = "1 block" if self.blocks == 1 else f"{self.blocks} blocks"
+        return f"<rockstack.Scene {self.title!r}: {count}, {self.duration:g} s, law {self.law}>"
+
+
+def core_of(scene: Scene) -> _core.Scene:
+    """Raises TypeError for anything else than a scene."""
+    if not isinstance(scene, Scene):
+        raise TypeError(f"a scene must be a rockstack.Scene, not {type(scene).__name__}")
+    return scene._core
+
+
+def _made(table: dict[str, Any], folder: Path) -> Scene:
+    return Scene(table, folder=folder)
+
+
+def _toml(value: Any) -> str:
+    """A value on one line, as TOML has it."""
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{key} = {_toml(inner)}" for key, inner in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    return repr(value) if isinstance(value, float) else json.dumps(value, ensure_ascii=False)

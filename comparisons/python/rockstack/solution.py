@@ -1,0 +1,206 @@
+"""The exact answer: motions, and how they are solved."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockstack import _core
+from rockstack.errors import Unfinished
+from rockstack.scene import Scene, core_of
+
+
+class Motion:
+    """What blocks do in a scene, at samples. Arrays look at the motion's own numbers: they are read-only, cost nothing,
+    and keep the motion for as long as they are there."""
+
+    __slots__ = ("scene", "_core", "__weakref__")
+
+    def __init__(self, scene: Scene, core: _core.Motion):
+        self.scene = scene
+        self._core = core
+
+    @property
+    def times(self) -> np.ndarray:
+        """s, ascending; shape (samples,)."""
+        return self._core.times
+
+    @property
+    def angles(self) -> np.ndarray:
+        """rad, clockwise positive; shape (samples, blocks)."""
+        return self._core.angles
+
+    @property
+    def velocities(self) -> np.ndarray:
+        """rad/s, clockwise positive; shape (samples, blocks)."""
+        return self._core.velocities
+
+    @property
+    def patterns(self) -> np.ndarray:
+        """The contact of all interfaces as a text: of two blocks the paper's "1a" to "4b" or "rest", else a letter an
+        interface from the ground up, L, C, R or "-"; shape (samples,), empty where patterns are not known."""
+        return np.array(self._core.patterns, dtype=str)
+
+    @property
+    def slips(self) -> np.ndarray | None:
+        """How far each block has slipped to the right along what is below it, m; shape (samples, blocks). None under laws
+        of pivots, where nothing slips."""
+        return self._core.slips
+
+    @property
+    def gaps(self) -> np.ndarray | None:
+        """Between each block and what is below it, m, infinite over nothing; shape (samples, blocks), or None as slips."""
+        return self._core.gaps
+
+    @property
+    def places(self) -> np.ndarray | None:
+        """Centres of mass from the middle of the ground's interface, x and y, m; shape (samples, blocks, 2), or None as
+        slips."""
+        return self._core.places
+
+    @property
+    def place_rates(self) -> np.ndarray | None:
+        """Their rates, m/s; shape (samples, blocks, 2), or None as slips."""
+        return self._core.place_rates
+
+    @property
+    def verdict(self) -> str:
+        """The motion in a line: whether it stands, rests or topples, which block comes nearest to its slenderness angle,
+        and of exact motions the friction that it needs. Empty without samples."""
+        return self._core.verdict
+
+    def __repr__(self) -> str:
+        return f"<rockstack.{type(self).__name__}: {len(self.times)} samples of {self.scene.blocks}; {self.verdict}>"
+
+
+class Solution(Motion):
+    """An exact motion, with its events and what it demands of the interfaces."""
+
+    __slots__ = ()
+
+    @property
+    def events(self) -> np.ndarray:
+        """A structured array, one row an event: time (s), kind, interface (from 1, the ground's; of topple the block),
+        from and to (patterns), angles (rad), before and after (angular velocities, rad/s), each with shape (blocks,), and
+        consistency; shape (events,)."""
+        columns = self._core.event_columns
+        fields: list[Any] = []
+        for name, values in columns.items():
+            array = columns[name] = np.asarray(values, dtype=str if isinstance(values, list) else None)
+            fields.append((name, array.dtype, array.shape[1:]))
+        table = np.empty(len(columns["time"]), dtype=fields)
+        for name, array in columns.items():
+            table[name] = array
+        return table
+
+    @property
+    def demands(self) -> dict[str, np.ndarray]:
+        """What each interface has to bear for laws of pivots to hold: of "forces" between impacts (N) and "impulses" of
+        them (N·s), structured arrays with least_normal and its time, friction (largest tangential over normal) and its
+        time, first_pull_time and first_slip_time (s, infinite where it never comes to that); shape (blocks,)."""
+        return {"forces": self._core.forces, "impulses": self._core.impulses}
+
+    @property
+    def warnings(self) -> list[str]:
+        """One line for each interface and way in which real blocks would leave the model; empty where it holds."""
+        return self._core.warnings
+
+    @property
+    def valid(self) -> bool:
+        """Whether the model holds throughout: there are no warnings."""
+        return not self.warnings
+
+    @property
+    def peaks(self) -> np.ndarray:
+        """Largest |angle| of each block at any time, rad; shape (blocks,)."""
+        return self._core.peaks
+
+    @property
+    def slips_left(self) -> np.ndarray | None:
+        """How far each block has slipped in the end, m; shape (blocks,), or None as slips."""
+        return self._core.slips_left
+
+    @property
+    def lifts(self) -> np.ndarray | None:
+        """How far each block was from what is below it at most, m; shape (blocks,), or None as slips."""
+        return self._core.lifts
+
+    @property
+    def reactions(self) -> np.ndarray | None:
+        """What each interface carries, as the block above feels it: a structured array with normal and tangential (N, up
+        and to the right) and centre (of pressure, from the middle of the block above, m; nan where apart or at a pivot);
+        shape (samples, blocks)."""
+        return self._core.reactions
+
+    @property
+    def spring_energies(self) -> np.ndarray | None:
+        """Of law compliant, what springs hold and what has been lost: elastic, damped, rubbed (J); shape
+        (samples, blocks). Else None."""
+        return self._core.spring_energies
+
+    @property
+    def grazes(self) -> list[tuple[float, str, int]]:
+        """Events in doubt, which numbers cannot tell from none: time (s), kind and interface (from 1)."""
+        return self._core.grazes
+
+    @property
+    def choices(self) -> list[tuple[float, str, int]]:
+        """Openings that might as well have gone to the other side: time (s), kind and interface (from 1)."""
+        return self._core.choices
+
+
+def _solution(scene: Scene, core: _core.Motion | None) -> Solution | None:
+    return None if core is None else Solution(scene, core)
+
+
+def solve(scene: Scene, *, interval: float | None = 1e-3, times: ArrayLike | None = None, tolerance: float = 0,
+          integrator: str = "taylor", step: float = 2e-4) -> Solution:
+    """The exact motion of a scene, to rounding: the bits that `rockstack solve` writes.
+
+    interval: between samples, s; None: events alone. times: when to sample instead, s, ascending, shape (samples,).
+    tolerance: share of the velocity that a step may leave out; 0: rounding. integrator: "taylor", or "rk4" with the longest
+    `step`, s. The interpreter is free meanwhile, and Ctrl-C ends it.
+
+    Raises Unfinished, with the motion up to there, where it cannot be followed; InputError for what is out of range.
+    """
+    motion, failure = _core.solve(core_of(scene), _core.Asked(interval, times, integrator, tolerance, step))
+    if failure is not None:
+        raise Unfinished(failure, _solution(scene, motion))
+    return Solution(scene, motion)
+
+
+def solve_many(scenes: Iterable[Scene], *, interval: float | None = 1e-3, times: ArrayLike | None = None,
+               tolerance: float = 0, integrator: str = "taylor", step: float = 2e-4, threads: int | None = None,
+               failures: str = "raise") -> list[Solution | Unfinished]:
+    """The motions of many scenes, each as solve() gives it to the bit, in their order; other arguments are those of solve().
+
+    All cores work, or as many `threads`, and the interpreter is free. Without samples (interval=None) several scenes of one
+    or two blocks are solved side by side. failures: "raise" raises the first Unfinished, "keep" leaves it in its place.
+    """
+    if failures not in ("raise", "keep"):
+        raise _core.InputError(f"failures = {failures}: must be raise or keep")
+    given = list(scenes)
+    outcomes = _core.solve_many([core_of(scene) for scene in given],
+                                _core.Asked(interval, times, integrator, tolerance, step), thread_count(threads))
+    results: list[Solution | Unfinished] = []
+    for scene, (motion, failure) in zip(given, outcomes):
+        if failure is None:
+            results.append(Solution(scene, motion))
+            continue
+        unfinished = Unfinished(failure, _solution(scene, motion))
+        if failures == "raise":
+            raise unfinished
+        results.append(unfinished)
+    return results
+
+
+def thread_count(threads: int | None) -> int:
+    """As many as given, or one a core."""
+    if threads is None:
+        return len(os.sched_getaffinity(0))
+    if threads < 1:
+        raise _core.InputError(f"threads = {threads}: must be at least 1")
+    return threads

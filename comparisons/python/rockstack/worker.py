@@ -1,0 +1,229 @@
+"""An engine of your own in a few lines, as a worker program by the seam of engines/README.md."""
+from __future__ import annotations
+
+import json
+import math
+import os
+import resource
+import sys
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from typing import Any, ClassVar, NoReturn
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A number that shapes a run: its value for who sets nothing, what suits rocking blocks (`tuned`, the default unless
+    given), its range, and its unit. choices: names of 0, 1, … where the number stands for one."""
+
+    name: str
+    default: float
+    tuned: float | None = None
+    least: float = 0.0
+    most: float = 1e30
+    whole: bool = False
+    choices: Sequence[str] = ()
+    unit: str = ""
+
+    def described(self) -> dict[str, Any]:
+        """As an engine's description has it."""
+        fields = {**asdict(self), "tuned": self.default if self.tuned is None else self.tuned}
+        return {key: value for key, value in fields.items() if key != "choices" or value}
+
+
+@dataclass(frozen=True)
+class Setup:
+    """A scene as an engine is told it: boxes on the ground y = 0, bottom to top. SI units."""
+
+    widths: np.ndarray  #: m, (blocks,)
+    heights: np.ndarray  #: m, (blocks,)
+    masses: np.ndarray  #: kg, (blocks,)
+    inertias: np.ndarray  #: about the axis out of the plane, kg·m², (blocks,)
+    friction: np.ndarray  #: of the interface under each block, (blocks,)
+    dt: float  #: s
+    parameters: Mapping[str, float]  #: by the names of the settings
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """Corners that are on a face or in it. An impulse of size p_i along normal or tangent i (N·s) changes the rates, as one
+    row of 3 × blocks, by inverse_masses * (normals.T @ p), and the corner's speed along it is normals @ rates."""
+
+    gaps: np.ndarray  #: m, negative: in the face; (contacts,)
+    friction: np.ndarray  #: (contacts,)
+    normals: np.ndarray  #: (contacts, 3 × blocks)
+    tangents: np.ndarray  #: (contacts, 3 × blocks)
+
+
+@dataclass
+class _Body:
+    """A place and sizes; the ground is endless, its face at y = 0."""
+
+    place: Sequence[float] = (0.0, 0.0, 0.0)
+    half_width: float = math.inf
+    half_height: float = 0.0
+    sine: float = field(init=False)
+    cosine: float = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.sine, self.cosine = math.sin(self.place[2]), math.cos(self.place[2])
+
+    def world(self, x: float, y: float) -> tuple[float, float]:
+        return (self.place[0] + x * self.cosine + y * self.sine, self.place[1] - x * self.sine + y * self.cosine)
+
+    def local(self, x: float, y: float) -> tuple[float, float]:
+        x, y = x - self.place[0], y - self.place[1]
+        return x * self.cosine - y * self.sine, x * self.sine + y * self.cosine
+
+
+class Worker:
+    """An engine. Derive from it, name it, write step(), and end the file with `MyEngine().serve()`:
+
+    #!/usr/bin/env python3
+    import rockstack
+
+    class Ice(rockstack.Worker):
+        name, solver = "ice", "free"
+
+        def step(self, dt, pull):
+            self.rates[:, :2] += dt * pull
+            self.places += dt * self.rates
+
+    Ice().serve()
+
+    The file is executable; its path is an engine's name: rockstack.simulate(scene, "./ice.py"), `rockstack compare --engine
+    ./ice.py`. Each run is a process of its own, so that whatever it does ends that run and nothing else.
+
+    places: x (right), y (up) in m and the clockwise angle in rad of each block's centre; shape (blocks, 3). rates: theirs,
+    m/s and rad/s; shape (blocks, 3). setup: Setup. inverse_masses: 1/kg, 1/kg and 1/(kg·m²), shape (3 × blocks,).
+    """
+
+    name: ClassVar[str]  #: small letters, digits, "-"
+    solver: ClassVar[str] = "python"  #: likewise
+    version: ClassVar[str] = "1"
+    licence: ClassVar[str] = "not stated"
+    settings: ClassVar[Sequence[Setting]] = ()
+    planar: ClassVar[bool] = True  #: knows two dimensions only
+    lead: ClassVar[float] = 0.5  #: steps by which places are ahead under a constant force: 0.5 of semi-implicit Euler
+
+    setup: Setup
+    places: np.ndarray
+    rates: np.ndarray
+    inverse_masses: np.ndarray
+
+    def start(self) -> None:
+        """Called before the first step of a run."""
+
+    def step(self, dt: float, pull: np.ndarray) -> None:
+        """Takes places and rates dt (s) further. pull: the acceleration that every block feels in this step, gravity less the
+        ground's, m/s², shape (2,)."""
+        raise NotImplementedError("step() must be written")
+
+    def contacts(self, margin: float = 0.0) -> Contacts:
+        """Corners no further than `margin` (m) from the face they meet: of each block's lower corners the one below, and of
+        the upper corners of that, its own."""
+        setup, count = self.setup, len(self.places)
+        bodies = [_Body()] + [_Body(place, width / 2, height / 2) for place, width, height in
+                              zip(self.places.tolist(), setup.widths.tolist(), setup.heights.tolist())]
+        gaps, friction, normals, tangents = [], [], [], []
+        for k in range(count):
+            below, above = bodies[k], bodies[k + 1]
+            for corner, face, sign in ((above, below, 1), (below, above, -1)):
+                for side in (-1, 1) if math.isfinite(corner.half_width) else ():
+                    point = corner.world(side * corner.half_width, -sign * corner.half_height)
+                    along, height = face.local(*point)
+                    gap = sign * height - face.half_height
+                    if abs(along) <= face.half_width and gap <= margin:
+                        gaps.append(gap)
+                        friction.append(setup.friction[k])
+                        normals.append(self._row(k, bodies, point, (face.sine, face.cosine)))
+                        tangents.append(self._row(k, bodies, point, (face.cosine, -face.sine)))
+        shape = (len(gaps), 3 * count)
+        return Contacts(np.array(gaps), np.array(friction), np.reshape(normals, shape), np.reshape(tangents, shape))
+
+    @staticmethod
+    def _row(k: int, bodies: list[_Body], point: tuple[float, float], direction: tuple[float, float]) -> list[float]:
+        """What the speed of block k at a point against what is below it is made of, along a direction."""
+        row = [0.0] * (3 * (len(bodies) - 1))
+        for number, sign in ((k, 1), (k - 1, -1)):
+            if number < 0:
+                continue
+            x, y = point[0] - bodies[number + 1].place[0], point[1] - bodies[number + 1].place[1]
+            row[3 * number:3 * number + 3] = [sign * direction[0], sign * direction[1],
+                                              sign * (y * direction[0] - x * direction[1])]
+        return row
+
+    def serve(self) -> NoReturn:
+        """Answers the question on standard input and ends the program."""
+        message = json.load(sys.stdin)
+        answer = {"run": self._answer(message["run"])} if "run" in message else {"engines": [self._described()]}
+        with os.fdopen(3, "w") as stream:
+            json.dump({"rockstack": 1, **answer}, stream)
+        sys.exit(0)
+
+    def _described(self) -> dict[str, Any]:
+        return {"name": self.name, "solver": self.solver, "version": self.version, "licence": self.licence,
+                "planar": self.planar, "lead": self.lead,
+                "settings": [setting.described() for setting in self.settings]}
+
+    def _answer(self, run: Mapping[str, Any]) -> dict[str, Any]:
+        try:
+            places, rates = self._samples(run, run["steps"])
+            if not (np.isfinite(places).all() and np.isfinite(rates).all()):
+                return {"status": "not finite", "reason": "a place or a rate is no number any more"}
+            answer = {"status": "done", "angles": places[:, :, 2].ravel().tolist(),
+                      "velocities": rates[:, :, 2].ravel().tolist(),
+                      "peak_memory": 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss,
+                      "seconds": [self._seconds(run, len(places) - 1) for _ in range(run["repeats"])]}
+        except MemoryError:
+            return {"status": "memory limit", "reason": "there is no more memory"}
+        except Exception as error:  # what an engine raises is its answer
+            return {"status": "failed", "reason": " ".join(f"{type(error).__name__}: {error}".split())}
+        if run["bodies"]:
+            answer["bodies"] = {name: values[:, :, i].ravel().tolist() for name, values, i in
+                                (("x", places, 0), ("y", places, 1), ("velocity_x", rates, 0), ("velocity_y", rates, 1))}
+        return answer
+
+    def _begin(self, run: Mapping[str, Any]) -> None:
+        blocks = run["blocks"]
+
+        def each(*keys: str) -> np.ndarray:
+            return np.array([[block[key] for key in keys] for block in blocks], dtype=float)
+
+        sizes = each("width", "height", "mass", "inertia")
+        self.setup = Setup(*sizes.T, friction=np.array(run["friction"], dtype=float), dt=run["dt"],
+                           parameters=run["parameters"])
+        self.places, self.rates = each("x", "y", "angle"), each("velocity_x", "velocity_y", "angular_velocity")
+        self.inverse_masses = 1 / each("mass", "mass", "inertia").ravel()
+        self.start()
+
+    @staticmethod
+    def _pulls(run: Mapping[str, Any]) -> np.ndarray:
+        """Of each step, shape (steps, 2)."""
+        shaken = run.get("accelerations")
+        if shaken:
+            return np.column_stack((shaken["x"], shaken["y"]))
+        return np.tile((run["gravity"]["x"], run["gravity"]["y"]), (run["steps"], 1))
+
+    def _samples(self, run: Mapping[str, Any], steps: int) -> tuple[np.ndarray, np.ndarray]:
+        """Places and rates at the start and after each step, shape (samples, blocks, 3)."""
+        self._begin(run)
+        pulls, limits = self._pulls(run), np.array(run["toppling_angles"])
+        places, rates = [self.places.copy()], [self.rates.copy()]
+        while len(places) <= steps and not (np.abs(self.places[:, 2]) > limits).any():
+            self.step(run["dt"], pulls[len(places) - 1])
+            places.append(np.array(self.places, dtype=float))
+            rates.append(np.array(self.rates, dtype=float))
+        return np.array(places), np.array(rates)
+
+    def _seconds(self, run: Mapping[str, Any], steps: int) -> float:
+        """Wall time of the steps alone."""
+        self._begin(run)
+        pulls = self._pulls(run)
+        begin = time.perf_counter()
+        for k in range(steps):
+            self.step(run["dt"], pulls[k])
+        return time.perf_counter() - begin
