@@ -1,0 +1,161 @@
+"""Engines run by workers, of the build and of one's own."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+import rockstack
+from scenes import PROGRAM, SOURCE, interrupted, rocking
+
+WORKER = f"""#!{sys.executable}
+import rockstack
+
+class Ice(rockstack.Worker):
+    name, solver = "ice", "free"
+    settings = [rockstack.Setting("wind", 0.0, least=-10, most=10, unit="m/s²"),
+                rockstack.Setting("fault", 0, most=4, whole=True)]
+
+    def step(self, dt, pull):
+        if self.setup.parameters["fault"] == 1:
+            raise ValueError("thin\\nice")
+        if self.setup.parameters["fault"] == 2:
+            self.rates[:] = float("nan")
+        if self.setup.parameters["fault"] == 3:
+            while True:
+                pass
+        if self.setup.parameters["fault"] == 4:
+            import os
+            os.abort()
+        self.rates[:, :2] += dt * pull
+        self.rates[:, 2] += dt * self.setup.parameters["wind"]
+        self.places += dt * self.rates
+
+Ice().serve()
+"""
+
+
+def engine_here() -> str | None:
+    """One of this build; those that are off are not there."""
+    return next((engine["name"] for engine in rockstack.engines()), None)
+
+
+class WorkerTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.worker = self.write("ice.py", WORKER)
+
+    def write(self, name: str, text: str) -> Path:
+        file = Path(self.folder.name) / name
+        file.write_text(text)
+        file.chmod(0o755)
+        return file
+
+    def test_a_free_body_falls_by_the_scheme_s_own_sum(self):
+        scene = rocking(initial={"angles": [0.1], "velocities": [0.5]})
+        run = rockstack.simulate(scene, self.worker, 0.01, parameters={"wind": 2.0}, bodies=True)
+        step = np.arange(len(run.times))
+        np.testing.assert_allclose(run.velocities[:, 0], 0.5 + 0.02 * step, atol=1e-12)
+        np.testing.assert_allclose(run.angles[:, 0], 0.1 + 0.005 * step + 1e-4 * step * (step + 1), atol=1e-12)
+        self.assertEqual(run.angles.shape, (len(step), 1))
+        self.assertEqual(len(run.energy), len(step))
+
+    def test_what_a_worker_does_ends_its_own_run(self):
+        for fault, message in ((1, "failed: ValueError: thin ice"), (2, "not finite"), (3, "time limit"), (4, "signal")):
+            with self.subTest(fault=fault), self.assertRaisesRegex(rockstack.EngineError, message):
+                rockstack.simulate(rocking(), self.worker, 0.01, parameters={"fault": fault}, time_limit=1.0)
+        broken = self.write("broken.py", f"#!{sys.executable}\nraise SystemExit('no engine')\n")
+        with self.assertRaisesRegex(rockstack.InputError, "no engine"):
+            rockstack.simulate(rocking(), broken)
+
+    def test_the_program_takes_it(self):
+        run = subprocess.run([PROGRAM, "list", "engines"], capture_output=True, text=True, check=True,
+                             env={**os.environ, "ROCKSTACK_WORKERS": self.folder.name})
+        self.write("rockstack-ice", WORKER)
+        run = subprocess.run([PROGRAM, "list", "engines"], capture_output=True, text=True, check=True,
+                             env={**os.environ, "ROCKSTACK_WORKERS": self.folder.name})
+        self.assertIn("ice:free", run.stdout)
+
+    def test_corners_are_those_of_the_example_in_plain_python(self):
+        """contacts() by the example's find_contacts, which shares no code with it, on a stack that leans."""
+        example = {}
+        source = (SOURCE / "engines/examples/moreau_jean.py").read_text().removesuffix("main()\n")
+        exec(compile(source, "moreau_jean.py", "exec"), example)
+        blocks = [{"x": 0.02, "y": 0.5, "angle": 0.1, "width": 1.2, "height": 1.0, "mass": 2.0, "inertia": 0.3},
+                  {"x": 0.05, "y": 1.45, "angle": -0.05, "width": 1.0, "height": 1.0, "mass": 1.0, "inertia": 0.2}]
+        worker = rockstack.Worker()
+        worker._begin({"blocks": [{"velocity_x": 0, "velocity_y": 0, "angular_velocity": 0, **block} for block in blocks],
+                       "friction": [0.3, 0.4], "dt": 0.01, "parameters": {}})
+        bodies = [example["Body"]()] + [example["Body"](block) for block in blocks]
+        wanted = example["find_contacts"](bodies, [0.3, 0.4], 0.05)
+        found = worker.contacts(0.05)
+        self.assertGreaterEqual(len(wanted), 3)
+        self.assertEqual(sorted(found.friction), sorted(contact.friction for contact in wanted))
+
+        def full(contact, axis):
+            row = np.zeros(6)
+            for body, part in zip(contact.bodies, contact.rows[axis]):
+                if body is not bodies[0]:
+                    row[3 * bodies.index(body) - 3:3 * bodies.index(body)] = part
+            return row
+        for axis, rows in ((0, found.normals), (1, found.tangents)):
+            expected = np.array([full(contact, axis) for contact in wanted])
+            order = lambda table: table[np.lexsort(np.round(table, 9).T)]
+            np.testing.assert_allclose(order(rows), order(expected), atol=1e-12)
+
+
+class EngineTest(unittest.TestCase):
+    def setUp(self):
+        self.engine = engine_here()
+        if self.engine is None:
+            self.skipTest("this build has no engine")
+
+    def test_a_run_is_that_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = SOURCE / "comparisons/scenes/housner-block.toml"
+            subprocess.run([PROGRAM, "simulate", scene, "--set", "duration=1", "--engine", self.engine, "--dt", "0.01",
+                            "--out", folder, "--quiet", "--no-plots"], check=True)
+            rows = np.genfromtxt(folder + "/history.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
+        run = rockstack.simulate(rockstack.Scene.read(scene, ["duration=1"]), self.engine, 0.01)
+        np.testing.assert_array_equal(run.angles[:, 0], rows["theta_1"])
+        np.testing.assert_array_equal(run.velocities[:, 0], rows["omega_1"])
+        np.testing.assert_array_equal(run.patterns, rows["pattern"].astype(str))
+
+    def test_wrong_wishes_are_refused(self):
+        for wish in ({"engine": "no-engine"}, {"dt": 0.0}, {"dt": np.nan}, {"dt": 5.0}, {"settings": "best"},
+                     {"parameters": {"speed": 1.0}}, {"time_limit": 0.0}):
+            with self.subTest(wish=wish), self.assertRaises(rockstack.InputError):
+                rockstack.simulate(rocking(), **{"engine": self.engine, **wish})
+
+    def test_keyboard_interrupts_end_the_worker(self):
+        scene = "rockstack.Scene(duration=1e3, blocks=[dict(width=0.5, height=1.5, density=2500)])"
+        self.assertEqual(interrupted(f"rockstack.simulate({scene}, {self.engine!r}, 1e-5)"), "ended")
+
+    def test_a_comparison_is_a_table_of_its_runs(self):
+        scene = rocking(title="One block", duration=0.5)
+        rows = rockstack.compare(scene, engines=[self.engine], dt=[0.01], quick=True, draws=2)
+        self.assertEqual(rows["status"].tolist(), ["done"] * 3)
+        exact = rows["run"][np.flatnonzero(rows["engine"] == "exact")[0]]
+        np.testing.assert_array_equal(rows.history(exact)["theta_1"][0], 0.1)
+        self.assertTrue(np.isnan(rows["largest_angle_difference"]).any())
+        self.assertIn("rad", rows.meanings["largest_angle_difference"])
+        with self.assertRaises(rockstack.InputError):
+            rows.history("no-run")
+        folder = rows.folder
+        self.assertTrue(folder.is_dir())
+        del rows
+        self.assertFalse(folder.exists())
+        for wrong in (lambda: rockstack.compare("no-scene"), lambda: rockstack.compare(scene, engines=["no-engine"]),
+                      lambda: rockstack.compare("paper", quick=True)):
+            with self.assertRaises(rockstack.InputError):
+                wrong()
+
+    def test_the_canon_tells_a_verdict_a_scene(self):
+        answers = rockstack.canon(self.engine, scenes=["throw"], draws=1)
+        self.assertEqual(answers["scene"].tolist(), ["throw"])
+        self.assertIn(answers["verdict"][0], ("agrees", "converges", "another law"))
+        with self.assertRaises(rockstack.InputError):
+            rockstack.canon(self.engine, scenes=["no-scene"])

@@ -1,0 +1,98 @@
+"""Scenes from files, mappings and keywords have the checks and messages of scene files."""
+import copy
+import math
+import pickle
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+import rockstack
+from scenes import BLOCK, TWO, message_of_program, rocking
+
+#: What is wrong with a scene, in the words of either.
+WRONG = {
+    "unknown key": ({"duration": 1.0, "bloks": []}, 'duration = 1.0\nbloks = []\n'),
+    "range": ({"duration": -1.0, "blocks": [BLOCK]},
+              'duration = -1.0\n[[blocks]]\nwidth = 0.5\nheight = 1.5\ndensity = 2500.0\n'),
+    "not a number": ({"duration": 1.0, "blocks": [{**BLOCK, "width": math.nan}]},
+                     'duration = 1.0\n[[blocks]]\nwidth = nan\nheight = 1.5\ndensity = 2500.0\n'),
+    "length": ({"duration": 1.0, "blocks": [BLOCK], "initial": {"angles": [0.1, 0.2]}},
+               'duration = 1.0\n[[blocks]]\nwidth = 0.5\nheight = 1.5\ndensity = 2500.0\n[initial]\nangles = [0.1, 0.2]\n'),
+    "shape": ({"duration": 1.0, "blocks": [BLOCK], "initial": {"angles": np.zeros((1, 1))}},
+              'duration = 1.0\n[[blocks]]\nwidth = 0.5\nheight = 1.5\ndensity = 2500.0\n[initial]\nangles = [[0.0]]\n'),
+    "kind": ({"duration": True, "blocks": [BLOCK]}, 'duration = true\n'),
+    "choice": ({"duration": 1.0, "law": "slippery"}, 'duration = 1.0\nlaw = "slippery"\n'),
+    "no blocks": ({"duration": 1.0}, 'duration = 1.0\n'),
+    "infinite sample": ({"duration": 1.0, "blocks": [BLOCK],
+                         "ground": {"horizontal": {"samples": np.array([0.0, np.inf]), "interval": 0.1}}},
+                        'duration = 1.0\n[[blocks]]\nwidth = 0.5\nheight = 1.5\ndensity = 2500.0\n'
+                        '[ground.horizontal]\nsamples = [0.0, inf]\ninterval = 0.1\n'),
+    "missing": ({"duration": 1.0, "blocks": [{"width": 0.5, "height": 1.5}]},
+                'duration = 1.0\n[[blocks]]\nwidth = 0.5\nheight = 1.5\n'),
+}
+
+
+class SceneTest(unittest.TestCase):
+    def test_messages_are_those_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "scene.toml"
+            for what, (mapping, text) in WRONG.items():
+                with self.subTest(what):
+                    file.write_text(text)
+                    told = message_of_program("solve", str(file), "--out", folder + "/out")
+                    with self.assertRaises(rockstack.InputError) as of_file:
+                        rockstack.Scene.read(file)
+                    self.assertEqual("rockstack: " + str(of_file.exception), told)
+                    with self.assertRaises(rockstack.InputError) as of_mapping:
+                        rockstack.Scene(mapping)
+                    place, message = str(of_mapping.exception).split(": ", 1)
+                    self.assertEqual(place, "scene")
+                    self.assertTrue(told.endswith(": " + message), (told, message))
+
+    def test_input_errors_are_value_errors(self):
+        self.assertTrue(issubclass(rockstack.InputError, ValueError))
+
+    def test_all_ways_make_the_same_scene(self):
+        wanted = rockstack.solve(rockstack.Scene.read("three-drums", ["duration=0.5"])).angles
+        table = rockstack.Scene.read("three-drums", ["duration=0.5"]).to_dict()
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "three-drums.toml"
+            file.write_text(rockstack.Scene(table).to_toml())
+            for scene in (rockstack.Scene(table), rockstack.Scene(**table), rockstack.Scene.read(file),
+                          copy.copy(rockstack.Scene(table)), pickle.loads(pickle.dumps(rockstack.Scene(table)))):
+                np.testing.assert_array_equal(rockstack.solve(scene).angles, wanted)
+
+    def test_numbers_of_any_kind_are_numbers(self):
+        wanted = rocking().to_dict()
+        for block in ({key: np.float64(value) for key, value in BLOCK.items()},
+                      {"width": np.float32(0.5), "height": np.array(1.5), "density": np.int16(2500)},
+                      {"width": 0.5, "height": 1.5, "density": 2500}):
+            self.assertEqual(rocking(blocks=(block,)).to_dict(), wanted)
+        with self.assertRaisesRegex(rockstack.InputError, "duration = inf"):
+            rocking(duration=10 ** 400)
+
+    def test_what_no_file_can_hold_is_refused(self):
+        endless = []
+        endless.append(endless)
+        for values in ({"blocks": endless}, {"initial": {"angles": object()}}, {"initial": {1: 2}}, {"title": 3},
+                       {"ground": {"horizontal": {"samples": "abc", "interval": 0.1}}}):
+            with self.subTest(values=str(values)), self.assertRaises(rockstack.InputError):
+                rocking(**values)
+
+    def test_a_scene_is_changed_by_its_keys(self):
+        scene = rockstack.Scene(duration=1.0, blocks=TWO)
+        taller = scene.replace({"blocks.2.height": 1.5, "initial.angles": np.array([0.0, 0.1])})
+        self.assertGreater(scene.slenderness[1], taller.slenderness[1])
+        self.assertEqual(taller.to_dict()["initial"], {"angles": [0.0, 0.1]})
+        for key, message in {"blocks.3.height": "there are 2 blocks, must be 1 to 2", "blocks.1.depth": "unknown key",
+                             "": "must be a scene's key"}.items():
+            with self.assertRaisesRegex(rockstack.InputError, message):
+                scene.replace({key: 1.0})
+
+    def test_keys_are_those_of_the_program(self):
+        self.assertEqual({row["key"] for row in rockstack.keys("scene") if row["table"] == "[initial]"},
+                         {"angles", "velocities", "slip_velocities", "springs"})
+        with self.assertRaises(rockstack.InputError):
+            rockstack.keys("engine")
+        self.assertIn("first-look", {Path(name).stem for name in rockstack.shipped("suites")})

@@ -1,0 +1,152 @@
+"""Solutions are those of the program, and their arrays look at them in place."""
+import gc
+import shutil
+import threading
+import unittest
+
+import numpy as np
+import rockstack
+from scenes import SOURCE, TWO, interrupted, rocking, solved_by_program
+
+LAWS = {"paper": "spanos-free-rocking", "consistent": "three-drums", "unilateral": "thrown-block",
+        "compliant": "flexible-foundation"}
+
+
+class SolveTest(unittest.TestCase):
+    def test_the_same_bits_as_the_program_under_every_law(self):
+        for law, name in LAWS.items():
+            with self.subTest(law):
+                overrides = ["duration=1"]
+                scene = rockstack.Scene.read(name, overrides)
+                self.assertEqual(scene.law, law)
+                folder = solved_by_program(SOURCE / "comparisons/scenes" / (name + ".toml"), "--set", overrides[0])
+                self.addCleanup(shutil.rmtree, folder)
+                rows = np.genfromtxt(folder / "history.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
+                solution = rockstack.solve(scene)
+                np.testing.assert_array_equal(solution.times, rows["time"])
+                for k in range(scene.blocks):
+                    np.testing.assert_array_equal(solution.angles[:, k], rows[f"theta_{k + 1}"])
+                    np.testing.assert_array_equal(solution.velocities[:, k], rows[f"omega_{k + 1}"])
+                np.testing.assert_array_equal(solution.patterns, rows["pattern"].astype(str))
+                events = np.atleast_1d(np.genfromtxt(folder / "events.csv", delimiter=",", names=True, dtype=None,
+                                                     encoding="utf-8"))
+                self.assertEqual(len(solution.events), len(events))
+                for column in ("time", "kind", "interface", "consistency"):
+                    np.testing.assert_array_equal(solution.events[column], events[column])
+                np.testing.assert_array_equal(solution.events["after"][:, 0], events["omega_after_1"])
+
+    def test_shapes(self):
+        solution = rockstack.solve(rockstack.Scene.read("thrown-stack", ["duration=0.5"]), interval=0.01)
+        samples, blocks = 51, solution.scene.blocks
+        for name in ("angles", "velocities", "slips", "gaps", "reactions"):
+            self.assertEqual(getattr(solution, name).shape, (samples, blocks), name)
+        for name in ("places", "place_rates"):
+            self.assertEqual(getattr(solution, name).shape, (samples, blocks, 2), name)
+        for name in ("peaks", "slips_left", "lifts"):
+            self.assertEqual(getattr(solution, name).shape, (blocks,), name)
+        self.assertEqual(solution.demands["forces"].dtype.names[0], "least_normal")
+
+    def test_laws_of_pivots_have_no_slips_and_tell_demands(self):
+        solution = rockstack.solve(rocking())
+        self.assertIsNone(solution.slips)
+        self.assertIsNone(solution.spring_energies)
+        self.assertTrue(solution.valid)
+        self.assertGreater(solution.demands["impulses"]["friction"][0], 0)
+        self.assertIn("needs friction", solution.verdict)
+        slippery = rockstack.solve(rocking(contact={"friction": 0.01}))
+        self.assertFalse(slippery.valid)
+        self.assertIn("friction", slippery.warnings[0])
+
+    def test_samples_are_where_they_are_asked_for(self):
+        times = [0.0, 0.1, 0.7]
+        np.testing.assert_array_equal(rockstack.solve(rocking(), times=times).times, times)
+        every = rockstack.solve(rocking(), interval=0.1)
+        np.testing.assert_array_equal(rockstack.solve(rocking(), times=every.times).angles, every.angles)
+        self.assertEqual(len(rockstack.solve(rocking(), interval=None).times), 0)
+        self.assertEqual(rockstack.solve(rocking(), interval=None).verdict, "")
+
+    def test_wrong_options_are_refused(self):
+        for options in ({"times": [0.2, 0.1]}, {"times": [np.nan]}, {"times": [[0.1]]}, {"times": [-1.0]},
+                        {"interval": 0.0}, {"interval": 1e-9}, {"interval": np.nan}, {"tolerance": -1.0}, {"step": 0.0},
+                        {"integrator": "euler"}, {"times": [np.inf]}):
+            with self.subTest(options=options), self.assertRaises(rockstack.InputError):
+                rockstack.solve(rocking(), **options)
+        with self.assertRaises(TypeError):
+            rockstack.solve({"duration": 1.0})
+
+    def test_many_are_the_ones(self):
+        scenes = [rocking(initial={"angles": [angle]}, duration=duration)
+                  for angle in (0.05, 0.1, 0.2) for duration in (0.5, 1.0)]
+        scenes.append(rockstack.Scene(duration=1.0, blocks=TWO * 2, initial={"angles": [0.05] * 4}))
+        for options in ({}, {"interval": None}, {"threads": 1}, {"times": [0.1, 0.2]}):
+            for scene, solution in zip(scenes, rockstack.solve_many(scenes, **options)):
+                options.pop("threads", None)
+                alone = rockstack.solve(scene, **options)
+                self.assertIs(solution.scene, scene)
+                np.testing.assert_array_equal(solution.angles, alone.angles)
+                np.testing.assert_array_equal(solution.peaks, alone.peaks)
+                np.testing.assert_array_equal(solution.events["time"], alone.events["time"])
+        self.assertEqual(rockstack.solve_many([]), [])
+
+    def test_the_interpreter_is_free_meanwhile(self):
+        scene = rockstack.Scene.read("spanos-free-rocking")
+        ticks, done = [], threading.Event()
+        thread = threading.Thread(target=lambda: (rockstack.solve_many([scene] * 200), done.set()))
+        thread.start()
+        while not done.is_set():
+            ticks.append(1)
+        thread.join()
+        self.assertGreater(len(ticks), 100)
+
+    def test_a_motion_that_cannot_be_followed_keeps_what_is_known(self):
+        scene = rockstack.Scene.read(SOURCE / "comparisons/scenes/painleve-none.toml")
+        try:
+            rockstack.solve(scene, tolerance=0)
+        except rockstack.Unfinished as unfinished:
+            self.assertGreater(len(unfinished.solution.times), 0)
+
+    def test_keyboard_interrupts_end_what_takes_long(self):
+        endless = ("rockstack.Scene(duration=1e6, blocks=[dict(width=0.5, height=1.5, density=2500)], ground=dict("
+                   "horizontal=dict(pulse='sine', amplitude=3.6, period=0.5, cycles=1e9)))")
+        vary = "vary=[dict(key='gravity', range={'from': 9.0, 'to': 10.0, 'count': 1000000})]"
+        for call in (f"rockstack.solve({endless}, interval=None)",
+                     f"rockstack.solve({endless}.replace({{'law': 'unilateral'}}), interval=None)",
+                     f"rockstack.solve_many([{endless}] * 3, times=[1e6])",
+                     f"rockstack.sweep(scene={endless}.replace({{'duration': 20.0}}), {vary})"):
+            with self.subTest(call):
+                self.assertEqual(interrupted(call), "ended")
+
+
+class MemoryTest(unittest.TestCase):
+    def test_arrays_keep_what_they_look_at(self):
+        solution = rockstack.solve(rocking())
+        angles, forces, expected = solution.angles, solution.demands["forces"], solution.angles.copy()
+        scene_samples = rockstack.GroundMotion(samples=[1.0, 2.0, 3.0], interval=0.1).samples
+        del solution
+        gc.collect()
+        trash = [np.full(expected.size, 1e300) for _ in range(50)]
+        np.testing.assert_array_equal(angles, expected)
+        np.testing.assert_array_equal(scene_samples, [1.0, 2.0, 3.0])
+        self.assertLess(forces["friction"][0], 1)
+        self.assertEqual(len(trash), 50)
+
+    def test_arrays_look_at_one_memory_and_cannot_be_written(self):
+        solution = rockstack.solve(rocking())
+        self.assertTrue(np.shares_memory(solution.angles, solution.angles))
+        self.assertFalse(solution.angles.flags.owndata)
+        for array in (solution.times, solution.angles, solution.peaks, solution.demands["forces"]):
+            with self.assertRaises(ValueError):
+                array[...] = 0
+        with self.assertRaises(ValueError):
+            solution.angles.flags.writeable = True
+
+    def test_a_solution_outlives_its_scene(self):
+        solution = rockstack.solve(rocking())
+        scene = solution._core
+        del solution
+        gc.collect()
+        self.assertEqual(scene.verdict, scene.verdict)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,144 @@
+"""Sweeps: the rows of the program, in arrays that are made once."""
+import csv
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+import rockstack
+from scenes import PROGRAM, rocking
+
+ENSEMBLE = """title = "shaken"
+samples = 3
+seed = 5
+[scene]
+duration = 2.0
+[[scene.blocks]]
+width = 0.5
+height = 1.5
+density = 2500.0
+[scene.ground.horizontal]
+pulse = "sine"
+amplitude = 3.0
+period = 0.8
+[[vary]]
+key = "ground.horizontal.amplitude"
+values = [1.0, 4.0, 9.0]
+[[vary]]
+key = "law"
+values = ["paper", "consistent"]
+[[vary]]
+key = "blocks.1.width"
+normal = { mean = 0.5, deviation = 0.2 }
+"""
+
+MILLION = """
+import resource, sys
+import rockstack
+scene = rockstack.Scene(duration=0.1, blocks=[dict(width=0.5, height=1.5, density=2500)])
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+side = int(sys.argv[1])
+line = lambda key, low, high: dict(key=key, range={"from": low, "to": high, "count": side})
+table = rockstack.sweep(scene=scene, vary=[line("gravity", 9.0, 10.0), line("blocks.1.width", 0.4, 0.6)])
+after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+size = sum((table.codes(name)[0] if name in ("onset", "motion") else table[name]).nbytes for name in table)
+print(table.rows, size, 1024 * (after - before))
+"""
+
+
+class SweepTest(unittest.TestCase):
+    def test_rows_are_those_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "ensemble.toml"
+            file.write_text(ENSEMBLE)
+            subprocess.run([PROGRAM, "sweep", file, "--out", folder + "/out", "--quiet"], check=True)
+            with open(folder + "/out/runs.csv") as stream:
+                rows = list(csv.DictReader(stream))
+            table = rockstack.sweep(file)
+        self.assertEqual(table.rows, 18)
+        self.assertEqual([name for name in rows[0] if name not in ("run", "status", "reason")],
+                         sorted(table, key=list(rows[0]).index))
+        for name in table:
+            for row, value in zip(rows, table[name].tolist()):
+                if row["status"] != "done" and name not in ("ground.horizontal.amplitude", "law", "blocks.1.width"):
+                    continue
+                told = row[name]
+                if isinstance(value, str):
+                    self.assertEqual(value, told)
+                else:
+                    np.testing.assert_equal(value, float(told) if told else np.nan, name)
+        self.assertEqual({number: rows[number]["reason"] for number in table.failures}, table.failures)
+        self.assertEqual([number for number, row in enumerate(rows) if row["status"] != "done"], sorted(table.failures))
+
+    def test_keywords_say_what_a_file_does(self):
+        scene = rocking(ground={"horizontal": {"pulse": "sine", "amplitude": 3.0, "period": 0.8}})
+        vary = [{"key": "ground.horizontal.amplitude", "values": np.array([1.0, 4.0, 9.0])},
+                {"key": "law", "values": ["paper", "consistent"]}]
+        table = rockstack.sweep(scene=scene, vary=vary, threads=2)
+        for run in range(6):
+            values = {"ground.horizontal.amplitude": [1.0, 4.0, 9.0][run // 2], "law": ["paper", "consistent"][run % 2]}
+            self.assertEqual(table["peak_1"][run], rockstack.solve(scene.replace(values), interval=None).peaks[0])
+        self.assertEqual(table["law"].tolist(), ["paper", "consistent"] * 3)
+
+    def test_a_run_that_fails_costs_its_row(self):
+        table = rockstack.sweep(scene=rocking(), samples=40, seed=1,
+                                vary=[{"key": "blocks.1.width", "normal": {"mean": 0.3, "deviation": 0.3}}])
+        self.assertTrue(table.failures)
+        for run, reason in table.failures.items():
+            self.assertTrue(np.isnan(table["peak_1"][run]))
+            self.assertEqual(table["motion"][run], "")
+            self.assertIn("must be", reason)
+
+    def test_wrong_ensembles_are_refused(self):
+        vary = [{"key": "gravity", "values": [9.0]}]
+        for keys in ({"scene": rocking()}, {"scene": rocking(), "vary": vary, "samples": 3}, {"vary": vary},
+                     {"scene": rocking(), "vary": [{"key": "gravity", "values": [np.nan]}]},
+                     {"scene": rocking(), "vary": [{"key": "gravity", "values": np.ones((2, 2))}]},
+                     {"scene": rocking(), "vary": vary, "threads": 0}, {"scene": rocking(), "vary": vary, "sample": 2}):
+            with self.subTest(keys=str(keys)), self.assertRaises(rockstack.InputError):
+                rockstack.sweep(**keys)
+        with self.assertRaises(rockstack.InputError):
+            rockstack.sweep("no-such-ensemble")
+
+    def test_memory_is_that_of_the_columns(self):
+        """What a sweep of 160 000 runs takes beside its 18 MB of columns are scenes under way, and no second copy."""
+        if "asan" in os.environ.get("LD_PRELOAD", ""):
+            self.skipTest("the sanitizer keeps what is freed")
+        answer = subprocess.run([sys.executable, "-c", MILLION, "400"], capture_output=True, text=True, check=True).stdout
+        rows, size, taken = map(int, answer.split())
+        self.assertEqual(rows, 160000)
+        self.assertGreater(size, 100 * rows)
+        self.assertLess(taken, size + 2 ** 23)
+
+    def test_tables_are_frames(self):
+        table = rockstack.sweep(scene=rocking(), vary=[{"key": "law", "values": ["paper", "consistent"]}])
+        try:
+            frame = table.to_pandas()
+        except ImportError:
+            self.skipTest("pandas is not there")
+        self.assertEqual(frame["law"].tolist(), ["paper", "consistent"])
+        np.testing.assert_array_equal(frame["peak_1"], table["peak_1"])
+
+
+class FragilityTest(unittest.TestCase):
+    def test_a_curve_is_found_again(self):
+        """Of 2000 draws at each level the fit is within three standard deviations of its parameters."""
+        random = np.random.default_rng(1)
+        levels = np.repeat(np.linspace(1, 8, 15), 2000)
+        toppled = levels > 3.5 * np.exp(0.4 * random.standard_normal(levels.size))
+        curve = rockstack.fragility(levels, toppled)
+        self.assertAlmostEqual(curve.median, 3.5, delta=0.06)
+        self.assertAlmostEqual(curve.beta, 0.4, delta=0.02)
+        self.assertAlmostEqual(float(curve.probability(curve.median)), 0.5)
+        self.assertTrue(np.all((curve.lower <= curve.share) & (curve.share <= curve.upper)))
+
+    def test_levels_that_part_all_have_no_curve(self):
+        self.assertTrue(np.isnan(rockstack.fragility([1.0, 2.0], [0, 1]).median))
+
+    def test_wrong_shapes_are_refused(self):
+        for intensities, toppled in (([1.0], [0, 1]), ([], []), ([[1.0]], [[0]]), ([0.0, 1.0], [0, 1]), ([np.nan], [1])):
+            with self.assertRaises(rockstack.InputError):
+                rockstack.fragility(intensities, toppled)
