@@ -80,6 +80,34 @@ class SceneTest(unittest.TestCase):
             with self.subTest(values=str(values)), self.assertRaises(rockstack.InputError):
                 rocking(**values)
 
+    def test_any_value_anywhere_is_taken_or_refused(self):
+        junk = [None, True, 0, -1.0, math.nan, math.inf, 10 ** 400, "", "ä\n\x00", b"bytes", [], [[]], {}, {"a": 1}, {1: 2}, (),
+                range(3), object(), np.array(3), np.zeros((0, 3)), np.zeros(3, dtype=complex), np.array(["a"]), np.float32(1),
+                np.array([None]), Path("x"), {1.0}, iter([1]), "paper", "1", [True], 1e-300]
+        table = rockstack.Scene.read("flexible-foundation").to_dict()
+        table["ground"] = {"horizontal": {"pulse": "sine", "amplitude": 1.0, "period": 1.0},
+                           "vertical": {"samples": [0.0, 1.0], "interval": 0.1, "peak": 1.0}}
+
+        def places(node, path=()):
+            yield path
+            for key, value in node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else ():
+                yield from places(value, (*path, key))
+        taken = 0
+        for path in places(table):
+            for value in junk:
+                changed = copy.deepcopy(table)
+                parent = changed
+                for key in path[:-1]:
+                    parent = parent[key]
+                if path:
+                    parent[path[-1]] = value
+                try:
+                    rockstack.Scene(changed if path else {"initial": value})
+                    taken += 1
+                except rockstack.InputError:
+                    continue
+        self.assertGreater(taken, 0)
+
     def test_a_scene_is_changed_by_its_keys(self):
         scene = rockstack.Scene(duration=1.0, blocks=TWO)
         taller = scene.replace({"blocks.2.height": 1.5, "initial.angles": np.array([0.0, 0.1])})
