@@ -86,10 +86,11 @@ class Runs {
 }  // namespace
 
 void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library,
-               const std::function<void(const RunResult&)>& take) {
+               const std::function<void(const RunResult&)>& take, const std::function<bool()>* unwanted) {
   Runs runs(ensemble, first, last, library, take);
-  solve_batch([&] { return runs.next_scene(); }, run_options(ensemble.tolerance),
-              [&](const Solved& solved) { runs.take(solved); });
+  SolveOptions options = run_options(ensemble.tolerance);
+  options.unwanted = unwanted;
+  solve_batch([&] { return runs.next_scene(); }, options, [&](const Solved& solved) { runs.take(solved); });
 }
 
 }  // namespace rockstack

@@ -19,8 +19,10 @@ struct RunResult {
 };
 
 /// Makes the runs `first` up to and without `last`, several side by side; `take` gets what becomes of each,
-/// not in order. May be called from several threads at once. What `take` throws goes through.
+/// not in order. May be called from several threads at once. What `take` throws goes through. `unwanted` as
+/// of SolveOptions: a run that it ends has no outcome.
 void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library,
-               const std::function<void(const RunResult&)>& take);
+               const std::function<void(const RunResult&)>& take,
+               const std::function<bool()>* unwanted = nullptr);
 
 }  // namespace rockstack

@@ -74,8 +74,7 @@ void read_text(const py::handle& value, Node& target) {
 
 /// Of numpy's arrays and numbers, and of what is like them.
 void read_array(const py::handle& value, Node& target, int depth) {
-  const auto array = py::array::ensure(value);
-  if (!array) throw py::error_already_set();
+  const py::array array(py::reinterpret_borrow<py::object>(value));
   if (array.ndim() == 0) return read(array.attr("item")(), target, depth + 1);
   const bool numbers = std::string_view("fiu").find(array.dtype().kind()) != std::string_view::npos;
   if (array.ndim() == 1 && numbers)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -178,13 +179,16 @@ py::tuple run(const Ensemble& ensemble, MotionLibrary& library, std::size_t thre
   std::vector<std::size_t> blocks((runs + size - 1) / size);
   std::iota(blocks.begin(), blocks.end(), 0);
   beside_interpreter([&](const std::atomic<bool>& stop) {
+    const std::function<bool()> unwanted = [&] { return stop.load(); };
+    const auto take = [&](const RunResult& result) {
+      if (stop) throw Unwanted();
+      table.write(result);
+    };
     const auto compute = [&](std::size_t block) {
-      make_runs(ensemble, block * size, std::min(runs, (block + 1) * size), library,
-                [&](const RunResult& result) { table.write(result); });
+      make_runs(ensemble, block * size, std::min(runs, (block + 1) * size), library, take, &unwanted);
       return std::string();
     };
-    make_threads(threads)->run(
-        blocks, {compute, [](std::size_t, const std::string&) {}, [&] { return stop.load(); }});
+    make_threads(threads)->run(blocks, {compute, [](std::size_t, const std::string&) {}, unwanted});
   });
   return table.result();
 }

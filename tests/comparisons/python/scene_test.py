@@ -92,6 +92,13 @@ class SceneTest(unittest.TestCase):
             yield path
             for key, value in node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else ():
                 yield from places(value, (*path, key))
+
+        class Failing:
+            def __array__(self):
+                raise ArithmeticError("no array")
+
+        with self.assertRaises(ArithmeticError):
+            rocking(duration=Failing())
         taken = 0
         for path in places(table):
             for value in junk:

@@ -16,6 +16,12 @@ BLOCK = {"width": 0.5, "height": 1.5, "density": 2500.0}
 TWO = [{"width": 0.6, "height": 1.6, "density": 2500.0}, {"width": 0.5, "height": 1.2, "density": 2500.0}]
 
 
+#: A block that rocks for days, followed in a minute by large steps; and on springs, which take more than an hour.
+LONG = ("rockstack.Scene(duration=1e6, blocks=[dict(width=0.5, height=1.5, density=2500)], ground=dict("
+        "horizontal=dict(pulse='sine', amplitude=3.6, period=0.5, cycles=1e9)))")
+ENDLESS = LONG + ".replace({'law': 'compliant', 'contact.stiffness': 1e9})"
+
+
 def rocking(**changes) -> rockstack.Scene:
     """One block released at 0.1 rad."""
     return rockstack.Scene({"duration": 1.0, "blocks": [BLOCK], "initial": {"angles": [0.1]}, **changes})
@@ -39,9 +45,9 @@ def interrupted(call: str) -> str:
     """What a process of its own prints that makes a call, and that Ctrl-C comes to half a second later."""
     program = ("import signal\nimport rockstack\n"
                "signal.signal(signal.SIGINT, signal.default_int_handler)  # which those in the background ignore\n"
-               f"print('ready', flush=True)\ntry: {call}\nexcept KeyboardInterrupt: print('ended')")
+               f"try:\n    print('ready', flush=True)\n    {call}\nexcept KeyboardInterrupt: print('ended')")
     process = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True)
     process.stdout.readline()
     time.sleep(0.5)
     process.send_signal(signal.SIGINT)
-    return process.communicate(timeout=60)[0].strip()
+    return process.communicate(timeout=30)[0].strip()
