@@ -39,6 +39,20 @@ struct SpringCourse {
 template <class Real>
 inline const Real spring_moment = root_tolerance<Real>(1e-6);
 
+/// The least that a series comes to up to `share` of a step, or less (Hull); zero where it stays above.
+template <class Real>
+Real least_below(const Polynomial<Real>& series, const Real& share) {
+  Real least = 0;
+  Real sum = 0;
+  Real power = 1;
+  for (const Real& coefficient : series) {
+    sum += coefficient * power;
+    least = std::min(least, sum);
+    power *= share;
+  }
+  return least;
+}
+
 /// Those of all points that end first, at s of a step.
 template <class Real>
 struct FirstSpringChange {
@@ -51,11 +65,8 @@ struct FirstSpringChange {
   void consider(SpringCourse<Real> course, std::size_t zeros = 0, const Real& until = 1) {
     for (std::size_t i = 0; i < zeros && i < course.series.terms; ++i)
       course.series[i] = std::max(course.series[i], Real(0));
-    if (zeros > 0 && value(course.series, spring_moment<Real>) >= 0) {
-      Polynomial<Real> at_first = course.series;
-      rescale(at_first, spring_moment<Real>);
-      course.series[0] -= 2 * std::min(hull(at_first).least, Real(0));
-    }
+    if (zeros > 0 && value(course.series, spring_moment<Real>) >= 0)
+      course.series[0] -= 2 * least_below(course.series, spring_moment<Real>);
     const std::optional<Real> crossing = first_crossing(course.series);
     if (!crossing || *crossing > std::min(s, until)) return;
     if (course.change == SpringChange::touch && course.within.terms > 0) {
