@@ -53,6 +53,13 @@ class Recorder {
     return false;
   }
 
+  /// The friction that every interface has come to demand.
+  Real known_friction() const {
+    Real least = std::numeric_limits<Real>::infinity();
+    for (const BasicDemand<Real>& demand : history_.forces) least = std::min(least, demand.friction);
+    return least;
+  }
+
   /// The impulses of an impact. One of chatter that is a millionth of the momentum that the stack has after
   /// falling its own size, or less, bears nothing.
   void note_impact(const PatternSolution<Real, N>& solution, const Real& time) {

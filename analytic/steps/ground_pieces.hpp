@@ -60,6 +60,22 @@ class GroundPieces {
     find_piece();
   }
 
+  /// The same, and past all pieces on whose samples |ẍg| stays below `limit`, where ẍg is known by samples
+  /// and the ground does not move up or down. Precondition: it is below at the end of this one.
+  void advance_past(const Real& limit) {
+    const auto& samples = scene_.horizontal.samples;
+    if (!samples.empty() && end_ == piece_.horizontal.end && scene_.vertical.empty()) {
+      const Real interval(scene_.horizontal.interval);
+      using std::abs;
+      while (horizontal_sample_ + 2 < std::ssize(samples) &&
+             Real(horizontal_sample_ + 2) * interval < duration_ &&
+             abs(Real(samples[static_cast<std::size_t>(horizontal_sample_ + 2)]) - downhill_) < limit)
+        ++horizontal_sample_;
+      end_ = piece_.horizontal.end = Real(horizontal_sample_ + 1) * interval;
+    }
+    advance();
+  }
+
  private:
   void find_piece() {
     follow(scene_.horizontal, 0 - downhill_, horizontal_sample_, piece_.horizontal);
