@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "analytic/batch/bounds.hpp"
+#include "analytic/batch/directions.hpp"
 #include "analytic/batch/step_rows.hpp"
 #include "analytic/steps/step_rule.hpp"
 
@@ -39,6 +40,7 @@ class StepKernel {
     if (!any(busy > Real(0))) return;
     const Linkage<Real, N> linkage = load_linkage();
     typename Chain::Directions directions;
+    Real leaning = 0;  // absolute angle
     bool watched = false;
     start_.length = load(rows_.length);
     start_.rate = load(rows_.rate);
@@ -46,7 +48,8 @@ class StepKernel {
       start_.sides[k] = load(rows_.side[k]);
       start_.angles[k] = load(rows_.angle[k]);
       start_.advances[k] = load(rows_.velocity[k]) * start_.length;
-      directions[k] = {load(rows_.cosine[k]), load(rows_.sine[k])};
+      leaning = k > 0 ? leaning + start_.angles[k] : start_.angles[k];
+      directions[k] = direction(leaning);
       watched = watched || any(load(rows_.watched[k]) > Real(0));
     }
     load_body_force();
@@ -60,6 +63,24 @@ class StepKernel {
     if (rows_.forces) follow_forces(series);
     store(start_.length, rows_.length);
     store_truth(plain_, rows_.plain);
+    go_on();
+  }
+
+  /// Lanes whose step is plain are where it leads.
+  void go_on() {
+    for (std::size_t k = 0; k < blocks; ++k) {
+      const Mask moves = plain_ & (start_.sides[k] != Real(0));
+      store(select(moves, ends_[k].angle, load(rows_.angle[k])), rows_.angle[k]);
+      store(select(moves, ends_[k].velocity, load(rows_.velocity[k])), rows_.velocity[k]);
+      store(select(plain_, ends_[k].peak, load(rows_.peak[k])), rows_.peak[k]);
+    }
+  }
+
+  /// As directions_at().
+  PlaneVector<Real> direction(const Real& angle) const {
+    if (rows_.linear) return {Real(1), Real(0)};
+    const auto [cosine, sine] = direction_of_each(angle);
+    return {cosine, sine};
   }
 
   Linkage<Real, N> load_linkage() const {
@@ -164,14 +185,13 @@ class StepKernel {
       height += absolute[i];
       if (i > 0) steepness += static_cast<double>(i) * coefficient;
     }
-    store(angle, rows_.end_angle[k]);
-    store(steepness / start_.length, rows_.end_velocity[k]);
     const Real peak = load(rows_.peak[k]);
     const Mask known = swing.size() <= peak;
     const Mask stands = swing.size() < load(rows_.toppling[k]);
     plain_ = plain_ & stands & (known | swing.is_monotone());
     store_truth(stands & known, rows_.upright[k]);
-    store(select(known, peak, max(max(peak, abs(absolute[0])), abs(height))), rows_.peak[k]);
+    ends_[k] = {angle, steepness / start_.length,
+                select(known, peak, max(max(peak, abs(absolute[0])), abs(height)))};
   }
 
   void follow_margins(const Chain& series) {
@@ -227,6 +247,10 @@ class StepKernel {
   StepStart<Real, N> start_;
   Real own_;  ///< orders of each lane
   Mask plain_;
+  struct End {
+    Real angle, velocity, peak;
+  };
+  std::array<End, blocks> ends_;
   StepRows<blocks>& rows_;
   std::size_t lane_;
   std::size_t orders_ = 0;  ///< of the lane that has most

@@ -27,32 +27,46 @@ class Lane {
   bool advance(StepRows<N>& rows, std::size_t lane) {
     // Never just after an opening: from zero and at rest, no bound clears the angle.
     const bool plain = rows.plain[lane] > 0;
+    const bool same = plain && clear_;
     if (plain) {
-      follow_uneventful(rows, lane);
+      pass(rows, lane);
     } else {
       follow(rows, lane);
     }
-    return request_step(rows, lane, !plain);
+    if (!request_step(rows, lane, !same)) {
+      arrive(rows, lane);
+      return false;
+    }
+    return true;
   }
 
   History history() && { return std::move(solver_).history(); }
 
  private:
-  /// A step that nothing happens in.
-  void follow_uneventful(const StepRows<N>& rows, std::size_t lane) {
-    typename Solver<double, blocks>::End end;
-    for (std::size_t k = 0; k < N; ++k) {
-      end.angles[k] = rows.end_angle[k][lane];
-      end.velocities[k] = rows.end_velocity[k][lane];
-      end.peaks[k] = rows.peak[k][lane];
-    }
+  /// A step that nothing happens in; where it leads, the rows tell.
+  void pass(const StepRows<N>& rows, std::size_t lane) {
     const double length = rows.length[lane];
     solver_.steps().lengthen(length, static_cast<std::size_t>(rows.orders[lane]));
-    solver_.follow_uneventful(length, end);
+    solver_.pass(length);
+    passing_ = true;
+  }
+
+  /// Where the steps that were passed have led.
+  void arrive(const StepRows<N>& rows, std::size_t lane) {
+    if (!passing_) return;
+    passing_ = false;
+    typename Solver<double, blocks>::Place place;
+    for (std::size_t k = 0; k < N; ++k) {
+      place.angles[k] = rows.angle[k][lane];
+      place.velocities[k] = rows.velocity[k][lane];
+      place.peaks[k] = rows.peak[k][lane];
+    }
+    solver_.arrive(place);
   }
 
   /// A step that the kernel could not tell all about.
   void follow(const StepRows<N>& rows, std::size_t lane) {
+    arrive(rows, lane);
     const auto orders = static_cast<std::size_t>(rows.orders[lane]);
     const auto read = [&](const CoefficientRows& from, std::size_t terms, Polynomial<double>& to) {
       to.terms = terms;
@@ -89,13 +103,16 @@ class Lane {
     return cleared;
   }
 
-  /// `changed` tells whether more than the state may have changed since a step was asked for.
+  /// `changed` tells whether more may have changed since a step was asked for than the rows know.
   bool request_step(StepRows<N>& rows, std::size_t lane, bool changed) {
     if (!solver_.seek_motion()) return false;
+    if (changed) {
+      arrive(rows, lane);
+      describe_pattern(rows, lane);
+      describe_state(rows, lane);
+      clear_ = solver_.ties().all_clear();
+    }
     const auto step = solver_.next_step();
-    clear_ = step.clear;
-    if (changed) describe_pattern(step.linkage, step.state.pattern, step.watched, rows, lane);
-    describe_state(step.state, step.directions, rows, lane);
     rows.length[lane] = step.length;
     describe_body_force(step.body_force, rows, lane);
     return true;
@@ -111,9 +128,10 @@ class Lane {
     }
   }
 
-  void describe_pattern(const Linkage<double, blocks>& linkage, const Pattern& pattern,
-                        const Interfaces& watched, StepRows<N>& rows, std::size_t lane) const {
-    const History& known = solver_.recorder().so_far();
+  void describe_pattern(StepRows<N>& rows, std::size_t lane) {
+    const Linkage<double, blocks>& linkage = solver_.linkage();
+    const Pattern& pattern = solver_.state().pattern;
+    const Interfaces watched = solver_.ties().may_open(solver_.state());
     for (std::size_t k = 0; k < N; ++k) {
       rows.moment_x[k][lane] = linkage.moment_x[k];
       rows.moment_y[k][lane] = linkage.moment_y[k];
@@ -125,21 +143,19 @@ class Lane {
       rows.free[k][lane] = linkage.free[k];
       rows.side[k][lane] = sign(pattern[static_cast<int>(k)]);
       rows.watched[k][lane] = watched.test(k) ? 1 : 0;
+    }
+  }
+
+  void describe_state(StepRows<N>& rows, std::size_t lane) const {
+    const State<double, blocks>& state = solver_.state();
+    const History& known = solver_.recorder().so_far();
+    for (std::size_t k = 0; k < N; ++k) {
+      rows.angle[k][lane] = state.angles[static_cast<int>(k)];
+      rows.velocity[k][lane] = state.velocities[static_cast<int>(k)];
       rows.peak[k][lane] = known.peaks.empty() ? std::numeric_limits<double>::infinity() : known.peaks[k];
       if (known.forces.empty()) continue;
       rows.least_normal[k][lane] = known.forces[k].least_normal;
       rows.friction[k][lane] = known.forces[k].friction;
-    }
-  }
-
-  static void describe_state(const State<double, blocks>& state, const Directions<double, blocks>& directions,
-                             StepRows<N>& rows, std::size_t lane) {
-    for (std::size_t k = 0; k < N; ++k) {
-      const auto block = static_cast<int>(k);
-      rows.angle[k][lane] = state.angles[block];
-      rows.velocity[k][lane] = state.velocities[block];
-      rows.cosine[k][lane] = directions.cosine[block];
-      rows.sine[k][lane] = directions.sine[block];
     }
   }
 
@@ -156,7 +172,8 @@ class Lane {
   }
 
   Solver<double, blocks> solver_;
-  bool clear_ = false;                                ///< of ties, in the step that was asked for
+  bool clear_ = false;    ///< of ties, in the step that was asked for
+  bool passing_ = false;  ///< whether the rows know more of the state than the solver
   std::size_t body_force_terms_ = max_terms<double>;  ///< coefficients in the rows
 };
 

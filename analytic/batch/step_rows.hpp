@@ -40,18 +40,19 @@ struct StepRows {
   PerBlock<LaneRow> side;                                                            ///< sign of the contact
   PerBlock<LaneRow> watched;  ///< whether a closed interface may open
   // of what is known
-  PerBlock<LaneRow> least_normal, friction, peak;
+  PerBlock<LaneRow> least_normal, friction;
   // of the step
-  PerBlock<LaneRow> angle, velocity, cosine, sine;
   LaneRow length, body_force_terms;  ///< s; terms of the body force
   CoefficientRows body_force_x, body_force_y;
 
+  // where the step starts from and, where it is plain, has led
+  PerBlock<LaneRow> angle, velocity, peak;
+
   // what comes out
-  LaneRow plain;   ///< whether nothing happens in the step, and nothing is to be recorded
-  LaneRow orders;  ///< of the series
-  LaneRow excess;  ///< how many times the tolerance is left out, 0 where none
-  PerBlock<LaneRow> end_angle, end_velocity;
-  PerBlock<LaneRow> stays;    ///< whether an open interface stays open, or a watched one closed
+  LaneRow plain;            ///< whether nothing happens in the step, and nothing is to be recorded but peaks
+  LaneRow orders;           ///< of the series
+  LaneRow excess;           ///< how many times the tolerance is left out, 0 where none
+  PerBlock<LaneRow> stays;  ///< whether an open interface stays open, or a watched one closed
   PerBlock<LaneRow> upright;  ///< whether a block does not topple, nor lean more than before
   PerBlock<LaneRow> borne;    ///< whether an interface demands no more than before
   PerBlock<CoefficientRows> angles, right, left, normal, tangential;  ///< coefficients of the dense output

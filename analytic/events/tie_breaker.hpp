@@ -64,6 +64,13 @@ class TieBreaker {
     if (!undecided()) held_.reset();
   }
 
+  /// A step that nothing happens in.
+  void note_uneventful_step() {
+    openings_ = instant_events_ = 0;
+    fresh_.reset();
+    held_.reset();
+  }
+
   void note_opening(const Interfaces& opening) { fresh_ |= opening; }
   void note_closing(const Interfaces& closing) { held_ |= closing & fresh_; }
   void hold(const Interfaces& opening) { held_ |= opening; }

@@ -6,6 +6,7 @@
 #include <bitset>
 #include <type_traits>
 
+#include "analytic/scene/direction.hpp"
 #include "analytic/scene/pattern.hpp"
 #include "analytic/scene/scene.hpp"
 
@@ -122,12 +123,11 @@ struct Directions {
 
 template <class Real, int N>
 Directions<Real, N> directions(const Vector<Real, N>& angles) {
-  using std::cos;
-  using std::sin;
   Directions<Real, N> result{angles, angles};
   for (Eigen::Index k = 0; k < angles.size(); ++k) {
-    result.cosine[k] = cos(angles[k]);
-    result.sine[k] = sin(angles[k]);
+    const PlaneDirection<Real> direction = direction_of(angles[k]);
+    result.cosine[k] = direction.cosine;
+    result.sine[k] = direction.sine;
   }
   return result;
 }

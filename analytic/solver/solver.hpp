@@ -80,6 +80,7 @@ class Solver {
   void advance() {
     if (!(remaining() > 0)) return next_piece();
     if (skip_rest()) return;
+    if (!directed_) update_directions();
     DenseOutput<Real, N> output = steps_(state_, directions_, linkage(), pieces_.current(), offset_,
                                          longest_step(), ties_.may_open(state_));
     follow(output);
@@ -94,25 +95,15 @@ class Solver {
     return false;
   }
 
-  /// What the next step starts from. Preconditions: not finished, not at the end of a piece.
-  struct Start {
-    const State<Real, N>& state;
-    const Directions<Real, N>& directions;
-    const Linkage<Real, N>& linkage;
+  /// What the next step has besides a state and a pattern. Preconditions: not finished, not at the end of a
+  /// piece.
+  struct Stretch {
     Real length;  ///< s
     ScaledBodyForce<Real> body_force;
-    Interfaces watched;
-    bool clear;  ///< of ties
   };
-  Start next_step() {
+  Stretch next_step() const {
     const Real length = steps_.length(pieces_.current(), longest_step());
-    return {state_,
-            directions_,
-            linkage(),
-            length,
-            scaled_body_force(model_.gravity, pieces_.current(), offset_, length),
-            ties_.may_open(state_),
-            ties_.all_clear()};
+    return {length, scaled_body_force(model_.gravity, pieces_.current(), offset_, length)};
   }
 
   /// Goes along a step up to its first event, and through that. @throws as run().
@@ -122,29 +113,46 @@ class Solver {
     state_ = output.at(event.s);
     require_numbers();
     recorder_.note_step(output, pieces_.current(), offset_, event, cleared);
-    if (event.closing.none()) update_directions();
+    directed_ = false;
+    if (event.happens() && event.closing.none()) update_directions();
     advance_time(event, output.length);
     if (event.happens()) handle(event);
   }
 
-  /// Where a step leads: relative angles and velocities of open interfaces, and all peaks so far.
-  struct End {
+  /// Goes along a whole step in which nothing happens, and nothing is to be recorded but peaks. Where such
+  /// steps lead, the caller knows, and tells before it asks for more than them.
+  void pass(const Real& length) {
+    ties_.note_uneventful_step();
+    if (length >= remaining()) {
+      next_piece();
+    } else {
+      offset_ += length;
+    }
+  }
+
+  /// Relative angles and velocities, and all peaks so far.
+  struct Place {
     PerBlock<Real, N> angles, velocities, peaks;
   };
 
-  /// Goes along a whole step in which nothing happens, and nothing is to be recorded but peaks.
-  void follow_uneventful(const Real& length, const End& end) {
-    for (int k = 0; k < state_.size(); ++k) {
-      if (state_.pattern[k] == Contact::closed) continue;
-      state_.angles[k] = end.angles[static_cast<std::size_t>(k)];
-      state_.velocities[k] = end.velocities[static_cast<std::size_t>(k)];
+  /// Where steps that were passed have led.
+  void arrive(const Place& place) {
+    state_.angles = Eigen::Map<const Vector<Real, N>>(place.angles.data(), state_.size());
+    state_.velocities = Eigen::Map<const Vector<Real, N>>(place.velocities.data(), state_.size());
+    recorder_.raise_peaks(place.peaks);
+    directed_ = false;
+  }
+
+  const Linkage<Real, N>& linkage() {
+    if (linkage_.blocks == 0 || !(linked_ == state_.pattern)) {
+      linkage_ = make_linkage(model_.stack, state_.pattern);
+      linked_ = state_.pattern;
     }
-    update_directions();
-    recorder_.raise_peaks(end.peaks);
-    advance_time({}, length);
+    return linkage_;
   }
 
   const State<Real, N>& state() const { return state_; }
+  const TieBreaker<Real>& ties() const { return ties_; }
   const Model<Real, N>& model() const { return model_; }
   const Recorder<Real, N>& recorder() const { return recorder_; }
   const std::array<Real, max_blocks>& toppling_angles() const { return toppling_angles_; }
@@ -172,14 +180,9 @@ class Solver {
   }
 
   /// After a change of angles.
-  void update_directions() { directions_ = directions_at(model_, state_.angles); }
-
-  const Linkage<Real, N>& linkage() {
-    if (linkage_.blocks == 0 || !(linked_ == state_.pattern)) {
-      linkage_ = make_linkage(model_.stack, state_.pattern);
-      linked_ = state_.pattern;
-    }
-    return linkage_;
+  void update_directions() {
+    directions_ = directions_at(model_, state_.angles);
+    directed_ = true;
   }
 
   /// Goes on past the ground pieces through whose rest the stack stands still, and nothing of it is to be
@@ -334,7 +337,8 @@ class Solver {
   EndOfChatter<Real, N> end_of_chatter_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;
-  Directions<Real, N> directions_;  ///< at the state
+  Directions<Real, N> directions_;  ///< at the state, if it is
+  bool directed_ = false;
   std::array<Real, max_blocks> toppling_angles_{};
   Real offset_ = 0;  ///< into the current piece, s
   Pattern linked_;   ///< the pattern of linkage_

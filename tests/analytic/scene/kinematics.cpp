@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace rockstack {
 namespace {
@@ -32,6 +33,21 @@ Pattern word(Contact first, Contact second, Contact third) {
 }
 
 const Pattern right_left_right = word(Contact::right, Contact::left, Contact::right);
+
+// A polynomial's terms are rounded each: cosine and sine are off by little more than a unit in their last
+// place, on both sides of where the library takes over, and a mirrored angle has the mirrored direction.
+TEST(Kinematics, DirectionsAreThoseOfTheLibraryToAUnitInTheLastPlace) {
+  const double unit = std::numeric_limits<double>::epsilon();
+  for (int i = 0; i < 20000; ++i) {
+    const double angle = i < 16000 ? 1.6 * i / 16000 : std::ldexp(1 + i / 20000.0, -(i % 60));
+    const PlaneDirection<double> direction = direction_of(angle);
+    EXPECT_NEAR(direction.cosine, std::cos(angle), 1.25 * unit * std::abs(std::cos(angle)) + 1e-300) << angle;
+    EXPECT_NEAR(direction.sine, std::sin(angle), 1.25 * unit * std::sin(angle)) << angle;
+    const PlaneDirection<double> mirrored = direction_of(-angle);
+    EXPECT_EQ(mirrored.cosine, direction.cosine) << angle;
+    EXPECT_EQ(mirrored.sine, -direction.sine) << angle;
+  }
+}
 
 TEST(Kinematics, AWiderUpperBlockPivotsOnTheLowerOnesCorner) {
   const Stack<double> stack = three_blocks();
