@@ -37,6 +37,8 @@ History solve_in_double(const Scene& scene, const SolveOptions& options) {
       return solve_stack_of<double, 1>(scene, options);
     case 2:
       return solve_stack_of<double, 2>(scene, options);
+    case 3:
+      return solve_stack_of<double, 3>(scene, options);
     default:
       return solve_stack_of<double, Eigen::Dynamic>(scene, options);
   }

@@ -175,6 +175,8 @@ void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveO
   Lanes<1> one[]{{false, made_by->one_block, options, deliver}, {true, made_by->one_block, options, deliver}};
   Lanes<2> two[]{{false, made_by->two_blocks, options, deliver},
                  {true, made_by->two_blocks, options, deliver}};
+  Lanes<3> three[]{{false, made_by->three_blocks, options, deliver},
+                   {true, made_by->three_blocks, options, deliver}};
   for (; std::optional<Scene> scene = next(); ++number) {
     const std::size_t kind = scene->equations == Equations::linear ? 1 : 0;
     // Kernels know pivots alone, and no levers.
@@ -186,12 +188,16 @@ void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveO
       case 2:
         two[kind].add(number, std::move(*scene));
         break;
+      case 3:
+        three[kind].add(number, std::move(*scene));
+        break;
       default:
         others.add(number, *scene);
     }
   }
   for (Lanes<1>& lanes : one) lanes.finish();
   for (Lanes<2>& lanes : two) lanes.finish();
+  for (Lanes<3>& lanes : three) lanes.finish();
 }
 
 }  // namespace rockstack

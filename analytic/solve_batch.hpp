@@ -29,9 +29,9 @@ struct Solved {
   std::exception_ptr failure;  ///< what solve() throws of it, or none
 };
 
-/// Solves one scene after the other, several side by side where they have one or two blocks; each history is
-/// the one that solve() gives, to the bit. Asks `next` for scenes until it has none, some ahead of those that
-/// are done; `deliver` gets what comes out, not in order. What these two throw goes through.
+/// Solves one scene after the other, several side by side where they have one to three blocks; each history
+/// is the one that solve() gives, to the bit. Asks `next` for scenes until it has none, some ahead of those
+/// that are done; `deliver` gets what comes out, not in order. What these two throw goes through.
 /// @throws std::invalid_argument for a set that is not among instruction_sets().
 void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveOptions& options,
                  const std::function<void(Solved&&)>& deliver,

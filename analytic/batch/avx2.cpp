@@ -4,6 +4,7 @@
 namespace rockstack {
 
 constinit const StepKernels avx2_kernels{&StepKernel<Pack<xsimd::avx2>, 1>::make_steps,
-                                         &StepKernel<Pack<xsimd::avx2>, 2>::make_steps};
+                                         &StepKernel<Pack<xsimd::avx2>, 2>::make_steps,
+                                         &StepKernel<Pack<xsimd::avx2>, 3>::make_steps};
 
 }  // namespace rockstack

@@ -4,6 +4,7 @@
 namespace rockstack {
 
 constinit const StepKernels avx512_kernels{&StepKernel<Pack<xsimd::avx512f>, 1>::make_steps,
-                                           &StepKernel<Pack<xsimd::avx512f>, 2>::make_steps};
+                                           &StepKernel<Pack<xsimd::avx512f>, 2>::make_steps,
+                                           &StepKernel<Pack<xsimd::avx512f>, 3>::make_steps};
 
 }  // namespace rockstack
