@@ -53,7 +53,7 @@ class StepKernel {
       watched = watched || any(load(rows_.watched[k]) > Real(0));
     }
     load_body_force();
-    Chain series(linkage, rows_.linear ? Equations::linear : Equations::nonlinear, rows_.forces || watched,
+    Chain series(linkage, rows_.linear ? Equations::linear : Equations::nonlinear, {rows_.forces, watched},
                  directions, start_.advances);
     series.extend(0, body_force_);
     land(series);

@@ -44,14 +44,21 @@ class ChainSeries {
   using PlaneSeries = std::array<Point2, max_terms<Real>>;
   using Directions = PerBlock<PlaneVector<Real>, N>;
 
-  /// From the blocks' directions and relative velocities times the step's length; `forces` tells whether
-  /// push(), force(), reaction() and margin() will be asked for. Keeps a reference to `linkage`.
-  ChainSeries(const Linkage<Real, N>& linkage, Equations equations, bool forces, const Directions& directions,
-              const PerBlock<Real, N>& advances)
+  /// What a series tells besides motion. Margins are made of forces too.
+  struct Asked {
+    bool forces;   ///< push() and force()
+    bool margins;  ///< these, reaction() and margin()
+  };
+
+  /// From the blocks' directions and relative velocities times the step's length. Keeps a reference to
+  /// `linkage`.
+  ChainSeries(const Linkage<Real, N>& linkage, Equations equations, const Asked& asked,
+              const Directions& directions, const PerBlock<Real, N>& advances)
       : linkage_(linkage),
         linear_(equations != Equations::nonlinear),
         small_angles_(equations == Equations::small_angle),
-        forces_(forces) {
+        forces_(asked.forces || asked.margins),
+        margins_(asked.margins) {
     start(directions, advances);
   }
 
@@ -70,8 +77,8 @@ class ChainSeries {
       block.coupling[0] = square * block.coupling[0];
       block.relative[0] *= square;
       if (!forces_) continue;
-      block.reaction[0] *= square;
       block.force[0] = square * block.force[0];
+      if (margins_) block.reaction[0] *= square;
     }
   }
 
@@ -179,7 +186,7 @@ class ChainSeries {
     PerBlock<Real, N> opposed;
     for (std::size_t k = 0; k < size(); ++k) opposed[k] = -known[k];
     const PerBlock<Real, N> relative = mass_.constrained.solve(opposed);
-    if (forces_) {
+    if (margins_) {
       for (std::size_t k = 0; k < size(); ++k) {
         blocks_[k].reaction[n] = known[k];
         for (std::size_t j = 0; j < size(); ++j) blocks_[k].reaction[n] += mass_.matrix[k][j] * relative[j];
@@ -320,6 +327,7 @@ class ChainSeries {
   bool linear_;        ///< without velocity terms
   bool small_angles_;  ///< of the linear equations, those of small angles
   bool forces_;
+  bool margins_;
   PerBlock<Real, N> angles_;  ///< at the start, of small angles alone, rad
   std::array<BlockSeries, capacity(N)> blocks_;
   ChainMass<Real, N> mass_;  ///< at the start of the step

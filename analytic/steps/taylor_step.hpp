@@ -45,7 +45,7 @@ class TaylorSteps {
       start.advances[k] = state.velocities[block] * step;
       block_directions[k] = {directions.cosine[block], directions.sine[block]};
     }
-    ChainSeries<Real, N> series(linkage, model_.equations, forces_ || watched.any(), block_directions,
+    ChainSeries<Real, N> series(linkage, model_.equations, {forces_, watched.any()}, block_directions,
                                 start.advances);
     series.extend(0, body_force);
     const Real ratio = start.landing(series);
