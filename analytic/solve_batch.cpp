@@ -75,16 +75,16 @@ class Lanes {
   /// A part of a run that tells whether there is more.
   template <class Part>
   void attempt(std::size_t lane, const Part& part) {
-    Ending ending;
+    std::optional<Ending> ending;  // nothing to make and take down in each of many steps
     try {
       if (part()) return;
-      ending.history = std::move(*runs_[lane]->lane).history();
+      ending = Ending{std::move(*runs_[lane]->lane).history(), nullptr};
     } catch (const IllConditioned&) {
       ending = alone(runs_[lane]->scene, options_);  // in wider numbers
     } catch (const std::exception&) {
-      ending.failure = std::current_exception();
+      ending = Ending{{}, std::current_exception()};
     }
-    end(lane, std::move(ending));
+    end(lane, std::move(*ending));
   }
 
   void end(std::size_t lane, Ending&& ending) {
