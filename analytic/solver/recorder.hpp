@@ -22,6 +22,11 @@ class Recorder {
     negligible_impulse_ =
         Real(1e-6) * model.stack.mass.sum() * sqrt(2 * model.gravity * model.stack.half_height.sum());
     history_.blocks = size;
+    const std::size_t samples = options.sample_times.size();
+    history_.times.reserve(samples);
+    history_.patterns.reserve(samples);
+    history_.angles.reserve(samples * static_cast<std::size_t>(size));
+    history_.velocities.reserve(samples * static_cast<std::size_t>(size));
     if (options.peaks) history_.peaks.assign(static_cast<std::size_t>(size), Real(0));
     if (options.validity) {
       history_.forces.resize(static_cast<std::size_t>(size));
