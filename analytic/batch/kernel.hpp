@@ -4,7 +4,10 @@
 
 #include "analytic/batch/bounds.hpp"
 #include "analytic/batch/directions.hpp"
+#include "analytic/batch/landing.hpp"
+#include "analytic/batch/load.hpp"
 #include "analytic/batch/step_rows.hpp"
+#include "analytic/steps/dense_output.hpp"
 #include "analytic/steps/step_rule.hpp"
 
 namespace rockstack {
@@ -30,7 +33,7 @@ class StepKernel {
 
   StepKernel(StepRows<blocks>& rows, std::size_t lane) : rows_(rows), lane_(lane) {}
 
-  Real load(const LaneRow& row) const { return Real::load(row.lanes.data() + lane_); }
+  Real load(const LaneRow& row) const { return rockstack::load<Real>(row, lane_); }
   void store(const Real& values, LaneRow& row) const { values.store(row.lanes.data() + lane_); }
 
   void store_truth(const Mask& mask, LaneRow& row) const { store(select(mask, Real(1), Real(0)), row); }
@@ -38,41 +41,48 @@ class StepKernel {
   void make_step() {
     const Real busy = load(rows_.busy);
     if (!any(busy > Real(0))) return;
-    const Linkage<Real, N> linkage = load_linkage();
-    typename Chain::Directions directions;
-    Real leaning = 0;  // absolute angle
+    const Linkage<Real, N> linkage = load_linkage<Real, N>(rows_, lane_);
+    const typename Chain::Directions directions = load_start();
     bool watched = false;
-    start_.length = load(rows_.length);
-    start_.rate = load(rows_.rate);
-    for (std::size_t k = 0; k < blocks; ++k) {
-      start_.sides[k] = load(rows_.side[k]);
-      start_.angles[k] = load(rows_.angle[k]);
-      start_.advances[k] = load(rows_.velocity[k]) * start_.length;
-      leaning = k > 0 ? leaning + start_.angles[k] : start_.angles[k];
-      directions[k] = direction(leaning);
-      watched = watched || any(load(rows_.watched[k]) > Real(0));
-    }
-    load_body_force();
+    for (const LaneRow& row : rows_.watched) watched = watched || any(load(row) > Real(0));
+    body_force_ = load_body_force<Real>(rows_, lane_);
     Chain series(linkage, rows_.linear ? Equations::linear : Equations::nonlinear, {rows_.forces, watched},
                  directions, start_.advances);
     series.extend(0, body_force_);
-    land(series);
+    foresee_landing(series);
     converge(series, busy);
     follow_angles(series);
     if (watched) follow_margins(series);
     if (rows_.forces) follow_forces(series);
+    land();
     store(start_.length, rows_.length);
     store_truth(plain_, rows_.plain);
     go_on();
+    if (any((busy > Real(0)) & ~(plain_ | lands_))) tell();
   }
 
-  /// Lanes whose step is plain are where it leads.
+  /// Lanes whose step is plain, or lands, are where it leads.
   void go_on() {
+    const Mask goes = plain_ | lands_;
     for (std::size_t k = 0; k < blocks; ++k) {
-      const Mask moves = plain_ & (start_.sides[k] != Real(0));
+      const Mask moves = goes & (start_.sides[k] != Real(0));
       store(select(moves, ends_[k].angle, load(rows_.angle[k])), rows_.angle[k]);
       store(select(moves, ends_[k].velocity, load(rows_.velocity[k])), rows_.velocity[k]);
-      store(select(plain_, ends_[k].peak, load(rows_.peak[k])), rows_.peak[k]);
+      store(select(goes, ends_[k].peak, load(rows_.peak[k])), rows_.peak[k]);
+    }
+  }
+
+  /// What the steps of the others are.
+  void tell() {
+    const auto put = [&](const Polynomial<Real>& course, CoefficientRows& rows) {
+      for (std::size_t n = 0; n < course.terms; ++n) store(course[n], rows[n]);
+    };
+    for (std::size_t k = 0; k < blocks; ++k) {
+      put(angles_[k], rows_.angles[k]);
+      put(margins_[k].right, rows_.right[k]);
+      put(margins_[k].left, rows_.left[k]);
+      put(forces_[k].normal, rows_.normal[k]);
+      put(forces_[k].tangential, rows_.tangential[k]);
     }
   }
 
@@ -83,35 +93,23 @@ class StepKernel {
     return {cosine, sine};
   }
 
-  Linkage<Real, N> load_linkage() const {
-    Linkage<Real, N> linkage;
-    linkage.blocks = N;
+  typename Chain::Directions load_start() {
+    typename Chain::Directions directions;
+    Real leaning = 0;  // absolute angle
+    start_.length = load(rows_.length);
+    start_.rate = load(rows_.rate);
     for (std::size_t k = 0; k < blocks; ++k) {
-      linkage.moment_x[k] = load(rows_.moment_x[k]);
-      linkage.moment_y[k] = load(rows_.moment_y[k]);
-      linkage.link_x[k] = load(rows_.link_x[k]);
-      linkage.link_y[k] = load(rows_.link_y[k]);
-      linkage.inertia[k] = load(rows_.inertia[k]);
-      linkage.mass[k] = load(rows_.mass[k]);
-      linkage.width[k] = load(rows_.width[k]);
-      linkage.free[k] = load(rows_.free[k]);
+      start_.sides[k] = load(rows_.side[k]);
+      start_.angles[k] = load(rows_.angle[k]);
+      start_.advances[k] = load(rows_.velocity[k]) * start_.length;
+      leaning = k > 0 ? leaning + start_.angles[k] : start_.angles[k];
+      directions[k] = direction(leaning);
     }
-    return linkage;
-  }
-
-  void load_body_force() {
-    const Real body_force_terms = load(rows_.body_force_terms);
-    std::size_t terms = 0;
-    while (terms < max_terms<Real> && any(body_force_terms > Real(static_cast<double>(terms)))) {
-      body_force_.x[terms] = load(rows_.body_force_x[terms]);
-      body_force_.y[terms] = load(rows_.body_force_y[terms]);
-      ++terms;
-    }
-    body_force_.x.terms = body_force_.y.terms = terms;
+    return directions;
   }
 
   /// Shortens the steps that an impact will end.
-  void land(Chain& series) {
+  void foresee_landing(Chain& series) {
     const Real ratio = start_.landing(series);
     const Mask shorter = ratio < Real(1);
     if (!any(shorter)) return;
@@ -140,6 +138,7 @@ class StepKernel {
     store(own_, rows_.orders);
     store(select(exceeds, convergence.excess(), Real(0)), rows_.excess);
     plain_ = ~exceeds;
+    lands_ = ~exceeds & (busy > Real(0)) & (load(rows_.clear) > Real(0));
   }
 
   /// A coefficient of the lanes whose series has that order; the sums of the others stay as they are.
@@ -150,8 +149,9 @@ class StepKernel {
   void follow_angles(const Chain& series) {
     Coefficients absolute;
     for (std::size_t k = 0; k < blocks; ++k) {
+      angles_[k].terms = orders_ + 2;
       const auto keep = [&](std::size_t i, const Real& coefficient) {
-        store(coefficient, rows_.angles[k][i]);
+        angles_[k][i] = coefficient;
         absolute[i] = k > 0 ? absolute[i] + coefficient : coefficient;
       };
       const Real& side = start_.sides[k];
@@ -168,7 +168,8 @@ class StepKernel {
         swing.add(static_cast<double>(n + 2), absolute[n + 2]);
       }
       const Mask stays = clearance.holds();
-      plain_ = plain_ & (stays | (side == Real(0)));
+      closes_[k] = ~stays & (side != Real(0));
+      plain_ = plain_ & ~closes_[k];
       store_truth(stays, rows_.stays[k]);
       end(absolute, swing, k);
     }
@@ -180,7 +181,7 @@ class StepKernel {
     Real height = 0;
     Real steepness = 0;
     for (std::size_t i = orders_ + 2; i-- > 0;) {
-      const Real coefficient = load(rows_.angles[k][i]);
+      const Real& coefficient = angles_[k][i];
       angle += coefficient;
       height += absolute[i];
       if (i > 0) steepness += static_cast<double>(i) * coefficient;
@@ -189,6 +190,7 @@ class StepKernel {
     const Mask known = swing.size() <= peak;
     const Mask stands = swing.size() < load(rows_.toppling[k]);
     plain_ = plain_ & stands & (known | swing.is_monotone());
+    lands_ = lands_ & stands & known;
     store_truth(stands & known, rows_.upright[k]);
     ends_[k] = {angle, steepness / start_.length,
                 select(known, peak, max(max(peak, abs(absolute[0])), abs(height)))};
@@ -198,20 +200,23 @@ class StepKernel {
     for (std::size_t k = 0; k < blocks; ++k) {
       const Mask watched = load(rows_.watched[k]) > Real(0);
       if (!any(watched)) continue;
+      auto& [right, left] = margins_[k];
+      right.terms = left.terms = orders_;
       for (std::size_t n = 0; n < orders_; ++n) {
         const auto margin = series.margin(k, n);
-        store(own(n, margin.right), rows_.right[k][n]);
-        store(own(n, margin.left), rows_.left[k][n]);
+        right[n] = own(n, margin.right);
+        left[n] = own(n, margin.left);
       }
-      const Mask stays = stays_clear(rows_.right[k]) & stays_clear(rows_.left[k]);
+      const Mask stays = stays_clear(right) & stays_clear(left);
       plain_ = plain_ & (stays | ~watched);
+      lands_ = lands_ & (stays | ~watched);
       store(select(watched, select(stays, Real(1), Real(0)), load(rows_.stays[k])), rows_.stays[k]);
     }
   }
 
-  Mask stays_clear(const CoefficientRows& margin) const {
-    Clearance<Real> clearance(load(margin[0]));
-    for (std::size_t n = 1; n < orders_; ++n) clearance.add(load(margin[n]));
+  Mask stays_clear(const Polynomial<Real>& margin) const {
+    Clearance<Real> clearance(margin[0]);
+    for (std::size_t n = 1; n < margin.terms; ++n) clearance.add(margin[n]);
     return clearance.holds();
   }
 
@@ -229,24 +234,49 @@ class StepKernel {
         }
       }
       ForceBounds<Real> bounds(load(rows_.friction[k]));
+      auto& [normals, tangentials] = forces_[k];
+      normals.terms = tangentials.terms = orders_;
       for (std::size_t n = 0; n < orders_; ++n) {
         const auto force = upright ? series.force(k, -1, n) : series.force(k, direction, n);
         const Real normal = own(n, force.normal * scale);
         const Real tangential = own(n, force.tangential * scale);
-        store(normal, rows_.normal[k][n]);
-        store(tangential, rows_.tangential[k][n]);
+        normals[n] = normal;
+        tangentials[n] = tangential;
         bounds.add(normal, tangential);
       }
       const Mask borne = bounds.hold(load(rows_.least_normal[k]), load(rows_.rounding));
       plain_ = plain_ & borne;
+      lands_ = lands_ & borne;
       store_truth(borne, rows_.borne[k]);
     }
+  }
+
+  /// Finds the impacts of lanes in which one interface closes, and nothing else happens.
+  void land() {
+    const Closing<Real> falling = closing<Real, blocks>(angles_, start_.sides, closes_);
+    lands_ = lands_ & falling.alone;
+    if (any(lands_)) {
+      const Roots<Real> roots = first_crossings(falling.course, lands_);
+      lands_ = roots.found;
+      for (std::size_t k = 0; k < blocks; ++k) {
+        const auto [angle, advance] = tangent(angles_[k], roots.s);
+        ends_[k].angle = select(lands_, angle, ends_[k].angle);
+        ends_[k].velocity = select(lands_, advance / start_.length, ends_[k].velocity);
+      }
+      store(roots.s, rows_.landing);
+      store(falling.interface, rows_.lander);
+    }
+    store_truth(lands_, rows_.lands);
   }
 
   ScaledBodyForce<Real> body_force_;
   StepStart<Real, N> start_;
   Real own_;  ///< orders of each lane
-  Mask plain_;
+  Mask plain_, lands_;
+  std::array<Mask, blocks> closes_;  ///< open interfaces that may close
+  std::array<Polynomial<Real>, blocks> angles_;
+  std::array<MarginCourses<Real>, blocks> margins_;
+  std::array<ForceCourses<Real>, blocks> forces_;
   struct End {
     Real angle, velocity, peak;
   };

@@ -30,6 +30,8 @@ class Lane {
     const bool same = plain && clear_;
     if (plain) {
       pass(rows, lane);
+    } else if (rows.lands[lane] > 0) {
+      land(rows, lane);
     } else {
       follow(rows, lane);
     }
@@ -49,6 +51,15 @@ class Lane {
     solver_.steps().lengthen(length, static_cast<std::size_t>(rows.orders[lane]));
     solver_.pass(length);
     passing_ = true;
+  }
+
+  /// A step that ends in the impact of one interface, and has nothing else to tell.
+  void land(const StepRows<N>& rows, std::size_t lane) {
+    passing_ = true;
+    arrive(rows, lane);
+    const double length = rows.length[lane];
+    solver_.steps().lengthen(length, static_cast<std::size_t>(rows.orders[lane]));
+    solver_.land(rows.landing[lane], length, static_cast<std::size_t>(rows.lander[lane]));
   }
 
   /// Where the steps that were passed have led.
@@ -111,6 +122,7 @@ class Lane {
       describe_pattern(rows, lane);
       describe_state(rows, lane);
       clear_ = solver_.ties().all_clear();
+      rows.clear[lane] = clear_ ? 1 : 0;
     }
     const auto step = solver_.next_step();
     rows.length[lane] = step.length;

@@ -39,23 +39,27 @@ struct StepRows {
   PerBlock<LaneRow> moment_x, moment_y, link_x, link_y, inertia, mass, width, free;  ///< linkage
   PerBlock<LaneRow> side;                                                            ///< sign of the contact
   PerBlock<LaneRow> watched;  ///< whether a closed interface may open
+  LaneRow clear;              ///< whether there are no ties
   // of what is known
   PerBlock<LaneRow> least_normal, friction;
   // of the step
   LaneRow length, body_force_terms;  ///< s; terms of the body force
   CoefficientRows body_force_x, body_force_y;
 
-  // where the step starts from and, where it is plain, has led
+  // where the step starts from and, where it is plain or lands, has led
   PerBlock<LaneRow> angle, velocity, peak;
 
   // what comes out
-  LaneRow plain;            ///< whether nothing happens in the step, and nothing is to be recorded but peaks
-  LaneRow orders;           ///< of the series
-  LaneRow excess;           ///< how many times the tolerance is left out, 0 where none
-  PerBlock<LaneRow> stays;  ///< whether an open interface stays open, or a watched one closed
+  LaneRow plain;  ///< whether nothing happens in the step, and nothing is to be recorded but peaks
+  LaneRow lands;  ///< whether one interface closes, nothing else happens, and nothing is to be recorded
+  LaneRow landing, lander;    ///< where: s of the step, and the interface, from 0
+  LaneRow orders;             ///< of the series
+  LaneRow excess;             ///< how many times the tolerance is left out, 0 where none
+  PerBlock<LaneRow> stays;    ///< whether an open interface stays open, or a watched one closed
   PerBlock<LaneRow> upright;  ///< whether a block does not topple, nor lean more than before
   PerBlock<LaneRow> borne;    ///< whether an interface demands no more than before
-  PerBlock<CoefficientRows> angles, right, left, normal, tangential;  ///< coefficients of the dense output
+  /// Coefficients of the dense output, in lanes whose step is neither plain nor lands.
+  PerBlock<CoefficientRows> angles, right, left, normal, tangential;
 };
 
 }  // namespace rockstack

@@ -143,6 +143,16 @@ class Solver {
     directed_ = false;
   }
 
+  /// Goes through the impact of an interface at s of a step, where the stack has arrived. @throws as run().
+  void land(const Real& s, const Real& length, std::size_t interface) {
+    require_numbers();
+    FirstEvent<Real> event;
+    event.s = s;
+    event.closing.set(interface);
+    advance_time(event, length);
+    handle(event);
+  }
+
   const Linkage<Real, N>& linkage() {
     if (linkage_.blocks == 0 || !(linked_ == state_.pattern)) {
       linkage_ = make_linkage(model_.stack, state_.pattern);

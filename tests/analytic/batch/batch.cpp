@@ -135,6 +135,17 @@ TEST_P(Batch, GivesTheBitsOfEachSceneAlone) {
   }
 }
 
+// Squat blocks lean far past one radian before they topple.
+TEST_P(Batch, GivesTheBitsOfBlocksThatLeanFar) {
+  std::vector<Scene> scenes;
+  for (int i = 0; i < 20; ++i) {
+    Scene scene = released({block(2, 0.5), block(1.5, 0.5 + 0.1 * i)}, {1.0 + 0.01 * i, 1.0}, 1);
+    scene.initial.velocities = {0.1 * i, 0};
+    scenes.push_back(scene);
+  }
+  expect_the_bits_of_each_alone(scenes, {.validity = true, .peaks = true});
+}
+
 TEST_P(Batch, TakesAnyNumberOfScenes) {
   for (int count = 0; count < 20; ++count)
     expect_the_bits_of_each_alone(mixed_scenes(100, count), {.peaks = true, .tolerance = 1e-9});
