@@ -65,7 +65,7 @@ struct FirstSpringChange {
   void consider(SpringCourse<Real> course, std::size_t zeros = 0, const Real& until = 1) {
     for (std::size_t i = 0; i < zeros && i < course.series.terms; ++i)
       course.series[i] = std::max(course.series[i], Real(0));
-    if (zeros > 0 && value(course.series, spring_moment<Real>) >= 0)
+    if (zeros > 0 && course.series.terms > 0 && value(course.series, spring_moment<Real>) >= 0)
       course.series[0] -= 2 * least_below(course.series, spring_moment<Real>);
     const std::optional<Real> crossing = first_crossing(course.series);
     if (!crossing || *crossing > std::min(s, until)) return;
