@@ -64,9 +64,10 @@ class WorkerTest(unittest.TestCase):
         self.assertEqual(len(run.energy), len(step))
 
     def test_what_a_worker_does_ends_its_own_run(self):
-        for fault, message in ((1, "failed: ValueError: thin ice"), (2, "not finite"), (3, "time limit"), (4, "signal")):
+        for fault, limit, message in ((1, 600, "failed: ValueError: thin ice"), (2, 600, "not finite"), (3, 1, "time limit"),
+                                      (4, 600, "signal")):
             with self.subTest(fault=fault), self.assertRaisesRegex(rockstack.EngineError, message):
-                rockstack.simulate(rocking(), self.worker, 0.01, parameters={"fault": fault}, time_limit=1.0)
+                rockstack.simulate(rocking(), self.worker, 0.01, parameters={"fault": fault}, time_limit=limit)
         broken = self.write("broken.py", f"#!{sys.executable}\nraise SystemExit('no engine')\n")
         with self.assertRaisesRegex(rockstack.InputError, "no engine"):
             rockstack.simulate(rocking(), broken)
