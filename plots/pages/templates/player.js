@@ -395,7 +395,7 @@ class Player {
     // Where type is large, so is all that the picture is drawn with.
     this.type = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
     const strip = this.find("strip"), stage = this.find("stage");
-    if (stage.clientWidth === 0) return; // hidden: what was drawn may still be printed
+    if (stage.clientWidth === 0 && this.band) return; // hidden: what was drawn may still be printed
     strip.style.height = 24 + 11 * this.shown().length + "px";
     for (const canvas of [stage, strip]) {
       canvas.width = Math.round(canvas.clientWidth * sharp);
