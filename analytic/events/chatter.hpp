@@ -12,9 +12,9 @@ namespace rockstack {
 /// many it stands for, the motion after it is off by some ρ at most; the closure comes 2u/(a(1 − η)) s early.
 /// Where one interface chatters alone, the motion after it is off by less, in proportion to u³: the other
 /// angles and their momenta are continuous through its impacts, flights change their rates by terms in φ̇, φ
-/// and φ̇², φ̇ adds up to nothing over a flight, and ∫φ dt and ∫φ̇² dt go with u³. As each impact takes its
-/// share of the speed, the number of impacts is at most ln(u₀/u)/ln(1/η), for a speed u₀ at first and a
-/// velocity ratio η.
+/// and φ̇², φ̇ adds up to nothing over a flight, and ∫φ dt and ∫φ̇² dt go with u³ (lone_chatter.hpp makes use
+/// of it). As each impact takes its share of the speed, the number of impacts is at most ln(u₀/u)/ln(1/η),
+/// for a speed u₀ at first and a velocity ratio η.
 ///
 /// Where several interfaces chatter together, each may do so to its end between two impacts of another. No
 /// burst of events has been seen to exceed 2 ∏ (1 + nₖ), nₖ the bound of each alone with η the largest 1 −

@@ -12,6 +12,15 @@ enum class Integrator {
   rk4,     ///< the classical Runge–Kutta method at a fixed step: the baseline
 };
 
+/// What a history tells of its events.
+enum class EventsKept {
+  all,  ///< every one, with the state on both sides
+  /// Of states nothing. Chatter of one interface alone ends in the closure that stands for all its impacts
+  /// to come as soon as these neither move the motion by more than the resolution, nor hold anything else
+  /// that is asked for.
+  summed,
+};
+
 /// What ends a motion that nobody wants any more.
 class Stopped : public std::exception {
  public:
@@ -23,8 +32,7 @@ struct SolveOptions {
   Integrator integrator = Integrator::taylor;
   /// When to sample the motion, s, ascending from ≥ 0; none: events alone.
   std::vector<double> sample_times = {};
-  /// Whether events tell the state on both sides.
-  bool event_states = true;
+  EventsKept events = EventsKept::all;
   /// Whether to keep the demands on each interface, along whole steps; of rk4 at their starts.
   bool validity = false;
   /// Whether to keep the largest angle of each block, and under law unilateral its slip and its lift.

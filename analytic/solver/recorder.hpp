@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analytic/events/first_event.hpp"
+#include "analytic/events/lone_chatter.hpp"
 #include "analytic/events/rest.hpp"
 #include "analytic/polynomials/maximum.hpp"
 #include "analytic/scene/solve_options.hpp"
@@ -58,6 +59,13 @@ class Recorder {
     return false;
   }
 
+  /// Whether what is left of chatter from a time on may hold something to keep.
+  bool wants(const RestOfChatter<Real, N>& rest, const Real& time) const {
+    if (sample_due() && Real(options_.sample_times[next_sample_]) <= time + rest.duration) return true;
+    if (options_.peaks && may_peak(rest)) return true;
+    return options_.validity && may_demand_more(rest);
+  }
+
   /// The friction that every interface has come to demand.
   Real known_friction() const {
     Real least = std::numeric_limits<Real>::infinity();
@@ -69,6 +77,13 @@ class Recorder {
   /// falling its own size, or less, bears nothing.
   void note_impact(const PatternSolution<Real, N>& solution, const Real& time) {
     if (options_.validity) note_demands(history_.impulses, solution, negligible_impulse_, friction_, time);
+  }
+
+  /// Whether the impulses of an impact are to be kept.
+  bool keeps(const PatternSolution<Real, N>& impact) const {
+    const Reactions<Real, N>& impulse = impact.reactions;
+    return options_.validity && std::max(impulse.normal.cwiseAbs().maxCoeff(),
+                                         impulse.tangential.cwiseAbs().maxCoeff()) > negligible_impulse_;
   }
 
   /// Openings that either side would have done for; those of one interface at one time are one.
@@ -87,7 +102,7 @@ class Recorder {
   void note_event(const Real& time, EventKind kind, int interface, const Pattern& from,
                   const Vector<Real, N>& before, const State<Real, N>& after, Consistency consistency) {
     const auto list = [&](const Vector<Real, N>& relative_values) -> std::vector<Real> {
-      if (!options_.event_states) return {};
+      if (options_.events == EventsKept::summed) return {};
       const Vector<Real, N> values = absolute(relative_values);
       return std::vector<Real>(values.begin(), values.end());
     };
@@ -129,6 +144,40 @@ class Recorder {
     history_.angles.insert(history_.angles.end(), angles.begin(), angles.end());
     history_.velocities.insert(history_.velocities.end(), velocities.begin(), velocities.end());
     history_.patterns.push_back(state.pattern);
+  }
+
+  /// Whether a block may come to lean more within chatter than before it and after it.
+  bool may_peak(const RestOfChatter<Real, N>& rest) const {
+    using std::abs;
+    const Vector<Real, N> angles = absolute(rest.angles);
+    const Vector<Real, N> velocities = absolute(rest.closure.relative);
+    const Vector<Real, N> thrown = absolute(rest.thrown());
+    const Real gain = rest.fastest * static_cast<Real>(history_.blocks) * rest.duration;
+    for (int k = 0; k < history_.blocks; ++k) {
+      const Real change = 2 * abs(thrown[k]) + gain;
+      const Real reach = abs(angles[k]) + (abs(velocities[k]) + change) * rest.duration;
+      if (reach > history_.peaks[static_cast<std::size_t>(k)] && abs(velocities[k]) <= change) return true;
+    }
+    return false;
+  }
+
+  /// Whether flights or impacts of chatter may come to ask more of an interface; they are told from what
+  /// is known by a hundredth.
+  bool may_demand_more(const RestOfChatter<Real, N>& rest) const {
+    using std::abs;
+    const Real near = Real(1) / 100;
+    if (keeps(rest.closure)) return true;
+    for (const PatternSolution<Real, N>& flight : rest.flights) {
+      for (int k = 0; k < history_.blocks; ++k) {
+        const BasicDemand<Real>& known = history_.forces[static_cast<std::size_t>(k)];
+        const Real normal = flight.reactions.normal[k];
+        const Real tangential = abs(flight.reactions.tangential[k]);
+        if (normal - near * abs(normal) < known.least_normal ||
+            tangential * (1 + near) > known.friction * normal)
+          return true;
+      }
+    }
+    return false;
   }
 
   /// The largest angles of a step up to s of its length.

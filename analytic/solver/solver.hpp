@@ -8,6 +8,7 @@
 
 #include "analytic/events/chatter.hpp"
 #include "analytic/events/first_event.hpp"
+#include "analytic/events/lone_chatter.hpp"
 #include "analytic/events/rest.hpp"
 #include "analytic/events/stall_guard.hpp"
 #include "analytic/events/tie_breaker.hpp"
@@ -37,8 +38,9 @@ class Solver {
         resting_(model_),
         unwanted_(options.unwanted),
         upright_(upright_model(scene)),
-        end_of_chatter_(model_, options.resolution > 0 ? Real(options.resolution)
-                                                       : std::numeric_limits<Real>::epsilon()) {
+        end_of_chatter_(model_, resolution_of(options)),
+        lone_chatter_(model_, resolution_of(options)),
+        sums_chatter_(options.events == EventsKept::summed && !upright_) {
     validate(options);
     const auto vector = [](const std::vector<double>& values) -> Vector<Real, N> {
       return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
@@ -176,6 +178,10 @@ class Solver {
     return Model<Real, N>{make_stack<Real, N>(scene), make_model<Real, N>(scene).gravity, Equations::linear};
   }
 
+  static Real resolution_of(const SolveOptions& options) {
+    return options.resolution > 0 ? Real(options.resolution) : std::numeric_limits<Real>::epsilon();
+  }
+
   Real remaining() const { return pieces_.current().length - offset_; }
   Real longest_step() const { return ties_.longest_step(remaining()); }
 
@@ -282,6 +288,12 @@ class Solver {
       solution = velocities_after(model, before, slow);
       closes = true;
     }
+    if (sums_chatter_ && !closes) {
+      if (const auto rest = negligible_rest(impact, before, solution)) {
+        solution = rest->closure;
+        closes = true;
+      }
+    }
     state_.pattern = solution.pattern;
     state_.velocities = solution.relative;
     require_numbers();
@@ -290,6 +302,20 @@ class Solver {
                            : is_closed(solution.pattern) ? EventKind::rest
                                                          : EventKind::closure;
     record_event(kind, first, impact.before.pattern, impact.before.velocities, resolution.consistency);
+  }
+
+  /// What is left of chatter, where it neither moves the motion nor holds what is asked for.
+  std::optional<RestOfChatter<Real, N>> negligible_rest(const Impact<Real, N>& impact,
+                                                        const Approach<Real, N>& before,
+                                                        const PatternSolution<Real, N>& after) {
+    const GroundPiece<Real>& piece = pieces_.current();
+    const typename LoneChatter<Real, N>::Landing landing{impact, before,  after,
+                                                         piece,  offset_, recorder_.so_far().events.size()};
+    if (!lone_chatter_.harmless(landing) || recorder_.keeps(after)) return std::nullopt;
+    const State<Real, N> open{after.pattern, state_.angles, after.relative};
+    auto rest = lone_chatter_.rest(landing, end_of_chatter_.fastest_return(open, piece.at(offset_)));
+    if (rest && recorder_.wants(*rest, time())) rest.reset();
+    return rest;
   }
 
   /// Rule 2 at an instant: opens the closed interfaces whose centre of pressure would lie outside.
@@ -345,6 +371,8 @@ class Solver {
   const std::function<bool()>* unwanted_;
   std::optional<Model<Real, N>> upright_;  ///< of impacts, where they need one of their own
   EndOfChatter<Real, N> end_of_chatter_;
+  LoneChatter<Real, N> lone_chatter_;
+  bool sums_chatter_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;
   Directions<Real, N> directions_;  ///< at the state, if it is

@@ -31,7 +31,7 @@ bool is_impact(const Event& event) {
 }  // namespace
 
 SolveOptions run_options(double tolerance) {
-  return {.event_states = false,
+  return {.events = EventsKept::summed,
           .validity = true,
           .peaks = true,
           .resolution = tolerance,

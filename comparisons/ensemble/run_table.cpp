@@ -17,7 +17,7 @@ const std::vector<ColumnMeaning>& outcome_columns() {
       {"peak_ratio", "largest angle over slenderness, of the block where that is largest"},
       {"toppled", "number of the block that toppled, 0: none"},
       {"topple_time", "when it passed its toppling angle, s; the run ends there"},
-      {"impacts", "number of impacts, with those that end chatter"},
+      {"impacts", "number of impacts; one that ends chatter stands for all that would follow"},
       {"events", "number of openings, impacts and closures"},
       {"last_event_time", "time of the last event, s"},
       {"least_normal_force", "least normal force at any interface, N; negative: the stack would lift off"},

@@ -204,7 +204,7 @@ Json exact_answer(const Scene& scene, double interval) {
 
 Json exact_member(const Scene& scene, double interval) {
   SolveOptions options = options_for(scene, interval);
-  options.event_states = false;
+  options.events = EventsKept::summed;
   return {{"track", track_of(followed(scene, options).first, 1)}};
 }
 

@@ -47,7 +47,7 @@ Contender ours(const std::string& method, Integrator integrator, double setting)
     options.step = setting;
   }
   SolveOptions timed = options;
-  timed.event_states = false;  // no other method keeps them
+  timed.events = EventsKept::summed;  // no other method keeps them
   return {method, setting,
           [options](const Scene& scene, const std::vector<double>& samples) {
             SolveOptions sampled = options;

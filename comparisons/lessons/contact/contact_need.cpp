@@ -12,7 +12,7 @@ namespace rockstack {
 ContactNeed contact_need(Scene scene) {
   scene.law = Law::consistent;
   const std::vector<double> friction = friction_of(scene);
-  const History history = solve(scene, {.event_states = false, .validity = true});
+  const History history = solve(scene, {.events = EventsKept::summed, .validity = true});
   constexpr double never = std::numeric_limits<double>::infinity();
   ContactNeed need{.least_normal = never,
                    .friction = *std::min_element(friction.begin(), friction.end()),

@@ -126,7 +126,7 @@ LessonValues friction_values(const Suite& suite, const std::vector<RunMetrics>& 
   const InterfaceSummary floor = contact_summary(history).front();
   Scene swing = scene;
   swing.duration = impact.time * (1 - 1e-9);
-  const Demand top = solve(stack, {.event_states = false, .validity = true}).forces.back();
+  const Demand top = solve(stack, {.events = EventsKept::summed, .validity = true}).forces.back();
   LessonValues values;
   values.numbers = {{"r", fixed(r, 0)},
                     {"friction", fixed(friction, 3)},

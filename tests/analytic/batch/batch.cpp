@@ -128,8 +128,11 @@ TEST_P(Batch, GivesTheBitsOfEachSceneAlone) {
   std::uint64_t seed = 0;
   for (const double tolerance : {0.0, 1e-9, 1e-6}) {
     for (const bool kept : {true, false}) {
-      const SolveOptions options{
-          .validity = kept, .peaks = kept, .resolution = tolerance, .tolerance = tolerance};
+      const SolveOptions options{.events = kept ? EventsKept::summed : EventsKept::all,
+                                 .validity = kept,
+                                 .peaks = kept,
+                                 .resolution = tolerance,
+                                 .tolerance = tolerance};
       expect_the_bits_of_each_alone(mixed_scenes(++seed, 150 / stride), options);
     }
   }
@@ -148,7 +151,8 @@ TEST_P(Batch, GivesTheBitsOfBlocksThatLeanFar) {
 
 TEST_P(Batch, TakesAnyNumberOfScenes) {
   for (int count = 0; count < 20; ++count)
-    expect_the_bits_of_each_alone(mixed_scenes(100, count), {.peaks = true, .tolerance = 1e-9});
+    expect_the_bits_of_each_alone(mixed_scenes(100, count),
+                                  {.events = EventsKept::summed, .peaks = true, .tolerance = 1e-9});
 }
 
 TEST_P(Batch, KeepsWhatNeedsStepsOfItsOwn) {

@@ -32,7 +32,7 @@ Scene struck(double r, double friction, double push, double lift = 0) {
 }
 
 MotionMode onset(const Scene& scene) {
-  return onset_mode(scene, solve(scene, {.event_states = false}));
+  return onset_mode(scene, solve(scene, {.events = EventsKept::summed}));
 }
 
 /// Shenton 1996: the friction above which a tilting block does not slip.

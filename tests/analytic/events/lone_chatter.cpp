@@ -1,0 +1,160 @@
+#include "analytic/events/lone_chatter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analytic/solver/solver.hpp"
+#include "tests/analytic/solver/stacks.hpp"
+
+namespace rockstack {
+namespace {
+
+using Real = long double;
+
+constexpr double ended_at = std::numeric_limits<double>::epsilon();  // rad: where chatter ends as a rule
+constexpr double followed = 1e-19;                                   // and where it is followed to its end
+constexpr double agreement = 1e-13;  // what the solver in double has with 113 bits
+
+BasicHistory<Real> solved(const Scene& scene, SolveOptions options, EventsKept events, double resolution) {
+  options.events = events;
+  options.resolution = resolution;
+  return Solver<Real>(scene, options).run();
+}
+
+Scene chattering_scene(std::uint64_t seed) {
+  testing::Draw draw(12000 + seed);
+  Scene scene = testing::random_scene(draw, 1 + draw.below(4), false);
+  if (seed % 2 == 1) testing::shake(draw, scene);
+  if (seed % 4 == 3) scene.equations = Equations::linear;
+  return scene;
+}
+
+double most_apart(const std::vector<Real>& some, const std::vector<Real>& others) {
+  EXPECT_EQ(some.size(), others.size());
+  Real most = 0;
+  for (std::size_t i = 0; i < std::min(some.size(), others.size()); ++i)
+    most = std::max(most, std::abs(some[i] - others[i]));
+  return static_cast<double>(most);
+}
+
+/// Events that are no impacts in between.
+std::vector<BasicEvent<Real>> turns(const BasicHistory<Real>& history) {
+  std::vector<BasicEvent<Real>> kept;
+  std::copy_if(history.events.begin(), history.events.end(), std::back_inserter(kept),
+               [](const auto& event) { return event.kind != EventKind::impact; });
+  return kept;
+}
+
+TEST(LoneChatter, SummedUpItLeadsToTheMotionThatAllItsImpactsLeadTo) {
+  std::size_t all = 0, summed = 0;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    const Scene scene = chattering_scene(seed);
+    const SolveOptions options{.sample_times = regular_times(0.05, scene.duration), .peaks = true};
+    const auto exact = solved(scene, options, EventsKept::all, followed);
+    const auto ended = solved(scene, options, EventsKept::all, ended_at);
+    const auto found = solved(scene, options, EventsKept::summed, ended_at);
+    EXPECT_LT(most_apart(found.angles, exact.angles), agreement) << seed;
+    EXPECT_LT(most_apart(found.peaks, exact.peaks), agreement) << seed;
+    const auto expected_turns = turns(ended);
+    const auto found_turns = turns(found);
+    ASSERT_EQ(found_turns.size(), expected_turns.size()) << seed;
+    for (std::size_t i = 0; i < found_turns.size(); ++i) {
+      EXPECT_EQ(found_turns[i].kind, expected_turns[i].kind) << seed;
+      EXPECT_EQ(found_turns[i].interface, expected_turns[i].interface) << seed;
+      EXPECT_EQ(found_turns[i].to, expected_turns[i].to) << seed;
+    }
+    all += ended.events.size();
+    summed += found.events.size();
+  }
+  EXPECT_LT(summed, all * 4 / 5) << "there must be chatter to sum up";
+}
+
+TEST(LoneChatter, SummedUpItAsksOfInterfacesWhatAllItsImpactsDo) {
+  std::size_t all = 0, summed = 0;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    const Scene scene = chattering_scene(seed);
+    const SolveOptions options{.validity = true};
+    const auto expected = solved(scene, options, EventsKept::all, ended_at);
+    const auto found = solved(scene, options, EventsKept::summed, ended_at);
+    const auto near = [&](const Real& value, const Real& other, double unit) {
+      if (value == other) return;
+      EXPECT_NEAR(static_cast<double>(value - other), 0, agreement * unit) << seed;
+    };
+    const auto model = make_model<double>(scene);
+    const double weight = model.gravity * model.stack.mass.sum();
+    const double momentum =
+        model.stack.mass.sum() * std::sqrt(2 * model.gravity * model.stack.half_height.sum());
+    for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+      near(found.forces[k].least_normal, expected.forces[k].least_normal, weight);
+      near(found.forces[k].friction, expected.forces[k].friction, 1);
+      near(found.impulses[k].least_normal, expected.impulses[k].least_normal, momentum);
+    }
+    all += expected.events.size();
+    summed += found.events.size();
+  }
+  EXPECT_LT(summed, all);
+}
+
+// Just after the base has come to rest under the top. The cost is measured, so that it comes near the bound:
+// what is left out goes with u³, and flights take less than their half a time.
+TEST(LoneChatter, TheMotionAfterItIsOffByTheResolutionAtMost) {
+  Scene scene = testing::paper_example();
+  scene.duration = 0.97;
+  const SolveOptions options{.sample_times = {scene.duration}};
+  const double rate = std::sqrt(scene.gravity / 3.75);  // √(g/H)
+  const auto exact = solved(scene, options, EventsKept::all, followed);
+  double nearest = 0;
+  for (const double resolution : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13}) {
+    const auto found = solved(scene, options, EventsKept::summed, resolution);
+    const double error = most_apart(found.velocities, exact.velocities) / (rate * resolution);
+    EXPECT_LT(error, 1) << resolution;
+    nearest = std::max(nearest, error);
+  }
+  EXPECT_GT(nearest, 0.1);
+}
+
+// A top that turns round while its base chatters may lean most within the chatter; one that moves on, or has
+// leant more, does not.
+TEST(LoneChatter, WhereABlockMayLeanMostInItItIsFollowed) {
+  const auto model = make_model<double>(testing::paper_example());
+  const SolveOptions options{.peaks = true};
+  Recorder<double, Eigen::Dynamic> recorder(model, options, {});
+  recorder.raise_peaks({0.05, 0.1});
+  const auto wants = [&](double angle, double velocity) {
+    RestOfChatter<double, Eigen::Dynamic> rest{};
+    rest.duration = 1e-5;
+    rest.fastest = 10;
+    rest.angles = Eigen::Vector2d(0, angle);
+    rest.closure.relative = Eigen::Vector2d(0, velocity);
+    rest.impact.relative = Eigen::Vector2d(1e-5, velocity - 2e-5);
+    return recorder.wants(rest, 1.0);
+  };
+  EXPECT_TRUE(wants(0.1, 0));
+  EXPECT_TRUE(wants(-0.1, 1e-5));
+  EXPECT_TRUE(wants(0.1, -1e-5));
+  EXPECT_FALSE(wants(0.1, 0.1));
+  EXPECT_FALSE(wants(0.1, -0.1));
+  EXPECT_FALSE(wants(0.099, 0));
+}
+
+TEST(LoneChatter, WhereSamplesFallIntoItItIsFollowed) {
+  Scene scene = testing::paper_example();
+  scene.duration = 1;
+  const auto ends = solved(scene, {}, EventsKept::all, ended_at);
+  const auto closure = std::find_if(ends.events.begin(), ends.events.end(),
+                                    [](const auto& event) { return event.kind == EventKind::closure; });
+  ASSERT_NE(closure, ends.events.end());
+  const auto end = static_cast<double>(closure->time);
+  SolveOptions options;
+  for (double before = 1e-3; before > 1e-8; before *= 0.9) options.sample_times.push_back(end - before);
+  const auto exact = solved(scene, options, EventsKept::all, followed);
+  const auto found = solved(scene, options, EventsKept::summed, ended_at);
+  EXPECT_LT(most_apart(found.angles, exact.angles), agreement);
+  EXPECT_LT(most_apart(found.velocities, exact.velocities), agreement);
+}
+
+}  // namespace
+}  // namespace rockstack
