@@ -5,19 +5,10 @@
 
 #include "plots/drawing/gnuplot.hpp"
 #include "tests/benchmarks/measurement.hpp"
+#include "tests/benchmarks/tables.hpp"
 
 namespace rockstack::benchmarks {
 namespace {
-
-/// Values in the order of their first appearance.
-std::vector<std::string> distinct(const std::vector<Measurement>& measurements,
-                                  std::string Measurement::*field) {
-  std::vector<std::string> result;
-  for (const Measurement& measurement : measurements)
-    if (std::find(result.begin(), result.end(), measurement.*field) == result.end())
-      result.push_back(measurement.*field);
-  return result;
-}
 
 struct MethodStyle {
   std::string_view method, colour;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/dense_output_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
 #include "tests/benchmarks/lean_chain.hpp"
 
@@ -64,7 +64,8 @@ class PaperRk4 {
   Values<N> start_{}, end_{};
 };
 
-/// Dormand & Prince's pair of order 5 from Boost.odeint, with step control and dense output.
+/// Dormand & Prince's pair of order 5 from Boost.odeint, with step control and dense output. Steps end at the
+/// ends of the ground's pieces, and the last derivative of one is the first of the next.
 template <int N>
 class Dopri5 {
  public:
@@ -72,37 +73,111 @@ class Dopri5 {
 
   /// @param tolerance absolute and relative
   explicit Dopri5(double tolerance)
-      : stepper_(boost::numeric::odeint::make_dense_output(tolerance, tolerance, Base())) {}
+      : stepper_(boost::numeric::odeint::make_controlled(tolerance, tolerance, Base())) {}
 
   void restart(const Stretch<N>& stretch, double offset, const Values<N>& values) {
+    const Point<double> ground = stretch.piece->at(offset);
+    const bool goes_on = values == end_ && stretch.chain->pattern() == pattern_ &&
+                         (ground - ground_).cwiseAbs().maxCoeff() < continuous_ground;
     stretch_ = stretch;
-    reached_ = offset;
-    stepper_.initialize(values, offset, std::min(length_, stretch.piece->length - offset));
+    pattern_ = stretch.chain->pattern();
+    to_ = offset;
+    end_ = values;
+    if (!goes_on) system()(end_, rates_, to_);
   }
 
-  /// A step may pass the limit, where the ground's line is continued.
   double advance(double limit) {
-    if (reached_ >= stepper_.current_time()) {
-      stepper_.do_step([this](const Values<N>& values, Values<N>& rates, double offset) {
-        stretch_.derivative(values, offset, rates.data());
-      });
-      length_ = stepper_.current_time_step();
-    }
-    return reached_ = std::min(limit, stepper_.current_time());
+    from_ = to_;
+    start_ = end_;
+    start_rates_ = rates_;
+    const double left = limit - from_;
+    double length = left / std::ceil(left / length_);
+    double tried = length;
+    while (stepper_.try_step(system(), start_, start_rates_, to_, end_, rates_, length) ==
+           boost::numeric::odeint::fail)
+      length_ = tried = length;
+    length_ = std::max(length, length_);
+    if (tried == left) to_ = limit;
+    ground_ = stretch_.piece->at(to_);
+    return to_;
   }
 
   Values<N> at(double offset) {
+    if (offset == to_) return end_;
     Values<N> values;
-    stepper_.calc_state(offset, values);
+    stepper_.stepper().calc_state(offset, values, start_, start_rates_, from_, end_, rates_, to_);
     return values;
   }
 
  private:
   using Base = boost::numeric::odeint::runge_kutta_dopri5<Values<N>>;
-  typename boost::numeric::odeint::result_of::make_dense_output<Base>::type stepper_;
+
+  auto system() const {
+    return [this](const Values<N>& values, Values<N>& rates, double offset) {
+      stretch_.derivative(values, offset, rates.data());
+    };
+  }
+
+  typename boost::numeric::odeint::result_of::make_controlled<Base>::type stepper_;
   Stretch<N> stretch_{};
-  double length_ = 1e-3;  ///< the first step, s
-  double reached_ = 0;
+  Pattern pattern_;
+  Point<double> ground_ = Point<double>::Zero();  ///< at the end of the last step, m/s²
+  double length_ = 1e-3;                          ///< of the next step, s
+  double from_ = 0, to_ = 0;
+  Values<N> start_{}, end_{}, start_rates_{}, rates_{};
+};
+
+/// Fehlberg's pair of order 7 and 8 from Boost.odeint with step control. As it has no dense output, values
+/// within a step are those of a shorter one.
+template <int N>
+class Fehlberg78 {
+ public:
+  static constexpr bool finds_roots = false;
+
+  /// @param tolerance absolute and relative
+  explicit Fehlberg78(double tolerance)
+      : stepper_(boost::numeric::odeint::make_controlled(tolerance, tolerance, Base())) {}
+
+  void restart(const Stretch<N>& stretch, double offset, const Values<N>& values) {
+    stretch_ = stretch;
+    to_ = offset;
+    end_ = values;
+  }
+
+  double advance(double limit) {
+    from_ = to_;
+    start_ = end_;
+    const double left = limit - from_;
+    double length = std::min(length_, left);
+    double tried = length;
+    while (stepper_.try_step(system(), start_, to_, end_, length) == boost::numeric::odeint::fail)
+      tried = length;
+    if (tried == left) to_ = limit;
+    length_ = tried == left ? std::max(length, length_) : length;
+    return to_;
+  }
+
+  Values<N> at(double offset) {
+    if (offset == to_) return end_;
+    Values<N> values;
+    stepper_.stepper().do_step(system(), start_, from_, values, offset - from_);
+    return values;
+  }
+
+ private:
+  using Base = boost::numeric::odeint::runge_kutta_fehlberg78<Values<N>>;
+
+  auto system() const {
+    return [this](const Values<N>& values, Values<N>& rates, double offset) {
+      stretch_.derivative(values, offset, rates.data());
+    };
+  }
+
+  typename boost::numeric::odeint::result_of::make_controlled<Base>::type stepper_;
+  Stretch<N> stretch_{};
+  double length_ = 1e-3;  ///< of the next step, s
+  double from_ = 0, to_ = 0;
+  Values<N> start_{}, end_{};
 };
 
 }  // namespace rockstack::benchmarks

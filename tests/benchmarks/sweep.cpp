@@ -13,6 +13,7 @@
 #include "analytic/solve_batch.hpp"
 #include "comparisons/ensemble/run_outcome.hpp"
 #include "comparisons/ensemble/sweep.hpp"
+#include "tests/benchmarks/ensemble_scenes.hpp"
 
 namespace rockstack {
 namespace {
@@ -49,17 +50,6 @@ void sweep_of_two_blocks(benchmark::State& state) {
 }
 BENCHMARK(sweep_of_two_blocks)->Arg(0)->Arg(9)->Arg(6)->Iterations(5)->Unit(benchmark::kMillisecond);
 
-std::vector<Scene> scenes_of(const Ensemble& ensemble, MotionLibrary& library) {
-  std::vector<Scene> scenes;
-  SceneDocument document = ensemble.base;
-  for (std::size_t run = 0; run < std::min<std::size_t>(run_count(ensemble), 512); ++run) {
-    const auto values = values_of(ensemble, run);
-    for (std::size_t v = 0; v < values.size(); ++v) set_values(document, ensemble.variations[v], values[v]);
-    scenes.push_back(make_scene(document, library));
-  }
-  return scenes;
-}
-
 /// Solves scenes on one core, s.
 double seconds(const std::vector<Scene>& scenes, const SolveOptions& options, InstructionSet set) {
   std::size_t given = 0;
@@ -71,10 +61,7 @@ double seconds(const std::vector<Scene>& scenes, const SolveOptions& options, In
 
 /// The instruction sets by turns; the least time of each counts. Tolerances as above.
 void batch_over_scalar(benchmark::State& state, const std::string& ensemble_file) {
-  MotionLibrary library;
-  const Ensemble ensemble =
-      read_ensemble(ROCKSTACK_ENSEMBLES "/" + ensemble_file + ".toml", {"duration=20"}, library);
-  const std::vector<Scene> scenes = scenes_of(ensemble, library);
+  const std::vector<Scene> scenes = benchmarks::ensemble_scenes(ensemble_file);
   const SolveOptions options =
       run_options(state.range(0) > 0 ? std::pow(10, -static_cast<double>(state.range(0))) : 0);
   std::map<InstructionSet, double> least;

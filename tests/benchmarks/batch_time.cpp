@@ -1,0 +1,222 @@
+// Sweeps of two blocks and of one over 20 s of synthetic motions, by batches of the solver and by
+// Boost.odeint on packs, each beside one by one, in one run: batch_time FOLDER writes batches.csv, batches.md
+// and batches_equal.md into it.
+//
+// Error of a run: RMS, over blocks and samples 10 ms apart, of the difference of angles to the solver's at
+// tolerance 0, rad, as long as no block has toppled. A motion may amplify what it is given without bound: the
+// median over the runs tells, and the 90th percentile. Time: processor time of a run without samples on one
+// core, the least of turns. Chatter ends at flights below the tolerance.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+
+#include "analytic/solve.hpp"
+#include "analytic/solve_batch.hpp"
+#include "tests/benchmarks/ensemble_scenes.hpp"
+#include "tests/benchmarks/measurement.hpp"
+#include "tests/benchmarks/methods.hpp"
+#include "tests/benchmarks/packed.hpp"
+#include "tests/benchmarks/processor_time.hpp"
+#include "tests/benchmarks/tables.hpp"
+
+namespace rockstack::benchmarks {
+namespace {
+
+using Scenes = std::vector<Scene>;
+using Samples = std::vector<double>;
+
+struct Contender {
+  std::string method;
+  double tolerance;
+  std::function<std::vector<Motion>(const Scenes&, const Samples&)> solve;
+};
+
+Contender ours(const std::string& method, InstructionSet set, double tolerance) {
+  return {method, tolerance, [=](const Scenes& scenes, const Samples& samples) {
+            SolveOptions options;
+            options.tolerance = options.resolution = tolerance;
+            options.event_states = false;  // no other method keeps them
+            options.sample_times = samples;
+            std::vector<Motion> motions(scenes.size());
+            std::size_t given = 0;
+            solve_batch([&] { return given < scenes.size() ? std::optional(scenes[given++]) : std::nullopt; },
+                        options,
+                        [&](Solved&& solved) {
+                          if (solved.failure) std::rethrow_exception(solved.failure);
+                          const auto& events = solved.history.events;
+                          const bool ended = !events.empty() && ends_motion(events.back().kind);
+                          motions[solved.number] = {std::move(solved.history.angles),
+                                                    ended ? events.back().time : solved.scene.duration};
+                        },
+                        set);
+            return motions;
+          }};
+}
+
+template <int N>
+void make_absolute(std::vector<Motion>& motions) {
+  for (Motion& motion : motions)
+    for (std::size_t i = 0; i < motion.angles.size(); ++i)
+      if (i % N != 0) motion.angles[i] += motion.angles[i - 1];
+}
+
+template <int N>
+std::vector<Motion> one_by_one(const Scenes& scenes, double tolerance, const Samples& samples) {
+  std::vector<Motion> motions;
+  for (const Scene& scene : scenes) {
+    Stepped<Dopri5, N> stack(scene, {tolerance, 0}, tolerance, samples);
+    stack.run();
+    motions.push_back({stack.rows(), stack.end()});
+  }
+  make_absolute<N>(motions);
+  return motions;
+}
+
+template <int N>
+std::vector<Motion> side_by_side(const Scenes& scenes, double tolerance, const Samples& samples) {
+  std::vector<Motion> motions = Packed<N>(scenes, tolerance, samples).run();
+  make_absolute<N>(motions);
+  return motions;
+}
+
+std::vector<Contender> contenders() {
+  constexpr std::array tolerances{1e-12, 1e-9, 1e-6};
+  std::vector<Contender> all;
+  const auto add = [&](const auto& make) {
+    for (const double tolerance : tolerances) all.push_back(make(tolerance));
+  };
+  const auto by = [](const std::string& method, auto one, auto two) {
+    return [=](double tolerance) -> Contender {
+      return {method, tolerance, [=](const Scenes& scenes, const Samples& samples) {
+                return scenes.front().blocks.size() == 1 ? one(scenes, tolerance, samples)
+                                                         : two(scenes, tolerance, samples);
+              }};
+    };
+  };
+  add([](double tolerance) { return ours("rockstack, packs", InstructionSet::avx2, tolerance); });
+  add([](double tolerance) { return ours("rockstack, one by one", InstructionSet::scalar, tolerance); });
+  add(by("odeint dopri5, packs", side_by_side<1>, side_by_side<2>));
+  add(by("odeint dopri5, one by one", one_by_one<1>, one_by_one<2>));
+  return all;
+}
+
+/// RMS difference of angles up to the end of either motion, rad.
+double difference(const Motion& motion, const Motion& reference, const Samples& samples, std::size_t blocks) {
+  const double end = std::min(motion.end, reference.end);
+  const auto rows =
+      static_cast<std::size_t>(std::upper_bound(samples.begin(), samples.end(), end) - samples.begin());
+  double sum = 0;
+  const std::size_t count = std::min({rows * blocks, motion.angles.size(), reference.angles.size()});
+  for (std::size_t i = 0; i < count; ++i) {
+    const double apart = motion.angles[i] - reference.angles[i];
+    sum += apart * apart;
+  }
+  return std::sqrt(sum / static_cast<double>(count));
+}
+
+struct BatchMeasurement {
+  Measurement median;
+  double high;            ///< 90th percentile of errors, rad
+  std::size_t different;  ///< runs that topple where the reference does not, or the other way
+};
+
+BatchMeasurement errors(const std::string& title, const Contender& contender, const Scenes& scenes,
+                        const std::vector<Motion>& reference, const Samples& samples) {
+  const std::vector<Motion> motions = contender.solve(scenes, samples);
+  std::vector<double> differences;
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    differences.push_back(difference(motions[i], reference[i], samples, scenes[i].blocks.size()));
+    const double duration = scenes[i].duration;
+    different += (motions[i].end < duration) != (reference[i].end < duration) ? 1 : 0;
+  }
+  std::sort(differences.begin(), differences.end());
+  return {{title, contender.method, contender.tolerance, differences[differences.size() / 2],
+           std::numeric_limits<double>::infinity()},
+          differences[differences.size() * 9 / 10],
+          different};
+}
+
+std::vector<BatchMeasurement> measure(const std::string& title, const Scenes& scenes) {
+  const Samples samples = regular_times(0.01, scenes.front().duration);
+  const auto reference = ours("reference", InstructionSet::scalar, 0).solve(scenes, samples);
+  std::vector<BatchMeasurement> result;
+  const std::vector<Contender> all = contenders();
+  result.reserve(all.size());
+  for (const Contender& contender : all)
+    result.push_back(errors(title, contender, scenes, reference, samples));
+  for (int turn = 0; turn < 1; ++turn) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      fprintf(stderr, "%s %g %g %g\n", all[i].method.c_str(), all[i].tolerance, result[i].median.error,
+              result[i].median.seconds);
+      const double seconds = processor_seconds([&] { all[i].solve(scenes, {}); });
+      result[i].median.seconds =
+          std::min(result[i].median.seconds, seconds / static_cast<double>(scenes.size()));
+    }
+  }
+  const auto toppled = std::count_if(reference.begin(), reference.end(), [&](const Motion& motion) {
+    return motion.end < scenes.front().duration;
+  });
+  std::cout << title << ": " << scenes.size() << " runs, of which " << toppled << " topple" << std::endl;
+  return result;
+}
+
+/// A row a sweep and tolerance, a column a method.
+void write_table(const std::vector<BatchMeasurement>& all, std::ostream& out) {
+  std::vector<Measurement> medians;
+  for (const BatchMeasurement& m : all) medians.push_back(m.median);
+  const auto methods = distinct(medians, &Measurement::method);
+  out << "| sweep | tolerance |";
+  for (const std::string& method : methods) out << ' ' << method << " |";
+  out << "\n|---|---|---|---|---|---|\n";
+  for (const std::string& sweep : distinct(medians, &Measurement::scene)) {
+    for (const double tolerance : {1e-12, 1e-9, 1e-6}) {
+      out << "| " << sweep << " | " << tolerance << " |";
+      for (const auto& [median, high, different] : all) {
+        if (median.scene != sweep || median.setting != tolerance) continue;
+        std::array<char, 96> cell{};
+        std::snprintf(cell.data(), cell.size(), " %.0f/s, %.1e, %.1e |", 1 / median.seconds, median.error,
+                      high);
+        out << cell.data();
+      }
+      out << '\n';
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rockstack::benchmarks
+
+int main(int arguments, char** values) {
+  using namespace rockstack;
+  const auto& sets = instruction_sets();
+  if (std::find(sets.begin(), sets.end(), InstructionSet::avx2) == sets.end()) {
+    std::cerr << "batch_time: this machine has no AVX2\n";
+    return 2;
+  }
+  const std::filesystem::path folder = arguments > 1 ? values[1] : ".";
+  std::filesystem::create_directories(folder);
+  std::vector<benchmarks::BatchMeasurement> all;
+  for (const auto& [title, ensemble] :
+       {std::pair("two blocks", "ida-two-blocks"), std::pair("one block", "fragility-block")}) {
+    const auto measured = benchmarks::measure(title, benchmarks::ensemble_scenes(ensemble));
+    all.insert(all.end(), measured.begin(), measured.end());
+  }
+  std::ofstream table(folder / "batches.md");
+  benchmarks::write_table(all, table);
+  std::vector<benchmarks::Measurement> medians;
+  for (const auto& m : all) {
+    medians.push_back(m.median);
+    std::printf("%s\t%s\t%g\t%.2e\t%.2e\t%zu\t%.0f/s\n", m.median.scene.c_str(), m.median.method.c_str(),
+                m.median.setting, m.median.error, m.high, m.different, 1 / m.median.seconds);
+  }
+  std::ofstream equal(folder / "batches_equal.md");
+  constexpr std::array errors{1e-4, 1e-6, 1e-8, 1e-10};  // rad
+  benchmarks::write_equal_errors(medians, errors, equal);
+}
