@@ -16,13 +16,16 @@ struct MethodStyle {
 };
 
 /// Ours and the engines as in every other figure; other integrators in colours that no solver has.
-constexpr std::array<MethodStyle, 7> styles{{{"taylor", "#000000", 7},
-                                             {"rk4, exact events", "#8A8A8A", 13},
-                                             {"rk4 of the paper", "#5A5A5A", 9},
-                                             {"odeint dopri5", "#007A7A", 11},
-                                             {"CVODE Adams", "#8A5AA8", 15},
-                                             {"bullet", "#0072B2", 5},
-                                             {"ode", "#C04A00", 7}}};
+constexpr std::array<MethodStyle, 10> styles{{{"taylor", "#000000", 7},
+                                              {"rk4, exact events", "#8A8A8A", 13},
+                                              {"rk4 of the paper", "#5A5A5A", 9},
+                                              {"odeint dopri5", "#CC0066", 11},
+                                              {"odeint fehlberg78", "#5B8C00", 3},
+                                              {"CVODE Adams", "#8A5AA8", 15},
+                                              {"bullet", "#0072B2", 5},
+                                              {"ode", "#C04A00", 7},
+                                              {"box2d", "#8C2D04", 4},
+                                              {"chipmunk", "#00695C", 6}}};
 
 MethodStyle style_of(const std::string& method) {
   const auto found = std::find_if(styles.begin(), styles.end(),
@@ -44,7 +47,7 @@ void draw(const std::vector<Measurement>& measurements, const std::filesystem::p
   commands
       << "set multiplot layout 2,2 margins 0.08,0.98,0.13,0.89 spacing 0.07,0.09\n"
          "set logscale xy\nset format xy '10^{%T}'\nset grid lc rgb '#E4E4E4'\n"
-         "set yrange [1e-17:1]\nset ytics 1e-16,1e4\nset mytics 1\nset xrange [1e-5:20]\nset key at "
+         "set yrange [1e-17:1]\nset ytics 1e-16,1e4\nset mytics 1\nset xrange [5e-6:5]\nset key at "
          "screen 0.53,0.005 center bottom maxrows 2 samplen 1.5 width -1 font ',12'\n"
          "set label 1 'What does accuracy cost, by which method?' at screen 0.53,0.97 center font ',17'\n";
   for (std::size_t i = 0; i < scenes.size(); ++i) {

@@ -127,8 +127,8 @@ class Dopri5 {
   Values<N> start_{}, end_{}, start_rates_{}, rates_{};
 };
 
-/// Fehlberg's pair of order 7 and 8 from Boost.odeint with step control. As it has no dense output, values
-/// within a step are those of a shorter one.
+/// Fehlberg's pair of order 7 and 8 from Boost.odeint with step control. It has no dense output: values
+/// within a step are Hermite's polynomial through its ends and two shorter steps, with their rates.
 template <int N>
 class Fehlberg78 {
  public:
@@ -147,6 +147,7 @@ class Fehlberg78 {
   double advance(double limit) {
     from_ = to_;
     start_ = end_;
+    dense_ = false;
     const double left = limit - from_;
     double length = std::min(length_, left);
     double tried = length;
@@ -159,8 +160,11 @@ class Fehlberg78 {
 
   Values<N> at(double offset) {
     if (offset == to_) return end_;
-    Values<N> values;
-    stepper_.stepper().do_step(system(), start_, from_, values, offset - from_);
+    if (!dense_) interpolate();
+    const double share = (offset - from_) / (to_ - from_);
+    Values<N> values = newton_.back();
+    for (std::size_t n = newton_.size() - 1; n-- > 0;)
+      for (std::size_t i = 0; i < 2 * N; ++i) values[i] = values[i] * (share - node(n)) + newton_[n][i];
     return values;
   }
 
@@ -173,11 +177,37 @@ class Fehlberg78 {
     };
   }
 
+  /// Each share of the step twice: for its value and for its rate.
+  static double node(std::size_t n) { return static_cast<double>(n / 2) / 3; }
+
+  /// Newton's divided differences.
+  void interpolate() {
+    const double length = to_ - from_;
+    std::array<Values<N>, 8> rates;
+    for (std::size_t n = 0; n < 8; n += 2) {
+      const double offset = from_ + node(n) * length;
+      Values<N> values = n == 0 ? start_ : end_;
+      if (n == 2 || n == 4) stepper_.stepper().do_step(system(), start_, from_, values, offset - from_);
+      newton_[n] = newton_[n + 1] = values;
+      system()(values, rates[n + 1], offset);
+    }
+    for (std::size_t order = 1; order < 8; ++order) {
+      for (std::size_t n = 7; n >= order; --n) {
+        const double apart = node(n) - node(n - order);
+        for (std::size_t i = 0; i < 2 * N; ++i)
+          newton_[n][i] = apart > 0 ? (newton_[n][i] - newton_[n - 1][i]) / apart : length * rates[n][i];
+      }
+    }
+    dense_ = true;
+  }
+
   typename boost::numeric::odeint::result_of::make_controlled<Base>::type stepper_;
   Stretch<N> stretch_{};
   double length_ = 1e-3;  ///< of the next step, s
   double from_ = 0, to_ = 0;
   Values<N> start_{}, end_{};
+  bool dense_ = false;
+  std::array<Values<N>, 8> newton_{};
 };
 
 }  // namespace rockstack::benchmarks
