@@ -4,8 +4,9 @@
 //
 // Error of a run: RMS, over blocks and samples 10 ms apart, of the difference of angles to the solver's at
 // tolerance 0, rad, as long as no block has toppled. A motion may amplify what it is given without bound: the
-// median over the runs tells, and the 90th percentile. Time: processor time of a run without samples on one
-// core, the least of seven by turns. Chatter ends at flights below the tolerance.
+// median over the runs tells, and the 90th percentile, and how many topple where the reference does not or do
+// not where it does. Time: processor time of a run without samples on one core, the least of seven by turns.
+// Chatter ends at flights below the tolerance.
 
 #include <algorithm>
 #include <array>
@@ -165,9 +166,10 @@ std::vector<BatchMeasurement> measure(const std::string& title, const Scenes& sc
   return result;
 }
 
-/// A row a sweep and tolerance, a column a method.
+/// A row a sweep and tolerance, a column a method: runs a second, both errors, and how many topple otherwise.
 void write_table(const std::vector<BatchMeasurement>& all, std::ostream& out) {
   std::vector<Measurement> medians;
+  medians.reserve(all.size());
   for (const BatchMeasurement& m : all) medians.push_back(m.median);
   const auto methods = distinct(medians, &Measurement::method);
   out << "| sweep | tolerance |";
@@ -179,8 +181,8 @@ void write_table(const std::vector<BatchMeasurement>& all, std::ostream& out) {
       for (const auto& [median, high, different] : all) {
         if (median.scene != sweep || median.setting != tolerance) continue;
         std::array<char, 96> cell{};
-        std::snprintf(cell.data(), cell.size(), " %.0f/s, %.1e, %.1e |", 1 / median.seconds, median.error,
-                      high);
+        std::snprintf(cell.data(), cell.size(), " %.0f, %.1e, %.1e, %zu |", 1 / median.seconds, median.error,
+                      high, different);
         out << cell.data();
       }
       out << '\n';
@@ -209,6 +211,7 @@ int main(int arguments, char** values) {
   std::ofstream table(folder / "batches.md");
   benchmarks::write_table(all, table);
   std::vector<benchmarks::Measurement> medians;
+  medians.reserve(all.size());
   for (const auto& m : all) medians.push_back(m.median);
   std::ofstream columns(folder / "batches.csv");
   benchmarks::write_columns(medians, columns);

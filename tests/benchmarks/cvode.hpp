@@ -21,7 +21,7 @@ class Cvode {
 
   /// @param tolerance absolute and relative
   explicit Cvode(double tolerance)
-      : vector_(N_VNew_Serial(2 * N, context_)),
+      : vector_(N_VNew_Serial(2UL * N, context_)),
         iteration_(SUNNonlinSol_FixedPoint(vector_.get(), 0, context_)),
         memory_(CVodeCreate(CV_ADAMS, context_)) {
     N_VConst(0, vector_.get());
@@ -29,7 +29,7 @@ class Cvode {
     require(CVodeSStolerances(memory_.get(), tolerance, tolerance));
     require(CVodeSetUserData(memory_.get(), this));
     require(CVodeSetNonlinearSolver(memory_.get(), iteration_.get()));
-    require(CVodeRootInit(memory_.get(), 3 * N, guards));
+    require(CVodeRootInit(memory_.get(), 3UL * N, guards));
     require(CVodeSetNoInactiveRootWarn(memory_.get()));
     require(CVodeSetMaxNumSteps(memory_.get(), 100000));
   }
@@ -47,7 +47,7 @@ class Cvode {
     require(result);
     at_root_ = result == CV_ROOT_RETURN;
     reached_ = reached;
-    std::copy_n(N_VGetArrayPointer(vector_.get()), 2 * N, end_.begin());
+    std::copy_n(N_VGetArrayPointer(vector_.get()), 2UL * N, end_.begin());
     return reached;
   }
 
@@ -57,7 +57,7 @@ class Cvode {
     if (offset == reached_) return end_;
     require(CVodeGetDky(memory_.get(), offset, 0, vector_.get()));
     Values<N> values;
-    std::copy_n(N_VGetArrayPointer(vector_.get()), 2 * N, values.begin());
+    std::copy_n(N_VGetArrayPointer(vector_.get()), 2UL * N, values.begin());
     return values;
   }
 
@@ -74,7 +74,7 @@ class Cvode {
 
   static Values<N> values_of(N_Vector vector) {
     Values<N> values;
-    std::copy_n(N_VGetArrayPointer(vector), 2 * N, values.begin());
+    std::copy_n(N_VGetArrayPointer(vector), 2UL * N, values.begin());
     return values;
   }
 
@@ -88,7 +88,7 @@ class Cvode {
     const Stretch<N>& stretch = static_cast<const Cvode*>(self)->stretch_;
     const Pattern& pattern = stretch.chain->pattern();
     const Values<N> values = values_of(vector);
-    std::fill_n(guard, 3 * N, 1.0);
+    std::fill_n(guard, 3UL * N, 1.0);
     bool closed = false;
     for (std::size_t k = 0; k < N; ++k) {
       closed = closed || pattern[static_cast<int>(k)] == Contact::closed;
@@ -99,7 +99,7 @@ class Cvode {
     for (std::size_t k = 0; k < N; ++k) {
       if (pattern[static_cast<int>(k)] != Contact::closed) continue;
       guard[N + k] = response.right[k];
-      guard[2 * N + k] = response.left[k];
+      guard[2UL * N + k] = response.left[k];
     }
     return 0;
   }

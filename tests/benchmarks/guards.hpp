@@ -18,12 +18,12 @@ class Guards {
   Guards(const Stretch<N>& stretch, const std::array<double, N>& toppling)
       : stretch_(stretch), toppling_(toppling) {}
 
-  using Numbers = std::bitset<4 * N>;
+  using Numbers = std::bitset<4UL * N>;
 
   /// The number of a guard that is negative at an offset at which the values are those, one of an angle where
   /// there is any; `known` are left out.
   std::optional<std::size_t> negative(const Values<N>& values, double offset, Numbers known = {}) const {
-    for (std::size_t guard = 0; guard < 2 * N; ++guard)
+    for (std::size_t guard = 0; guard < 2UL * N; ++guard)
       if (!known.test(guard) && angle(guard, values) < 0) return guard;
     bool closed = false;
     for (std::size_t k = 0; k < N; ++k) closed = closed || side(k) == 0;
@@ -31,8 +31,8 @@ class Guards {
     const auto response = stretch_.respond(values, offset);
     for (std::size_t k = 0; k < N; ++k) {
       if (side(k) != 0) continue;
-      if (!known.test(k + 2 * N) && response.right[k] < 0) return k + 2 * N;
-      if (!known.test(k + 3 * N) && response.left[k] < 0) return k + 3 * N;
+      if (!known.test(k + 2UL * N) && response.right[k] < 0) return k + 2UL * N;
+      if (!known.test(k + 3UL * N) && response.left[k] < 0) return k + 3UL * N;
     }
     return std::nullopt;
   }
@@ -60,9 +60,9 @@ class Guards {
   }
 
   double value(std::size_t guard, const Values<N>& values, double offset) const {
-    if (guard < 2 * N) return angle(guard, values);
+    if (guard < 2UL * N) return angle(guard, values);
     const auto response = stretch_.respond(values, offset);
-    return guard < 3 * N ? response.right[guard - 2 * N] : response.left[guard - 3 * N];
+    return guard < 3UL * N ? response.right[guard - 2UL * N] : response.left[guard - 3UL * N];
   }
 
   /// Where one guard first turns negative: regula falsi (Illinois), to rounding.

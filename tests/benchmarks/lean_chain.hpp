@@ -13,7 +13,7 @@ namespace rockstack::benchmarks {
 
 /// Relative angles in rad, then relative velocities in rad/s.
 template <int N>
-using Values = std::array<double, 2 * N>;
+using Values = std::array<double, 2UL * N>;
 
 /// A stack's equations of motion in one pattern, as somebody would write them who has N blocks and an
 /// integrator of ordinary differential equations: constants computed once, no memory asked for, one sine and
@@ -22,7 +22,7 @@ using Values = std::array<double, 2 * N>;
 template <int N, class Real = double>
 class LeanEquations {
  public:
-  using Values = std::array<Real, 2 * N>;
+  using Values = std::array<Real, 2UL * N>;
 
   LeanEquations(const Linkage<Real, N>& linkage, const Real& gravity)
       : linkage_(linkage), gravity_(gravity) {}

@@ -39,7 +39,7 @@ class PaperRk4 {
     stretch_.derivative(moved(k1, length / 2), from_ + length / 2, k2.data());
     stretch_.derivative(moved(k2, length / 2), from_ + length / 2, k3.data());
     stretch_.derivative(moved(k3, length), to_, k4.data());
-    for (std::size_t i = 0; i < 2 * N; ++i)
+    for (std::size_t i = 0; i < 2UL * N; ++i)
       end_[i] = start_[i] + length / 6 * (k1[i] + 2 * (k2[i] + k3[i]) + k4[i]);
     return to_;
   }
@@ -47,14 +47,14 @@ class PaperRk4 {
   Values<N> at(double offset) const {
     const double share = (offset - from_) / (to_ - from_);
     Values<N> values;
-    for (std::size_t i = 0; i < 2 * N; ++i) values[i] = start_[i] + share * (end_[i] - start_[i]);
+    for (std::size_t i = 0; i < 2UL * N; ++i) values[i] = start_[i] + share * (end_[i] - start_[i]);
     return values;
   }
 
  private:
   Values<N> moved(const Values<N>& rates, double length) const {
     Values<N> values;
-    for (std::size_t i = 0; i < 2 * N; ++i) values[i] = start_[i] + length * rates[i];
+    for (std::size_t i = 0; i < 2UL * N; ++i) values[i] = start_[i] + length * rates[i];
     return values;
   }
 
@@ -164,7 +164,7 @@ class Fehlberg78 {
     const double share = (offset - from_) / (to_ - from_);
     Values<N> values = newton_.back();
     for (std::size_t n = newton_.size() - 1; n-- > 0;)
-      for (std::size_t i = 0; i < 2 * N; ++i) values[i] = values[i] * (share - node(n)) + newton_[n][i];
+      for (std::size_t i = 0; i < 2UL * N; ++i) values[i] = values[i] * (share - node(n)) + newton_[n][i];
     return values;
   }
 
@@ -178,7 +178,10 @@ class Fehlberg78 {
   }
 
   /// Each share of the step twice: for its value and for its rate.
-  static double node(std::size_t n) { return static_cast<double>(n / 2) / 3; }
+  static double node(std::size_t n) {
+    const std::size_t third = n / 2;
+    return static_cast<double>(third) / 3;
+  }
 
   /// Newton's divided differences.
   void interpolate() {
@@ -194,7 +197,7 @@ class Fehlberg78 {
     for (std::size_t order = 1; order < 8; ++order) {
       for (std::size_t n = 7; n >= order; --n) {
         const double apart = node(n) - node(n - order);
-        for (std::size_t i = 0; i < 2 * N; ++i)
+        for (std::size_t i = 0; i < 2UL * N; ++i)
           newton_[n][i] = apart > 0 ? (newton_[n][i] - newton_[n - 1][i]) / apart : length * rates[n][i];
       }
     }

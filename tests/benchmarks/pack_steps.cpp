@@ -77,7 +77,7 @@ class Avx2Steps final : public PackSteps<N> {
       put(linkage_.free[k], lane, linkage.free[k]);
       put(sides_[k], lane, sign(chain.pattern()[static_cast<int>(k)]));
     }
-    for (std::size_t i = 0; i < 2 * N; ++i) put(values_[i], lane, values[i]);
+    for (std::size_t i = 0; i < 2UL * N; ++i) put(values_[i], lane, values[i]);
     fresh_ = true;
   }
 
@@ -114,7 +114,7 @@ class Avx2Steps final : public PackSteps<N> {
   }
 
   void keep() override {
-    for (std::size_t i = 0; i < 2 * N; ++i) {
+    for (std::size_t i = 0; i < 2UL * N; ++i) {
       values_[i] = xsimd::select(made_, after_[i], values_[i]);
       rates_[i] = xsimd::select(made_, rates_after_[i], rates_[i]);
     }
@@ -122,7 +122,7 @@ class Avx2Steps final : public PackSteps<N> {
   }
 
  private:
-  using State = std::array<Real, 2 * N>;
+  using State = std::array<Real, 2UL * N>;
   using Equations = LeanEquations<N, Real>;
   struct Line {
     Real value = 0.0, rate = 0.0;  ///< m/s², m/s³
@@ -130,7 +130,7 @@ class Avx2Steps final : public PackSteps<N> {
 
   static Values<N> values_of(const State& state, std::size_t lane) {
     Values<N> values;
-    for (std::size_t i = 0; i < 2 * N; ++i) values[i] = get(state[i], lane);
+    for (std::size_t i = 0; i < 2UL * N; ++i) values[i] = get(state[i], lane);
     return values;
   }
 
@@ -144,7 +144,7 @@ class Avx2Steps final : public PackSteps<N> {
   /// default_step_adjuster do.
   Mask control(const State& errors) {
     Real error = 0;
-    for (std::size_t i = 0; i < 2 * N; ++i)
+    for (std::size_t i = 0; i < 2UL * N; ++i)
       error = xsimd::max(
           error, xsimd::abs(errors[i]) /
                      (tolerance_ + tolerance_ * (xsimd::abs(values_[i]) + xsimd::abs(step_ * rates_[i]))));
