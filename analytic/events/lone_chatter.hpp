@@ -44,6 +44,9 @@ class LoneChatter {
     rate_ = sqrt(model.gravity / (2 * model.stack.half_height.sum()));
   }
 
+  /// Whether chatter has to be followed further than it counts: flights are below a coarse resolution sooner.
+  bool pays() const { return resolution_ < coarse; }
+
   /// An impact of a number in the history, to the state after it, `offset` into a ground piece.
   struct Landing {
     const Impact<Real, N>& impact;
@@ -100,6 +103,7 @@ class LoneChatter {
   }
 
  private:
+  static constexpr double coarse = 1e-10;
   // In units of √(g/H) and √(H/g): Runge–Kutta's method errs by some 10⁻¹¹ over a brief time, where slow
   // chatter counts by a share of 10⁻⁶.
   static constexpr double slow = 1e-2;

@@ -17,7 +17,7 @@ enum class EventsKept {
   all,  ///< every one, with the state on both sides
   /// Of states nothing. Chatter of one interface alone ends in the closure that stands for all its impacts
   /// to come as soon as these neither move the motion by more than the resolution, nor hold anything else
-  /// that is asked for.
+  /// that is asked for. Of resolutions below 1e-10, and not of small-angle equations.
   summed,
 };
 

@@ -40,7 +40,7 @@ class Solver {
         upright_(upright_model(scene)),
         end_of_chatter_(model_, resolution_of(options)),
         lone_chatter_(model_, resolution_of(options)),
-        sums_chatter_(options.events == EventsKept::summed && !upright_) {
+        sums_chatter_(options.events == EventsKept::summed && lone_chatter_.pays() && !upright_) {
     validate(options);
     const auto vector = [](const std::vector<double>& values) -> Vector<Real, N> {
       return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))

@@ -42,7 +42,7 @@ Contender ours(const std::string& method, InstructionSet set, double tolerance) 
   return {method, tolerance, [=](const Scenes& scenes, const Samples& samples) {
             SolveOptions options;
             options.tolerance = options.resolution = tolerance;
-            options.event_states = false;  // no other method keeps them
+            options.events = EventsKept::summed;  // no other method keeps them
             options.sample_times = samples;
             std::vector<Motion> motions(scenes.size());
             std::size_t given = 0;

@@ -42,21 +42,20 @@ struct Contender {
 
 Contender ours(const std::string& method, Integrator integrator, double setting) {
   SolveOptions options;
+  options.events = EventsKept::summed;  // no other method keeps them
   options.integrator = integrator;
   if (integrator == Integrator::taylor) {
     options.tolerance = options.resolution = setting;
   } else {
     options.step = setting;
   }
-  SolveOptions timed = options;
-  timed.events = EventsKept::summed;  // no other method keeps them
   return {method, setting,
           [options](const Scene& scene, const std::vector<double>& samples) {
             SolveOptions sampled = options;
             sampled.sample_times = samples;
             return solve(scene, sampled).angles;
           },
-          [timed](const Scene& scene) { return processor_seconds([&] { solve(scene, timed); }); }};
+          [options](const Scene& scene) { return processor_seconds([&] { solve(scene, options); }); }};
 }
 
 template <template <int> class Method, int N>
