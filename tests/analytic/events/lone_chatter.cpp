@@ -149,7 +149,7 @@ TEST(LoneChatter, WhereSamplesFallIntoItItIsFollowed) {
   ASSERT_NE(closure, ends.events.end());
   const auto end = static_cast<double>(closure->time);
   SolveOptions options;
-  for (double before = 1e-3; before > 1e-8; before *= 0.9) options.sample_times.push_back(end - before);
+  for (int i = 0; i < 100; ++i) options.sample_times.push_back(end - 1e-3 * std::pow(0.9, i));
   const auto exact = solved(scene, options, EventsKept::all, followed);
   const auto found = solved(scene, options, EventsKept::summed, ended_at);
   EXPECT_LT(most_apart(found.angles, exact.angles), agreement);
