@@ -156,5 +156,98 @@ TEST(LoneChatter, WhereSamplesFallIntoItItIsFollowed) {
   EXPECT_LT(most_apart(found.velocities, exact.velocities), agreement);
 }
 
+/// One solid column of two blocks that chatters on the ground, whose acceleration stays as it is, from a slow
+/// speed down by the law of impact and the accelerations of its flights; and what LoneChatter says of the
+/// rest as soon as it is harmless.
+class ChatteringColumn {
+ public:
+  ChatteringColumn(double top, double ground) : model_(make_model<double, 2>(column(top))) {
+    piece_.length = 1;
+    piece_.horizontal.value = ground;
+  }
+
+  std::optional<RestOfChatter<double, 2>> rest() const {
+    LoneChatter<double, 2> chatter(model_, ended_at);
+    const EndOfChatter<double, 2> end(model_, ended_at);
+    State<double, 2> state = on(Contact::right);
+    state.velocities[0] = -1e-2;
+    double time = 0;
+    for (std::size_t number = 0; std::abs(state.velocities[0]) > 1e-12; ++number) {
+      const Impact<double, 2> impact{state, 1};
+      const Approach<double, 2> before = approach(model_, state);
+      Pattern pattern = state.pattern;
+      pattern[0] = opposite(pattern[0]);
+      const auto after = velocities_after(model_, before, pattern);
+      const LoneChatter<double, 2>::Landing landing{impact, before, after, piece_, time, number};
+      state = {pattern, state.angles, after.relative};
+      if (chatter.harmless(landing)) return chatter.rest(landing, end.fastest_return(state, piece_.at(time)));
+      time += 2 * std::abs(state.velocities[0]) / pull(pattern[0]);
+      state.velocities = -state.velocities;
+    }
+    ADD_FAILURE() << "never harmless";
+    return std::nullopt;
+  }
+
+  /// What brings it back, rad/s².
+  double pull(Contact side) const { return -sign(side) * flight(side).relative[0]; }
+
+  /// The least margin of the blocks' interface in a flight, over that of a load in its middle.
+  double spare(Contact side) const {
+    const auto margin = margins(model_.stack, flight(side).reactions, 1);
+    return 2 * std::min(margin.right, margin.left) / (margin.right + margin.left);
+  }
+
+ private:
+  /// With an upper block of a width.
+  static Scene column(double top) {
+    Scene scene;
+    scene.blocks = {testing::block(1.05, 2), testing::block(top, 1)};
+    scene.initial = {{0, 0}, {0, 0}};
+    return scene;
+  }
+
+  static State<double, 2> on(Contact side) {
+    State<double, 2> state{closed_pattern(2), {0, 0}, {0, 0}};
+    state.pattern[0] = side;
+    return state;
+  }
+
+  PatternSolution<double, 2> flight(Contact side) const { return accelerate(model_, on(side), piece_.at(0)); }
+
+  Model<double, 2> model_;
+  GroundPiece<double> piece_{};
+};
+
+/// The ground's acceleration at which what falls with it comes down to a level, m/s².
+template <class Falling>
+double acceleration_at(const Falling& falling, double level) {
+  double low = 0, high = 20;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (falling(middle) > level ? low : high) = middle;
+  }
+  return low;
+}
+
+TEST(LoneChatter, WhereAnInterfaceAboveIsAboutToOpenItIsFollowed) {
+  const double narrow = 0.6;
+  const auto spare = [&](double ground) {
+    const ChatteringColumn column(narrow, ground);
+    return std::min(column.spare(Contact::right), column.spare(Contact::left));
+  };
+  EXPECT_TRUE(ChatteringColumn(narrow, acceleration_at(spare, 0.02)).rest());
+  EXPECT_FALSE(ChatteringColumn(narrow, acceleration_at(spare, 0.005)).rest());
+}
+
+TEST(LoneChatter, WhereFlightsHardlyComeBackItIsFollowed) {
+  const double wide = 1.05;
+  const auto pull = [&](double ground) {
+    const ChatteringColumn column(wide, ground);
+    return std::min(column.pull(Contact::right), column.pull(Contact::left));
+  };
+  EXPECT_TRUE(ChatteringColumn(wide, acceleration_at(pull, 1)).rest());
+  EXPECT_FALSE(ChatteringColumn(wide, acceleration_at(pull, 0.2)).rest());
+}
+
 }  // namespace
 }  // namespace rockstack
