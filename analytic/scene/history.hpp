@@ -59,6 +59,9 @@ struct BasicEvent {
   std::vector<Real> before;  ///< angular velocities just before, rad/s
   std::vector<Real> after;   ///< angular velocities just after, rad/s
   Consistency consistency = Consistency::consistent;
+  /// How many impacts in a row it stands for, each of which throws the interface to its other side, and
+  /// changes no other; it tells the first pattern, and the last time (EventsKept::summed).
+  std::size_t count = 1;
 };
 
 /// An opening angle, or the margin of a closed interface, that touched zero to rounding: whether there was an

@@ -15,9 +15,10 @@ enum class Integrator {
 /// What a history tells of its events.
 enum class EventsKept {
   all,  ///< every one, with the state on both sides
-  /// Of states nothing. Chatter of one interface alone ends in the closure that stands for all its impacts
-  /// to come as soon as these neither move the motion by more than the resolution, nor hold anything else
-  /// that is asked for. Of resolutions below 1e-10, and not of small-angle equations.
+  /// Of states nothing, and of impacts in a row that throw one interface to and fro their number. Chatter of
+  /// one interface alone ends in the closure that stands for all its impacts to come as soon as these neither
+  /// move the motion by more than the resolution, nor hold anything else that is asked for. Of resolutions
+  /// below 1e-10, and not of small-angle equations.
   summed,
 };
 

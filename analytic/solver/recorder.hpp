@@ -101,8 +101,13 @@ class Recorder {
   /// An event from pattern `from` and relative velocities `before` to the state `after`.
   void note_event(const Real& time, EventKind kind, int interface, const Pattern& from,
                   const Vector<Real, N>& before, const State<Real, N>& after, Consistency consistency) {
-    const auto list = [&](const Vector<Real, N>& relative_values) -> std::vector<Real> {
-      if (options_.events == EventsKept::summed) return {};
+    ++events_;
+    if (options_.events == EventsKept::summed) {
+      BasicEvent<Real> event{time, kind, interface, from, after.pattern, {}, {}, {}, consistency};
+      if (!sums_up(event)) history_.events.push_back(std::move(event));
+      return;
+    }
+    const auto list = [&](const Vector<Real, N>& relative_values) {
       const Vector<Real, N> values = absolute(relative_values);
       return std::vector<Real>(values.begin(), values.end());
     };
@@ -121,10 +126,30 @@ class Recorder {
   }
 
   const BasicHistory<Real>& so_far() const { return history_; }
+  std::size_t events() const { return events_; }      ///< so far, each by itself
   const Real& rounding() const { return rounding_; }  ///< of forces, N
   BasicHistory<Real> history() && { return std::move(history_); }
 
  private:
+  /// Whether an event is one more of the impacts that the last one stands for, as which it is counted.
+  bool sums_up(const BasicEvent<Real>& event) {
+    if (history_.events.empty()) return false;
+    BasicEvent<Real>& last = history_.events.back();
+    const auto throws_alone = [](const BasicEvent<Real>& impact) {
+      Pattern thrown = impact.from;
+      Contact& contact = thrown[impact.interface - 1];
+      contact = opposite(contact);
+      return impact.kind == EventKind::impact && impact.to == thrown;
+    };
+    if (event.interface != last.interface || event.consistency != last.consistency || !throws_alone(event) ||
+        (last.count == 1 && !throws_alone(last)))
+      return false;
+    last.time = event.time;
+    last.to = event.to;
+    ++last.count;
+    return true;
+  }
+
   bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
 
   /// Samples of a step up to, and without, `end` of its length.
@@ -219,6 +244,7 @@ class Recorder {
   Real rounding_{};             ///< of forces, N
   Real negligible_impulse_{};   ///< N·s
   std::size_t next_sample_ = 0;
+  std::size_t events_ = 0;
   BasicHistory<Real> history_;
 };
 

@@ -310,7 +310,7 @@ class Solver {
                                                         const PatternSolution<Real, N>& after) {
     const GroundPiece<Real>& piece = pieces_.current();
     const typename LoneChatter<Real, N>::Landing landing{impact, before,  after,
-                                                         piece,  offset_, recorder_.so_far().events.size()};
+                                                         piece,  offset_, recorder_.events()};
     if (!lone_chatter_.harmless(landing) || recorder_.keeps(after)) return std::nullopt;
     const State<Real, N> open{after.pattern, state_.angles, after.relative};
     auto rest = lone_chatter_.rest(landing, end_of_chatter_.fastest_return(open, piece.at(offset_)));

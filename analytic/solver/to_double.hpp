@@ -22,7 +22,7 @@ History to_double(const BasicHistory<Real>& history) {
   for (const BasicEvent<Real>& event : history.events)
     result.events.push_back({number(event.time), event.kind, event.interface, event.from, event.to,
                              in_double(event.angles), in_double(event.before), in_double(event.after),
-                             event.consistency});
+                             event.consistency, event.count});
   for (const BasicGraze<Real>& graze : history.grazes)
     result.grazes.push_back({number(graze.time), graze.kind, graze.interface});
   for (const BasicGraze<Real>& choice : history.choices)

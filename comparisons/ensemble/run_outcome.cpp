@@ -45,9 +45,10 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
     outcome.peak_ratio =
         std::max(outcome.peak_ratio, outcome.peaks[k] / slenderness(scene, static_cast<int>(k)));
   }
-  outcome.events = history.events.size();
-  outcome.impacts =
-      static_cast<std::size_t>(std::count_if(history.events.begin(), history.events.end(), is_impact));
+  for (const Event& event : history.events) {
+    outcome.events += event.count;
+    if (is_impact(event)) outcome.impacts += event.count;
+  }
   if (!history.events.empty()) {
     const Event& last = history.events.back();
     outcome.last_event_time = last.time;

@@ -33,7 +33,7 @@ class Bits {
     for (const Event& event : history.events) {
       add(event.time);
       text_ << name(event.kind) << ' ' << event.interface << ' ' << name(event.from) << ' ' << name(event.to)
-            << ' ' << name(event.consistency) << ' ';
+            << ' ' << name(event.consistency) << ' ' << event.count << ' ';
       for (const auto* numbers : {&event.angles, &event.before, &event.after}) add(*numbers);
     }
     for (const BasicGraze<double>& graze : history.grazes) {

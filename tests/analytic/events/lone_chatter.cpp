@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "analytic/solver/solver.hpp"
 #include "tests/analytic/solver/stacks.hpp"
@@ -40,6 +41,12 @@ double most_apart(const std::vector<Real>& some, const std::vector<Real>& others
   return static_cast<double>(most);
 }
 
+/// All events, each by itself.
+std::size_t counted(const BasicHistory<Real>& history) {
+  return std::accumulate(history.events.begin(), history.events.end(), std::size_t{0},
+                         [](std::size_t sum, const auto& event) { return sum + event.count; });
+}
+
 /// Events that are no impacts in between.
 std::vector<BasicEvent<Real>> turns(const BasicHistory<Real>& history) {
   std::vector<BasicEvent<Real>> kept;
@@ -67,7 +74,7 @@ TEST(LoneChatter, SummedUpItLeadsToTheMotionThatAllItsImpactsLeadTo) {
       EXPECT_EQ(found_turns[i].to, expected_turns[i].to) << seed;
     }
     all += ended.events.size();
-    summed += found.events.size();
+    summed += counted(found);
   }
   EXPECT_LT(summed, all * 4 / 5) << "there must be chatter to sum up";
 }
@@ -93,9 +100,39 @@ TEST(LoneChatter, SummedUpItAsksOfInterfacesWhatAllItsImpactsDo) {
       near(found.impulses[k].least_normal, expected.impulses[k].least_normal, momentum);
     }
     all += expected.events.size();
-    summed += found.events.size();
+    summed += counted(found);
   }
   EXPECT_LT(summed, all);
+}
+
+// Of a coarse resolution no chatter is summed up, so that the events are those that are kept one by one.
+TEST(LoneChatter, AnEventStandsForTheImpactsInARowThatItCounts) {
+  std::size_t all = 0, summed = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const Scene scene = chattering_scene(seed);
+    const auto each = solved(scene, {}, EventsKept::all, 1e-9).events;
+    const auto rows = solved(scene, {}, EventsKept::summed, 1e-9).events;
+    auto event = each.begin();
+    for (const auto& row : rows) {
+      ASSERT_LE(row.count, static_cast<std::size_t>(each.end() - event)) << seed;
+      EXPECT_EQ(row.from, event->from) << seed;
+      Pattern pattern = row.from;
+      for (std::size_t i = 0; i < row.count; ++i, ++event) {
+        EXPECT_EQ(event->kind, row.kind) << seed;
+        EXPECT_EQ(event->interface, row.interface) << seed;
+        EXPECT_EQ(event->consistency, row.consistency) << seed;
+        if (row.count == 1) continue;
+        pattern[row.interface - 1] = opposite(pattern[row.interface - 1]);
+        EXPECT_EQ(event->to, pattern) << seed;
+      }
+      EXPECT_EQ(row.time, std::prev(event)->time) << seed;
+      EXPECT_EQ(row.to, std::prev(event)->to) << seed;
+    }
+    EXPECT_EQ(event, each.end()) << seed;
+    all += each.size();
+    summed += rows.size();
+  }
+  EXPECT_LT(summed, all * 4 / 5) << "there must be chatter";
 }
 
 // Just after the base has come to rest under the top. The cost is measured, so that it comes near the bound:
