@@ -105,7 +105,8 @@ class SpringContacts {
         break;
       case SpringChange::part:
         point.slide = 0;
-        point.press = law.damping > 0 && !is_at_face(point, bodies) ? Press::left_behind : Press::off;
+        // However shallow a depth is, its spring is left behind: taken for zero, it would touch at once.
+        point.press = law.damping > 0 && !point.at_face ? Press::left_behind : Press::off;
         (point.press == Press::off ? point.at_face : point.at_no_force) = true;
         break;
       case SpringChange::leave:
