@@ -41,8 +41,8 @@ class StepKernel {
   void make_step() {
     const Real busy = load(rows_.busy);
     if (!any(busy > Real(0))) return;
-    const Linkage<Real, N> linkage = load_linkage<Real, N>(rows_, lane_);
     const typename Chain::Directions directions = load_start();
+    const Linkage<Real, N> linkage = make_linkage(load_stack<Real, N>(rows_, lane_), start_.sides);
     bool watched = false;
     for (const LaneRow& row : rows_.watched) watched = watched || any(load(row) > Real(0));
     body_force_ = load_body_force<Real>(rows_, lane_);

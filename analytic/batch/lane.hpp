@@ -134,25 +134,24 @@ class Lane {
     rows.tolerance[lane] = solver_.steps().tolerance();
     rows.rate[lane] = solver_.steps().rate();
     rows.rounding[lane] = solver_.recorder().rounding();
+    const Stack<double, blocks>& stack = solver_.model().stack;
     for (std::size_t k = 0; k < N; ++k) {
+      const auto block = static_cast<int>(k);
+      rows.half_width[k][lane] = stack.half_width[block];
+      rows.half_height[k][lane] = stack.half_height[block];
+      rows.mass[k][lane] = stack.mass[block];
+      rows.inertia[k][lane] = stack.inertia[block];
+      rows.centre_x[k][lane] = stack.centre_x[block];
+      rows.centre_y[k][lane] = stack.centre_y[block];
       rows.toppling[k][lane] = solver_.toppling_angles()[k];
-      rows.face[k][lane] = solver_.model().stack.overhangs[k] ? 1 : 0;
+      rows.face[k][lane] = stack.overhangs[k] ? 1 : 0;
     }
   }
 
   void describe_pattern(StepRows<N>& rows, std::size_t lane) {
-    const Linkage<double, blocks>& linkage = solver_.linkage();
     const Pattern& pattern = solver_.state().pattern;
     const Interfaces watched = solver_.ties().may_open(solver_.state());
     for (std::size_t k = 0; k < N; ++k) {
-      rows.moment_x[k][lane] = linkage.moment_x[k];
-      rows.moment_y[k][lane] = linkage.moment_y[k];
-      rows.link_x[k][lane] = linkage.link_x[k];
-      rows.link_y[k][lane] = linkage.link_y[k];
-      rows.inertia[k][lane] = linkage.inertia[k];
-      rows.mass[k][lane] = linkage.mass[k];
-      rows.width[k][lane] = linkage.width[k];
-      rows.free[k][lane] = linkage.free[k];
       rows.side[k][lane] = sign(pattern[static_cast<int>(k)]);
       rows.watched[k][lane] = watched.test(k) ? 1 : 0;
     }

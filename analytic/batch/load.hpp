@@ -12,21 +12,20 @@ Real load(const LaneRow& row, std::size_t lane) {
   return Real::load(row.lanes.data() + lane);
 }
 
+/// Without what overhangs.
 template <class Real, int N>
-Linkage<Real, N> load_linkage(const StepRows<static_cast<std::size_t>(N)>& rows, std::size_t lane) {
-  Linkage<Real, N> linkage;
-  linkage.blocks = N;
-  for (std::size_t k = 0; k < linkage.size(); ++k) {
-    linkage.moment_x[k] = load<Real>(rows.moment_x[k], lane);
-    linkage.moment_y[k] = load<Real>(rows.moment_y[k], lane);
-    linkage.link_x[k] = load<Real>(rows.link_x[k], lane);
-    linkage.link_y[k] = load<Real>(rows.link_y[k], lane);
-    linkage.inertia[k] = load<Real>(rows.inertia[k], lane);
-    linkage.mass[k] = load<Real>(rows.mass[k], lane);
-    linkage.width[k] = load<Real>(rows.width[k], lane);
-    linkage.free[k] = load<Real>(rows.free[k], lane);
+Stack<Real, N> load_stack(const StepRows<static_cast<std::size_t>(N)>& rows, std::size_t lane) {
+  Stack<Real, N> stack;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(N); ++k) {
+    const auto block = static_cast<int>(k);
+    stack.half_width[block] = load<Real>(rows.half_width[k], lane);
+    stack.half_height[block] = load<Real>(rows.half_height[k], lane);
+    stack.mass[block] = load<Real>(rows.mass[k], lane);
+    stack.inertia[block] = load<Real>(rows.inertia[k], lane);
+    stack.centre_x[block] = load<Real>(rows.centre_x[k], lane);
+    stack.centre_y[block] = load<Real>(rows.centre_y[k], lane);
   }
-  return linkage;
+  return stack;
 }
 
 template <class Real, std::size_t N>

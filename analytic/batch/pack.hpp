@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <xsimd/xsimd.hpp>
 
@@ -71,3 +72,9 @@ struct NumberIn<Pack<Set>> {
 };
 
 }  // namespace rockstack
+
+/// Vectors of packs go number by number.
+template <class Set>
+struct Eigen::NumTraits<rockstack::Pack<Set>> : Eigen::GenericNumTraits<rockstack::Pack<Set>> {
+  using Literal = double;
+};

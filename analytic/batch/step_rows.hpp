@@ -33,11 +33,11 @@ struct StepRows {
   LaneRow busy;         ///< whether there is a step to make
   // of a scene
   LaneRow tolerance, rate, rounding;
-  PerBlock<LaneRow> toppling;  ///< angle, rad
-  PerBlock<LaneRow> face;      ///< whether forces are measured along the upper block's face
+  PerBlock<LaneRow> half_width, half_height, mass, inertia, centre_x, centre_y;  ///< of the stack
+  PerBlock<LaneRow> toppling;                                                    ///< angle, rad
+  PerBlock<LaneRow> face;  ///< whether forces are measured along the upper block's face
   // of a pattern
-  PerBlock<LaneRow> moment_x, moment_y, link_x, link_y, inertia, mass, width, free;  ///< linkage
-  PerBlock<LaneRow> side;                                                            ///< sign of the contact
+  PerBlock<LaneRow> side;     ///< sign of the contact
   PerBlock<LaneRow> watched;  ///< whether a closed interface may open
   LaneRow clear;              ///< whether there are no ties
   // of what is known

@@ -26,8 +26,9 @@ struct Linkage {
   std::size_t size() const { return static_cast<std::size_t>(N == Eigen::Dynamic ? blocks : N); }
 };
 
-template <class Real, int N>
-Linkage<Real, N> make_linkage(const Stack<Real, N>& stack, const Pattern& pattern) {
+/// `pattern` as side() takes it.
+template <class Real, int N, class Sides>
+Linkage<Real, N> make_linkage(const Stack<Real, N>& stack, const Sides& pattern) {
   Linkage<Real, N> linkage;
   linkage.blocks = stack.size();
   Real above = 0;  // mass, kg
@@ -35,7 +36,8 @@ Linkage<Real, N> make_linkage(const Stack<Real, N>& stack, const Pattern& patter
   for (std::size_t k = linkage.size(); k-- > 0;) {
     const auto block = static_cast<int>(k);
     const Real mass = stack.mass[block];
-    const Real pivot = Real(sign(pattern[block])) * stack.half_width[block];
+    const Real pivots = side<Real>(pattern, block);
+    const Real pivot = pivots * stack.half_width[block];
     const Real height = stack.half_height[block];
     const Real link = next - pivot;
     const Real centre_x = stack.centre_x[block] - pivot;
@@ -49,7 +51,7 @@ Linkage<Real, N> make_linkage(const Stack<Real, N>& stack, const Pattern& patter
     above += mass;
     linkage.mass[k] = above;
     linkage.width[k] = stack.half_width[block];
-    linkage.free[k] = pattern[block] == Contact::closed ? Real(0) : Real(1);
+    linkage.free[k] = pivots * pivots;
     next = pivot;
     if (!stack.small_angles) continue;
     linkage.lever[k] = linkage.moment_x[k];

@@ -94,6 +94,17 @@ int face(const Stack<Real, N>& stack, int interface) {
   return stack.overhangs[static_cast<std::size_t>(interface)] ? interface : interface - 1;
 }
 
+/// The side that an interface pivots about, 1 to the right, −1 to the left, 0 where it is closed; from a
+/// pattern, or from the sides themselves.
+template <class Real>
+Real side(const Pattern& pattern, int interface) {
+  return Real(sign(pattern[interface]));
+}
+template <class Real, std::size_t Blocks>
+Real side(const std::array<Real, Blocks>& sides, int interface) {
+  return sides[static_cast<std::size_t>(interface)];
+}
+
 /// The stack as a chain of pivots: block k hangs between the pivot of interface k and that of interface k+1.
 /// A closed interface has its reference point in its middle. m.
 template <class Real, int N = Eigen::Dynamic>
