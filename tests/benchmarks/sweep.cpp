@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 
+#include "analytic/scene/ground/synthetic.hpp"
 #include "analytic/solve_batch.hpp"
 #include "comparisons/ensemble/run_outcome.hpp"
 #include "comparisons/ensemble/sweep.hpp"
@@ -49,6 +50,16 @@ void sweep_of_two_blocks(benchmark::State& state) {
   state.counters["ms_per_run_of_one_thread"] = 1e3 * one / static_cast<double>(run_count(ensemble));
 }
 BENCHMARK(sweep_of_two_blocks)->Arg(0)->Arg(9)->Arg(6)->Iterations(5)->Unit(benchmark::kMillisecond);
+
+/// What a run pays besides where it has a synthetic motion of its own.
+void making_a_motion(benchmark::State& state) {
+  SyntheticMotion motion{.peak = 1};
+  for ([[maybe_unused]] auto round : state) {
+    ++motion.seed;
+    benchmark::DoNotOptimize(make_synthetic(motion).samples.data());
+  }
+}
+BENCHMARK(making_a_motion)->Unit(benchmark::kMillisecond);
 
 /// Solves scenes on one core, s.
 double seconds(const std::vector<Scene>& scenes, const SolveOptions& options, InstructionSet set) {

@@ -1,6 +1,7 @@
 #include "analytic/scene/ground/synthetic.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -51,14 +52,24 @@ std::vector<Wave> waves(const SyntheticMotion& motion) {
   return result;
 }
 
-/// Adds amplitude.first cos + amplitude.second sin at every sample, one turn of the plane a sample.
-void add(std::vector<double>& samples, double angle, NormalPair amplitude) {
-  const double cosine = std::cos(angle);
-  const double sine = std::sin(angle);
+/// TurningWaves whose planes turn side by side: one alone would wait for its last turn.
+struct TurningWaves {
+  static constexpr std::size_t size = 6;
+  using Numbers = std::array<double, size>;
+  Numbers cosines{}, sines{};  ///< of a turn
+  Numbers first{}, second{};   ///< amplitudes
+};
+
+/// Adds first cos + second sin of each wave, one after the other, at every sample: one turn a sample.
+void add(std::vector<double>& samples, TurningWaves waves) {
+  auto& [cosines, sines, first, second] = waves;
   for (double& sample : samples) {
-    sample += amplitude.first;
-    amplitude = {amplitude.first * cosine + amplitude.second * sine,
-                 amplitude.second * cosine - amplitude.first * sine};
+    for (const double height : first) sample += height;
+    for (std::size_t k = 0; k < TurningWaves::size; ++k) {
+      const double turned = first[k] * cosines[k] + second[k] * sines[k];
+      second[k] = second[k] * cosines[k] - first[k] * sines[k];
+      first[k] = turned;
+    }
   }
 }
 
@@ -130,10 +141,19 @@ double synthetic_envelope(const SyntheticMotion& motion, double t) {
 std::vector<double> modulated_noise(const SyntheticMotion& motion) {
   std::mt19937_64 generator(motion.seed);
   std::vector<double> samples(intervals(motion) + 1);
-  for (const Wave& wave : waves(motion)) {
-    const auto [first, second] = draw_normal(generator);
-    add(samples, two_pi * wave.frequency * motion.interval,
-        {wave.deviation * first, wave.deviation * second});
+  const std::vector<Wave> all = waves(motion);
+  for (std::size_t start = 0; start < all.size(); start += TurningWaves::size) {
+    TurningWaves group;
+    for (std::size_t k = 0; k < std::min(TurningWaves::size, all.size() - start); ++k) {
+      const Wave& wave = all[start + k];
+      const auto [first, second] = draw_normal(generator);
+      const double angle = two_pi * wave.frequency * motion.interval;
+      group.cosines[k] = std::cos(angle);
+      group.sines[k] = std::sin(angle);
+      group.first[k] = wave.deviation * first;
+      group.second[k] = wave.deviation * second;
+    }
+    add(samples, group);
   }
   for (std::size_t i = 0; i < samples.size(); ++i) {
     samples[i] *= synthetic_envelope(motion, motion.interval * static_cast<double>(i));
