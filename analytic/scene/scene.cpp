@@ -279,10 +279,10 @@ void validate(const Scene& scene) {
   validate_off_middle(scene);
   validate_restitution(scene);
   validate_law(scene);
+  validate_initial(scene);
   validate_springs(scene);
   validate_friction(scene.friction, scene.blocks.size());
   validate_inclination(scene);
-  validate_initial(scene);
   validate(scene.horizontal, "ground.horizontal");
   validate(scene.vertical, "ground.vertical");
   validate_duration(scene);

@@ -90,6 +90,12 @@ TEST(SceneErrors, AnInterfaceHasCornerSpringsOrABed) {
   EXPECT_EQ(contact("stiffness = [inf, 1e8]\nbed_stiffness = [1e7, 1e9]"),
             "scene.toml:15: contact.bed_stiffness.2 = 1e+09: must be inf where contact.stiffness is not: an "
             "interface has springs at corners or a bed");
+  for (const std::string angles : {"", "0.1"})
+    EXPECT_EQ(error_of("law = \"compliant\"\n" +
+                       with_line(11, "angles = [" + angles + "]\nsprings = \"unloaded\"") +
+                       "[contact]\nbed_stiffness = 1e9\n"),
+              "scene.toml:12: initial.angles = an array of " + std::to_string(angles.empty() ? 0 : 1) +
+                  ": must be as long as there are blocks, 2");
   EXPECT_EQ(contact("bed_stiffness = [0, 1e8]"),
             "scene.toml:14: contact.bed_stiffness.1 = 0: must be a number from 1e-20 to 1e+20");
   EXPECT_EQ(contact("bed_damping = [0, -1]"),
