@@ -8,8 +8,13 @@ namespace rockstack {
 
 std::vector<double> energies(const Scene& scene, const History& history) {
   const Stack<double> stack = make_stack<double>(scene);
-  const double at_rest = energy_scale(scene);
   const Gravity gravity = gravity_of(scene);
+  double at_rest = 0, height = 0;
+  for (const Block& block : scene.blocks) {
+    at_rest += block.mass * (gravity.across * (height + block.half_height + block.offset_y) -
+                             gravity.along * block.offset_x);
+    height += 2 * block.half_height;
+  }
   std::vector<double> list;
   list.reserve(history.size());
   for (std::size_t i = 0; i < history.size(); ++i) {
@@ -29,7 +34,7 @@ std::vector<double> energies(const Scene& scene, const History& history) {
 double energy_scale(const Scene& scene) {
   double sum = 0, height = 0;
   for (const Block& block : scene.blocks) {
-    sum += block.mass * scene.gravity * (height + block.half_height);
+    sum += block.mass * scene.gravity * (height + block.half_height + block.offset_y);
     height += 2 * block.half_height;
   }
   return sum;

@@ -25,16 +25,24 @@ TEST(Energy, OfTheExactMotionIsConstantBetweenImpactsAndNeverRises) {
 }
 
 TEST(Energy, IsZeroAtRestUpright) {
-  Scene scene = free_rocking(3);
-  scene.initial.angles = {0, 0};
-  scene.duration = 0.1;
-  const History history = solve(scene, {.sample_times = {0, 0.1}});
-  for (const double energy : energies(scene, history)) EXPECT_NEAR(energy, 0, 1e-12 * energy_scale(scene));
+  Scene upright = free_rocking(3);
+  upright.initial.angles = {0, 0};
+  upright.duration = 0.1;
+  Scene inclined = upright;
+  inclined.inclination = 0.1;
+  Scene uneven = inclined;
+  uneven.blocks[1].offset_x = 0.1;
+  uneven.blocks[1].offset_y = 0.2;
+  for (const Scene& scene : {upright, inclined, uneven}) {
+    const History history = solve(scene, {.sample_times = {0, 0.1}});
+    for (const double energy : energies(scene, history)) EXPECT_NEAR(energy, 0, 1e-12 * energy_scale(scene));
+  }
 }
 
 // Both sides count from the same zero: an engine starts with the exact solution's energy.
 TEST(Energy, EnginesStartWithThatOfTheExactSolution) {
-  const Scene scene = free_rocking(3);
+  Scene scene = free_rocking(3);
+  scene.inclination = 0.2;
   const History start = solve(scene, {.sample_times = {0}});
   for (const WorkerEngine& engine : engines()) {
     Scene brief = scene;
