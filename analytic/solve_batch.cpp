@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 #include "analytic/batch/kernels.hpp"
 #include "analytic/batch/lane.hpp"
@@ -50,6 +51,7 @@ class Lanes {
     attempt(lane, [&] {
       validate(run.scene);
       run.lane.emplace(run.scene, options_);
+      stop_if_unwanted(options_.unwanted);
       return run.lane->start(rows_, lane);
     });
   }
@@ -68,7 +70,11 @@ class Lanes {
   void advance_all() {
     make_steps_(rows_);
     for (std::size_t lane = 0; lane < batch_lanes; ++lane) {
-      if (runs_[lane]) attempt(lane, [&] { return runs_[lane]->lane->advance(rows_, lane); });
+      if (!runs_[lane]) continue;
+      attempt(lane, [&] {
+        stop_if_unwanted(options_.unwanted);
+        return runs_[lane]->lane->advance(rows_, lane);
+      });
     }
   }
 
@@ -81,6 +87,9 @@ class Lanes {
       ending = Ending{std::move(*runs_[lane]->lane).history(), nullptr};
     } catch (const IllConditioned&) {
       ending = alone(runs_[lane]->scene, options_);  // in wider numbers
+    } catch (const std::runtime_error& failure) {
+      const Unfinished unfinished(failure.what(), runs_[lane]->lane->so_far(rows_, lane));
+      ending = Ending{{}, std::make_exception_ptr(unfinished)};
     } catch (const std::exception&) {
       ending = Ending{{}, std::current_exception()};
     }
@@ -165,7 +174,8 @@ const std::vector<InstructionSet>& instruction_sets() {
 
 void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveOptions& options,
                  const Deliver& deliver, InstructionSet set) {
-  const StepKernels* const made_by = fits(options) ? kernels(set) : nullptr;
+  const StepKernels* const side_by_side = kernels(set);
+  const StepKernels* const made_by = fits(options) ? side_by_side : nullptr;
   const OneByOne others(options, deliver);
   std::size_t number = 0;
   if (made_by == nullptr) {

@@ -25,7 +25,8 @@ class Lane {
 
   /// Goes along the step that was asked for, and on up to the next; likewise. @throws as Solver::run().
   bool advance(StepRows<N>& rows, std::size_t lane) {
-    // Never just after an opening: from zero and at rest, no bound clears the angle.
+    // No step is plain just after an opening: from zero and at rest, no bound clears the angle. So the
+    // pattern that the rows have is that of the next step.
     const bool plain = rows.plain[lane] > 0;
     const bool same = plain && clear_;
     if (plain) {
@@ -42,6 +43,11 @@ class Lane {
     return true;
   }
 
+  /// Of a motion that cannot go on, what is known of it.
+  const History& so_far(const StepRows<N>& rows, std::size_t lane) {
+    arrive(rows, lane);
+    return solver_.recorder().so_far();
+  }
   History history() && { return std::move(solver_).history(); }
 
  private:

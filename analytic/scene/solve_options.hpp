@@ -36,7 +36,7 @@ struct SolveOptions {
   EventsKept events = EventsKept::all;
   /// Whether to keep the demands on each interface, along whole steps; of rk4 at their starts.
   bool validity = false;
-  /// Whether to keep the largest angle of each block, and under law unilateral its slip and its lift.
+  /// Whether to keep the largest angle of each block, and under laws that leave pivots its slip and its lift.
   bool peaks = false;
   /// Chatter ends where a flight would stay below it, rad, ≥ 0; 0: the rounding of 1.
   double resolution = 0;
@@ -44,8 +44,7 @@ struct SolveOptions {
   double tolerance = 0;
   /// Of rk4: the longest step, s, > 0.
   double step = 2e-4;
-  /// Asked before every step: true ends the motion, which throws Stopped; null: none. Batches of scenes pass
-  /// it over.
+  /// Asked before every step: true ends the motion, which throws Stopped; null: none.
   const std::function<bool()>* unwanted = nullptr;
 };
 
@@ -56,5 +55,8 @@ inline void stop_if_unwanted(const std::function<bool()>* unwanted) {
 
 /// @throws std::invalid_argument for what is out of range, with its name, value and range.
 void validate(const SolveOptions& options);
+
+/// @throws std::invalid_argument for times in s that are not finite, ≥ 0 and ascending.
+void validate_sample_times(const std::vector<double>& times);
 
 }  // namespace rockstack

@@ -69,10 +69,9 @@ class ContactRecorder {
 
   void note_event(BasicContactEvent<Real> event) { history_.events.push_back(std::move(event)); }
 
-  /// A sample at the end of the scene.
+  /// The samples at the end of the scene.
   void note_rest(const ContactState<Real>& state, const SpringContacts<Real>& springs, double duration) {
-    if (sample_due() && options_.sample_times[next_sample_] <= duration * (1 + 1e-12))
-      note_sample(state, springs);
+    while (sample_due() && options_.sample_times[next_sample_] <= duration) note_sample(state, springs);
   }
 
   /// The motion up to where it has come.

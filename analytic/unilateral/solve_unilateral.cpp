@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analytic/scene/solve_options.hpp"
 #include "analytic/unilateral/contact_solver.hpp"
 #include "analytic/unilateral/contacts_in_double.hpp"
 
@@ -12,6 +13,7 @@ template <class Real>
 BasicContactHistory<Real> solve_contacts(const Scene& scene, const ContactOptions& options) {
   validate(scene);
   if (!(options.resolution >= 0)) throw std::invalid_argument("resolution: must be ≥ 0");
+  validate_sample_times(options.sample_times);
   ContactSolver<Real> solver(scene, options);
   try {
     solver.run();

@@ -49,18 +49,22 @@ class Bits {
   std::ostringstream text_;
 };
 
-/// A history by its bits, or why there is none.
-std::string answer(const History& history, const std::exception_ptr& failure) {
-  if (failure) {
-    try {
-      std::rethrow_exception(failure);
-    } catch (const std::exception& error) {
-      return error.what();
-    }
-  }
+std::string bits_of(const History& history) {
   Bits bits;
   bits.add(history);
   return bits.text();
+}
+
+/// A history by its bits, or why there is none, and what is known of it then.
+std::string answer(const History& history, const std::exception_ptr& failure) {
+  if (!failure) return bits_of(history);
+  try {
+    std::rethrow_exception(failure);
+  } catch (const Unfinished& error) {
+    return error.what() + bits_of(error.history);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
 }
 
 std::string alone(const Scene& scene, const SolveOptions& options) {
@@ -169,6 +173,21 @@ TEST_P(Batch, AFailingSceneCostsItsOwnAnswerAlone) {
   scenes[14] = released({block(1, 1), block(1e-7, 1e-7)}, {0.1, 0.05}, 1);
   expect_the_bits_of_each_alone(scenes, {.validity = true, .peaks = true, .tolerance = 1e-6});
   expect_the_bits_of_each_alone(scenes, {.tolerance = -1});
+}
+
+TEST_P(Batch, OfAMotionThatCannotGoOnItTellsWhatIsKnown) {
+  // Without a resolution a slender block chatters too long.
+  const Scene slender = released({block(0.1, 2)}, {1e-6}, 2);
+  const SolveOptions options{.peaks = true, .resolution = 1e-100};
+  EXPECT_THROW(solve(slender, options), Unfinished);
+  Scene pair = released({block(0.1, 1), block(0.1, 1)}, {1e-6, 1e-6}, 2);
+  expect_the_bits_of_each_alone({slender, pair, slender}, options);
+}
+
+TEST_P(Batch, EndsWhatIsUnwanted) {
+  const std::function<bool()> unwanted = [] { return true; };
+  for (const std::string& text : together(mixed_scenes(500, 12), {.unwanted = &unwanted}, GetParam()))
+    EXPECT_EQ(text, Stopped().what());
 }
 
 TEST_P(Batch, WhatItsSourceAndItsTakerThrowGoesThrough) {

@@ -30,6 +30,16 @@ double rounding(const Scene& scene, const Bodies& bodies) {
   return 100 * std::numeric_limits<double>::epsilon() * energy(scene, bodies);
 }
 
+TEST(ContactLaws, SamplesAreThoseThatAreAskedFor) {
+  const Scene scene = with_friction(testing::single(1, 2, 0.5), 0.4);
+  const std::vector<double> times{0, 0.2, 0.2, 0.5, 0.5};
+  const ContactHistory history = solve_unilateral(scene, {.sample_times = times});
+  ASSERT_EQ(history.samples.size(), times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_EQ(history.samples[i].time, times[i]);
+  for (const std::vector<double>& wrong : {std::vector<double>{-1}, {0.3, 0.2}, {std::nan("")}})
+    EXPECT_THROW(solve_unilateral(scene, {.sample_times = wrong}), std::invalid_argument);
+}
+
 void expect_no_event_to_add_energy(const Scene& scene, const ContactHistory& history, std::uint64_t seed) {
   for (const ContactEvent& event : history.events) {
     const Bodies before{event.at, event.before};
