@@ -1,5 +1,7 @@
 #include "comparisons/ensemble/ensemble.hpp"
 
+#include <algorithm>
+
 #include "analytic/scene/input/overrides.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/results/build.hpp"
@@ -43,6 +45,12 @@ void describe_records(const SceneDocument& document, MotionLibrary& library, std
 
 }  // namespace
 
+bool Variation::is_record(const Value& value) const {
+  return value.node.kind == Node::Kind::text &&
+         std::any_of(keys.begin(), keys.end(),
+                     [](const std::string& key) { return key.ends_with(".record"); });
+}
+
 std::size_t run_count(const Ensemble& ensemble) {
   std::size_t count = ensemble.samples;
   for (const Axis& axis : ensemble.axes) count *= axis.length;
@@ -80,7 +88,7 @@ std::string identity(const Ensemble& ensemble, MotionLibrary& library) {
     for (const std::string& key : variation.keys) text += key + "\n";
     for (const Value& value : variation.values) {
       text += value.text + "\n";
-      if (value.node.kind == Node::Kind::text && variation.name().ends_with(".record")) {
+      if (variation.is_record(value)) {
         describe_record(ensemble.base.folder / value.node.text, library, text);
       }
     }

@@ -26,6 +26,8 @@ struct Variation {
   std::string place;                         ///< file:line of the table
 
   const std::string& name() const { return keys.front(); }
+  /// Whether a value is a record's path, by any of the keys.
+  bool is_record(const Value& value) const;
 };
 
 /// One direction of the grid: variations that take their values in step.

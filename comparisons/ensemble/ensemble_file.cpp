@@ -80,6 +80,19 @@ void read_variations(Ensemble& ensemble, const Node& root) {
   }
 }
 
+/// What is set for all runs must not be varied too: it would be without effect.
+void require_unvaried(const Ensemble& ensemble, const std::vector<std::string>& overrides) {
+  for (const std::string& each : overrides) {
+    std::string key = each.substr(0, each.find('='));
+    std::erase(key, ' ');
+    for (const Variation& variation : ensemble.variations) {
+      if (std::find(variation.keys.begin(), variation.keys.end(), key) != variation.keys.end())
+        throw InputError(fmt::format("--set {}: must be a key that is not varied, as {} does", one_line(each),
+                                     variation.place));
+    }
+  }
+}
+
 void read_drawing(Ensemble& ensemble, const Node& root) {
   const bool draws =
       std::any_of(ensemble.variations.begin(), ensemble.variations.end(),
@@ -174,6 +187,7 @@ Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
       throw wrong_value(*tolerance, "a number from 0, for rounding, to 1e-3");
   }
   read_variations(ensemble, root);
+  require_unvaried(ensemble, overrides);
   read_drawing(ensemble, root);
   read_summary(ensemble, root);
   try_values(ensemble, library);

@@ -15,8 +15,8 @@ namespace rockstack {
 struct RunOutcome {
   std::vector<double> peaks;   ///< largest absolute angle of each block, rad
   double peak_ratio = 0;       ///< the largest of these over the block's slenderness
-  int toppled = 0;             ///< number of the block that toppled first, from 1; 0: none
-  double topple_time = 0;      ///< s, where one has toppled
+  int toppled = 0;             ///< number of the block that toppled or fell off first, from 1; 0: none
+  double topple_time = 0;      ///< s, where one has
   std::size_t impacts = 0;     ///< with those that end chatter
   std::size_t events = 0;      ///< of any kind
   double last_event_time = 0;  ///< s, where there is an event

@@ -15,14 +15,16 @@ namespace {
 const std::vector<ColumnMeaning>& outcome_columns() {
   static const std::vector<ColumnMeaning> list{
       {"peak_ratio", "largest angle over slenderness, of the block where that is largest"},
-      {"toppled", "number of the block that toppled, 0: none"},
-      {"topple_time", "when it passed its toppling angle, s; the run ends there"},
+      {"toppled", "number of the block that toppled, or fell off what it was over; 0: none"},
+      {"topple_time", "when it passed its toppling angle or fell off, s; the run ends there"},
       {"impacts", "number of impacts; one that ends chatter stands for all that would follow"},
-      {"events", "number of openings, impacts and closures"},
+      {"events", "number of events of any kind, impacts among them"},
       {"last_event_time", "time of the last event, s"},
       {"least_normal_force", "least normal force at any interface, N; negative: the stack would lift off"},
       {"force_friction", "largest friction coefficient needed between impacts"},
-      {"least_normal_impulse", "least normal impulse of any impact, N s; negative: likewise"},
+      {"least_normal_impulse",
+       "least normal impulse of any impact, but for chatter of less than a millionth of a fall's momentum, N "
+       "s; negative: likewise"},
       {"impulse_friction", "largest friction coefficient needed by impacts"},
       {"onset", "mode in which motion begins: slide, rock, slide-rock or free flight; or rest"},
       {"motion",

@@ -126,8 +126,8 @@ Variation read_variation(const Node& table, const std::filesystem::path& folder)
     variation.distribution = read_distribution(given);
   }
   for (Value& value : variation.values) {
-    const bool record = value.node.kind == Node::Kind::text && variation.name().ends_with(".record");
-    if (record) value.node.text = std::filesystem::absolute(folder / value.node.text).string();
+    if (variation.is_record(value))
+      value.node.text = std::filesystem::absolute(folder / value.node.text).string();
   }
   return variation;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -108,7 +109,10 @@ Bounds wilson_bounds(std::size_t hits, std::size_t trials) {
   return {hits == 0 ? 0 : centre - half, hits == trials ? 1 : centre + half};
 }
 
-std::optional<Fragility> fit_fragility(const std::vector<Level>& levels) {
+std::optional<Fragility> fit_fragility(const std::vector<Level>& all) {
+  std::vector<Level> levels;  // ln 0 is sure to stand, whatever the curve
+  std::copy_if(all.begin(), all.end(), std::back_inserter(levels),
+               [](const Level& level) { return level.intensity != 0 || level.toppled > 0; });
   std::vector<double> x;
   double sum = 0, squares = 0, runs = 0;
   for (const Level& level : levels) {

@@ -32,8 +32,8 @@ struct Fragility {
 
 /// The curve of greatest likelihood (Baker 2015, Earthquake Spectra 31, 579–599). None where there is none:
 /// where one intensity parts all that topple from all that do not, toppling does not grow with intensity, or
-/// an intensity is not > 0.
-std::optional<Fragility> fit_fragility(const std::vector<Level>& levels);
+/// an intensity is negative, or zero and some topple. At zero none topples of any curve.
+std::optional<Fragility> fit_fragility(const std::vector<Level>& all);
 
 double probability(const Fragility& curve, double intensity);
 

@@ -78,21 +78,43 @@ TEST(Ensemble, OneTableMaySetSeveralKeys) {
   EXPECT_EQ(scene.blocks[0].half_height, 1);
 }
 
+TEST(Ensemble, RefusesToSetWhatItVaries) {
+  const TemporaryFolder folder;
+  const auto file =
+      folder.write("ensemble.toml",
+                   "title = \"t\"\n[scene]\nduration = 1\n[[scene.blocks]]\nwidth = 1\nheight = 2\nmass = 1\n"
+                   "[[vary]]\nkey = [\"gravity\", \"duration\"]\nvalues = [1, 2]\n");
+  MotionLibrary library;
+  EXPECT_NO_THROW(read_ensemble(file, {"blocks.1.height=3"}, library));
+  for (const std::string set : {"duration=3", "gravity = 3"}) {
+    try {
+      read_ensemble(file, {set}, library);
+      FAIL() << "no error";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(),
+                "--set " + set + ": must be a key that is not varied, as " + file.string() + ":8 does");
+    }
+  }
+}
+
 TEST(Ensemble, RecordsAreRelativeToTheEnsembleFile) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "scenes");
   folder.write("scenes/scene.toml",
                "duration = 1\n[[blocks]]\nwidth = 1\nheight = 2\nmass = 1\n[ground.horizontal]\nscale = 2\n");
   folder.write("motion.txt", "# unit: m/s2\n# interval: 0.5 s\n0\n1\n0\n");
-  const auto file = folder.write("ensemble.toml",
-                                 "title = \"t\"\nscene = \"scenes/scene.toml\"\n[[vary]]\n"
-                                 "key = \"ground.horizontal.record\"\nvalues = [\"motion.txt\"]\n");
-  MotionLibrary library;
-  try {
-    const Ensemble ensemble = read_ensemble(file, {}, library);
-    EXPECT_EQ(texts(ensemble, 0), "motion.txt");
-  } catch (const InputError& error) {
-    FAIL() << error.what();
+  for (const std::string key :
+       {"\"ground.horizontal.record\"", "[\"title\", \"ground.horizontal.record\"]"}) {
+    const auto file =
+        folder.write("ensemble.toml", "title = \"t\"\nscene = \"scenes/scene.toml\"\n[[vary]]\nkey = " + key +
+                                          "\nvalues = [\"motion.txt\"]\n");
+    MotionLibrary library;
+    try {
+      const Ensemble ensemble = read_ensemble(file, {}, library);
+      EXPECT_EQ(texts(ensemble, 0), "motion.txt");
+    } catch (const InputError& error) {
+      FAIL() << error.what();
+    }
   }
 }
 

@@ -38,6 +38,12 @@ TEST(Fragility, TheCurveOfTwoLevelsGoesThroughBoth) {
   EXPECT_NEAR(curve->beta, std::log(4.0) / (2 * 0.6744897501960817), 1e-12);
   EXPECT_NEAR(probability(*curve, 1), 0.25, 1e-12);
   EXPECT_NEAR(curve->log_likelihood, 2 * (5 * std::log(0.25) + 15 * std::log(0.75)), 1e-11);
+  const auto from_zero = fit_fragility({{0, 20, 0, 0}, {1, 20, 5, 0}, {4, 20, 15, 0}});
+  ASSERT_TRUE(from_zero);
+  EXPECT_EQ(from_zero->median, curve->median);
+  EXPECT_EQ(from_zero->log_likelihood, curve->log_likelihood);
+  EXPECT_EQ(probability(*from_zero, 0), 0);
+  EXPECT_FALSE(fit_fragility({{0, 20, 1, 0}, {1, 20, 5, 0}, {4, 20, 15, 0}}));
 }
 
 TEST(Fragility, TheCurveIsTheMostLikelyOne) {
