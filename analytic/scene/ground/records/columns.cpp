@@ -43,11 +43,7 @@ void read_header(const Cursor& cursor, std::string_view line, Header& header) {
   for (const std::string_view name : names) {
     const std::string_view field = field_after(line, name);
     if (field.empty() || !is_numeric(field)) continue;
-    const std::string_view rest =
-        line.substr(static_cast<std::size_t>(field.data() - line.data()) + field.size());
-    const auto after = words(rest, ",;)");
-    if (!after.empty() && starts_with(after.front(), "ms")) cursor.fail("time step in ms: must be in s");
-    const double interval = checked_interval(cursor, number(cursor, field));
+    const double interval = read_interval(cursor, line, field);
     if (header.interval && *header.interval != interval)
       cursor.fail("names another time step than a line before");
     header.interval = interval;

@@ -38,7 +38,7 @@ Announced read_announcement(const Cursor& cursor, std::string_view line) {
     interval = fields[1];
   }
   if (interval.empty()) cursor.fail("NPTS without DT: the time step is missing");
-  return {count(cursor, values), checked_interval(cursor, number(cursor, interval))};
+  return {count(cursor, values), read_interval(cursor, line, interval)};
 }
 
 /// Some copies end with "*** End Data ***"; overflown values are asterisks too, but alone.

@@ -30,6 +30,11 @@ TEST(PeerRecord, TimeStepNeedNotBeRound) {
   EXPECT_DOUBLE_EQ(read_text(peer_text(made_up_samples(), "19", ".0066")).interval, 0.0066);
 }
 
+TEST(PeerRecord, TimeStepIsInSeconds) {
+  const std::string text = peer_text(made_up_samples());
+  EXPECT_EQ(error_of_text(with(text, "0.005 SEC", "5 MSEC")), "file:4: time step in ms: must be in s");
+}
+
 TEST(PeerRecord, ReadsTheOlderOrderOfCountAndStep) {
   const std::string text = with_line(peer_text(made_up_samples()), 4, "   19    0.0050    NPTS, DT");
   expect_record(read_text(text), "PEER AT2", 0.005, g, made_up_samples());
