@@ -27,7 +27,7 @@ class Unfinished : public std::runtime_error {
 History solve(const Scene& scene, const SolveOptions& options = {});
 
 /// 0, interval, 2 interval, … up to and including the duration (to within a millionth of the interval). s.
-/// @throws std::invalid_argument for an interval that is not > 0, or gives more than 10⁸ samples.
+/// @throws std::invalid_argument for an interval that is not > 0, or gives more than 10⁷ samples.
 std::vector<double> regular_times(double interval, double duration);
 
 }  // namespace rockstack

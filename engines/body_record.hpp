@@ -32,8 +32,8 @@ std::vector<double> elastic_energy(const BodyRecord& record);
 
 /// What an engine made of a scene, as the exact solver would tell it.
 struct EngineRun {
-  /// The state at t = 0 and after every step; ends early where a block has toppled. Of law `unilateral` with
-  /// slips, gaps (negative: overlap) and places, whether or not the blocks touch.
+  /// The state at t = 0 and after every step; ends early where a block has toppled. Of laws that leave pivots
+  /// with slips, gaps (negative: overlap) and places, whether or not the blocks touch.
   History history;
   std::size_t warnings = 0;          ///< as Simulation::warnings()
   std::optional<BodyRecord> bodies;  ///< where asked for

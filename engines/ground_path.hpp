@@ -6,8 +6,8 @@
 namespace rockstack {
 
 /// The ground's displacement under a scene's accelerations, from rest at t = 0, step by step: their double
-/// integral, exact for straight lines between samples and by Gauss's rule with five points, so to rounding,
-/// for pulses.
+/// integral, exact for straight lines between samples and by Gauss's rule with five points for pulses: to
+/// rounding for steps of up to a fifth of their period.
 class GroundPath {
  public:
   /// Precondition: dt > 0, in s.

@@ -31,9 +31,8 @@ class StallGuard {
       burst_events_ = 0;
     }
     if (++burst_events_ <= most_) return;
-    throw std::runtime_error(std::to_string(most_) + " events within " + text(window_) +
-                             " s after t = " + text(burst_start_) +
-                             " s: interfaces chatter inside each other's chatter, and no end is in sight");
+    throw std::runtime_error(std::to_string(most_) + " events within " + text(window_) + " s after t = " +
+                             text(burst_start_) + " s: impacts follow each other, and no end is in sight");
   }
 
  private:

@@ -17,7 +17,7 @@ enum class EventKind {
   closure,  ///< the last of ever smaller impacts: the interface stays closed
   rest,     ///< a closure after which no interface is open
   topple,   ///< a block passes its toppling angle; the history ends
-  // Law `unilateral` alone:
+  // Of laws that leave pivots (leaves_pivots()) alone:
   lift_off,  ///< blocks part, without impact
   slip,      ///< what stuck starts to slide
   stick,     ///< what slid sticks, or slides back
@@ -40,9 +40,9 @@ inline bool ends_motion(EventKind kind) {
 enum class Consistency {
   consistent,  ///< the chosen pattern is the consistent one (or no impact took place)
   other,       ///< another pattern would have been consistent
-  none,        ///< no pattern is: the blocks would have to lift off; or, of law `unilateral`, no forces let
-               ///< the motion go on, and an impulse does (Painlevé)
-  several,     ///< of law `unilateral`: more than one motion obeys all laws, and one of them follows
+  none,        ///< no pattern is: the blocks would have to lift off; or, of laws that leave pivots, no forces
+               ///< let the motion go on, and an impulse does (Painlevé)
+  several,     ///< of laws that leave pivots: more than one motion obeys all laws, and one of them follows
 };
 
 std::string name(Consistency consistency);
@@ -115,7 +115,7 @@ struct BasicHistory {
   /// Openings under tension: either side would do as well, and the one that was taken is as good as the
   /// other.
   std::vector<BasicGraze<Real>> choices;
-  // Of law `unilateral`, where angles do not tell where blocks are; else empty. Row by row as angles.
+  // Of laws that leave pivots, where angles do not tell where blocks are; else empty. Row by row as angles.
   std::vector<Real> slips;  ///< how far each block has slipped to the right along what is below it, m
   std::vector<Real> gaps;   ///< between each block and what is below it, m; infinite over nothing
   /// Centres of mass, x and y in turn, from the middle of the ground's interface, m, and their rates, m/s.
@@ -123,8 +123,8 @@ struct BasicHistory {
   std::vector<BasicReaction<Real>> reactions;            ///< times.size() × blocks
   std::vector<BasicSpringEnergy<Real>> spring_energies;  ///< likewise, of law `compliant`; else empty
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
-  /// Of law `unilateral`, with peaks: how far each block has slipped in the end, and how far it was from what
-  /// is below it at most, m.
+  /// Of laws that leave pivots, with peaks: how far each block has slipped in the end, and how far it was
+  /// from what is below it at most, m.
   std::vector<Real> slips_left, lifts;
   std::vector<BasicDemand<Real>> forces;    ///< one an interface, of the motion; empty unless asked for
   std::vector<BasicDemand<Real>> impulses;  ///< likewise, of the impacts

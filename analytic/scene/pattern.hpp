@@ -11,7 +11,7 @@ namespace rockstack {
 inline constexpr int max_blocks = 32;
 
 /// How an interface touches: closed (along its whole width), or open with the pivot at its left or right end;
-/// or, under law `unilateral`, not at all.
+/// or, under laws that leave pivots (leaves_pivots()), not at all.
 enum class Contact : std::int8_t { left = -1, closed = 0, right = 1, apart = 2 };
 
 inline int sign(Contact contact) {

@@ -144,8 +144,9 @@ double toppling_angle(const Scene& scene, int block);
 void validate(const GroundMotion& motion, const std::string& key);
 
 /// Checks every number of a scene against its range; scene files go through the same check. The duration is
-/// at most 10⁷ √(R/a), with R the least half diagonal of a block and a the largest acceleration that gravity
-/// and ground may add up to: blocks that do not come to rest would be followed for ever.
+/// at most 10⁷ √(R/a), with R the least half diagonal of a block and a the largest acceleration that gravity,
+/// ground and the turning at the start may add up to: blocks that do not come to rest would be followed for
+/// ever.
 /// @throws FieldError whose text is "key = value: must be …".
 void validate(const Scene& scene);
 

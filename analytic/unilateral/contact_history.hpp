@@ -34,7 +34,7 @@ struct BasicContactSample {
   BasicFreeVector<Real> spring_accelerations;   ///< what all springs make of the motion
 };
 
-/// A stack's motion under law `unilateral`.
+/// A stack's motion under a law that leaves pivots.
 template <class Real>
 struct BasicContactHistory {
   using Sample = BasicContactSample<Real>;

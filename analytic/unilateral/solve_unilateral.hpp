@@ -21,8 +21,9 @@ class BasicUnfinishedContacts : public std::runtime_error {
 using UnfinishedContacts = BasicUnfinishedContacts<double>;
 
 /// The exact motion of rigid blocks that push, rub by Coulomb's law, lift off, fly and land without bounce.
-/// The law and the equations of the scene are not asked for: they are unilateral and nonlinear. In double, or
-/// where that does not do in long double. Other number types: ContactSolver<Real> in contact_solver.hpp.
+/// The law and the equations of the scene are not asked for: blocks rub, and their equations are nonlinear;
+/// springs of the scene act. In double, or where that does not do in long double. Other number types:
+/// ContactSolver<Real> in contact_solver.hpp.
 /// @throws FieldError for a scene out of range; std::invalid_argument for options out of range;
 /// UnfinishedContacts where events do not come to an end; std::domain_error where masses or sizes are so far
 /// apart that contact forces keep fewer than six digits of long double.

@@ -7,7 +7,7 @@
 
 namespace rockstack {
 
-/// What one interface has seen under law `unilateral`, from samples and events.
+/// What one interface has seen under a law that leaves pivots, from samples and events.
 struct InterfaceSummary {
   double final_slip = 0;    ///< at the last sample, to the right positive, m
   double largest_slip = 0;  ///< absolute, m

@@ -15,7 +15,9 @@ namespace rockstack {
 nlohmann::ordered_json validity_json(const History& history);
 
 /// One line for each interface and way in which real blocks would leave the model: it would have to pull, or
-/// needs more friction than the scene has. Empty where the model holds throughout.
+/// needs more friction than the scene has; and for what else makes an answer one of several: events in doubt,
+/// openings to either side, impacts or modes that laws do not decide, springs that give way too far. Empty
+/// where the model holds throughout.
 std::vector<std::string> validity_warnings(const Scene& scene, const History& history);
 
 }  // namespace rockstack

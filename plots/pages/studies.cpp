@@ -34,7 +34,8 @@ const std::map<std::string, std::string>& explanations() {
        "fitted lognormal curve, where there is one."},
       {"incremental",
        "Marks: runs, each motion at each intensity. Lines: the angle over the slenderness that half of the "
-       "motions, and 16 and 84 % of them, stay within up to an intensity; they never turn back. Blocks that "
+       "motions, and 16 and 84 % of them, stay within up to an intensity; they never turn back, unlike those "
+       "in the table, which are of each intensity by itself. Blocks that "
        "topple stand at the right."},
       {"overturning",
        "What becomes of the block at each frequency and intensity of the pulse: it stays at rest, rocks, "

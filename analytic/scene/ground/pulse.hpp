@@ -11,7 +11,7 @@ enum class PulseShape {
   cosine,     ///< A cos(2πt/T), likewise
   half_sine,  ///< A sin(2πt/T), half a period
   rectangle,  ///< A, for the time T
-  ricker,     ///< A (1 − 2z²) exp(−z²), z = π(t − 2T)/T, for 4T: what is cut off is below rounding
+  ricker,     ///< A (1 − 2z²) exp(−z²), z = π(t − 2T)/T, for 4T: 6·10⁻¹⁶ A is cut off
   mavroeidis_papageorgiou,  ///< near-fault pulse of Mavroeidis & Papageorgiou 2003, see velocity below
 };
 

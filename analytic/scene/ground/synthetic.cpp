@@ -36,7 +36,7 @@ struct Wave {
   double deviation;  ///< of its amplitude
 };
 
-/// The waves that noise of variance 1 is made of. Half the lowest frequency would fit into the duration, so
+/// The waves that noise of variance 1 is made of. A quarter of the slowest wave fits into the duration, so
 /// that the noise does not repeat itself within it.
 std::vector<Wave> waves(const SyntheticMotion& motion) {
   const double spacing = 0.5 / motion.duration;

@@ -28,8 +28,7 @@ inline constexpr KeyTable scene_keys{
      {"engine", "", "", "a table [engine]", no_default, "what engines need besides"},
      {"restitution", "[0.9]", "", "a number from 0 to 1 for each block", "that of the law",
       "of the interface under each block, where all above it rocks as one body: relative angular velocity "
-      "after an "
-      "impact over that before; engines are not told"}}};
+      "after an impact over that before; of the exact solver alone, engine runs fail"}}};
 
 inline constexpr KeyTable block_keys{
     "[[blocks]]",
@@ -58,9 +57,8 @@ inline constexpr KeyTable contact_keys{
     "[contact]",
     "how blocks touch",
     {{"friction", "0.4", "", "a number from 0 to 1000, or one for each block", "that of [engine]",
-      "Coulomb's coefficient of the interface under each block, in law \"unilateral\" and in engines; laws "
-      "of "
-      "pivots never slip, and warn where they would have to"},
+      "Coulomb's coefficient of the interface under each block, in laws \"unilateral\" and "
+      "\"compliant\" and in engines; laws of pivots never slip, and warn where they would have to"},
      {"stiffness", "inf", "N/m", "> 0 or inf, or one for each block; law \"compliant\"", "inf",
       "of a spring at each corner of the interface under each block, across the face; inf: rigid"},
      {"damping", "0.0", "N·s/m", "≥ 0, or one for each block; law \"compliant\"", "0",
@@ -132,7 +130,8 @@ inline constexpr KeyTable synthetic_keys{
      {"peak", "4.0", "m/s²", "> 0", required_key, "largest acceleration"},
      {"duration", "20.0", "s", "> 0, up to 1000", "20", "of the shaking"},
      {"interval", "0.01", "s", "the duration in 16 to 20000 parts", "0.01", "of samples"},
-     {"frequency", "2.5", "Hz", "1/duration to 25", "2.5", "of the ground layer"},
+     {"frequency", "2.5", "Hz", "1/duration to 25, or to half the sampling rate", "2.5",
+      "of the ground layer"},
      {"damping", "0.6", "", "> 0, up to 1", "0.6", "of the ground layer, as a fraction of critical"}}};
 
 inline constexpr KeyTable surface_keys{

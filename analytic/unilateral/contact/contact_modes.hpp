@@ -80,7 +80,8 @@ std::optional<Joints<Real>> nearest_mode(const BasicFrictionStack<Real>& stack, 
 /// what sticks may slide; of velocities everything may stick. Where several do, the one in which all that
 /// sticks goes on to stick comes first, then the one that Lemke's method finds, then, where rounding leads
 /// that astray, of all others the one nearest to the motion without contact in the metric of kinetic energy.
-/// Nothing where there is none, which happens for accelerations alone (Painlevé).
+/// Where none does to rounding, what Lemke's method finds all the same; nothing where it finds none, which
+/// happens for accelerations alone (Painlevé).
 template <class Real>
 std::optional<Joints<Real>> find_mode(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
                                       const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free,

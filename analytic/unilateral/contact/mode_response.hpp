@@ -20,7 +20,6 @@ struct BasicModeResponse {
   std::vector<BasicContactForce<Real>> forces;
 };
 
-using ContactForce = BasicContactForce<double>;
 using ModeResponse = BasicModeResponse<double>;
 
 /// What joints hold, as equations for what holds it.

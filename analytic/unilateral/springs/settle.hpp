@@ -79,7 +79,7 @@ void move_above(std::size_t first, const Point<Real>& about, const Point<Real>& 
   }
 }
 
-/// How a step of equilibrium ends.
+/// Where the search for equilibrium ends, and whether the stack stands there.
 template <class Real>
 struct Settling {
   Placements<Real> at;
