@@ -44,13 +44,13 @@ void print(const CanonRow& row, const CanonAnswer& answer) {
 
 int canon_command(const CanonArguments& arguments, const Common& common) {
   Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
+  const std::vector<const WorkerEngine*> engines = chosen(arguments.engines);
+  const std::vector<std::string> sets = both_if_empty(arguments.settings);
   const ResultsFolder folder(arguments.out, Results::canon);
   const bool talk = !common.quiet && !common.json;
   if (talk)
     fmt::print("{:<28} {:<8} {:<16} {:<12} steps off at {} and {} s\n", "engine", "set", "scene", "verdict",
                canon_steps().coarse, canon_steps().fine);
-  const std::vector<const WorkerEngine*> engines = chosen(arguments.engines);
-  const std::vector<std::string> sets = both_if_empty(arguments.settings);
   const auto show = progress(common);
   const std::size_t total = engines.size() * sets.size() * suite.scenes.size();
   std::size_t done = 0, off = 0;

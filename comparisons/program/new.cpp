@@ -19,7 +19,12 @@ int new_command(const NewArguments& arguments, const Common& common) {
     fmt::print("{}", text);
     return 0;
   }
-  write_file(arguments.out, text);
+  try {
+    write_file(arguments.out, text);
+  } catch (const std::runtime_error&) {
+    throw InputError(fmt::format("--out {}: must be a file that can be written, in a folder that is there",
+                                 arguments.out.string()));
+  }
   if (!common.quiet) fmt::print("{}: {}\n", arguments.kind, arguments.out.string());
   return 0;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/metrics/impacts.hpp"
@@ -117,6 +118,17 @@ void require_comparable(const std::vector<Suite>& suites) {
     if (suite.tolerance != suites.front().tolerance) {
       throw InputError(fmt::format("tolerance = {}: must be the same in all suites of one comparison, {}",
                                    suite.tolerance, suites.front().tolerance));
+    }
+    std::set<std::tuple<std::string, std::string, double>> runs;
+    for (const EngineSeries& series : suite.series) {
+      const std::string engine = series.engine->name() + ":" + series.engine->solver();
+      for (const double dt : series.steps) {
+        if (!runs.emplace(engine, series.settings, dt).second)
+          throw InputError(
+              fmt::format("engine {}: must be in a comparison once; its results would share a "
+                          "folder",
+                          engine));
+      }
     }
     for (const NamedScene& scene : suite.scenes) {
       constexpr double longest = 1e7 * sample_interval;

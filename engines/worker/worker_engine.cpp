@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <stdexcept>
@@ -63,6 +64,8 @@ void require_whole(const RunReply& run, const RunRequest& asked) {
   };
   require_count("velocities", made.velocities.size(), made.angles.size(), "as many as `angles`");
   require_count("seconds", run.seconds.size(), asked.repeats, "one for each of `repeats`");
+  for (const double seconds : run.seconds)
+    require(seconds >= 0 && std::isfinite(seconds), "`seconds` must be finite and not below zero");
   require(made.bodies.empty() || asked.bodies, "`bodies` must be left out, they are not asked for");
   require(!made.bodies.empty() || !asked.bodies, "`bodies` must be there, they are asked for");
   if (asked.bodies) require_count("bodies.x", made.bodies.size(), made.angles.size(), "as many as `angles`");

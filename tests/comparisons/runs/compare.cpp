@@ -212,6 +212,24 @@ TEST(Compare, ScenesTooLongToBeSampledAreNamedByThePlaceOfTheirDuration) {
   }
 }
 
+// As where a worker calls itself by an engine's name.
+TEST(Compare, AnEngineIsInAComparisonOnce) {
+  const TemporaryFolder folder;
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  const EngineSeries series = make_series(engines().front(), "tuned", {1e-2});
+  suite.series = {series, make_series(engines().front(), "default", {1e-2})};
+  EXPECT_NO_THROW(require_comparable({suite}));
+  suite.series.push_back(series);
+  try {
+    require_comparable({suite});
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "engine " + series.engine->name() + ":" + series.engine->solver() +
+                  ": must be in a comparison once; its results would share a folder");
+  }
+}
+
 TEST(Compare, RunsOfOtherInputsOrThatAreTornAreMadeAgain) {
   const TemporaryFolder folder;
   Suite suite = small_suite(folder);

@@ -208,6 +208,9 @@ TEST(Answers, HaveWhatIsAskedForAndSayWhatIsNot) {
   json run = answer({0, 0, 0, 0, 0});
   EXPECT_EQ(Written(run).complaint(2), "`seconds` has 0 numbers; must have 2, one for each of `repeats`");
   EXPECT_EQ(Written(run).complaint(0, true), "`bodies` must be there, they are asked for");
+  run["seconds"] = {1, -1};
+  EXPECT_EQ(Written(run).complaint(2), "`seconds` must be finite and not below zero");
+  run.erase("seconds");
   run["velocities"] = {0, 0};
   EXPECT_EQ(Written(run).complaint(), "`velocities` has 2 numbers; must have 5, as many as `angles`");
   run["angles"] = {{0}, {0}};
