@@ -1,38 +1,12 @@
-// Bullet beside the exact model: what is set, and why.
-//
-// The same in both sets, as the question asks for it: motion held to the plane by linear and angular factors,
-// no sleeping, no damping, no restitution, one step of dt each stepSimulation(dt, 0). The ground is a box:
-// against a plane (ground = "plane", btStaticPlaneShape) Bullet finds one corner a step and keeps those of
-// steps before. Blocks are boxes, which Bullet clips against each other; shape = "hull" makes them convex
-// hulls of their corners without a margin, which meet by GJK, one point a step. Bullet multiplies the two
-// bodies' friction and clamps the product at 10; each interface has a coefficient of its own here, given by
-// the library's callback for pairs and clamped alike. Bullet's erp and frictionCFM are not here: without
-// joints they change no digit; frictionERP acts with frictionAnchor = 1 alone.
+// Bullet beside the exact model. README.md in this folder says what its contacts are, what is set in both
+// sets, what the tuned set changes, and why. `comparisons/tune` ranks sets; those here also hold the
+// conformance tests.
 //
 // contactStiffness k in N/m and contactDamping c in N s/m make each contact point a spring and a dashpot,
 // through Bullet's own erp = h k/(h k + c) and cfm = 1/(h k + c) with the step h; where both are zero, erp2
 // and globalCfm act. Only an overlap that goes through the velocities is a spring: splitImpulse = 0, or above
-// its threshold. Solvers of complementarity problems (mlcp-…) take a point's erp alone, and the world's
-// globalCfm for all: to them no contactStiffness makes a soft contact.
-//
-// What was measured of every setting: engines/README.md.
-//
-// Tuned sets are those of comparisons/tune with the least errors that also hold the conformance tests: a
-// block lands flat without a bounce, its first step is that of a hinge (engines/README.md has the ranking).
-//
-// Tuned: the split-impulse threshold 0, because the default, −0.04 m, corrects shallower overlaps through the
-// velocities, which makes a flat landing bounce. 50 iterations of sequential impulse; mlcp-pgs needs 20. The
-// rest stays: erp2 once split matters little, any slop shifts the impacts.
-//
-// Tuned further. NNCG: a stack of 10⁶ kg (unitMass, by which no angle changes), as it takes velocities for
-// impulses: the heavier the blocks, the less that does. Dantzig: four corners in a plane make the problem
-// singular, which a globalCfm of next to nothing mends; the second problem, that of split impulses, stays
-// degenerate, so overlaps go through the velocities, gently (erp2 = 0.005). Lemke holds friction by its
-// coefficient as if that were an impulse, whether or not a point is pressed: at once too little for tonnes
-// and enough to glue an open corner that is still among the contacts. unitMass (a stack of 1 kg) mends the
-// first, a narrow breaking threshold the second. In single precision sequential impulse and NNCG start anew
-// each step: what they would take over from the last one costs 6 mrad at the second peak at 1e-4 s. The
-// shortest useful step is 1e-4 s: below, gravity's share of a step is lost in rounding.
+// its threshold. Bullet's erp and frictionCFM are not here: without joints they change no digit; frictionERP
+// acts with frictionAnchor = 1 alone.
 
 #include "engines/bullet/bullet.hpp"
 

@@ -28,7 +28,8 @@ constexpr const char* normals =
     "FCL, DART's own choice of a detector, takes boxes for meshes: corners of faces on each other lack a "
     "normal";
 
-/// Each holds, or fails, where this alone is changed in the default or the tuned set (engines/README.md).
+/// Each holds, or fails, where this alone is changed in the default or the tuned set (README.md of each
+/// engine).
 constexpr const char* creeping =
     "by default Simbody's friction fades below 1 cm/s of slip: what sticks creeps (transition_velocity)";
 constexpr const char* hard_for_kilograms =

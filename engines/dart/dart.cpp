@@ -1,24 +1,10 @@
-// DART beside the exact model: what is set, and why.
-//
-// The same in both sets, as the question asks for it: each block is a skeleton with one PlanarJoint, whose
-// three coordinates keep it in the plane; no bounce. DART takes the lesser of both shapes' coefficients of
-// friction for a contact, so that one shape a block could not have two interfaces of their own. Here each
-// block has two boxes, its lower and its upper half, each with the coefficient of the interface that it
-// belongs to. Below 1e-3 DART takes a coefficient for zero. The ground is a box: a weld holds it, or where it
-// really moves a TranslationalJoint with the actuator VELOCITY.
-//
-// collisionDetector: "fcl" is the library's choice, "dart" the one of box on box that comes with it. Here FCL
-// takes boxes for meshes: some corners of a face on a face come several times, others with a depth of 1 m and
-// no normal, which DART leaves out. With it the base meets the ground 9 steps early at 1e-3 s.
+// DART beside the exact model. README.md in this folder says what its contacts are, what is set in both sets,
+// what the tuned set changes, and why.
 //
 // The settings of contacts are static numbers of DART's class ContactConstraint; each step sets them anew.
 // ConstraintForceMixing has no unit: it is added to one on the diagonal. ErrorReductionParameter takes that
-// share of an overlap away in a step, at MaxErrorReductionVelocity at most, through the velocities.
-//
-// Tuned: the detector "dart". "pgs" has 300 iterations and a tolerance of 1e-6: with the library's 1e-3 it
-// stops where a push that is too weak to rock a block still turns it, by twice a step's fall.
-//
-// What was measured of every setting: engines/README.md.
+// share of an overlap away in a step, at MaxErrorReductionVelocity at most, through the velocities. Below
+// 1e-3 DART takes a coefficient of friction for zero.
 
 #include "engines/dart/dart.hpp"
 

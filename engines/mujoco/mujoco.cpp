@@ -1,12 +1,5 @@
-// MuJoCo beside the exact model: what is set, and why.
-//
-// The same in both sets, as the question asks for it: two slides and a hinge through its centre hold a block
-// in the plane, so that its state is x, y and angle and nothing has to be put back; every two bodies are a
-// pair of their own, with the coefficient of the interface under the upper one; no damping of joints, no
-// sleeping. cone = elliptic, where the library has pyramidal: a pyramid's stiffness across the face is that
-// of the elliptic cone times 2/(μ²(1 + μ²)), from 20 at μ = 0.3 over 1 at μ = 1 to 2e-12 at μ = 1000, where
-// blocks fall through the ground. A coefficient of 0 makes a contact without friction (condim 1); below 1e-5
-// it is 1e-5.
+// MuJoCo beside the exact model. README.md in this folder says what its contacts are, what is set in both
+// sets, what the tuned set changes, and why.
 //
 // Contacts are soft by design. Each row pushes by f = (−b v − k d r − a)/R, where r is the gap, v and a are
 // its rate and acceleration (MuJoCo's documentation, Computation: Constraint model; XML reference: solref,
@@ -18,26 +11,10 @@
 // With refsafe τ is at least two steps. The defaults are for blocks of 1250 kg 4.2e7 N/m and 1.8e6 N s/m.
 //
 // depth_ratio: how deep a block's box is over the one below it, out of the plane, where nothing depends on
-// it. With 1 faces before and behind lie in one plane, and where the upper block is the wider one the library
-// finds contacts there that are as deep as the block is wide, so that it is thrown (MuJoCo issue 3476).
-//
-// unitMass: PGS takes a friction of zero where the determinant of a contact's two directions, in 1/kg², is
-// below 1e-10, as it is where tonnes slide with μ = 0.1 in elliptic cones; with a stack of 1 kg it does not.
-//
-// A moving ground is a box on two slides with 1e30 kg of armature, on which gravity does not act: friction
-// carries blocks along by its velocity. A mocap body has none, and planes may not move.
-//
-// Where a coordinate stops being a finite number MuJoCo begins anew from its first state; here the run ends
-// with an error. What it warns of is counted and not printed.
-//
-// Tuned sets are those of comparisons/tune with the least errors that also hold the conformance tests
-// (engines/README.md has the ranking).
-//
-// Tuned: solref_timeconst = 1 ms, which refsafe raises to two steps where these are longer. An impedance of
-// 0.995 at any depth, by which the first step is that of a hinge. solref_dampratio = 3, as a flat landing
-// bounces by a fifth with 1. PGS holds the conformance tests with 6 and 300 iterations: with 100 the lower of
-// two blocks lands five steps early at 0.1 ms. tolerance = 1e-12, which conjugate gradients need; unitMass;
-// depth_ratio = 0.9. What was measured: engines/README.md.
+// it. A coefficient of friction of 0 makes a contact without friction (condim 1); below 1e-5 it is 1e-5. A
+// moving ground is a box on two slides with 1e30 kg of armature, on which gravity does not act. Where a
+// coordinate stops being finite MuJoCo begins anew from its first state; here the run ends with an error.
+// What it warns of is counted and not printed.
 
 #include "engines/mujoco/mujoco.hpp"
 

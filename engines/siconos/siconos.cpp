@@ -1,31 +1,12 @@
-// Siconos beside the exact model: what is set, and why.
+// Siconos beside the exact model. README.md in this folder says what its contacts are, what is set in both
+// sets, what the tuned set changes, and why.
 //
-// Siconos is no game engine: it integrates nonsmooth systems that its user writes down. Here each block is a
-// LagrangianLinearTIDS with three coordinates, planar by nature, and each corner over a face an Interaction
-// with NewtonImpactFrictionNSL, Newton's impact and Coulomb's friction in one cone (stack.cpp). An interface
-// has four: the upper block's corners over the face below, and the lower block's corners under the face
-// above. A corner that is beyond the face touches nothing. Gaps and their Jacobians are exact. The scheme is
-// Moreau and Jean's: TimeStepping, MoreauJeanOSI, and FrictionContact in two dimensions. A step asks for
-// velocities at its end; an overlap stays, with gamma = 1/2 what a landing corner moves in a step at most.
-// Forces and masses are constant, so that the library's Newton loop ends after one turn: Jacobians are those
-// of the step's start.
-//
-// The same in both sets, as the question asks for it: no bounce (en). theta = 1/2 is the library's value, by
-// which free flight is exact; 1 is the implicit Euler method. gamma and constraintActivationThreshold choose
-// a step's contacts: those whose gap plus gamma times the step times its velocity is at most the threshold.
-//
-// A ground that really moves is the part of a gap that depends on time alone (LagrangianRheonomousR), with
-// the velocity of the step under way.
-//
-// The solver is SICONOS_FRICTION_2D_NSGS. The library's three others do not solve these problems, and one of
-// them does not say so: engines/README.md.
-//
-// Tuned: SICONOS_DPARAM_TOL = 1e-12 with as many iterations as that takes. The library's 1e-4 leaves a share
-// of each impulse undone. constraintActivationThreshold = 1 nm: with 0 a corner at rest whose gap is a
-// rounding above zero has no law for a step, and falls freely by g h² in it. unitMass (a stack of 1 kg, by
-// which no angle changes), because the solver holds determinants in kg⁻² against fixed numbers.
-//
-// What was measured of every setting: engines/README.md.
+// Each block is a LagrangianLinearTIDS with three coordinates, each corner over a face an Interaction with
+// NewtonImpactFrictionNSL (stack.cpp). The scheme is Moreau and Jean's. gamma and
+// constraintActivationThreshold choose a step's contacts: those whose gap plus gamma times the step times its
+// velocity is at most the threshold. Forces and masses are constant, so that the library's Newton loop ends
+// after one turn: Jacobians are those of the step's start. A ground that really moves is the part of a gap
+// that depends on time alone (LagrangianRheonomousR), with the velocity of the step under way.
 
 #include "engines/siconos/siconos.hpp"
 

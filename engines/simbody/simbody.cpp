@@ -1,31 +1,11 @@
-// Simbody beside the exact model: what is set, and why.
+// Simbody beside the exact model. README.md in this folder says what its contacts are, what is set in both
+// sets, what the tuned set changes, and why.
 //
-// Simbody integrates differential equations with steps of its own choice, so that no local error is above
-// `accuracy`; a step of the question is where it has to stop and say how things are. Its contact is
-// compliant: CompliantContactSubsystem between a brick and a half space. Each corner of the brick that is in
-// the half space by x is pushed out by k x (1 + c x'), never pulled, with k half of `stiffness`, as both
-// surfaces give way alike, and c = `dissipation` (Hunt and Crossley 1975); it has friction of mu N, which
-// falls to nothing for slips below `transition_velocity`: what sticks creeps. k and k c x are told of each
-// contact.
-//
-// The same in both sets, as the question asks for it: MobilizedBody::Planar holds blocks in the plane by its
-// three coordinates. At each interface the narrower block is the brick and the other the half space, so that
-// a wide block under a narrow one has no edge: there is none to fall off. No brick meets another. Each
-// interface has a material of its own with its coefficient, the same for sticking and sliding.
-//
-// The ground's motion is a body force. A ground that really moves has a velocity that jumps from step to
-// step, on which CPodes gives up.
-//
-// Default: Simbody has no stiffness and no dissipation of its own; these are 1e8 N/m and 1 s/m, beside the
-// library's transition velocity of 0.01 m/s and accuracy of 1e-3. CPodes is the integrator for stiff
-// equations, as these are.
-//
-// Tuned: unitMass (a stack of 1 kg), by which the same stiffness suits any stack. dissipation = 5e4 s/m: a
-// push that lifts an edge sets free what the springs hold, and with 500 s/m the block is off by 2.5 % after
-// 0.3 s. transition_velocity = 1e-4 m/s, as with 1e-3 a pivot creeps so fast that the first step is off by
-// 2 %. accuracy = 1e-7. A stiffness of 1e9 N/m takes more than ten times as long.
-//
-// What was measured of every setting: engines/README.md.
+// Its contact is compliant: CompliantContactSubsystem between a brick and a half space. Each corner of the
+// brick that is in the half space by x is pushed out by k x (1 + c x'), never pulled, with k half of
+// `stiffness`, as both surfaces give way alike, and c = `dissipation` (Hunt and Crossley 1975). At each
+// interface the narrower block is the brick. k and k c x are told of each contact. The ground's motion is a
+// body force: a moving ground's velocity jumps from step to step, on which CPodes gives up.
 
 #include "engines/simbody/simbody.hpp"
 
