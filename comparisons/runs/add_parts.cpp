@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "analytic/solve.hpp"
-#include "comparisons/metrics/difference_parts.hpp"
-#include "comparisons/results/tables.hpp"
+#include "comparisons/measures/metrics/difference_parts.hpp"
+#include "comparisons/measures/results/tables.hpp"
 
 namespace rockstack {
 namespace {

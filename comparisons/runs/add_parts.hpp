@@ -1,7 +1,7 @@
 #pragma once
 
-#include "comparisons/metrics/corner_springs.hpp"
-#include "comparisons/results/run_metrics.hpp"
+#include "comparisons/measures/metrics/contact/corner_springs.hpp"
+#include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/runs/other_answer.hpp"
 #include "comparisons/runs/run_files.hpp"
 

@@ -7,18 +7,18 @@
 #include <stdexcept>
 
 #include "analytic/solve.hpp"
-#include "comparisons/metrics/contact_patterns.hpp"
-#include "comparisons/metrics/corner_springs.hpp"
-#include "comparisons/metrics/difference.hpp"
-#include "comparisons/metrics/energy.hpp"
-#include "comparisons/metrics/magnitude_phase.hpp"
-#include "comparisons/metrics/matching.hpp"
-#include "comparisons/metrics/rest.hpp"
-#include "comparisons/metrics/swings.hpp"
-#include "comparisons/metrics/toppling.hpp"
-#include "comparisons/results/tables.hpp"
+#include "comparisons/measures/metrics/contact/corner_springs.hpp"
+#include "comparisons/measures/metrics/contact_patterns.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
+#include "comparisons/measures/metrics/energy.hpp"
+#include "comparisons/measures/metrics/magnitude_phase.hpp"
+#include "comparisons/measures/metrics/matching.hpp"
+#include "comparisons/measures/metrics/rest.hpp"
+#include "comparisons/measures/metrics/swings.hpp"
+#include "comparisons/measures/metrics/toppling.hpp"
+#include "comparisons/measures/results/tables.hpp"
+#include "comparisons/measures/statistics/chance_matches.hpp"
 #include "comparisons/runs/add_parts.hpp"
-#include "comparisons/statistics/chance_matches.hpp"
 
 namespace rockstack {
 namespace {

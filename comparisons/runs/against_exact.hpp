@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparisons/results/run_metrics.hpp"
+#include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/runs/other_answer.hpp"
 #include "comparisons/runs/run_files.hpp"
 #include "comparisons/suites/suite.hpp"

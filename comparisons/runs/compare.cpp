@@ -8,19 +8,19 @@
 #include <tuple>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/metrics/impacts.hpp"
-#include "comparisons/paper/statements.hpp"
-#include "comparisons/results/environment.hpp"
-#include "comparisons/results/files.hpp"
-#include "comparisons/results/scene_json.hpp"
-#include "comparisons/results/tables.hpp"
+#include "comparisons/measures/metrics/impacts.hpp"
+#include "comparisons/measures/results/environment.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/scene_json.hpp"
+#include "comparisons/measures/results/tables.hpp"
+#include "comparisons/measures/statistics/distributions.hpp"
+#include "comparisons/measures/statistics/fits.hpp"
+#include "comparisons/measures/statistics/ranking.hpp"
 #include "comparisons/runs/draws.hpp"
 #include "comparisons/runs/measure.hpp"
+#include "comparisons/runs/paper_statements.hpp"
 #include "comparisons/runs/parts.hpp"
 #include "comparisons/runs/predictability.hpp"
-#include "comparisons/statistics/distributions.hpp"
-#include "comparisons/statistics/fits.hpp"
-#include "comparisons/statistics/ranking.hpp"
 
 namespace rockstack {
 namespace {

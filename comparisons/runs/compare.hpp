@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/results/run_metrics.hpp"
+#include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/runs/parts.hpp"
 #include "comparisons/suites/suite.hpp"
 

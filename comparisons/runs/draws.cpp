@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "comparisons/results/csv_writer.hpp"
-#include "comparisons/results/files.hpp"
-#include "comparisons/results/tables.hpp"
-#include "comparisons/runs/executor.hpp"
+#include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/tables.hpp"
+#include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/runs/measure.hpp"
 
 namespace rockstack {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "comparisons/results/files.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "engines/worker/installation.hpp"
 
 namespace rockstack {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "comparisons/results/files.hpp"
+#include "comparisons/measures/results/files.hpp"
 
 namespace rockstack {
 

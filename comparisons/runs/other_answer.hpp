@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analytic/scene/history.hpp"
-#include "comparisons/metrics/impacts.hpp"
+#include "comparisons/measures/metrics/impacts.hpp"
 #include "engines/body_record.hpp"
 
 namespace rockstack {

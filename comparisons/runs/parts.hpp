@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "comparisons/runs/draws.hpp"
-#include "comparisons/runs/executor.hpp"
+#include "comparisons/runs/execution/executor.hpp"
 
 namespace rockstack {
 

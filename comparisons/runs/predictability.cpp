@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "analytic/solve.hpp"
-#include "comparisons/metrics/difference.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/runs/measure.hpp"
 
 namespace rockstack {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "comparisons/results/files.hpp"
+#include "comparisons/measures/results/files.hpp"
 
 namespace rockstack {
 namespace {

@@ -1,6 +1,6 @@
 #include "comparisons/suites/perturbations.hpp"
 
-#include "comparisons/statistics/draws.hpp"
+#include "comparisons/measures/statistics/draws.hpp"
 
 namespace rockstack {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "comparisons/results/build.hpp"
+#include "comparisons/measures/results/build.hpp"
 #include "engines/worker/installation.hpp"
 
 namespace rockstack {

@@ -6,7 +6,7 @@
 
 namespace rockstack {
 
-/// The folder of the "scenes", "suites", "ensembles" or "lessons" that come with this program.
+/// The folder of the "scenes", "suites", "ensembles" or "studies/lessons" that come with this program.
 std::filesystem::path shipped(const std::string& kind);
 
 /// The names of those, in order.

@@ -15,7 +15,7 @@
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
-#include "comparisons/results/files.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 

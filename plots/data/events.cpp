@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/pattern.hpp"
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/json_file.hpp"
 
 namespace rockstack::plots {

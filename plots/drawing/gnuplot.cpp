@@ -9,7 +9,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "comparisons/results/files.hpp"
+#include "comparisons/measures/results/files.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analytic/scene/kinematics.hpp"
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/contacts.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"

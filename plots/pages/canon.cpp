@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/results/files.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "comparisons/results/filled_in.hpp"
+#include "comparisons/measures/results/filled_in.hpp"
 
 namespace rockstack::plots {
 

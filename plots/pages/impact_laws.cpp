@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "comparisons/results/files.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "plots/data/law_counts.hpp"
 #include "plots/data/law_results.hpp"
 #include "plots/data/selection.hpp"

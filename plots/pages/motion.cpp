@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "comparisons/results/files.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "plots/data/motion.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/pages/html.hpp"

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/contacts.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "comparisons/results/files.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/figures/comparison/figures.hpp"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/results/csv.hpp"
-#include "comparisons/results/files.hpp"
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/figures/sweep/drawings.hpp"

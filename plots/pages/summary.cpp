@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/pages/sentences.hpp"

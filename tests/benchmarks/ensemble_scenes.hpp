@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/ensemble/ensemble.hpp"
+#include "comparisons/studies/sweep/ensemble.hpp"
 
 namespace rockstack::benchmarks {
 

@@ -12,8 +12,8 @@
 
 #include "analytic/scene/ground/synthetic.hpp"
 #include "analytic/solve_batch.hpp"
-#include "comparisons/ensemble/run_outcome.hpp"
-#include "comparisons/ensemble/sweep.hpp"
+#include "comparisons/studies/sweep/run_outcome.hpp"
+#include "comparisons/studies/sweep/sweep.hpp"
 #include "tests/benchmarks/ensemble_scenes.hpp"
 
 namespace rockstack {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/data/spread.hpp"
 #include "plots/drawing/axes.hpp"

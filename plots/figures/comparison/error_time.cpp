@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"

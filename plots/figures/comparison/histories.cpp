@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/contacts.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"

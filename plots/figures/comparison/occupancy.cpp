@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"

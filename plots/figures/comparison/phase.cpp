@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <limits>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/contacts.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"

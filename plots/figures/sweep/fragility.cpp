@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/fragility_fit.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/sweep/drawings.hpp"

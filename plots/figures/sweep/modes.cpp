@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/figures/sweep/drawings.hpp"
 #include "plots/figures/sweep/map.hpp"
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/results/files.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/pages/course/predictions.hpp"
 #include "plots/pages/course/templates.hpp"

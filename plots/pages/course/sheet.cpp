@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/results/files.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/pages/course/templates.hpp"
 #include "plots/pages/html.hpp"

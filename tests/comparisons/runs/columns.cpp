@@ -6,7 +6,7 @@
 
 #include "analytic/mechanics/dynamics.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/metrics/difference.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
 #include "engines/worker/registry.hpp"
 
 // Columns of more blocks than the paper's two.

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/statistics/tally.hpp"
 #include "comparisons/runs/job.hpp"
-#include "comparisons/statistics/tally.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {

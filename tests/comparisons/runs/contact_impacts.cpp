@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "analytic/solve.hpp"
-#include "comparisons/metrics/impacts.hpp"
+#include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/runs/against_exact.hpp"
 #include "engines/worker/registry.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "tests/temporary_folder.hpp"
 

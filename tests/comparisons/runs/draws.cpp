@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/runs/predictability.hpp"
 #include "tests/free_rocking.hpp"

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/ensemble/ensemble.hpp"
+#include "comparisons/studies/sweep/ensemble.hpp"
 #include "comparisons/suites/suite.hpp"
 #include "tests/analytic/scene/ground/records/mutations.hpp"
 #include "tests/analytic/scene/input/scene_mutations.hpp"

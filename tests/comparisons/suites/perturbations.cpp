@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/statistics/distributions.hpp"
+#include "comparisons/measures/statistics/distributions.hpp"
 #include "tests/free_rocking.hpp"
 #include "tests/temporary_folder.hpp"
 

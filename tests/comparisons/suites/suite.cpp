@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/impact_laws/study.hpp"
-#include "comparisons/stability/study.hpp"
+#include "comparisons/studies/impact_laws/study.hpp"
+#include "comparisons/studies/stability/study.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/metrics/difference.hpp"
-#include "comparisons/metrics/energy.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
+#include "comparisons/measures/metrics/energy.hpp"
 #include "tests/engines/findings/draws.hpp"
 #include "tests/engines/linked_engines.hpp"
 #include "tests/free_rocking.hpp"

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "analytic/solve.hpp"
-#include "comparisons/statistics/draws.hpp"
+#include "comparisons/measures/statistics/draws.hpp"
 #include "comparisons/suites/perturbations.hpp"
 #include "tests/engines/linked_engines.hpp"
 

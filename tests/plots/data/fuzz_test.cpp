@@ -6,7 +6,7 @@
 #include <random>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/results/csv.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
 #include "tests/analytic/scene/ground/records/mutations.hpp"

@@ -1,0 +1,115 @@
+#include "comparisons/interfaces/live/live_page.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/ground/records/record_file.hpp"
+#include "analytic/scene/input/scene_file.hpp"
+#include "comparisons/interfaces/live/live_state.hpp"
+#include "comparisons/interfaces/live/page_files.hpp"
+#include "comparisons/interfaces/live/scene_text.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/suites/shipped.hpp"
+#include "engines/worker/registry.hpp"
+#include "plots/pages/html.hpp"
+#include "plots/pages/player.hpp"
+#include "plots/pages/template.hpp"
+
+namespace rockstack::live {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The scene of a file as pages have it; paths of its records, which are added to `records`, hold anywhere.
+Json scene_of(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+              std::set<std::string>& records) {
+  const SceneDocument document = read_document(file, overrides);
+  Json scene = page_scene(document.root);
+  if (!scene.contains("title")) scene["title"] = document.title;
+  for (const char* axis : {"horizontal", "vertical"}) {
+    const Json::json_pointer place(std::string("/ground/") + axis + "/record");
+    if (!scene.contains(place)) continue;
+    const std::string path = std::filesystem::absolute(document.folder / scene[place].get<std::string>());
+    scene[place] = path;
+    records.insert(path);
+  }
+  return scene;
+}
+
+Json shipped_scenes(std::set<std::string>& records) {
+  Json list = Json::array();
+  for (const std::string& name : shipped_names("scenes"))
+    list.push_back({{"name", name}, {"scene", scene_of(find_file(name, "scenes"), {}, records)}});
+  return list;
+}
+
+Json setting_json(const Setting& setting) {
+  return {{"name", setting.name},       {"default", setting.standard}, {"tuned", setting.tuned},
+          {"least", setting.least},     {"most", setting.most},        {"whole", setting.whole},
+          {"choices", setting.choices}, {"unit", setting.unit}};
+}
+
+Json engine_list() {
+  Json list = Json::array();
+  for (const WorkerEngine& engine : engines()) {
+    Json settings = Json::array();
+    for (const Setting& setting : engine.settings()) settings.push_back(setting_json(setting));
+    list.push_back({{"name", engine.name() + ":" + engine.solver()}, {"settings", settings}});
+  }
+  return list;
+}
+
+Json lesson_list(const PageStart& start, std::set<std::string>& records) {
+  Json list = Json::array();
+  for (const auto& [name, scene] : start.lessons)
+    list.push_back(
+        {{"name", name}, {"title", title(find_lesson(name))}, {"scene", scene_of(scene, {}, records)}});
+  return list;
+}
+
+Json state_json(const PageStart& start, std::set<std::string>& records) {
+  Json state{{"scene", scene_of(start.scene, start.overrides, records)},
+             {"engine", ""},
+             {"settings", "tuned"},
+             {"dt", 1e-3},
+             {"parameters", Json::object()},
+             {"spread", 1e-3}};
+  if (start.engine.empty()) return state;
+  const WorkerEngine& engine = find_engine(start.engine);
+  state["engine"] = engine.name() + ":" + engine.solver();
+  return state;
+}
+
+}  // namespace
+
+LivePage make_live_page(const PageStart& start) {
+  LivePage page;
+  for (const auto& record : start.records) page.records.insert(std::filesystem::absolute(record));
+  const Json state = state_json(start, page.records);
+  MotionLibrary library;
+  read_state(state, page.records, library);
+  for (const std::string& record : page.records) library.record(record);
+  const Json scenes = shipped_scenes(page.records), lessons = lesson_list(start, page.records);
+  if (!start.course.empty()) page.course = course_files(start.course);
+  const Json setup{{"start", state},
+                   {"scenes", scenes},
+                   {"engines", engine_list()},
+                   {"records", page.records},
+                   {"lesson", start.lesson},
+                   {"lessons", lessons},
+                   {"pages", page.course.lessons},
+                   {"blocks", most_blocks}};
+  const std::string player =
+      plots::filled_in(plots::player_html, {{"id", "player"}, {"title", "the scene"}, {"data", "null"}});
+  page.text = plots::filled_in(
+      live_html,
+      {{"css", std::string(plots::page_css) + std::string(plots::player_css) + std::string(live_css)},
+       {"player", player},
+       {"setup", plots::for_script(setup)},
+       {"player_js", std::string(plots::player_js)},
+       {"controls_js", std::string(controls_js)},
+       {"charts_js", std::string(charts_js)},
+       {"js", std::string(live_js)}});
+  return page;
+}
+
+}  // namespace rockstack::live

@@ -1,0 +1,229 @@
+#include "comparisons/interfaces/live/server.hpp"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <httplib.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "analytic/scene/input/document.hpp"
+#include "comparisons/interfaces/live/connection.hpp"
+
+namespace rockstack::live {
+namespace {
+
+constexpr const char* home = "127.0.0.1";
+constexpr std::size_t longest_request = std::size_t{512} << 10U;  // bytes, headers included
+constexpr double reading_time = 10;                               // s
+constexpr std::size_t threads = 64;
+
+/// Lessons lie under this, a token and a sign, so that links between them keep the token.
+const std::string course_root = "/course/";
+
+std::string drawn_token() {
+  std::random_device device;  // the system's own
+  std::string token;
+  for (int i = 0; i < 4; ++i) token += fmt::format("{:08x}", device());
+  return token;
+}
+
+/// In a time that does not tell how much is right.
+bool is_same(const std::string& given, const std::string& token) {
+  unsigned different = given.size() == token.size() ? 0 : 1;
+  for (std::size_t i = 0; i < token.size(); ++i)
+    different |=
+        static_cast<unsigned char>(token[i]) ^ static_cast<unsigned char>(i < given.size() ? given[i] : 0);
+  return different == 0;
+}
+
+/// A connection as the library wants it.
+class BoundedStream : public httplib::Stream {
+ public:
+  explicit BoundedStream(socket_t socket) : connection_(socket, longest_request, reading_time) {}
+
+  bool is_readable() const override { return connection_.can_read(); }
+  bool is_writable() const override { return connection_.is_open(); }
+  ssize_t read(char* to, std::size_t size) override { return connection_.read(to, size); }
+  ssize_t write(const char* from, std::size_t size) override { return connection_.write(from, size); }
+  void get_remote_ip_and_port(std::string& ip, int& port) const override {
+    ip = home;
+    port = 0;
+  }
+  void get_local_ip_and_port(std::string& ip, int& port) const override { get_remote_ip_and_port(ip, port); }
+  socket_t socket() const override { return connection_.socket(); }
+
+ private:
+  Connection connection_;
+};
+
+/// The connection that this thread serves.
+thread_local const BoundedStream* current = nullptr;
+
+/// Whether nobody waits for its answer.
+bool has_left() {
+  return !current->is_writable();
+}
+
+void refuse(httplib::Response& response, int status, const std::string& reason) {
+  response.status = status;
+  response.set_content(reason + "\n", "text/plain; charset=utf-8");
+}
+
+void set_json(httplib::Response& response, const std::string& text) {
+  response.set_content(text, "application/json");
+}
+
+/// What is wrong with a question is its answer, with status 400.
+template <class Answer>
+void answer_with(httplib::Response& response, const Answer& answer) {
+  try {
+    set_json(response, answer());
+  } catch (const nlohmann::json::exception& error) {
+    refuse(response, 400, std::string("the page: must be a question in JSON: ") + error.what());
+  } catch (const std::invalid_argument& error) {
+    refuse(response, 400, one_line(error.what()));
+  } catch (const std::exception& error) {
+    refuse(response, 500, one_line(error.what()));
+  }
+}
+
+const char* media_type(const std::filesystem::path& file) {
+  static const std::map<std::string, const char*> types{{".html", "text/html; charset=utf-8"},
+                                                        {".json", "application/json"},
+                                                        {".svg", "image/svg+xml"},
+                                                        {".png", "image/png"},
+                                                        {".pdf", "application/pdf"}};
+  const auto type = types.find(file.extension().string());
+  return type == types.end() ? "text/plain; charset=utf-8" : type->second;
+}
+
+void send_file(httplib::Response& response, const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return refuse(response, 404, "the file is no longer there");
+  response.set_content(std::string{std::istreambuf_iterator<char>(in), {}}, media_type(file));
+}
+
+}  // namespace
+
+class LiveServer::Http : public httplib::Server {
+ public:
+  Http(Questions& questions, LivePage page, int port) : page_(std::move(page)) {
+    new_task_queue = [] { return new httplib::ThreadPool(threads); };
+    // Without the port being shared, which is what the library sets.
+    set_socket_options([](socket_t socket) {
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    port_ = port == 0 ? bind_to_any_port(home) : (bind_to_port(home, port) ? port : -1);
+    if (port_ <= 0) throw std::runtime_error(fmt::format("port {} of {}: cannot be listened to", port, home));
+    set_payload_max_length(longest_request);
+    set_default_headers(
+        {{"Cache-Control", "no-store"},
+         {"X-Content-Type-Options", "nosniff"},
+         {"Referrer-Policy", "no-referrer"},
+         {"Cross-Origin-Resource-Policy", "same-origin"},
+         {"Content-Security-Policy",
+          "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; "
+          "connect-src 'self'; frame-src 'self'; frame-ancestors 'self'; base-uri 'none'; form-action "
+          "'none'"}});
+    set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+      return admits(request, response) ? HandlerResponse::Unhandled : HandlerResponse::Handled;
+    });
+    Get("/", [this](const httplib::Request&, httplib::Response& response) {
+      response.set_content(page_.text, "text/html; charset=utf-8");
+    });
+    Get(course_root + ".*", [this](const httplib::Request& request, httplib::Response& response) {
+      const std::size_t root = course_path().size();
+      const auto file = page_.course.files.find(request.path.size() < root ? "" : request.path.substr(root));
+      if (file == page_.course.files.end()) return refuse(response, 404, "there is no such page");
+      send_file(response, file->second);
+    });
+    Post("/answer", [&questions](const httplib::Request& request, httplib::Response& response) {
+      answer_with(response, [&] { return questions.answer(request.body, has_left); });
+    });
+    Post("/files", [&questions](const httplib::Request& request, httplib::Response& response) {
+      answer_with(response, [&] { return questions.files(request.body); });
+    });
+  }
+
+  std::string address() const {
+    const std::string& first = page_.course.first;
+    return fmt::format("http://{}:{}{}", home, port_,
+                       first.empty() ? "/?token=" + token_ : course_path() + first);
+  }
+
+ private:
+  std::string course_path() const { return course_root + token_ + "/"; }
+
+  /// What a request gives for the token.
+  static std::string token_of(const httplib::Request& request) {
+    if (request.method != "GET" && request.method != "HEAD")
+      return request.get_header_value("X-Rockstack-Token");
+    if (request.path.compare(0, course_root.size(), course_root) != 0)
+      return request.get_param_value("token");
+    const std::string rest = request.path.substr(course_root.size());
+    return rest.substr(0, rest.find('/'));
+  }
+
+  /// Whoever has been led here by another name or another page does not know the token either; each is
+  /// refused for itself.
+  bool admits(const httplib::Request& request, httplib::Response& response) const {
+    const std::string host = request.get_header_value("Host"), origin = request.get_header_value("Origin");
+    const bool known =
+        host == fmt::format("{}:{}", home, port_) || host == fmt::format("localhost:{}", port_);
+    const bool own = !request.has_header("Origin") || origin == "http://" + host;
+    if (!known || request.get_header_value_count("Host") != 1 || !own) {
+      refuse(response, 403, "Host or Origin: must be the address that `rockstack live` has printed");
+      return false;
+    }
+    if (!is_same(token_of(request), token_)) {
+      refuse(response, 403, "token: must be that of the address that this `rockstack live` has printed");
+      return false;
+    }
+    return true;
+  }
+
+  /// In the place of the library's own: a connection of bounded length and time, for one request.
+  bool process_and_close_socket(socket_t socket) override {
+    BoundedStream stream(socket);
+    current = &stream;
+    bool closed = false;
+    // Packing an answer takes ten times as long as making it.
+    const bool done = process_request(
+        stream, true, closed, [](httplib::Request& request) { request.headers.erase("Accept-Encoding"); });
+    current = nullptr;
+    shutdown(socket, SHUT_RDWR);
+    close(socket);
+    return done;
+  }
+
+  LivePage page_;
+  std::string token_ = drawn_token();
+  int port_ = 0;
+};
+
+LiveServer::LiveServer(Questions& questions, LivePage page, int port)
+    : http_(std::make_unique<Http>(questions, std::move(page), port)) {}
+LiveServer::~LiveServer() = default;
+
+std::string LiveServer::address() const {
+  return http_->address();
+}
+
+void LiveServer::run() {
+  http_->listen_after_bind();
+}
+
+void LiveServer::stop() {
+  http_->stop();
+}
+
+}  // namespace rockstack::live

@@ -1,0 +1,101 @@
+#include "comparisons/studies/advise/advise.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/interfaces/program/output.hpp"
+#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/suites/shipped.hpp"
+
+namespace rockstack {
+namespace {
+
+void print_trials(const Advice& advice, const Wish& wish) {
+  fmt::print("{:<32} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n", "solver (tuned)", "dt (s)", "angle off (rad)",
+             "time (s)", "within", "confirmed", "");
+  const auto cell = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:.2e}", *value) : "-";
+  };
+  for (std::size_t i = 0; i < advice.trials.size(); ++i) {
+    const Trial& trial = advice.trials[i];
+    const RunMetrics& row = trial.row;
+    const std::string remark = row.status != RunStatus::done        ? name(row.status)
+                               : static_cast<int>(i) == advice.pick ? "<- the cheapest that holds"
+                               : trial.passes()                     ? "holds"
+                               : trial.within > 0                   ? "luck"
+                                                                    : "";
+    fmt::print("{:<32} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n", row.engine + ":" + row.solver,
+               row.dt.value_or(0), cell(row.largest_angle_difference), cell(row.stepping_time_minimum),
+               fmt::format("{} / {}", trial.within, trial.draws),
+               trial.confirming > 0 ? fmt::format("{} / {}", trial.confirmed, trial.confirming) : "-",
+               remark);
+  }
+  fmt::print(
+      "within: draws within {} rad, of steps up to {:.0f} % longer and shorter and scenes that differ in "
+      "the sixth digit; {:.0f} of 100 must be. The difference is their median. Confirmed: draws of steps up "
+      "to "
+      "{:.0f} % longer and shorter, as many of which must be.\n",
+      wish.error, 100 * wish.draws.steps, 100 * passing_share, 100 * wish.confirming.steps);
+}
+
+/// What holds after histories have parted.
+void print_beyond(const Advice& advice, double duration) {
+  if (advice.predictable_time >= duration) return;
+  fmt::print(
+      "Histories can be compared until {:.4g} s of {:.4g} s: there two exact motions that differ in the "
+      "sixth digit are that far apart. The advice holds until then.\n",
+      advice.predictable_time, duration);
+  for (const DistributionDistance& one : advice.beyond)
+    fmt::print("  whole scene, {}: exact mean {:.4g}, this solver {:.4g}; distance {:.2f}, {}\n",
+               one.quantity, one.exact_mean, one.other_mean, one.apart.distance,
+               one.apart.p_value < 0.05 ? "another distribution" : "not to be told apart");
+}
+
+void print_advice(const Advice& advice, const AdviseArguments& arguments, const Wish& wish, double duration,
+                  const Common& common) {
+  print_trials(advice, wish);
+  if (advice.pick < 0) {
+    fmt::print("No solver holds to {} rad at a step down to {} s.\n", arguments.error,
+               advised_steps().back());
+    return;
+  }
+  print_beyond(advice, duration);
+  const RunMetrics& pick = advice.trials[static_cast<std::size_t>(advice.pick)].row;
+  std::string changes;
+  for (const std::string& change : common.overrides) changes += " --set " + shell_word(change);
+  fmt::print("\nrockstack simulate {}{} --engine {}:{} --dt {} --out DIR\n", shell_word(arguments.scene),
+             changes, pick.engine, pick.solver, pick.dt.value_or(0));
+}
+
+}  // namespace
+
+int advise_command(const AdviseArguments& arguments, const Common& common) {
+  require_positive_option("--error", arguments.error);
+  require_positive_option("--time-limit", arguments.time_limit);
+  const NamedScene scene = read_one_scene(arguments.scene, common);
+  const ResultsFolder folder(arguments.out, Results::advice);
+  Wish wish{.error = arguments.error};
+  wish.limits.time = arguments.time_limit;
+  const Advice advice = advise(scene, wish, arguments.out, common.command);
+  if (common.json) {
+    nlohmann::ordered_json json{
+        {"error", arguments.error}, {"predictable_time", advice.predictable_time}, {"pick", nullptr}};
+    if (advice.pick >= 0) {
+      const Trial& pick = advice.trials[static_cast<std::size_t>(advice.pick)];
+      json["pick"] = metrics_json(pick.row);
+      json["pick"]["draws_tried"] = pick.draws;
+      json["pick"]["draws_within"] = pick.within;
+      json["pick"]["confirming_draws_tried"] = pick.confirming;
+      json["pick"]["confirming_draws_within"] = pick.confirmed;
+    }
+    json["beyond"] = distributions_json(advice.beyond);
+    fmt::print("{}\n", json.dump(2));
+  } else if (!common.quiet) {
+    print_advice(advice, arguments, wish, scene.scene.duration, common);
+  }
+  return advice.pick < 0 ? 1 : 0;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/interfaces/program/output.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/studies/canon/canon.hpp"
+#include "comparisons/suites/shipped.hpp"
+#include "engines/worker/registry.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/pages/canon.hpp"
+#endif
+
+namespace rockstack {
+namespace {
+
+std::vector<const WorkerEngine*> chosen(const std::vector<std::string>& names) {
+  std::vector<const WorkerEngine*> list;
+  for (const std::string& name : names) {
+    for (const WorkerEngine* engine : engines_named(name)) list.push_back(engine);
+  }
+  if (!names.empty()) return list;
+  list.reserve(engines().size());
+  for (const WorkerEngine& engine : engines()) list.push_back(&engine);
+  return list;
+}
+
+void print(const CanonRow& row, const CanonAnswer& answer) {
+  fmt::print("{:<28} {:<8} {:<16} {:<12}", row.engine->name() + ":" + row.engine->solver(), row.settings,
+             answer.scene, answer.verdict);
+  if (answer.verdict == "no run") {
+    fmt::print(" {}\n", answer.reason);
+  } else {
+    fmt::print(" {:>8.3g} {:>8.3g}\n", answer.coarse.steps, answer.fine.steps);
+  }
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int canon_command(const CanonArguments& arguments, const Common& common) {
+  Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
+  const std::vector<const WorkerEngine*> engines = chosen(arguments.engines);
+  const std::vector<std::string> sets = both_if_empty(arguments.settings);
+  const ResultsFolder folder(arguments.out, Results::canon);
+  const bool talk = !common.quiet && !common.json;
+  if (talk)
+    fmt::print("{:<28} {:<8} {:<16} {:<12} steps off at {} and {} s\n", "engine", "set", "scene", "verdict",
+               canon_steps().coarse, canon_steps().fine);
+  const auto show = progress(common);
+  const std::size_t total = engines.size() * sets.size() * suite.scenes.size();
+  std::size_t done = 0, off = 0;
+  std::vector<CanonRow> rows;
+  for (const WorkerEngine* engine : engines) {
+    for (const std::string& settings : sets) {
+      const CanonRow head{engine, settings, {}};
+      rows.push_back(make_canon_row(suite, *engine, settings, [&](const CanonAnswer& answer) {
+        if (answer.verdict != "agrees" && answer.verdict != "converges") ++off;
+        clear_progress(common);
+        if (talk) print(head, answer);
+        show({++done, total, fmt::format("{} {} {}", engine->name(), settings, answer.scene), {}});
+      }));
+    }
+  }
+  const std::string json = canon_json(suite, rows, common.command);
+  write_file(arguments.out / "canon.csv", canon_csv(rows));
+  write_file(arguments.out / "canon.json", json);
+  if (common.json) fmt::print("{}", json);
+#ifdef ROCKSTACK_WITH_PLOTS
+  plots::write_canon_report(arguments.out);
+  if (talk) fmt::print("report: {}\n", (arguments.out / "report.html").string());
+#endif
+  if (talk)
+    fmt::print("{} of {} answers neither agree nor converge{}\n", off, total, off > 0 ? ": exit code 1" : "");
+  return off == 0 ? 0 : 1;
+}
+
+}  // namespace rockstack

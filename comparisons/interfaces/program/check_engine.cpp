@@ -1,0 +1,195 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/interfaces/program/commands.hpp"
+#include "engines/conformance/check.hpp"
+#include "engines/conformance/known_limits.hpp"
+#include "engines/conformance/scenes.hpp"
+#include "engines/worker/registry.hpp"
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string full_name(const WorkerEngine& engine) {
+  return engine.name() + ":" + engine.solver();
+}
+
+/// What became of a check.
+struct Finding {
+  std::string engine, settings, check;
+  std::string verdict;  ///< "holds", "fails", "known limit" or "no run"
+  double value = 0, limit = 0;
+  std::string what;          ///< of the value, with its unit; or the reason
+  std::size_t warnings = 0;  ///< of its runs
+};
+
+/// A worker that never answers is to cost a row.
+constexpr Limits limits{.time = 60};
+
+Parameters parameters_of(const WorkerEngine& engine, const std::string& settings) {
+  return settings == "tuned" ? engine.tuned_parameters() : engine.default_parameters();
+}
+
+/// `warnings` counts those of all runs.
+Adapter adapter_of(const WorkerEngine& engine, const Parameters& parameters, std::size_t& warnings) {
+  return {engine.capabilities(), parameters,
+          [&engine, &warnings](const Setup& setup, const Parameters& given) {
+            Trajectory made = run(engine, setup, given, true, limits);
+            warnings += made.warnings;
+            return made;
+          }};
+}
+
+Finding judge(const WorkerEngine& engine, const std::string& settings, const Check& check) {
+  Finding finding{full_name(engine), settings, check.name, "no run", 0, 0, "", 0};
+  const std::string limit = known_limit(engine.name(), engine.solver(), settings, check.name);
+  try {
+    const Judgement verdict =
+        check.judge(adapter_of(engine, parameters_of(engine, settings), finding.warnings));
+    finding.verdict = verdict.holds() ? "holds" : limit.empty() ? "fails" : "known limit";
+    finding.value = verdict.value;
+    finding.limit = verdict.limit;
+    finding.what = verdict.holds() || limit.empty() ? verdict.what : limit;
+  } catch (const std::exception& error) {
+    if (!limit.empty()) finding.verdict = "known limit";
+    finding.what = limit.empty() ? error.what() : limit;
+  }
+  return finding;
+}
+
+/// Those of some names, or all. @throws InputError naming all for another name.
+std::vector<Check> checks_named(const std::vector<std::string>& names) {
+  if (names.empty()) return checks();
+  std::vector<Check> list;
+  std::vector<std::string> there;
+  there.reserve(checks().size());
+  for (const Check& check : checks()) {
+    there.emplace_back(check.name);
+    if (std::find(names.begin(), names.end(), check.name) != names.end()) list.push_back(check);
+  }
+  for (const std::string& name : names) {
+    if (std::find(there.begin(), there.end(), name) == there.end())
+      throw InputError(fmt::format("--check {}: must be one of {}", name, fmt::join(there, ", ")));
+  }
+  return list;
+}
+
+/// A run of a resting block that is asked for everything that an answer may have.
+/// @return whether its contacts are told. @throws std::runtime_error where it is not done.
+bool tells_contacts(const WorkerEngine& engine, const std::string& settings) {
+  const Scene scene = at_rest({make_block(1, 1, 2500)}, 1e-2);
+  const Parameters parameters = parameters_of(engine, settings);
+  return run(engine, set_up(scene, 1e-3, parameters), parameters, true, limits, 1).contacts.has_value();
+}
+
+Json capabilities_json(const WorkerEngine& engine, bool tells_contacts) {
+  const Capabilities& able = engine.capabilities();
+  Json json{{"engine", full_name(engine)},
+            {"version", engine.version()},
+            {"licence", engine.licence()},
+            {"worker", engine.program().string()},
+            {"largest_friction", std::isfinite(able.largest_friction) ? Json(able.largest_friction) : Json()},
+            {"single_precision", able.single_precision},
+            {"planar", able.planar},
+            {"lead", able.lead},
+            {"moves_ground", engine.default_parameters().count("shaking") != 0},
+            {"tells_contacts", tells_contacts},
+            {"settings", Json::array()}};
+  for (const Setting& setting : engine.settings()) {
+    json["settings"].push_back({{"name", setting.name},
+                                {"unit", setting.unit},
+                                {"default", setting.standard},
+                                {"tuned", setting.tuned},
+                                {"least", setting.least},
+                                {"most", setting.most}});
+  }
+  return json;
+}
+
+void print_capabilities(const Json& able) {
+  const auto yes = [&](const char* key) { return able[key].get<bool>() ? "yes" : "no"; };
+  fmt::print("{}  {}\n", able["engine"].get<std::string>(), able["version"].get<std::string>());
+  fmt::print(
+      "  friction up to {}; {} precision; planar {}; places lead by {} steps; really moves the ground: {}; "
+      "tells contacts: {}; {} settings\n",
+      able["largest_friction"].is_null() ? "any" : able["largest_friction"].dump(),
+      able["single_precision"].get<bool>() ? "single" : "double",
+      able["planar"].get<bool>() ? "by nature" : "by constraint", able["lead"].dump(), yes("moves_ground"),
+      yes("tells_contacts"), able["settings"].size());
+}
+
+void print(const Finding& finding) {
+  const std::string numbers = finding.verdict == "no run"
+                                  ? std::string(24, ' ')
+                                  : fmt::format("{:>10.3g} of {:<10.3g}", finding.value, finding.limit);
+  fmt::print("  {:<8} {:<32} {:<11} {}  {}{}\n", finding.settings, finding.check, finding.verdict, numbers,
+             finding.what, finding.warnings > 0 ? fmt::format("; {} warnings", finding.warnings) : "");
+  std::fflush(stdout);
+}
+
+Json to_json(const Finding& finding) {
+  return {{"engine", finding.engine},   {"settings", finding.settings}, {"check", finding.check},
+          {"verdict", finding.verdict}, {"value", finding.value},       {"limit", finding.limit},
+          {"what", finding.what},       {"warnings", finding.warnings}};
+}
+
+}  // namespace
+
+std::vector<std::string> both_if_empty(const std::vector<std::string>& settings) {
+  return settings.empty() ? std::vector<std::string>{"default", "tuned"} : settings;
+}
+
+std::vector<const WorkerEngine*> engines_named(const std::string& name) {
+  if (name.find('/') != std::string::npos && name.find(':', name.rfind('/')) == std::string::npos)
+    return all_engines_at(name);
+  const WorkerEngine& first = find_engine(name);
+  if (name.find(':') != std::string::npos) return {&first};
+  std::vector<const WorkerEngine*> list;
+  for (const WorkerEngine& engine : engines()) {
+    if (engine.name() == first.name()) list.push_back(&engine);
+  }
+  return list;
+}
+
+int check_engine_command(const CheckEngineArguments& arguments, const Common& common) {
+  refuse_overrides(common, "its scenes are its own");
+  const bool talk = !common.quiet && !common.json;
+  Json report{{"engines", Json::array()}, {"checks", Json::array()}};
+  std::size_t broken = 0, count = 0;
+  const std::vector<Check> chosen = checks_named(arguments.checks);
+  const std::vector<std::string> sets = both_if_empty(arguments.settings);
+  const auto tell = [&](const Finding& finding) {
+    ++count;
+    if (finding.verdict == "fails" || finding.verdict == "no run") ++broken;
+    if (talk) print(finding);
+    report["checks"].push_back(to_json(finding));
+  };
+  for (const WorkerEngine* engine : engines_named(arguments.engine)) {
+    try {
+      report["engines"].push_back(capabilities_json(*engine, tells_contacts(*engine, sets.front())));
+    } catch (const std::exception& error) {
+      tell({full_name(*engine), sets.front(), "FirstRun", "no run", 0, 0, error.what(), 0});
+      continue;
+    }
+    if (talk) print_capabilities(report["engines"].back());
+    for (const std::string& settings : sets) {
+      for (const Check& check : chosen) tell(judge(*engine, settings, check));
+    }
+  }
+  report["broken"] = broken;
+  if (common.json) fmt::print("{}\n", report.dump(2));
+  if (talk) fmt::print("{} of {} checks do not hold\n", broken, count);
+  return broken == 0 ? 0 : 1;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,297 @@
+#include "comparisons/interfaces/program/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "analytic/solve.hpp"
+#include "comparisons/interfaces/program/executor_choice.hpp"
+#include "comparisons/interfaces/program/output.hpp"
+#include "comparisons/measures/metrics/contact/validity.hpp"
+#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/runs/compare.hpp"
+#include "comparisons/runs/disk_use.hpp"
+#include "comparisons/runs/measure.hpp"
+#include "comparisons/studies/impact_laws/study.hpp"
+#include "comparisons/studies/stability/study.hpp"
+#include "comparisons/suites/shipped.hpp"
+#include "engines/parameters.hpp"
+#include "engines/scene_setup.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/data/motion.hpp"
+#include "plots/figures/animation.hpp"
+#include "plots/figures/comparison/figures.hpp"
+#include "plots/figures/impact_laws/maps.hpp"
+#include "plots/figures/motion.hpp"
+#include "plots/figures/record.hpp"
+#include "plots/figures/stability.hpp"
+#include "plots/figures/sweep/sweep.hpp"
+#include "plots/pages/canon.hpp"
+#include "plots/pages/course/course.hpp"
+#include "plots/pages/course/lesson.hpp"
+#include "plots/pages/impact_laws.hpp"
+#include "plots/pages/motion.hpp"
+#include "plots/pages/report.hpp"
+#include "plots/pages/studies.hpp"
+#endif
+
+namespace rockstack {
+namespace {
+
+/// The suite or scene that an input of `compare` names.
+std::filesystem::path find_input(const std::string& input) {
+  const auto file = find_file(input, "suites");
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored) ? file : find_file(input, "scenes");
+}
+
+/// A suite says by itself what it runs.
+void refuse_choice(const std::string& suite, const SceneChoice& choice) {
+  const std::string option = !choice.engines.empty() ? "--engine " + choice.engines.front()
+                             : !choice.steps.empty() ? fmt::format("--dt {}", choice.steps.front())
+                             : choice.quick          ? "--quick"
+                             : choice.softness       ? "--softness"
+                                                     : "";
+  if (!option.empty())
+    throw InputError(fmt::format("{}: must be left out of {}, a suite or study says its own", option, suite));
+}
+
+Suite read_input(const std::string& input, const CompareArguments& arguments, const Common& common) {
+  const auto file = find_input(input);
+  const bool study = is_stability_study(file);
+  if (!study && !is_suite(file)) return suite_for(read_named_scene(file, common.overrides), arguments.choice);
+  refuse_choice(input, arguments.choice);
+  return study ? read_stability_study(file, common.overrides).suite : read_suite(file, common.overrides);
+}
+
+std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& common) {
+  std::vector<Suite> suites;
+  for (const std::string& input : arguments.inputs) {
+    Suite& suite = suites.emplace_back(read_input(input, arguments, common));
+    if (arguments.draws > 0) suite.draws.runs = arguments.draws;
+    if (arguments.history_interval) suite.history_interval = *arguments.history_interval;
+  }
+  if (arguments.record) replace_made_up_motion(suites, *arguments.record);
+  return suites;
+}
+
+/// Says how much disk a comparison takes where that is much.
+void announce_disk_use(const std::vector<Suite>& suites, const std::filesystem::path& out,
+                       const Common& common) {
+  constexpr double megabyte = 1e6, much = 200 * megabyte;
+  const double bytes = history_bytes(suites);
+  if (bytes < much || common.quiet) return;
+  fmt::print(
+      stderr,
+      "about {:.0f} MB of histories will be written to {}; --history-interval 0.01 keeps a sample every "
+      "10 ms\n",
+      bytes / megabyte, out.string());
+}
+
+#ifdef ROCKSTACK_WITH_PLOTS
+/// How results of a kind are shown.
+struct Picture {
+  bool (*is_there)(const std::filesystem::path&);
+  void (*draw)(const std::filesystem::path&);
+  void (*write_page)(const std::filesystem::path&);
+};
+
+bool has_record(const std::filesystem::path& results) {
+  return std::filesystem::exists(results / "record.json");
+}
+
+bool has_runs(const std::filesystem::path& results) {
+  return std::filesystem::exists(results / "comparison.json");
+}
+
+/// The first that is there holds: a study has runs too.
+constexpr Picture pictures[]{
+    {plots::has_course, [](const std::filesystem::path&) {}, plots::write_course},
+    {has_record, plots::draw_record, plots::write_record_report},
+    {plots::has_canon, [](const std::filesystem::path&) {}, plots::write_canon_report},
+    {plots::has_stability, plots::draw_stability, plots::write_stability_report},
+    {plots::has_sweep, plots::draw_sweep, plots::write_sweep_report},
+    {plots::has_one_motion, plots::draw_motion, plots::write_motion_report},
+    {plots::has_impact_laws, plots::draw_impact_laws, plots::write_impact_law_report},
+    {has_runs, plots::draw_figures, plots::write_report}};
+
+const Picture& picture_of(const std::filesystem::path& results) {
+  const auto* found = std::find_if(std::begin(pictures), std::end(pictures),
+                                   [&](const Picture& picture) { return picture.is_there(results); });
+  if (found == std::end(pictures))
+    throw InputError(
+        fmt::format("{}: cannot be read: must be a folder with results that have figures", results.string()));
+  return *found;
+}
+
+void draw(const std::filesystem::path& results) {
+  const Picture& picture = picture_of(results);
+  picture.draw(results);
+  picture.write_page(results);
+}
+#endif
+
+#ifdef ROCKSTACK_WITH_PLOTS
+void print_animations(const std::vector<std::filesystem::path>& files, const Common& common) {
+  if (common.quiet || common.json) return;
+  for (const auto& file : files) fmt::print("film: {}\n", file.string());
+}
+
+/// Figures of thousands of scenes take hours: they are drawn when asked for.
+void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& results, const Common& common) {
+  constexpr std::size_t most = 100;
+  std::size_t scenes = 0;
+  for (const Suite& suite : suites) scenes += suite.scenes.size();
+  if (scenes <= most) return draw(results);
+  if (!common.quiet)
+    fmt::print(stderr, "{} scenes: figures and report are drawn by `rockstack plot {}`\n", scenes,
+               results.string());
+}
+#endif
+
+/// Draws one motion and says where its page is.
+void show_motion(const std::filesystem::path& out, bool plots, const Common& common) {
+  if (!plots) return;
+#ifdef ROCKSTACK_WITH_PLOTS
+  draw(out);
+#endif
+  print_report(out, common);
+}
+
+int study_command(const std::filesystem::path& file, const std::filesystem::path& out, const Common& common) {
+  refuse_overrides(common, "a study of impact laws draws its own scenes");
+  const ImpactLawStudy study = read_impact_law_study(file);
+  const ResultsFolder folder(out, Results::impact_laws);
+  const ImpactLawResults results = run_study(study);
+  write_results(study, results, out, common.command);
+  print_impact_laws(results, out, common);
+#ifdef ROCKSTACK_WITH_PLOTS
+  draw(out);
+#endif
+  print_report(out, common);
+  const bool failed = std::any_of(results.cases.begin(), results.cases.end(), [](const AskedCase& asked) {
+    return std::any_of(asked.verdicts.begin(), asked.verdicts.end(),
+                       [](const EngineVerdict& verdict) { return !verdict.failure.empty(); });
+  });
+  return failed ? 1 : 0;
+}
+
+}  // namespace
+
+NamedScene read_one_scene(const std::string& input, const Common& common) {
+  const auto file = find_file(input, "scenes");
+  std::error_code ignored;
+  const bool there = std::filesystem::exists(file, ignored);
+  const auto suite = there ? file : find_file(input, "suites");
+  if (std::filesystem::is_regular_file(suite, ignored) && is_suite(suite))
+    throw InputError(input + ": must be a scene, this is a suite, which `rockstack compare` takes");
+  return read_named_scene(file, common.overrides);
+}
+
+void require_positive_option(const char* option, double value) {
+  if (!(value > 0) || !std::isfinite(value))
+    throw InputError(fmt::format("{} = {}: must be a finite number > 0", option, value));
+}
+
+void refuse_overrides(const Common& common, const char* reason) {
+  if (!common.overrides.empty())
+    throw InputError(fmt::format("--set {}: must be left out, {}", common.overrides.front(), reason));
+}
+
+int solve_command(const SolveArguments& arguments, const Common& common) {
+  require_positive_option("--step", arguments.step);
+  require_positive_option("--interval", arguments.interval);
+  const auto scene = read_one_scene(arguments.scene, common);
+  const SolveOptions options{
+      .integrator = arguments.integrator == "rk4" ? Integrator::rk4 : Integrator::taylor,
+      .sample_times = regular_times(arguments.interval, scene.scene.duration),
+      .validity = true,
+      .peaks = true,
+      .resolution = arguments.tolerance,
+      .tolerance = arguments.tolerance,
+      .step = arguments.step};
+  const ResultsFolder folder(arguments.out, Results::motion);
+  const History history = solve_into(scene, options, arguments.histories, arguments.out, common.command);
+  print_history(scene.scene, history, arguments.out, common);
+  show_motion(arguments.out, arguments.plots, common);
+  return 0;
+}
+
+int simulate_command(const SimulateArguments& arguments, const Common& common) {
+  require_positive_option("--dt", arguments.dt);
+  const WorkerEngine& engine = find_engine(arguments.engine);
+  const Parameters changes = read_parameters(arguments.parameters, engine);
+  const auto scene = read_one_scene(arguments.scene, common);
+  check_step(arguments.dt, scene.scene.duration);
+  const ResultsFolder folder(arguments.out, Results::motion);
+  const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);
+  const History history = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
+  print_history(scene.scene, history, arguments.out, common);
+  show_motion(arguments.out, arguments.plots, common);
+  return 0;
+}
+
+int compare_command(const CompareArguments& arguments, const Common& common) {
+  for (const double step : arguments.choice.steps) require_positive_option("--dt", step);
+  if (arguments.history_interval) require_positive_option("--history-interval", *arguments.history_interval);
+  const auto executor = make_executor(arguments.jobs);
+  if (!executor->leads()) {
+    serve_comparison(
+        *executor, [&] { return read_inputs(arguments, common); }, common.command);
+    return 0;
+  }
+  for (const std::string& input : arguments.inputs) {
+    const auto file = find_input(input);
+    if (!is_study(file)) continue;
+    refuse_choice(input, arguments.choice);
+    if (arguments.history_interval)
+      throw InputError(
+          fmt::format("--history-interval {}: must be left out of a study, which keeps no histories",
+                      *arguments.history_interval));
+    if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
+    if (arguments.record)
+      throw InputError(fmt::format("--record {}: must be left out of a study", *arguments.record));
+    if (is_stability_study(file))
+      return stability_command(file, arguments.out, *executor, arguments.draws, common);
+    return study_command(file, arguments.out, common);
+  }
+  const std::vector<Suite> suites = read_inputs(arguments, common);
+  require_comparable(suites);
+  const ResultsFolder folder(arguments.out, Results::comparison);
+  announce_disk_use(suites, arguments.out, common);
+  const CompareResult result =
+      compare(suites, arguments.out, *executor, {.command = common.command, .progress = progress(common)});
+  print_rows(result, arguments.out, common);
+#ifdef ROCKSTACK_WITH_PLOTS
+  draw_few(suites, arguments.out, common);
+#endif
+  print_report(arguments.out, common);
+  const auto failed = [](const RunMetrics& row) { return row.status != RunStatus::done; };
+  return std::any_of(result.rows.begin(), result.rows.end(), failed) ? 1 : 0;
+}
+
+int plot_command(const PlotArguments& arguments, const Common& common) {
+  refuse_overrides(common, "figures are of results that are there");
+  const std::filesystem::path& results = arguments.results;
+  const FolderLock lock(results);
+#ifdef ROCKSTACK_WITH_PLOTS
+  if (arguments.animate && picture_of(results).is_there != has_runs)
+    throw InputError(fmt::format("plot {} --animate: must be a folder of `rockstack compare` or `teach`",
+                                 results.string()));
+  draw(results);
+  if (plots::has_lesson(results)) plots::write_lesson(results);
+  print_report(results, common);
+  if (arguments.animate) print_animations(plots::draw_animations(results), common);
+  return 0;
+#else
+  static_cast<void>(common);
+  throw InputError(
+      fmt::format("plot {}: must be asked of a build with ROCKSTACK_PLOTS=ON", results.string()));
+#endif
+}
+
+}  // namespace rockstack

@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/studies/diff/change_tables.hpp"
+
+namespace rockstack {
+namespace {
+
+std::string settings_of(const RowChange& row) {
+  const std::string& before = row.old_row.settings;
+  const std::string& now = row.new_row.settings;
+  return before == now ? before : before + " > " + now;
+}
+
+std::string solver_of(const RowChange& row) {
+  return row.old_row.solver.empty() ? row.old_row.engine : row.old_row.engine + ":" + row.old_row.solver;
+}
+
+std::string spread_text(const ValueSpread& spread) {
+  return spread.values > 1 ? fmt::format("{:.2e} ({:.1e}…{:.1e})", spread.median, spread.lower, spread.upper)
+                           : fmt::format("{:.2e}", spread.median);
+}
+
+/// A line of the table, cell by cell.
+std::vector<std::string> cells_of(const TurnedNumber& number) {
+  const RowChange& row = *number.row;
+  const QuantityChange& change = *number.change;
+  return {name(change.turn),
+          row.old_row.scene,
+          solver_of(row),
+          settings_of(row),
+          row.old_row.dt ? fmt::format("{}", *row.old_row.dt) : "",
+          change.quantity,
+          spread_text(change.old_values),
+          spread_text(change.new_values),
+          fmt::format("{:.3g}", number.ratio()),
+          change.adjusted_p_value ? fmt::format("{:.0e}", *change.adjusted_p_value) : ""};
+}
+
+std::size_t letters_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char letter) { return (letter & 0xC0) != 0x80; }));
+}
+
+void print_table(const std::vector<TurnedNumber>& numbers) {
+  std::vector<std::vector<std::string>> lines{{"", "scene", "engine:solver", "settings", "dt (s)", "number",
+                                               "old (quartiles)", "new (quartiles)", "new/old", "chance"}};
+  lines.reserve(numbers.size() + 1);
+  for (const TurnedNumber& number : numbers) lines.push_back(cells_of(number));
+  std::vector<std::size_t> widths(lines.front().size());
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], letters_of(line[i]));
+  for (const auto& line : lines) {
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i)
+      text.append(line[i]).append(widths[i] - letters_of(line[i]) + 2, ' ');
+    fmt::print("{}\n", text.substr(0, text.find_last_not_of(' ') + 1));
+  }
+}
+
+void print_tests(const ResultsChange& result) {
+  if (result.tests == 0)
+    fmt::print("no row has draws in both: no threshold can be derived\n");
+  else if (result.counted == 0)
+    fmt::print(
+        "too few draws: none of {} numbers could show a change at level {}, with {} draws a row all could\n",
+        result.tests, result.level, result.draws_needed());
+  else
+    fmt::print("numbers tested: {} ({} more could show nothing); chance of a false alarm among all: {}\n",
+               result.counted, result.tests - result.counted, result.level);
+}
+
+void print_singles(const ResultsChange& result, const ChangeFactors& factors) {
+  const auto single = std::count_if(result.rows.begin(), result.rows.end(),
+                                    [](const RowChange& row) { return !row.drawn && row.old_row.steps; });
+  if (single == 0) return;
+  if (factors.single)
+    fmt::print("rows of single runs: {}; a number of theirs is told from {} times on\n", single,
+               *factors.single);
+  else
+    fmt::print("rows of single runs: {}; only failures of theirs are told, --factor F tells numbers too\n",
+               single);
+}
+
+void print_names(const char* what, const std::vector<std::string>& names) {
+  if (!names.empty()) fmt::print("{}: {}\n", what, fmt::join(names, "; "));
+}
+
+void print_change(const ResultsChange& result, const ChangeFactors& factors) {
+  const auto count = [&](const auto& counts) {
+    return std::count_if(result.rows.begin(), result.rows.end(), counts);
+  };
+  const auto turned = turned_numbers(result);
+  if (!turned.empty()) print_table(turned);
+  fmt::print("rows in both: {}, to the bit {}; worse {}, better alone {}\n", result.rows.size(),
+             count([](const RowChange& row) { return row.bits == SameBits::same; }),
+             count([](const RowChange& row) { return row.worst() == Turn::worse; }),
+             count([](const RowChange& row) { return row.worst() == Turn::better; }));
+  print_tests(result);
+  print_singles(result, factors);
+  if (const ValueSpread cost = cost_ratio(result); cost.values > 0)
+    fmt::print("time of a step, new over old: {:.2f}, of single rows {:.2f} to {:.2f}\n", cost.median,
+               cost.lower, cost.upper);
+  print_names("only in the old results", result.only_old);
+  print_names("only in the new results", result.only_new);
+  print_names("not held together, for they ask something else", result.other_questions);
+  print_names("made otherwise", result.other_environment);
+  std::vector<std::string> moved;
+  for (const RowChange& row : result.rows)
+    if (row.old_row.engine == "exact" && row.bits == SameBits::different) moved.push_back(row.old_row.scene);
+  print_names("the exact motion itself has other bits in", moved);
+}
+
+void require_factor(const char* option, const std::optional<double>& value) {
+  if (value && !(*value >= 1 && *value <= 1e6))
+    throw InputError(fmt::format("{} = {}: must be a number from 1 to 1e6", option, *value));
+}
+
+}  // namespace
+
+int diff_command(const DiffArguments& arguments, const Common& common) {
+  refuse_overrides(common, "results are held together as they are");
+  const ChangeOptions& options = arguments.options;
+  if (!(options.level > 0 && options.level < 1))
+    throw InputError(fmt::format("--level = {}: must be a number between 0 and 1", options.level));
+  require_factor("--factor", options.factors.single);
+  require_factor("--cost", options.factors.cost);
+  const RecordedResults before = read_recorded_results(arguments.old_results);
+  const ResultsChange result = hold_against(before, read_recorded_results(arguments.new_results), options);
+  nlohmann::ordered_json json = changes_json(result);
+  if (!arguments.out.empty()) {
+    const ResultsFolder folder(arguments.out, Results::diff);
+    json["command"] = common.command;
+    write_file(arguments.out / "diff.csv", changes_csv(result));
+    write_file(arguments.out / "diff.json", json.dump(2) + "\n");
+  }
+  if (common.json) {
+    fmt::print("{}\n", json.dump(2));
+  } else if (!common.quiet) {
+    print_change(result, options.factors);
+    if (!arguments.out.empty()) fmt::print("results: {}\n", arguments.out.string());
+  }
+  return result.worse() ? 1 : 0;
+}
+
+}  // namespace rockstack

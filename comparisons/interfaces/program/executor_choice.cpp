@@ -1,0 +1,23 @@
+#include "comparisons/interfaces/program/executor_choice.hpp"
+
+#include <algorithm>
+#include <thread>
+
+#ifdef ROCKSTACK_WITH_MPI
+#include "comparisons/runs/execution/ranks.hpp"
+#endif
+
+namespace rockstack {
+
+std::unique_ptr<Executor> make_executor(std::size_t threads) {
+#ifdef ROCKSTACK_WITH_MPI
+  if (auto ranks = find_ranks()) return ranks;
+#endif
+  return make_threads(threads);
+}
+
+std::size_t all_cores() {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+}  // namespace rockstack

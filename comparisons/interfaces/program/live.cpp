@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+#include <malloc.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/interfaces/live/course_files.hpp"
+#include "comparisons/interfaces/live/live_page.hpp"
+#include "comparisons/interfaces/live/questions.hpp"
+#include "comparisons/interfaces/live/server.hpp"
+#include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/suites/shipped.hpp"
+#include "engines/worker/installation.hpp"
+#include "engines/worker/registry.hpp"
+
+namespace rockstack {
+namespace {
+
+/// The first engine that is usual where nobody names one, if it is there.
+std::string usual_engine() {
+  const auto usual = std::find_if(engines().begin(), engines().end(), is_usual);
+  return usual == engines().end() ? "" : usual->name();
+}
+
+/// The scene of a lesson's suite.
+std::filesystem::path lesson_scene(const std::string& name) {
+  const std::filesystem::path suite = find_file(name, "studies/lessons");
+  const Node root = read_toml(suite);
+  return find_file(nearest(root, "scenes.1").text, "scenes", suite.parent_path());
+}
+
+live::PageStart start_of(const LiveArguments& arguments, const Common& common) {
+  live::PageStart start;
+  start.overrides = common.overrides;
+  start.engine = usual_engine();
+  start.records = arguments.records;
+  for (const Lesson& lesson : lessons()) start.lessons[lesson.name] = lesson_scene(lesson.name);
+  if (live::has_course_files(arguments.input)) {
+    start.course = arguments.input;
+    start.scene = find_file(LiveArguments().input, "scenes");
+  } else if (const auto lesson = start.lessons.find(arguments.input); lesson != start.lessons.end()) {
+    std::tie(start.lesson, start.scene) = *lesson;
+  } else {
+    read_one_scene(arguments.input, common);
+    start.scene = find_file(arguments.input, "scenes");
+  }
+  return start;
+}
+
+/// Memory of answers goes back at once, in the place of being kept for each of the server's threads.
+void keep_little_memory() {
+#ifdef __GLIBC__
+  constexpr int arenas = 2, returned_at_once = 128 * 1024;  // bytes
+  mallopt(M_ARENA_MAX, arenas);
+  mallopt(M_MMAP_THRESHOLD, returned_at_once);
+#endif
+}
+
+/// Where there is a screen and somebody in front of it.
+void open_browser(const std::string& address) {
+  const bool screen = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+  if (!screen || isatty(STDOUT_FILENO) == 0) return;
+  std::string program = "xdg-open", argument = address;
+  char* const words[] = {program.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  posix_spawnp(&child, program.c_str(), nullptr, nullptr, words, environ);  // else the address is printed
+}
+
+void print_address(const std::string& address, const Common& common) {
+  if (common.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"address", address}}.dump());
+  } else {
+    fmt::print("live: {}\n", address);
+    if (!common.quiet)
+      fmt::print("The page is for this machine alone, and ends with this program: Ctrl-C.\n");
+  }
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int live_command(const LiveArguments& arguments, const Common& common) {
+  keep_little_memory();
+  LiveArguments asked = arguments;
+  std::string fragment;
+  // A link that was copied from a page has all of its state after the sign.
+  if (const auto sign = asked.input.find('#'); sign != std::string::npos) {
+    fragment = asked.input.substr(sign);
+    asked.input = LiveArguments().input;
+  }
+  live::LivePage page = live::make_live_page(start_of(asked, common));
+  live::Questions questions(worker_folder() / "rockstack_exact", page.records);
+  live::LiveServer server(questions, std::move(page), asked.port);
+  const std::string address = server.address() + fragment;
+  print_address(address, common);
+  if (asked.browser) open_browser(address);
+  server.run();
+  return 0;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "analytic/scene/ground/records/record_file.hpp"
+#include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/interfaces/program/output.hpp"
+#include "comparisons/measures/metrics/ground/ground_measures.hpp"
+#include "comparisons/measures/metrics/ground/response_spectrum.hpp"
+#include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/results/environment.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/results_folder.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/figures/record.hpp"
+#include "plots/pages/studies.hpp"
+#endif
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double spectrum_damping = 0.05;
+
+/// A record as the command sees it: where it came from, the motion to be measured and what it measures.
+struct MeasuredRecord {
+  std::string file, channel, format;
+  BaseLine base_line;
+  GroundMotion motion;
+  GroundMeasures measures;
+};
+
+MeasuredRecord measure_record(const RecordArguments& arguments) {
+  Record record = read_record(arguments.file);
+  const std::string file = record_file(arguments.file).string();
+  const std::string channel = arguments.file == file ? "1" : arguments.file.substr(file.size() + 1);
+  GroundMotion motion{record.interval, std::move(record.samples), arguments.file};
+  const BaseLine line = arguments.base_line == "fitted" ? fitted_base_line(motion) : BaseLine{};
+  motion = without(motion, line);
+  const GroundMeasures measures = measure_ground(motion);
+  return {file, channel, record.format, line, std::move(motion), measures};
+}
+
+Json to_json(const Peak& peak) {
+  return {{"value", peak.value}, {"time", peak.time}};
+}
+
+Json to_json(const Span& span) {
+  return {{"begin", span.begin}, {"end", span.end}, {"length", span.length()}};
+}
+
+Json to_json(const MeasuredRecord& record, const RecordArguments& arguments) {
+  const GroundMeasures& measures = record.measures;
+  return {{"file", record.file},
+          {"channel", record.channel},
+          {"format", record.format},
+          {"points", measures.points},
+          {"interval", measures.interval},
+          {"duration", measures.duration},
+          {"base_line",
+           {{"treatment", arguments.base_line},
+            {"value", record.base_line.value},
+            {"slope", record.base_line.slope}}},
+          {"gravity", standard_gravity},
+          {"peak_acceleration", to_json(measures.acceleration)},
+          {"peak_velocity", to_json(measures.velocity)},
+          {"peak_displacement", to_json(measures.displacement)},
+          {"final_velocity", measures.final_velocity},
+          {"final_displacement", measures.final_displacement},
+          {"arias_intensity", measures.arias_intensity},
+          {"significant_5_95", to_json(measures.significant_5_95)},
+          {"significant_5_75", to_json(measures.significant_5_75)}};
+}
+
+void print_text(const MeasuredRecord& record, const std::string& base_line) {
+  const GroundMeasures& m = record.measures;
+  const auto line = [](const char* name, const std::string& value) { fmt::print("{:<22}{}\n", name, value); };
+  const auto peak = [&](const char* name, const Peak& value, const char* unit) {
+    line(name, fmt::format("{:.6g} {} at {:.6g} s", value.value, unit, value.time));
+  };
+  const auto span = [&](const char* name, const Span& value) {
+    line(name, fmt::format("{:.6g} s, from {:.6g} s to {:.6g} s", value.length(), value.begin, value.end));
+  };
+  line("file", record.file);
+  line("format", record.format);
+  line("channel", record.channel);
+  line("points", fmt::format("{}, {} s apart, {:.6g} s in all", m.points, m.interval, m.duration));
+  line("base line taken off",
+       base_line == "none"
+           ? base_line
+           : fmt::format("{:.4g} m/s² {:+.4g} m/s³ t", record.base_line.value, record.base_line.slope));
+  peak("peak acceleration", m.acceleration,
+       fmt::format("m/s² = {:.4g} g", m.acceleration.value / standard_gravity).c_str());
+  peak("peak velocity", m.velocity, "m/s");
+  peak("peak displacement", m.displacement, "m");
+  line("at the end", fmt::format("{:.4g} m/s, {:.4g} m", m.final_velocity, m.final_displacement));
+  line("Arias intensity", fmt::format("{:.6g} m/s", m.arias_intensity));
+  span("significant 5-95 %", m.significant_5_95);
+  span("significant 5-75 %", m.significant_5_75);
+}
+
+std::string record_csv(const GroundMotion& motion) {
+  const GroundIntegrals path = ground_integrals(motion);
+  const std::vector<double> shares = husid(motion);
+  CsvWriter csv;
+  csv.line("time", "acceleration", "velocity", "displacement", "husid");
+  for (std::size_t i = 0; i < motion.samples.size(); ++i) {
+    const double time = motion.interval * static_cast<double>(i);
+    for (const double value : {time, motion.samples[i], path.velocities[i], path.displacements[i], shares[i]})
+      csv.add(number_text(value));
+    csv.end_line();
+  }
+  return csv.text();
+}
+
+std::string spectrum_csv(const GroundMotion& motion) {
+  CsvWriter csv;
+  csv.line("period", "pseudo_acceleration");
+  for (const Response& response : response_spectrum(motion, spectrum_damping))
+    csv.line(number_text(response.period), number_text(response.pseudo_acceleration));
+  return csv.text();
+}
+
+void write_results(const MeasuredRecord& record, Json json, const RecordArguments& arguments,
+                   const Common& common) {
+  json["spectrum_damping"] = spectrum_damping;
+  json["command"] = common.command;
+  json["environment"] = environment({});
+  write_file(arguments.out / "record.csv", record_csv(record.motion));
+  write_file(arguments.out / "spectrum.csv", spectrum_csv(record.motion));
+  write_file(arguments.out / "record.json", json.dump(2) + "\n");
+}
+
+}  // namespace
+
+int record_command(const RecordArguments& arguments, const Common& common) {
+  refuse_overrides(common, "a record has no scene keys");
+  const MeasuredRecord record = measure_record(arguments);
+  const Json json = to_json(record, arguments);
+  std::optional<ResultsFolder> folder;
+  if (!arguments.out.empty()) {
+    folder.emplace(arguments.out, Results::record);
+    write_results(record, json, arguments, common);
+  }
+  if (common.json) {
+    fmt::print("{}\n", json.dump(2));
+  } else if (!common.quiet) {
+    print_text(record, arguments.base_line);
+    if (!arguments.out.empty()) fmt::print("{:<22}{}\n", "results", arguments.out.string());
+  }
+#ifdef ROCKSTACK_WITH_PLOTS
+  if (!arguments.out.empty()) {
+    plots::draw_record(arguments.out);
+    plots::write_record_report(arguments.out);
+  }
+#endif
+  if (!arguments.out.empty()) print_report(arguments.out, common);
+  return 0;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/interfaces/program/output.hpp"
+#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/studies/lessons/course/run_lesson.hpp"
+#include "comparisons/studies/lessons/course/sheet.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/figures/comparison/figures.hpp"
+#include "plots/pages/course/course.hpp"
+#include "plots/pages/course/lesson.hpp"
+#include "plots/pages/course/pdf.hpp"
+#include "plots/pages/course/sheet.hpp"
+#include "plots/pages/report.hpp"
+#endif
+
+namespace rockstack {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+void list_lessons(const Common& common) {
+  Json list = Json::array();
+  for (const Lesson& lesson : lessons()) list.push_back({{"name", lesson.name}, {"title", title(lesson)}});
+  if (common.json) return fmt::print("{}\n", list.dump(2));
+  for (std::size_t i = 0; i < list.size(); ++i)
+    fmt::print("{:2}  {:<14} {}\n", i + 1, list[i]["name"].get<std::string>(),
+               list[i]["title"].get<std::string>());
+  fmt::print("\nall of them, with an index: rockstack teach all --out DIR\n");
+}
+
+/// {"lesson": "DIR/lesson.html", …}, or a line for each.
+void print_files(const Json& paths, const Common& common) {
+  if (common.json) return fmt::print("{}\n", paths.dump(2));
+  if (common.quiet) return;
+  for (const auto& [name, file] : paths.items()) fmt::print("{}: {}\n", name, file.get<std::string>());
+}
+
+/// Those of "all", or the one of that name.
+std::vector<const Lesson*> lessons_named(const std::string& name) {
+  if (name != "all") return {&find_lesson(name)};
+  std::vector<const Lesson*> list;
+  list.reserve(lessons().size());
+  for (const Lesson& lesson : lessons()) list.push_back(&lesson);
+  return list;
+}
+
+/// The pages of a results folder with a lesson, and slides as PDF where they are asked for.
+Json write_pages(const fs::path& out, bool pdf) {
+#ifdef ROCKSTACK_WITH_PLOTS
+  plots::draw_figures(out);
+  plots::write_report(out);
+  plots::write_lesson(out);
+  const fs::path slides = out / "slides.html";
+  Json paths{{"lesson", (out / "lesson.html").string()}, {"slides", slides.string()}};
+  if (!pdf) return paths;
+  plots::print_pdf(slides, out / "slides.pdf");
+  paths["pdf"] = (out / "slides.pdf").string();
+  return paths;
+#else
+  if (pdf) throw InputError("--pdf: must be asked of a build with ROCKSTACK_PLOTS=ON");
+  return {{"lesson", (out / "lesson.json").string()}};
+#endif
+}
+
+/// Runs a lesson into a folder of its own. Returns 1 where one of its runs failed, else 0.
+int teach(const Lesson& lesson, const fs::path& out, const TeachArguments& arguments, const Common& common) {
+  const ResultsFolder folder(out, Results::lesson);
+  const std::vector<RunMetrics> rows = run_lesson(lesson, out, arguments.lesson == "all",
+                                                  {.command = common.command, .progress = progress(common)});
+  print_files(write_pages(out, arguments.pdf), common);
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const RunMetrics& row) { return row.status != RunStatus::done; })
+             ? 1
+             : 0;
+}
+
+int teach_all(const TeachArguments& arguments, const Common& common) {
+  const ResultsFolder folder(arguments.out, Results::course);
+  int code = 0;
+  for (const Lesson& lesson : lessons())
+    code = std::max(code, teach(lesson, arguments.out / lesson.name, arguments, common));
+  write_file(arguments.out / "course.json", course_json());
+#ifdef ROCKSTACK_WITH_PLOTS
+  plots::write_course(arguments.out);
+  print_files({{"course", (arguments.out / "index.html").string()}}, common);
+#endif
+  return code;
+}
+
+/// Problem sheets of one seed: each with its questions, and a key of its own.
+int write_sheets(const TeachArguments& arguments, const Common& common) {
+  if (arguments.pdf) throw InputError("--pdf: must be left out beside --sheet, which prints from a browser");
+  const std::vector<const Lesson*> chosen = lessons_named(arguments.lesson);
+  const ResultsFolder folder(arguments.out, Results::sheets);
+  for (const Lesson* lesson : chosen) {
+    const fs::path key = arguments.out / fmt::format("{}-key-{}.json", lesson->name, *arguments.sheet);
+    write_file(key, sheet_json(lesson->name, title(*lesson), *arguments.sheet).dump(2) + "\n");
+#ifdef ROCKSTACK_WITH_PLOTS
+    const plots::SheetPages pages = plots::write_sheet(key);
+    print_files({{"sheet", pages.sheet.string()}, {"key", pages.key.string()}}, common);
+#else
+    print_files({{"key", key.string()}}, common);
+#endif
+  }
+  return 0;
+}
+
+}  // namespace
+
+int teach_command(const TeachArguments& arguments, const Common& common) {
+  refuse_overrides(common, "a lesson's text is about its own scenes; `rockstack compare` takes it");
+  if (arguments.lesson.empty() || arguments.lesson == "list") {
+    list_lessons(common);
+    return 0;
+  }
+  lessons_named(arguments.lesson);
+  if (arguments.out.empty()) throw InputError("--out: missing, must be a folder for the lesson's page");
+  if (arguments.sheet) return write_sheets(arguments, common);
+  if (arguments.lesson == "all") return teach_all(arguments, common);
+  return teach(find_lesson(arguments.lesson), arguments.out, arguments, common);
+}
+
+}  // namespace rockstack

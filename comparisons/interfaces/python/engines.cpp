@@ -1,0 +1,130 @@
+#include "comparisons/interfaces/python/engines.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/interfaces/python/arrays.hpp"
+#include "comparisons/interfaces/python/interrupts.hpp"
+#include "comparisons/interfaces/python/motion.hpp"
+#include "comparisons/measures/metrics/contact_patterns.hpp"
+#include "comparisons/studies/canon/canon.hpp"
+#include "comparisons/suites/shipped.hpp"
+#include "comparisons/suites/suite.hpp"
+#include "engines/scene_setup.hpp"
+#include "engines/worker/registry.hpp"
+
+namespace rockstack::python {
+namespace {
+
+namespace py = pybind11;
+
+py::dict to_dict(const Setting& setting) {
+  return py::dict(py::arg("name") = setting.name, py::arg("default") = setting.standard,
+                  py::arg("tuned") = setting.tuned, py::arg("least") = setting.least,
+                  py::arg("most") = setting.most, py::arg("whole") = setting.whole,
+                  py::arg("choices") = setting.choices, py::arg("unit") = setting.unit);
+}
+
+py::dict to_dict(const WorkerEngine& engine) {
+  py::list settings;
+  for (const Setting& setting : engine.settings()) settings.append(to_dict(setting));
+  return py::dict(py::arg("name") = engine.name(), py::arg("solver") = engine.solver(),
+                  py::arg("version") = engine.version(), py::arg("licence") = engine.licence(),
+                  py::arg("settings") = settings);
+}
+
+py::list list_engines() {
+  py::list list;
+  for (const WorkerEngine& engine : engines()) list.append(to_dict(engine));
+  return list;
+}
+
+void require_settings(const std::string& settings) {
+  if (settings != "default" && settings != "tuned")
+    throw InputError("settings = " + settings + ": must be default or tuned");
+}
+
+py::object to_dict(const std::optional<BodyRecord>& bodies) {
+  if (!bodies) return py::none();
+  return py::dict(py::arg("energy") = copied(bodies->energy), py::arg("input") = copied(bodies->input),
+                  py::arg("penetration") = copied(bodies->penetration), py::arg("gap") = bodies->gap,
+                  py::arg("slip") = bodies->slip);
+}
+
+/// The motion, warnings, what bodies did, and the reason where the run failed.
+py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name, const std::string& settings,
+                       const std::vector<std::string>& changes, double dt, double time_limit, bool bodies) {
+  require_settings(settings);
+  if (!(time_limit > 0))
+    throw InputError("time_limit = " + number_text(time_limit) + ": must be a number > 0");
+  if (!(dt > 0)) throw InputError("dt = " + number_text(dt) + ": must be a finite number > 0");
+  const WorkerEngine& engine = find_engine(engine_name);
+  const EngineSeries series = make_series(engine, settings, {dt}, read_parameters(changes, engine));
+  check_step(dt, scene->scene.duration);
+  WorkerRun made;
+  beside_interpreter([&](const std::atomic<bool>& stop) {
+    const std::function<bool()> unwanted = [&] { return stop.load(); };
+    const Limits limits{.time = time_limit, .unwanted = &unwanted};
+    made = run_in_worker(engine, scene->scene, dt, series.parameters, 0, limits, bodies);
+    if (made.status == "done") made.run.history.patterns = sampled_patterns(scene->scene, made.run.history);
+  });
+  if (made.status != "done")
+    return py::make_tuple(py::none(), 0, py::none(), made.status + ": " + made.reason);
+  const std::size_t warnings = made.run.warnings;
+  const py::object record = to_dict(made.run.bodies);
+  return py::make_tuple(std::make_shared<HeldMotion>(HeldMotion{scene, std::move(made.run.history)}),
+                        warnings, record, py::none());
+}
+
+py::list canon(const std::string& engine_name, const std::string& settings,
+               const std::optional<std::vector<std::string>>& scenes, int draws) {
+  require_settings(settings);
+  const WorkerEngine& engine = find_engine(engine_name);
+  Suite suite = read_suite(find_file("canon", "suites"), {});
+  if (draws < 1) throw InputError("draws = " + std::to_string(draws) + ": must be at least 1");
+  suite.draws.runs = draws;
+  if (scenes) {
+    std::vector<NamedScene> chosen;
+    for (const std::string& name : *scenes) {
+      const auto found = std::find_if(suite.scenes.begin(), suite.scenes.end(),
+                                      [&](const NamedScene& scene) { return scene.name == name; });
+      if (found == suite.scenes.end()) throw InputError("scenes: " + name + ": must be a scene of the canon");
+      chosen.push_back(*found);
+    }
+    suite.scenes = std::move(chosen);
+  }
+  CanonRow row;
+  beside_interpreter([&](const std::atomic<bool>& stop) {
+    row = make_canon_row(suite, engine, settings, [&](const CanonAnswer&) {
+      if (stop) throw Unwanted();
+    });
+  });
+  py::list answers;
+  for (const CanonAnswer& answer : row.answers)
+    answers.append(py::dict(py::arg("scene") = answer.scene, py::arg("verdict") = answer.verdict,
+                            py::arg("steps_coarse") = answer.coarse.steps,
+                            py::arg("steps_fine") = answer.fine.steps,
+                            py::arg("amount_coarse") = answer.coarse.amount,
+                            py::arg("amount_fine") = answer.fine.amount, py::arg("reason") = answer.reason));
+  return answers;
+}
+
+}  // namespace
+
+void add_engines(py::module_& core) {
+  core.def("engines", &list_engines);
+  core.def("simulate", &simulate_one);
+  core.def("canon", &canon);
+}
+
+}  // namespace rockstack::python

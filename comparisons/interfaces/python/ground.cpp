@@ -1,0 +1,147 @@
+#include "comparisons/interfaces/python/ground.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analytic/scene/ground/motion_library.hpp"
+#include "analytic/scene/input/ground_reader.hpp"
+#include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/number_text.hpp"
+#include "analytic/scene/scene.hpp"
+#include "comparisons/interfaces/python/arrays.hpp"
+#include "comparisons/interfaces/python/nodes.hpp"
+#include "comparisons/interfaces/python/scene.hpp"
+#include "comparisons/measures/metrics/ground/ground_measures.hpp"
+#include "comparisons/measures/metrics/ground/response_spectrum.hpp"
+
+namespace rockstack::python {
+namespace {
+
+namespace py = pybind11;
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// The key of a motion in messages, and what they say in place of file and line.
+constexpr const char* motion_key = "motion";
+
+std::shared_ptr<GroundMotion> make(const py::object& mapping) {
+  const Node table = read_document(mapping, motion_key);
+  MotionLibrary library;
+  try {
+    auto motion = std::make_shared<GroundMotion>(read_ground_motion(table, {}, library));
+    validate(*motion, motion_key);
+    return motion;
+  } catch (const FieldError& error) {
+    throw InputError(error.what());
+  }
+}
+
+const GroundMotion& sampled(const GroundMotion& motion) {
+  if (motion.samples.empty())
+    throw InputError(motion.source +
+                     ": must be a motion with samples; sampled(interval) makes one of a pulse");
+  return motion;
+}
+
+Numbers accelerations(const GroundMotion& motion, const Numbers& times) {
+  Numbers result(Shape(times.shape(), times.shape() + times.ndim()));
+  std::transform(times.data(), times.data() + times.size(), result.mutable_data(), [&](double time) {
+    if (!(time >= 0)) throw InputError("times: " + number_text(time) + " s: must be numbers from 0");
+    return acceleration(motion, time);
+  });
+  return result;
+}
+
+py::dict to_dict(const Peak& peak) {
+  return py::dict(py::arg("value") = peak.value, py::arg("time") = peak.time);
+}
+
+py::dict to_dict(const Span& span) {
+  return py::dict(py::arg("begin") = span.begin, py::arg("end") = span.end,
+                  py::arg("length") = span.length());
+}
+
+py::dict measures(const GroundMotion& motion) {
+  const GroundMeasures measures = measure_ground(sampled(motion));
+  return py::dict(py::arg("points") = measures.points, py::arg("interval") = measures.interval,
+                  py::arg("duration") = measures.duration,
+                  py::arg("peak_acceleration") = to_dict(measures.acceleration),
+                  py::arg("peak_velocity") = to_dict(measures.velocity),
+                  py::arg("peak_displacement") = to_dict(measures.displacement),
+                  py::arg("final_velocity") = measures.final_velocity,
+                  py::arg("final_displacement") = measures.final_displacement,
+                  py::arg("arias_intensity") = measures.arias_intensity,
+                  py::arg("significant_5_95") = to_dict(measures.significant_5_95),
+                  py::arg("significant_5_75") = to_dict(measures.significant_5_75));
+}
+
+void require_period(const GroundMotion& motion, double period) {
+  const double least = motion.interval / 100;
+  if (!(period >= least && period <= largest_number))
+    throw InputError("periods: " + number_text(period) + " s: must be numbers from " + number_text(least) +
+                     " to " + number_text(largest_number));
+}
+
+/// Periods and pseudo-accelerations.
+std::pair<py::array_t<double>, py::array_t<double>> spectrum(
+    const GroundMotion& motion, const std::optional<std::vector<double>>& periods, double damping) {
+  sampled(motion);
+  if (!(damping >= 0 && damping < 1))
+    throw InputError("damping = " + number_text(damping) + ": must be a number from 0, below 1");
+  for (const double period : periods.value_or(std::vector<double>())) require_period(motion, period);
+  std::vector<double> at, heights;
+  {
+    const py::gil_scoped_release free;
+    std::vector<Response> responses;
+    if (periods) {
+      for (const double period : *periods) responses.push_back(response(motion, period, damping));
+    } else {
+      responses = response_spectrum(motion, damping);
+    }
+    for (const Response& one : responses) {
+      at.push_back(one.period);
+      heights.push_back(one.pseudo_acceleration);
+    }
+  }
+  return {copied(at), copied(heights)};
+}
+
+std::pair<double, double> base_line(const GroundMotion& motion) {
+  const BaseLine line = fitted_base_line(sampled(motion));
+  return {line.value, line.slope};
+}
+
+}  // namespace
+
+void add_ground(py::module_& core) {
+  py::class_<GroundMotion, std::shared_ptr<GroundMotion>>(core, "GroundMotion")
+      .def_static("made", &make)
+      .def_static("of_scene",
+                  [](const GivenScene& scene, const std::string& axis) {
+                    return std::make_shared<GroundMotion>(axis == "vertical" ? scene.scene.vertical
+                                                                             : scene.scene.horizontal);
+                  })
+      .def_property_readonly("samples",
+                             [](const py::object& self) {
+                               const auto& samples = self.cast<const GroundMotion&>().samples;
+                               return view(samples, {static_cast<py::ssize_t>(samples.size())}, self);
+                             })
+      .def_property_readonly("interval", [](const GroundMotion& motion) { return motion.interval; })
+      .def_property_readonly("end", &GroundMotion::end)
+      .def_property_readonly("source", [](const GroundMotion& motion) { return motion.source; })
+      .def("acceleration", &accelerations)
+      .def("velocities",
+           [](const GroundMotion& motion) { return copied(ground_integrals(sampled(motion)).velocities); })
+      .def("displacements",
+           [](const GroundMotion& motion) { return copied(ground_integrals(sampled(motion)).displacements); })
+      .def("husid", [](const GroundMotion& motion) { return copied(husid(sampled(motion))); })
+      .def("measures", &measures)
+      .def("spectrum", &spectrum)
+      .def("base_line", &base_line);
+}
+
+}  // namespace rockstack::python

@@ -1,0 +1,136 @@
+#include "comparisons/interfaces/python/motion.hpp"
+
+#include <pybind11/stl.h>
+
+#include "comparisons/interfaces/python/arrays.hpp"
+#include "comparisons/measures/metrics/contact/validity.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
+#include "comparisons/measures/results/reactions.hpp"
+
+namespace rockstack::python {
+namespace {
+
+namespace py = pybind11;
+
+/// A property that looks at a list of a history in place, `columns` numbers for each block of each sample;
+/// None where the history does not have it.
+template <class Number>
+auto samples(const std::vector<Number> History::*list, py::ssize_t columns = 1) {
+  return [list, columns](const py::object& self) -> py::object {
+    const History& history = self.cast<const HeldMotion&>().history;
+    if ((history.*list).empty() && !history.times.empty()) return py::none();
+    Shape shape{static_cast<py::ssize_t>(history.size()), history.blocks};
+    if (columns > 1) shape.push_back(columns);
+    return view(history.*list, shape, self);
+  };
+}
+
+/// The same of a list with one entry for each block or interface.
+template <class Number>
+auto of_each(const std::vector<Number> History::*list) {
+  return [list](const py::object& self) -> py::object {
+    const std::vector<Number>& entries = self.cast<const HeldMotion&>().history.*list;
+    if (entries.empty()) return py::none();
+    return view(entries, {static_cast<py::ssize_t>(entries.size())}, self);
+  };
+}
+
+py::array_t<double> states(const History& history, std::vector<double> Event::*state) {
+  py::array_t<double> array(Shape{static_cast<py::ssize_t>(history.events.size()), history.blocks});
+  double* next = array.mutable_data();
+  for (const Event& event : history.events)
+    next = std::copy((event.*state).begin(), (event.*state).end(), next);
+  return array;
+}
+
+template <class Of>
+auto of_events(const History& history, const Of& of) {
+  std::vector<decltype(of(history.events.front()))> values;
+  values.reserve(history.events.size());
+  for (const Event& event : history.events) values.push_back(of(event));
+  return values;
+}
+
+/// The columns of events, by name.
+py::dict events(const HeldMotion& motion) {
+  const History& history = motion.history;
+  py::dict columns;
+  columns["time"] = copied(of_events(history, [](const Event& event) { return event.time; }));
+  columns["kind"] = of_events(history, [](const Event& event) { return name(event.kind); });
+  columns["interface"] = copied(of_events(history, [](const Event& event) { return event.interface; }));
+  columns["from"] = of_events(history, [](const Event& event) { return name(event.from); });
+  columns["to"] = of_events(history, [](const Event& event) { return name(event.to); });
+  columns["angles"] = states(history, &Event::angles);
+  columns["before"] = states(history, &Event::before);
+  columns["after"] = states(history, &Event::after);
+  columns["consistency"] = of_events(history, [](const Event& event) { return name(event.consistency); });
+  return columns;
+}
+
+std::vector<std::string> patterns(const HeldMotion& motion) {
+  std::vector<std::string> names;
+  names.reserve(motion.history.patterns.size());
+  for (const Pattern& pattern : motion.history.patterns) names.push_back(name(pattern));
+  return names;
+}
+
+/// What interfaces carry at each sample; None where samples have no patterns.
+py::object reactions(const HeldMotion& motion) {
+  const History& history = motion.history;
+  if (history.patterns.size() != history.size()) return py::none();
+  const std::vector<Reaction> list = reactions_of(motion.scene->scene, history);
+  py::array_t<Reaction> array(Shape{static_cast<py::ssize_t>(history.size()), history.blocks});
+  std::copy(list.begin(), list.end(), array.mutable_data());
+  return array;
+}
+
+/// Times and interfaces of what the numbers could not tell.
+py::list doubts(const std::vector<BasicGraze<double>>& list) {
+  py::list result;
+  for (const auto& doubt : list) result.append(py::make_tuple(doubt.time, name(doubt.kind), doubt.interface));
+  return result;
+}
+
+}  // namespace
+
+void add_motion(py::module_& core) {
+  PYBIND11_NUMPY_DTYPE(Demand, least_normal, least_normal_time, friction, friction_time, first_pull_time,
+                       first_slip_time);
+  PYBIND11_NUMPY_DTYPE(Reaction, normal, tangential, centre);
+  PYBIND11_NUMPY_DTYPE(SpringEnergy, elastic, damped, rubbed);
+  py::class_<HeldMotion, std::shared_ptr<HeldMotion>>(core, "Motion")
+      .def_property_readonly("times",
+                             [](const py::object& self) {
+                               const auto& times = self.cast<const HeldMotion&>().history.times;
+                               return view(times, {static_cast<py::ssize_t>(times.size())}, self);
+                             })
+      .def_property_readonly("angles", samples(&History::angles))
+      .def_property_readonly("velocities", samples(&History::velocities))
+      .def_property_readonly("slips", samples(&History::slips))
+      .def_property_readonly("gaps", samples(&History::gaps))
+      .def_property_readonly("places", samples(&History::places, 2))
+      .def_property_readonly("place_rates", samples(&History::place_rates, 2))
+      .def_property_readonly("spring_energies", samples(&History::spring_energies))
+      .def_property_readonly("peaks", of_each(&History::peaks))
+      .def_property_readonly("slips_left", of_each(&History::slips_left))
+      .def_property_readonly("lifts", of_each(&History::lifts))
+      .def_property_readonly("forces", of_each(&History::forces))
+      .def_property_readonly("impulses", of_each(&History::impulses))
+      .def_property_readonly("event_columns", &events)
+      .def_property_readonly("patterns", &patterns)
+      .def_property_readonly("reactions", &reactions)
+      .def_property_readonly("grazes", [](const HeldMotion& motion) { return doubts(motion.history.grazes); })
+      .def_property_readonly("choices",
+                             [](const HeldMotion& motion) { return doubts(motion.history.choices); })
+      .def_property_readonly("verdict",
+                             [](const HeldMotion& motion) {
+                               return motion.history.times.empty()
+                                          ? std::string()
+                                          : motion_verdict(motion.scene->scene, motion.history);
+                             })
+      .def_property_readonly("warnings", [](const HeldMotion& motion) {
+        return validity_warnings(motion.scene->scene, motion.history);
+      });
+}
+
+}  // namespace rockstack::python

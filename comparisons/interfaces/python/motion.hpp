@@ -1,0 +1,18 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "analytic/scene/history.hpp"
+#include "comparisons/interfaces/python/scene.hpp"
+
+namespace rockstack::python {
+
+/// A history of a scene, whose numbers arrays look at in place.
+struct HeldMotion {
+  ScenePointer scene;
+  History history;
+};
+
+void add_motion(pybind11::module_& core);
+
+}  // namespace rockstack::python

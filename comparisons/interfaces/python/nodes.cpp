@@ -1,0 +1,155 @@
+#include "comparisons/interfaces/python/nodes.hpp"
+
+#include <pybind11/numpy.h>
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace rockstack::python {
+namespace {
+
+namespace py = pybind11;
+
+constexpr int deepest = 32;  ///< as the reader of TOML has it
+
+void read(const py::handle& value, Node& target, int depth);
+
+std::string shown(const py::handle& value) {
+  return one_line(py::str(value).cast<std::string>());
+}
+
+void read_table(const py::object& items, Node& target, int depth) {
+  target.kind = Node::Kind::table;
+  for (const py::handle item : items) {
+    const auto pair = item.cast<std::pair<py::object, py::object>>();
+    if (!py::isinstance<py::str>(pair.first))
+      throw InputError(target.place + ": " + shown(pair.first) + ": a key must be a text");
+    if (pair.second.is_none()) continue;
+    Node child = make_child(target, pair.first.cast<std::string>(), target.place);
+    read(pair.second, child, depth + 1);
+    target.children.push_back(std::move(child));
+  }
+}
+
+Node entry_of(const Node& array) {
+  return make_child(array, std::to_string(array.children.size() + 1), array.place);
+}
+
+void read_sequence(const py::handle& values, Node& target, int depth) {
+  target.kind = Node::Kind::array;
+  for (const py::handle value : values) {
+    Node child = entry_of(target);
+    read(value, child, depth + 1);
+    target.children.push_back(std::move(child));
+  }
+}
+
+void read_numbers(const py::array_t<double>& numbers, Node& target) {
+  target.kind = Node::Kind::array;
+  target.children.reserve(static_cast<std::size_t>(numbers.size()));
+  const auto values = numbers.unchecked<1>();
+  for (py::ssize_t i = 0; i < numbers.size(); ++i) {
+    Node child = entry_of(target);
+    child.kind = Node::Kind::number;
+    child.number = values(i);
+    target.children.push_back(std::move(child));
+  }
+}
+
+void read_number(const py::handle& value, Node& target) {
+  target.kind = Node::Kind::number;
+  target.number = PyFloat_AsDouble(value.ptr());
+  if (PyErr_Occurred() == nullptr) return;
+  if (!PyErr_ExceptionMatches(PyExc_OverflowError)) throw py::error_already_set();
+  PyErr_Clear();  // a whole number beyond all doubles
+  target.number = std::numeric_limits<double>::infinity();
+}
+
+void read_text(const py::handle& value, Node& target) {
+  target.kind = Node::Kind::text;
+  target.text = py::str(py::module_::import("os").attr("fspath")(value)).cast<std::string>();
+}
+
+/// Of numpy's arrays and numbers, and of what is like them.
+void read_array(const py::handle& value, Node& target, int depth) {
+  const py::array array(py::reinterpret_borrow<py::object>(value));
+  if (array.ndim() == 0) return read(array.attr("item")(), target, depth + 1);
+  const bool numbers = std::string_view("fiu").find(array.dtype().kind()) != std::string_view::npos;
+  if (array.ndim() == 1 && numbers)
+    return read_numbers(py::array_t<double, py::array::forcecast>(array), target);
+  read_sequence(array, target, depth);
+}
+
+/// Not an array of one, nor another sequence that may be one.
+bool is_number(const py::handle& value, const py::handle& type) {
+  return PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr()) ||
+         (py::hasattr(type, "__float__") && !py::hasattr(type, "__array__") && !py::hasattr(type, "__len__"));
+}
+
+/// Truth values are numbers to Python, and none to a scene.
+bool is_truth(const py::handle& value) {
+  return PyBool_Check(value.ptr()) || std::string_view(Py_TYPE(value.ptr())->tp_name) == "numpy.bool_";
+}
+
+void read(const py::handle& value, Node& target, int depth) {
+  if (depth > deepest)
+    throw InputError(target.place + ": " + one_line(target.key) + ": must be nested at most " +
+                     std::to_string(deepest) + " deep");
+  const py::handle type = py::type::handle_of(value);
+  if (is_truth(value)) {
+    target.kind = Node::Kind::other;
+    target.text = value.cast<bool>() ? "true" : "false";
+  } else if (is_number(value, type)) {
+    read_number(value, target);
+  } else if (py::isinstance<py::str>(value) || py::hasattr(type, "__fspath__")) {
+    read_text(value, target);
+  } else if (py::hasattr(type, "__array__")) {
+    read_array(value, target, depth);
+  } else if (py::hasattr(type, "items")) {
+    read_table(value.attr("items")(), target, depth);
+  } else if (py::hasattr(type, "__len__") && py::hasattr(type, "__iter__")) {
+    read_sequence(value, target, depth);
+  } else {
+    target.kind = Node::Kind::other;
+    target.text = shown(value);
+  }
+}
+
+}  // namespace
+
+void read_value(const py::handle& value, Node& target) {
+  read(value, target, 0);
+}
+
+Node read_document(const py::handle& mapping, const std::string& place) {
+  Node root;
+  root.place = place;
+  read(mapping, root, 0);
+  return root;
+}
+
+py::object to_python(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::number:
+      return py::float_(node.number);
+    case Node::Kind::text:
+      return py::str(node.text);
+    case Node::Kind::other:
+      return node.text == "true" || node.text == "false" ? py::object(py::bool_(node.text == "true"))
+                                                         : py::object(py::str(node.text));
+    case Node::Kind::array: {
+      py::list list;
+      for (const Node& child : node.children) list.append(to_python(child));
+      return list;
+    }
+    case Node::Kind::table:
+      break;
+  }
+  py::dict dict;
+  for (const Node& child : node.children) dict[py::str(child.name)] = to_python(child);
+  return dict;
+}
+
+}  // namespace rockstack::python

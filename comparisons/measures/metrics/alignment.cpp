@@ -1,0 +1,148 @@
+#include "comparisons/measures/metrics/alignment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+
+namespace rockstack {
+namespace {
+
+/// The best alignment of two tails: most pairs first, then least time difference.
+struct Score {
+  int pairs = 0;
+  double difference = 0;  ///< s
+
+  bool better_than(const Score& other) const {
+    return pairs != other.pairs ? pairs > other.pairs : difference < other.difference;
+  }
+};
+
+/// The impacts of one interface, by their numbers in both sequences.
+class InterfaceAlignment {
+ public:
+  InterfaceAlignment(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
+                     const std::vector<double>& windows, int interface)
+      : exact_(exact),
+        engine_(engine),
+        windows_(windows),
+        exact_numbers_(of_interface(exact, interface)),
+        engine_numbers_(of_interface(engine, interface)),
+        columns_(engine_numbers_.size() + 1),
+        scores_((exact_numbers_.size() + 1) * columns_) {
+    for (std::size_t i = exact_numbers_.size(); i-- > 0;) {
+      for (std::size_t j = engine_numbers_.size(); j-- > 0;) {
+        Score best = at(i + 1, j);
+        if (at(i, j + 1).better_than(best)) best = at(i, j + 1);
+        if (fit(i, j) && paired(i, j).better_than(best)) best = paired(i, j);
+        scores_[i * columns_ + j] = best;
+      }
+    }
+  }
+
+  void append_to(std::vector<AlignedImpact>& lines) const {
+    std::size_t i = 0, j = 0;
+    while (i < exact_numbers_.size() || j < engine_numbers_.size()) {
+      const bool both = i < exact_numbers_.size() && j < engine_numbers_.size();
+      const bool pair = both && starts_paired(i, j);
+      const bool takes_exact =
+          pair || j == engine_numbers_.size() || (both && !at(i, j + 1).better_than(at(i + 1, j)));
+      AlignedImpact line;
+      if (takes_exact) {
+        line.interface = exact_at(i).interface;
+        line.number = static_cast<int>(exact_numbers_[i]) + 1;
+        line.exact = exact_at(i).time;
+        line.exact_side = exact_at(i).side;
+      }
+      if (pair || !takes_exact) {
+        line.interface = engine_at(j).interface;
+        line.engine = engine_at(j).time;
+        line.engine_side = engine_at(j).side;
+        ++j;
+      }
+      if (takes_exact) ++i;
+      lines.push_back(line);
+    }
+  }
+
+ private:
+  static std::vector<std::size_t> of_interface(const std::vector<ImpactTime>& impacts, int interface) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < impacts.size(); ++i) {
+      if (impacts[i].interface == interface) numbers.push_back(i);
+    }
+    return numbers;
+  }
+
+  const ImpactTime& exact_at(std::size_t i) const { return exact_[exact_numbers_[i]]; }
+  const ImpactTime& engine_at(std::size_t j) const { return engine_[engine_numbers_[j]]; }
+
+  /// Of the tails from i and j.
+  const Score& at(std::size_t i, std::size_t j) const { return scores_[i * columns_ + j]; }
+
+  /// True where the best alignment of the tails from i and j starts with the pair (i, j).
+  bool starts_paired(std::size_t i, std::size_t j) const {
+    return fit(i, j) && !at(i + 1, j).better_than(paired(i, j)) && !at(i, j + 1).better_than(paired(i, j));
+  }
+
+  bool fit(std::size_t i, std::size_t j) const {
+    return sign(exact_at(i).side) * sign(engine_at(j).side) >= 0 &&
+           std::abs(exact_at(i).time - engine_at(j).time) <= windows_[exact_numbers_[i]];
+  }
+
+  Score paired(std::size_t i, std::size_t j) const {
+    const Score& rest = at(i + 1, j + 1);
+    return {rest.pairs + 1, rest.difference + std::abs(exact_at(i).time - engine_at(j).time)};
+  }
+
+  const std::vector<ImpactTime>& exact_;
+  const std::vector<ImpactTime>& engine_;
+  const std::vector<double>& windows_;
+  std::vector<std::size_t> exact_numbers_, engine_numbers_;
+  std::size_t columns_;
+  std::vector<Score> scores_;
+};
+
+double time_of(const AlignedImpact& line) {
+  return line.exact ? *line.exact : *line.engine;
+}
+
+}  // namespace
+
+std::vector<AlignedImpact> align(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
+                                 const std::vector<double>& windows) {
+  std::set<int> interfaces;
+  for (const auto* impacts : {&exact, &engine}) {
+    for (const ImpactTime& impact : *impacts) interfaces.insert(impact.interface);
+  }
+  std::vector<AlignedImpact> lines;
+  for (const int interface : interfaces)
+    InterfaceAlignment(exact, engine, windows, interface).append_to(lines);
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const AlignedImpact& a, const AlignedImpact& b) { return time_of(a) < time_of(b); });
+  return lines;
+}
+
+AlignmentCounts count(const std::vector<AlignedImpact>& alignment) {
+  AlignmentCounts counts;
+  for (const AlignedImpact& line : alignment) {
+    ++(!line.engine ? counts.missed : !line.exact ? counts.extra : counts.matched);
+  }
+  return counts;
+}
+
+TimeDifferences time_differences(const std::vector<AlignedImpact>& alignment) {
+  TimeDifferences result;
+  double squares = 0;
+  for (const AlignedImpact& line : alignment) {
+    if (!line.exact || !line.engine) continue;
+    const double apart = *line.engine - *line.exact;
+    squares += apart * apart;
+    result.largest = std::max(result.largest, std::abs(apart));
+  }
+  const int matched = count(alignment).matched;
+  if (matched > 0) result.root_mean_square = std::sqrt(squares / matched);
+  return result;
+}
+
+}  // namespace rockstack

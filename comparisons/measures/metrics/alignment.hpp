@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "comparisons/measures/metrics/impacts.hpp"
+
+namespace rockstack {
+
+/// One line of two impact sequences set side by side: both matched, the first alone (missed) or the second
+/// alone (extra).
+struct AlignedImpact {
+  int interface = 0;                    ///< from 1
+  std::optional<int> number;            ///< of the exact impact, from 1
+  std::optional<double> exact;          ///< s
+  std::optional<double> engine;         ///< s
+  Contact exact_side{}, engine_side{};  ///< to which it leaves, where there is one
+};
+
+/// Sets two impact sequences side by side, each interface by itself: as many pairs as possible in their
+/// order, no further apart than the exact impact's window (s, one each), and not leaving to opposite sides
+/// (closed goes with either); among those alignments, one with the least sum of time differences. Lines are
+/// in order of time.
+std::vector<AlignedImpact> align(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
+                                 const std::vector<double>& windows);
+
+struct AlignmentCounts {
+  int matched = 0;
+  int missed = 0;  ///< exact impacts that the engine does not have
+  int extra = 0;   ///< engine impacts that the exact solution does not have
+};
+
+AlignmentCounts count(const std::vector<AlignedImpact>& alignment);
+
+/// Time differences of the matched impacts, s; both 0 where none are.
+struct TimeDifferences {
+  double root_mean_square = 0;
+  double largest = 0;  ///< absolute
+};
+
+TimeDifferences time_differences(const std::vector<AlignedImpact>& alignment);
+
+}  // namespace rockstack

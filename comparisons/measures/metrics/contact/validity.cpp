@@ -1,0 +1,121 @@
+#include "comparisons/measures/metrics/contact/validity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json demand_json(const Demand& demand) {
+  return {{"least_normal", finite(demand.least_normal)},
+          {"least_normal_time", demand.least_normal_time},
+          {"friction", finite(demand.friction)},
+          {"friction_time", demand.friction_time},
+          {"first_pull_time", finite(demand.first_pull_time)},
+          {"first_slip_time", finite(demand.first_slip_time)}};
+}
+
+void add_warnings(const Scene& scene, const std::vector<Demand>& demands, const char* what, const char* unit,
+                  std::vector<std::string>& lines) {
+  const std::vector<double> friction = friction_of(scene);
+  for (std::size_t k = 0; k < demands.size(); ++k) {
+    const Demand& demand = demands[k];
+    if (demand.least_normal < 0) {
+      lines.push_back(fmt::format(
+          "interface {} would have to pull, normal {} {:.4g} {} at t = {:.6g} s: blocks would lift off, "
+          "first at t = {:.6g} s",
+          k + 1, what, demand.least_normal, unit, demand.least_normal_time, demand.first_pull_time));
+    } else if (demand.friction > friction[k]) {
+      lines.push_back(fmt::format(
+          "interface {} needs friction {:.4g} for the {} at t = {:.6g} s, the scene has {}: "
+          "blocks would slip, first at t = {:.6g} s",
+          k + 1, demand.friction, what, demand.friction_time, friction[k], demand.first_slip_time));
+    }
+  }
+}
+
+/// Where theory has no single answer.
+void add_open_questions(const History& history, std::vector<std::string>& lines) {
+  for (const Event& event : history.events) {
+    if (event.consistency == Consistency::several) {
+      lines.push_back(fmt::format(
+          "at t = {:.6g} s several motions obey the laws of contact: {} follows, where what sticks "
+          "goes on to stick if it can",
+          event.time, name(event.to)));
+    } else if (event.consistency == Consistency::none) {
+      lines.push_back(fmt::format(
+          "at t = {:.6g} s no finite forces let the motion go on (Painlevé): an impulse stops interface {}, "
+          "as in the limit of time steps",
+          event.time, event.interface));
+    }
+  }
+}
+
+/// Springs that the weight above presses further than the block on them is high.
+void add_soft_springs(const Scene& scene, std::vector<std::string>& lines) {
+  const CornerSprings& springs = scene.springs;
+  double mass = 0;
+  for (std::size_t k = scene.blocks.size(); k-- > 0;) {
+    mass += scene.blocks[k].mass;
+    const double width = 2 * interface_half_width(scene, static_cast<int>(k));
+    const double corners = k < springs.stiffness.size() ? 2 * springs.stiffness[k] : infinity;
+    const double bed = k < springs.bed_stiffness.size() ? width * springs.bed_stiffness[k] : infinity;
+    const double depth = mass * scene.gravity / std::min(corners, bed);
+    const double height = 2 * scene.blocks[k].half_height;
+    if (depth <= height) continue;
+    lines.push_back(
+        fmt::format("interface {} has springs so soft that the weight above sinks {:.4g} m, further than "
+                    "block {} is high, "
+                    "{:.4g} m: real blocks would meet",
+                    k + 1, depth, k + 1, height));
+  }
+}
+
+}  // namespace
+
+Json validity_json(const History& history) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < history.forces.size(); ++k) {
+    list.push_back({{"interface", k + 1},
+                    {"forces", demand_json(history.forces[k])},
+                    {"impulses", demand_json(history.impulses[k])}});
+  }
+  return list;
+}
+
+std::vector<std::string> validity_warnings(const Scene& scene, const History& history) {
+  std::vector<std::string> lines;
+  if (leaves_pivots(scene.law)) {
+    add_open_questions(history, lines);
+    if (scene.law == Law::compliant) add_soft_springs(scene, lines);
+  } else {
+    add_warnings(scene, history.forces, "force", "N", lines);
+    add_warnings(scene, history.impulses, "impulse", "N s", lines);
+  }
+  for (const auto& choice : history.choices) {
+    lines.push_back(
+        fmt::format("interface {} opens under tension at t = {:.6g} s, where either side would do: it took "
+                    "one of two motions",
+                    choice.interface, choice.time));
+  }
+  for (const auto& graze : history.grazes) {
+    lines.push_back(
+        fmt::format("interface {} grazes at t = {:.6g} s: rounding decides whether there is an {}",
+                    graze.interface, graze.time, name(graze.kind)));
+  }
+  return lines;
+}
+
+}  // namespace rockstack

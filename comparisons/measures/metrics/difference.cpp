@@ -1,0 +1,70 @@
+#include "comparisons/measures/metrics/difference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace rockstack {
+
+namespace {
+
+/// How many samples both have, from the start.
+std::size_t common_samples(const History& first, const History& second) {
+  const std::size_t count = std::min(first.size(), second.size());
+  if (first.blocks != second.blocks ||
+      !std::equal(first.times.begin(), first.times.begin() + static_cast<std::ptrdiff_t>(count),
+                  second.times.begin())) {
+    throw std::invalid_argument("histories can be compared only for the same blocks at the same times");
+  }
+  return count;
+}
+
+}  // namespace
+
+Difference difference(const History& first, const History& second) {
+  const std::size_t count = common_samples(first, second);
+  const auto blocks = static_cast<std::size_t>(first.blocks);
+  Difference result{blocks,
+                    {first.times.begin(), first.times.begin() + static_cast<std::ptrdiff_t>(count)},
+                    std::vector<double>(count * blocks)};
+  for (std::size_t i = 0; i < result.angles.size(); ++i)
+    result.angles[i] = second.angles[i] - first.angles[i];
+  return result;
+}
+
+double largest(const Difference& difference) {
+  double result = 0;
+  for (const double angle : difference.angles) result = std::max(result, std::abs(angle));
+  return result;
+}
+
+double root_mean_square(const Difference& difference) {
+  double sum = 0;
+  for (const double angle : difference.angles) sum += angle * angle;
+  return std::sqrt(sum / static_cast<double>(difference.angles.size()));
+}
+
+double agreement_time(const Difference& difference, double tolerance) {
+  for (std::size_t i = 0; i < difference.angles.size(); ++i) {
+    if (std::abs(difference.angles[i]) > tolerance) return difference.times[i / difference.blocks];
+  }
+  return difference.times.back();
+}
+
+std::optional<SlipDifference> slip_difference(const History& first, const History& second) {
+  if (first.slips.empty() || second.slips.empty()) return {};
+  const std::size_t count = common_samples(first, second);
+  SlipDifference result;
+  for (std::size_t i = 0; i < count; ++i) {
+    result.last.reset();
+    for (int k = 0; k < first.blocks; ++k) {
+      if (first.patterns[i][k] == Contact::apart) continue;
+      const std::size_t at = i * static_cast<std::size_t>(first.blocks) + static_cast<std::size_t>(k);
+      result.last = std::max(result.last.value_or(0), std::abs(second.slips[at] - first.slips[at]));
+    }
+    result.largest = std::max(result.largest, result.last.value_or(0));
+  }
+  return result;
+}
+
+}  // namespace rockstack

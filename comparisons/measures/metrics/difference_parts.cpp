@@ -1,0 +1,35 @@
+#include "comparisons/measures/metrics/difference_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rockstack {
+
+DifferenceParts difference_parts(const History& exact, const History& rigid, const History& soft,
+                                 const History& engine) {
+  DifferenceParts parts{difference(exact, rigid), difference(rigid, soft), difference(soft, engine)};
+  const std::size_t samples = std::min({exact.size(), rigid.size(), soft.size(), engine.size()});
+  for (Difference* part : {&parts.model, &parts.softness, &parts.step}) {
+    part->times.resize(samples);
+    part->angles.resize(samples * part->blocks);
+  }
+  return parts;
+}
+
+double share_of(const Difference& part, const Difference& whole) {
+  const auto product = [&](const Difference& other) {
+    return std::inner_product(other.angles.begin(), other.angles.end(), whole.angles.begin(), 0.0);
+  };
+  const double squares = product(whole);
+  return squares > 0 ? product(part) / squares : std::nan("");
+}
+
+Difference whole_of(const DifferenceParts& parts) {
+  Difference whole = parts.model;
+  for (std::size_t i = 0; i < whole.angles.size(); ++i)
+    whole.angles[i] += parts.softness.angles[i] + parts.step.angles[i];
+  return whole;
+}
+
+}  // namespace rockstack

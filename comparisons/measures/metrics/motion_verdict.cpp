@@ -1,0 +1,137 @@
+#include "comparisons/measures/metrics/motion_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/measures/metrics/contact/contact_summary.hpp"
+#include "comparisons/measures/metrics/toppling.hpp"
+
+namespace rockstack {
+namespace {
+
+/// The largest angle of a block over its slenderness angle.
+struct Lean {
+  std::size_t block = 0;
+  double ratio = 0;
+};
+
+Lean largest_lean(const Scene& scene, const std::vector<double>& angles) {
+  Lean largest;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const double ratio = angles[k] / slenderness(scene, static_cast<int>(k));
+    if (ratio > largest.ratio) largest = {k, ratio};
+  }
+  return largest;
+}
+
+/// When a block leans furthest among the samples, s.
+double peak_time(const History& history, std::size_t block) {
+  std::size_t furthest = 0;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    if (std::abs(history.angles_at(i)[block]) > std::abs(history.angles_at(furthest)[block])) furthest = i;
+  }
+  return history.times[furthest];
+}
+
+/// On springs a stack moves on where all its corners push.
+bool ends_at_rest(const Scene& scene, const History& history) {
+  return scene.law != Law::compliant && !history.events.empty() &&
+         history.events.back().to == closed_pattern(history.blocks);
+}
+
+bool ends_with(const History& history, EventKind kind) {
+  return !history.events.empty() && history.events.back().kind == kind;
+}
+
+/// When an interface would have to pull, from `demands` of forces or impulses; empty where none does.
+std::string pull(const std::vector<Demand>& demands) {
+  for (std::size_t k = 0; k < demands.size(); ++k) {
+    if (demands[k].least_normal < 0)
+      return fmt::format("; interface {} would have to pull at {:.4g} s", k + 1,
+                         demands[k].least_normal_time);
+  }
+  return "";
+}
+
+double largest_friction_of(const std::vector<Demand>& demands) {
+  double friction = 0;
+  for (const Demand& demand : demands) friction = std::max(friction, demand.friction);
+  return friction;
+}
+
+/// What blocks and ground must do for the model to hold; empty where it was not asked for.
+std::string demand(const History& history) {
+  if (history.forces.empty()) return "";
+  for (const auto* demands : {&history.forces, &history.impulses}) {
+    if (std::string text = pull(*demands); !text.empty()) return text;
+  }
+  const double forces = largest_friction_of(history.forces);
+  const double impulses = largest_friction_of(history.impulses);
+  return impulses > forces ? fmt::format("; needs friction {:.2g}, {:.2g} in impacts", forces, impulses)
+                           : fmt::format("; needs friction {:.2g}", forces);
+}
+
+constexpr double visible = 1e-9;  // m
+
+/// The block that slips furthest, and where it is left.
+std::string slipping(const std::vector<InterfaceSummary>& interfaces) {
+  const auto most = std::max_element(interfaces.begin(), interfaces.end(), [](const auto& a, const auto& b) {
+    return a.largest_slip < b.largest_slip;
+  });
+  if (most->largest_slip <= visible) return "";
+  return fmt::format("; block {} slips by up to {:.3g} mm and is left {:.3g} mm to the {}",
+                     most - interfaces.begin() + 1, 1000 * most->largest_slip,
+                     1000 * std::abs(most->final_slip), most->final_slip < 0 ? "left" : "right");
+}
+
+std::string lifting(const std::vector<InterfaceSummary>& interfaces) {
+  const auto most = std::max_element(interfaces.begin(), interfaces.end(), [](const auto& a, const auto& b) {
+    return a.highest_lift < b.highest_lift;
+  });
+  if (most->highest_lift <= visible) return "";
+  return fmt::format("; block {} lifts by up to {:.3g} mm", most - interfaces.begin() + 1,
+                     1000 * most->highest_lift);
+}
+
+/// How far blocks slip and lift, where they may; else what must hold for them not to.
+std::string freedom(const History& history) {
+  const std::vector<InterfaceSummary> interfaces = contact_summary(history);
+  if (interfaces.empty()) return demand(history);
+  const std::string text = slipping(interfaces) + lifting(interfaces);
+  return text.empty() ? "; nothing slips or lifts" : text;
+}
+
+}  // namespace
+
+std::vector<double> peak_angles(const History& history) {
+  if (!history.peaks.empty()) return history.peaks;
+  std::vector<double> result(static_cast<std::size_t>(history.blocks));
+  for (std::size_t i = 0; i < history.angles.size(); ++i) {
+    double& peak = result[i % result.size()];
+    peak = std::max(peak, std::abs(history.angles[i]));
+  }
+  return result;
+}
+
+std::string motion_verdict(const Scene& scene, const History& history) {
+  const bool reported = !history.events.empty() && ends_motion(history.events.back().kind);
+  const std::string toppled = reported ? reported_toppling(history) : observed_toppling(scene, history);
+  if (!toppled.empty())
+    return fmt::format("{} {} at {:.4g} s{}", toppled.substr(0, toppled.find(" at ")),
+                       ends_with(history, EventKind::fall) ? "falls off" : "topples",
+                       reported ? history.events.back().time : history.times.back(), freedom(history));
+  const Lean most = largest_lean(scene, peak_angles(history));
+  if (history.events.empty() && most.ratio < 1e-3) return "rests throughout" + freedom(history);
+  const std::string rest =
+      ends_at_rest(scene, history) ? fmt::format(", at rest from {:.4g} s", history.events.back().time) : "";
+  const std::string lean =
+      most.ratio < 1e-3 && !history.slips.empty()
+          ? "; nothing rocks"
+          : fmt::format("; block {} peaks at {:.2f} of its slenderness angle at {:.4g} s", most.block + 1,
+                        most.ratio, peak_time(history, most.block));
+  return "stands" + rest + lean + freedom(history);
+}
+
+}  // namespace rockstack

@@ -1,0 +1,146 @@
+#include "comparisons/measures/results/csv.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include "analytic/scene/messages/input_error.hpp"
+
+namespace rockstack {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::optional<double> number_in(std::string_view cell) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return error == std::errc() && end == cell.data() + cell.size() ? std::optional(value) : std::nullopt;
+}
+
+std::string place(const std::filesystem::path& file, std::size_t line) {
+  return fmt::format("{}:{}", file.string(), line);
+}
+
+/// Takes one quoted cell from the front of `rest`, which starts with the opening quote.
+std::string take_quoted(std::string_view& rest, const std::string& where) {
+  std::string cell;
+  for (std::size_t i = 1; i < rest.size(); ++i) {
+    if (rest[i] != '"') {
+      cell += rest[i];
+    } else if (i + 1 < rest.size() && rest[i + 1] == '"') {
+      cell += rest[++i];
+    } else {
+      rest.remove_prefix(i + 1);
+      return cell;
+    }
+  }
+  throw InputError(where + ": a quote is not closed");
+}
+
+/// Splits a line into `cells`, whose memory is used again.
+void split(std::string_view rest, Cells& cells, const std::string& file, std::size_t line) {
+  cells.clear();
+  for (bool more = true; more;) {
+    std::string quoted;
+    const bool is_quoted = !rest.empty() && rest.front() == '"';
+    if (is_quoted) quoted = take_quoted(rest, place(file, line));
+    const std::size_t end = std::min(rest.find(','), rest.size());
+    if (is_quoted && end != 0) throw InputError(place(file, line) + ": text after a closing quote");
+    cells.push_back(is_quoted ? std::move(quoted) : std::string(rest.substr(0, end)));
+    if (cells.back().starts_with('\'') && needs_guard(cells.back())) cells.back().erase(0, 1);
+    more = end < rest.size();
+    rest.remove_prefix(more ? end + 1 : end);
+  }
+}
+
+}  // namespace
+
+void read_rows(const std::filesystem::path& file, const std::function<void(const Cells&)>& header,
+               const std::function<void(const Cells&, std::size_t line)>& row) {
+  std::ifstream in(file);
+  if (!in) throw InputError(file.string() + ": cannot be read");
+  std::string text;
+  Cells cells;
+  std::size_t width = 0;
+  for (std::size_t line = 1; std::getline(in, text); ++line) {
+    if (!text.empty() && text.back() == '\r') text.pop_back();
+    split(text, cells, file.string(), line);
+    if (line == 1) {
+      width = cells.size();
+      header(cells);
+    } else if (cells.size() != width) {
+      throw InputError(fmt::format("{}: {} cells; must be {}", place(file, line), cells.size(), width));
+    } else {
+      row(cells, line);
+    }
+  }
+  if (width == 0) throw InputError(place(file, 1) + ": empty; must start with a header line");
+}
+
+Table read_table(const std::filesystem::path& file) {
+  Table table;
+  read_rows(
+      file, [&](const Cells& cells) { table.columns = cells; },
+      [&](const Cells& cells, std::size_t) { table.rows.push_back(cells); });
+  return table;
+}
+
+std::size_t column(const Table& table, const std::string& name, const std::filesystem::path& file) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+  if (found == table.columns.end()) throw InputError(fmt::format("{}: no column {}", place(file, 1), name));
+  return static_cast<std::size_t>(found - table.columns.begin());
+}
+
+std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
+                                              const std::vector<std::string>& names) {
+  std::vector<std::size_t> indices;
+  std::vector<std::vector<double>> columns(names.size());
+  const auto read_header = [&](const Cells& header) {
+    for (const std::string& name : names) indices.push_back(column(Table{header, {}}, name, file));
+  };
+  const auto read_row = [&](const Cells& cells, std::size_t line) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string& cell = cells[indices[i]];
+      const std::optional<double> value = number_in(cell);
+      columns[i].push_back(value ? *value : number(cell, place(file, line), names[i]));
+    }
+  };
+  read_rows(file, read_header, read_row);
+  return columns;
+}
+
+std::vector<std::string> numbered(const std::string& stem, int count) {
+  std::vector<std::string> names;
+  for (int k = 1; k <= count; ++k) names.push_back(stem + std::to_string(k));
+  return names;
+}
+
+bool needs_guard(std::string_view text) {
+  if (text.starts_with('\'')) return needs_guard(text.substr(1));
+  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
+         text.find_first_not_of("0123456789+-.eE ") != std::string_view::npos;
+}
+
+double number(std::string_view cell, const std::string& where, const std::string& column_name) {
+  if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const std::optional<double> value = number_in(cell);
+  if (!value) throw InputError(fmt::format("{}: {} = \"{}\": must be a number", where, column_name, cell));
+  return *value;
+}
+
+int whole_number(std::string_view cell, const std::string& where, const std::string& column_name, int least,
+                 int most) {
+  const double value = number(cell, where, column_name);
+  if (!(value >= least && value <= most) || value != std::floor(value))
+    throw InputError(fmt::format("{}: {} = \"{}\": must be a whole number from {} to {}", where, column_name,
+                                 cell, least, most));
+  return static_cast<int>(value);
+}
+
+}  // namespace rockstack

@@ -1,0 +1,141 @@
+#include "comparisons/measures/results/histories.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "analytic/scene/kinematics.hpp"
+#include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/measures/metrics/centres.hpp"
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/results/reactions.hpp"
+
+namespace rockstack {
+namespace {
+
+struct HistoryTable {
+  const char* file;
+  std::string (*csv)(const Scene&, const History&);
+};
+
+const std::map<std::string, HistoryTable>& history_tables() {
+  static const std::map<std::string, HistoryTable> all{{"corners", {"corners.csv", &corners_csv}},
+                                                       {"energies", {"energies.csv", &energies_csv}},
+                                                       {"forces", {"reactions.csv", &reactions_csv}}};
+  return all;
+}
+
+Vector<double> vector_of(std::span<const double> values) {
+  return Vector<double>::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+Points<double> centres_at_rest(const Stack<double>& stack) {
+  const Vector<double> upright = Vector<double>::Zero(stack.size());
+  return centres(make_chain(stack, closed_pattern(stack.size()), upright));
+}
+
+/// A corner of a block and its sign from the middle.
+struct Corner {
+  const char* name;
+  int x, y;
+};
+constexpr std::array corners{Corner{"lower_left", -1, -1}, Corner{"lower_right", 1, -1},
+                             Corner{"upper_left", -1, 1}, Corner{"upper_right", 1, 1}};
+
+/// Where the corners of all blocks are, x and y in turn, m.
+std::vector<double> corners_of(const Scene& scene, const Points<double>& places,
+                               const Vector<double>& angles) {
+  std::vector<double> result;
+  for (Eigen::Index k = 0; k < angles.size(); ++k) {
+    const Block& block = scene.blocks[static_cast<std::size_t>(k)];
+    for (const Corner& corner : corners) {
+      const Point<double> place = places.col(k) + turned(corner.x * block.half_width - block.offset_x,
+                                                         corner.y * block.half_height - block.offset_y,
+                                                         std::cos(angles[k]), std::sin(angles[k]));
+      result.insert(result.end(), {place.x(), place.y()});
+    }
+  }
+  return result;
+}
+
+void add_spring_energies(const History& history, std::size_t sample, CsvWriter& csv) {
+  for (const auto part : {&SpringEnergy::elastic, &SpringEnergy::damped, &SpringEnergy::rubbed})
+    for (int k = 0; k < history.blocks; ++k)
+      csv.add(history.spring_energies[sample * static_cast<std::size_t>(history.blocks) +
+                                      static_cast<std::size_t>(k)].*
+              part);
+}
+
+}  // namespace
+
+const std::vector<std::string>& kinds_of_histories() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> result;
+    for (const auto& [name, kind] : history_tables()) result.push_back(name);
+    return result;
+  }();
+  return names;
+}
+
+std::map<std::string, std::string> histories_csv(const Scene& scene, const History& history,
+                                                 const std::vector<std::string>& asked) {
+  std::map<std::string, std::string> files;
+  for (const std::string& name : asked) {
+    const auto found = history_tables().find(name);
+    if (found == history_tables().end())
+      throw InputError(
+          fmt::format("--histories {}: must be {}", name, fmt::join(kinds_of_histories(), " or ")));
+    files[found->second.file] = found->second.csv(scene, history);
+  }
+  return files;
+}
+
+std::string energies_csv(const Scene& scene, const History& history) {
+  const Stack<double> stack = make_stack<double>(scene);
+  const Gravity gravity = gravity_of(scene);
+  const Points<double> rest = centres_at_rest(stack);
+  CsvWriter csv;
+  const bool springs = !history.spring_energies.empty();
+  csv.add("time", numbered("kinetic_", history.blocks), numbered("potential_", history.blocks));
+  if (springs)
+    csv.add(numbered("elastic_", history.blocks), numbered("damped_", history.blocks),
+            numbered("rubbed_", history.blocks));
+  csv.end_line();
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const Vector<double> velocities = vector_of(history.velocities_at(i));
+    const auto [places, speeds] = centres_at(stack, history, i);
+    const Points<double> moved = places - rest;
+    csv.add(history.times[i]);
+    for (int k = 0; k < stack.size(); ++k)
+      csv.add(0.5 * stack.mass[k] * speeds.col(k).squaredNorm() +
+              0.5 * stack.inertia[k] * velocities[k] * velocities[k]);
+    for (int k = 0; k < stack.size(); ++k)
+      csv.add(stack.mass[k] * (gravity.across * moved(1, k) - gravity.along * moved(0, k)));
+    if (springs) add_spring_energies(history, i, csv);
+    csv.end_line();
+  }
+  return csv.text();
+}
+
+std::string corners_csv(const Scene& scene, const History& history) {
+  const Stack<double> stack = make_stack<double>(scene);
+  const std::vector<double> rest =
+      corners_of(scene, centres_at_rest(stack), Vector<double>::Zero(stack.size()));
+  CsvWriter csv;
+  csv.add("time");
+  for (int k = 1; k <= history.blocks; ++k)
+    for (const Corner& corner : corners)
+      csv.add(fmt::format("{}_x_{}", corner.name, k), fmt::format("{}_y_{}", corner.name, k));
+  csv.end_line();
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    std::vector<double> moved =
+        corners_of(scene, centres_at(stack, history, i).at, vector_of(history.angles_at(i)));
+    std::transform(moved.begin(), moved.end(), rest.begin(), moved.begin(), std::minus<>());
+    csv.line(history.times[i], moved);
+  }
+  return csv.text();
+}
+
+}  // namespace rockstack

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/measures/metrics/toppling.hpp"
+
+namespace rockstack {
+
+/// How a run ended; columns() has what each means.
+enum class RunStatus { done, failed, not_finite, signal, time_limit, memory_limit };
+
+/// "done", "not finite", …
+std::string name(RunStatus status);
+
+/// The status of that name. @throws std::invalid_argument where there is none.
+RunStatus run_status(const std::string& name);
+
+/// What was run and how it differs from the exact solution: one row of a comparison. Empty where it does not
+/// apply, was not asked for, or the run failed. columns() holds what each field means, and its unit. Numbers
+/// of the motion are medians over draws where the suite asks for some.
+struct RunMetrics {
+  std::string run, scene, law, engine, solver, settings;
+  std::optional<double> dt;
+  RunStatus status = RunStatus::done;
+  std::string reason;
+  std::optional<int> steps;
+  std::optional<double> stepping_time_minimum, stepping_time_median, stepping_time_spread;
+  std::optional<int> repeats, runs_at_a_time;
+  std::optional<double> real_time_factor, exact_sampled_time, processor_time, peak_memory;
+  std::optional<int> draws, draws_failed, draws_other_verdict;
+  std::optional<double> largest_angle_difference, rms_angle_difference, relative_angle_difference;
+  std::optional<double> largest_angle_difference_lower, largest_angle_difference_upper;
+  std::optional<double> rms_angle_difference_lower, rms_angle_difference_upper;
+  std::optional<double> magnitude_error, phase_error;
+  std::optional<double> slip_error, final_slip_error;
+  std::optional<double> second_peak_difference;
+  std::optional<double> first_impact_time_difference;
+  std::optional<int> impacts_matched, impacts_missed, impacts_extra;
+  std::optional<int> impacts_matched_null, impacts_missed_null, impacts_extra_null;
+  std::optional<int> impacts_matched_random, impacts_matched_shifted;
+  std::optional<double> rms_impact_time_difference, largest_impact_time_difference;
+  std::optional<int> settlings_matched, settlings_missed, settlings_extra;
+  std::optional<double> agreement_time, agreement_time_lower, agreement_time_upper;
+  std::optional<double> pattern_agreement, pattern_sequence_time;
+  std::optional<double> energy_gain, penetration, gap, slip, out_of_plane, out_of_plane_tilt;
+  std::optional<double> complementarity_residual, friction_cone_violation;
+  std::optional<double> contact_stiffness, contact_damping;
+  std::optional<double> contact_points, contact_damping_ratio, contact_restitution;
+  std::optional<int> contact_impacts_matched, contact_impacts_missed, contact_impacts_extra;
+  std::optional<int> impact_readings_differ;
+  std::optional<double> residual_motion;
+  std::optional<int> warnings;
+  std::string toppled;
+  TopplingVerdict toppling_verdict = TopplingVerdict::unknown;
+  std::optional<double> model_difference, softness_difference, step_difference;
+  std::optional<double> model_share, softness_share, step_share, parts_over_whole;
+  std::optional<double> spring_factor;
+  std::string split_reason;
+};
+
+/// A column of comparison.csv: its name, what it means, and how it is read from metrics and put into them.
+struct Column {
+  const char* name;
+  const char* definition;
+  nlohmann::ordered_json (*cell)(const RunMetrics&);
+  void (*set)(RunMetrics&, const nlohmann::ordered_json& cell);
+  bool measured = false;  ///< time or memory that the machine took: another run gives another value
+  bool drawn = false;     ///< a median over draws, where there are some
+  /// Of a column that has its quartiles beside it.
+  void (*set_quartiles)(RunMetrics&, const nlohmann::ordered_json& lower,
+                        const nlohmann::ordered_json& upper) = nullptr;
+};
+
+const std::vector<Column>& columns();
+
+/// All metrics by the names of their columns.
+nlohmann::ordered_json metrics_json(const RunMetrics& row);
+
+/// The metrics whose cells metrics_json() gave; a cell that is not there stays empty.
+RunMetrics metrics_from(const nlohmann::ordered_json& cells);
+
+}  // namespace rockstack

@@ -1,0 +1,129 @@
+#include "comparisons/runs/execution/ranks.hpp"
+
+#include <mpi.h>
+
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <stdexcept>
+#include <thread>
+
+namespace rockstack {
+namespace {
+
+// A rank says "ready", "finished" with the lines of a part, or "failed" with the reason; the leader answers
+// each with the number of a part, or with none. So a rank always waits for an answer, and the leader for
+// nobody.
+enum Tag { ready = 1, finished, failed, answer };
+
+constexpr int leader = 0;
+constexpr std::uint64_t none = ~std::uint64_t{0};
+
+struct Message {
+  int rank = 0;
+  int tag = 0;
+  std::string text;
+};
+
+/// The next message from any rank. Sleeps between looks: MPI's own waiting would keep a core busy.
+Message receive() {
+  MPI_Status status;
+  for (int there = 0; there == 0;) {
+    MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
+    if (there == 0) std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  int length = 0;
+  MPI_Get_count(&status, MPI_CHAR, &length);
+  Message message{status.MPI_SOURCE, status.MPI_TAG, std::string(static_cast<std::size_t>(length), '\0')};
+  MPI_Recv(message.text.data(), length, MPI_CHAR, message.rank, message.tag, MPI_COMM_WORLD,
+           MPI_STATUS_IGNORE);
+  return message;
+}
+
+void send(const std::string& text, int rank, int tag) {
+  MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, rank, tag, MPI_COMM_WORLD);
+}
+
+class Ranks : public Executor {
+ public:
+  Ranks() {
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    busy_ = size_ - 1;
+  }
+
+  /// The leader lets all others go, whatever has happened to itself.
+  ~Ranks() override {
+    while (rank_ == leader && busy_ > 0) dismiss(receive().rank);
+    MPI_Finalize();
+  }
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+
+  std::string description() const override {
+    return std::to_string(size_ - 1) + " MPI ranks and one that leads";
+  }
+  std::size_t count() const override { return static_cast<std::size_t>(size_ - 1); }
+  bool leads() const override { return rank_ == leader; }
+
+  void run(const std::vector<std::size_t>& parts, const Work& work) override {
+    std::vector<std::uint64_t> given(static_cast<std::size_t>(size_), none);
+    std::size_t next = 0;
+    while (busy_ > 0) {
+      const Message message = receive();
+      std::uint64_t& part = given[static_cast<std::size_t>(message.rank)];
+      if (message.tag == failed) {
+        dismiss(message.rank);
+        throw std::runtime_error("rank " + std::to_string(message.rank) + ": " + message.text);
+      }
+      if (message.tag == finished) work.deliver(static_cast<std::size_t>(part), message.text);
+      while (next < parts.size() && work.needless(parts[next])) ++next;
+      if (next == parts.size() || work.stopped()) {
+        dismiss(message.rank);
+      } else {
+        part = parts[next++];
+        MPI_Send(&part, 1, MPI_UINT64_T, message.rank, answer, MPI_COMM_WORLD);
+      }
+    }
+  }
+
+  void serve(const std::function<std::string(std::size_t part)>& compute) override {
+    send("", leader, ready);
+    for (std::uint64_t part = next_part(); part != none; part = next_part()) {
+      try {
+        send(compute(static_cast<std::size_t>(part)), leader, finished);
+      } catch (const std::exception& error) {
+        send(error.what(), leader, failed);
+      }
+    }
+  }
+
+ private:
+  void dismiss(int rank) {
+    --busy_;
+    MPI_Send(&none, 1, MPI_UINT64_T, rank, answer, MPI_COMM_WORLD);
+  }
+
+  static std::uint64_t next_part() {
+    std::uint64_t part = none;
+    MPI_Recv(&part, 1, MPI_UINT64_T, leader, answer, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    return part;
+  }
+
+  int rank_ = 0;
+  int size_ = 1;
+  int busy_ = 0;  ///< of the leader: how many others have not been let go
+};
+
+}  // namespace
+
+std::unique_ptr<Executor> find_ranks() {
+  if (MPI_Init(nullptr, nullptr) != MPI_SUCCESS) throw std::runtime_error("MPI cannot start");
+  int size = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  if (size > 1) return std::make_unique<Ranks>();
+  MPI_Finalize();
+  return nullptr;
+}
+
+}  // namespace rockstack

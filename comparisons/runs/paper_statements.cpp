@@ -1,0 +1,300 @@
+#include "comparisons/runs/paper_statements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/swings.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr std::size_t base = 0;
+constexpr std::size_t top = 1;
+
+Verdict verdict(bool holds) {
+  return holds ? Verdict::holds : Verdict::fails;
+}
+
+/// "exact 1.0, bullet 1.1, ode 1.2" for a number of each answer.
+template <class Number>
+std::string each(const std::vector<Answer>& answers, const Number& number) {
+  std::vector<std::string> parts;
+  parts.reserve(answers.size());
+  for (const Answer& answer : answers)
+    parts.push_back(fmt::format("{} {:.4g}", answer.name, number(answer.history)));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+const Event& first_ground_impact(const History& exact) {
+  return *std::find_if(exact.events.begin(), exact.events.end(), [](const Event& event) {
+    return event.kind == EventKind::impact && event.interface == 1;
+  });
+}
+
+Statement turns_as_one(const Evidence& evidence) {
+  const History& exact = evidence.free_answers.front().history;
+  const double impact = first_ground_impact(exact).time;
+  const Event& first = exact.events.front();
+  const bool opens = first.kind == EventKind::opening && first.time < impact;
+  return {"Fig. 18", "The stack turns as one body until the base meets the ground.", verdict(!opens),
+          "no event before the first ground impact",
+          fmt::format("the top block opens at {:.4f} s, by the paper's own Eq. (29); its angle relative to "
+                      "the base at the ground "
+                      "impact ({:.4f} s), rad: {}",
+                      first.time, impact, each(evidence.free_answers, [&](const History& history) {
+                        return angle_at(history, top, impact) - angle_at(history, base, impact);
+                      }))};
+}
+
+Statement goes_to_1b(const Evidence& evidence) {
+  const auto& events = evidence.free_answers.front().history.events;
+  const Event& impact = first_ground_impact(evidence.free_answers.front().history);
+  const auto next = std::find_if(events.begin(), events.end(),
+                                 [&](const Event& event) { return event.time > impact.time; });
+  return {"Fig. 18",
+          "At the first ground impact the top block starts to rock about its left corner, pattern 1b.",
+          verdict(name(impact.to) == "1b"), "the pattern after the first ground impact is 1b",
+          fmt::format("exact: {} to {} at {:.4f} s, then {} to {} at {:.4f} s, when the blocks meet",
+                      name(impact.from), name(impact.to), impact.time, name(next->from), name(next->to),
+                      next->time)};
+}
+
+Statement faster_after_impact(const Evidence& evidence) {
+  const Event& impact = first_ground_impact(evidence.free_answers.front().history);
+  const double window = 1e-3;
+  return {"Fig. 18", "The first impact increases the angular velocity of the top block.",
+          verdict(std::abs(impact.after[top]) > std::abs(impact.before[top])),
+          "its absolute value is larger after than before",
+          fmt::format(
+              "exact {:.4f} to {:.4f} rad/s; mean over 1 ms after the impact less that before, rad/s: {}",
+              impact.before[top], impact.after[top], each(evidence.free_answers, [&](const History& history) {
+                const double here = angle_at(history, top, impact.time);
+                const double before = here - angle_at(history, top, impact.time - window);
+                return (angle_at(history, top, impact.time + window) - here - before) / window;
+              }))};
+}
+
+Statement base_rests_early(const Evidence& evidence) {
+  const auto& events = evidence.free_answers.front().history.events;
+  const auto closure = std::find_if(events.begin(), events.end(), [](const Event& event) {
+    return event.interface == 1 && event.to[0] == Contact::closed;
+  });
+  const auto second = [](const History& history) {
+    const auto list = swings(history, base);
+    return list.size() > 1 ? list[1].peak : 0;
+  };
+  return {"Fig. 18", "The base comes to rest for a while very soon; its second swing is already small.",
+          verdict(second(evidence.free_answers.front().history) < 0.2 * evidence.free.initial.angles[base]),
+          "the second swing stays below a fifth of the first",
+          fmt::format("exact: at rest from {:.4f} s; largest angle of the second swing, rad: {}",
+                      closure->time, each(evidence.free_answers, second))};
+}
+
+/// How often the base leaves the ground, and how often because the top block hits it.
+struct Onsets {
+  int all = 0;
+  int by_impact = 0;
+};
+
+Onsets base_onsets(const History& exact) {
+  Onsets onsets;
+  for (const Event& event : exact.events) {
+    if (event.from[0] != Contact::closed || event.to[0] == Contact::closed) continue;
+    ++onsets.all;
+    if (event.kind != EventKind::opening) ++onsets.by_impact;
+  }
+  return onsets;
+}
+
+Statement base_is_hit(const Evidence& evidence) {
+  const Onsets onsets = base_onsets(evidence.free_answers.front().history);
+  return {"Fig. 18", "The base rocks again a few times, as a rule because the top block hits it.",
+          verdict(2 * onsets.by_impact > onsets.all),
+          "most onsets of base motion are impacts between the blocks",
+          fmt::format("exact: {} of {} onsets, most of them within the chatter before rest", onsets.by_impact,
+                      onsets.all)};
+}
+
+Statement amplitudes(const Evidence& evidence) {
+  const auto list = swings(evidence.free_answers.front().history, top);
+  bool falls = list.size() > 4 && list[1].peak > list[0].peak;
+  for (std::size_t i = 2; i < 5 && falls; ++i) falls = list[i].peak < list[i - 1].peak;
+  const auto first_four = [](const History& history) {
+    std::vector<std::string> peaks;
+    for (const Swing& swing : swings(history, top)) {
+      if (peaks.size() < 4) peaks.push_back(fmt::format("{:.4f}", swing.peak));
+    }
+    return fmt::format("{}", fmt::join(peaks, " "));
+  };
+  std::vector<std::string> parts;
+  parts.reserve(evidence.free_answers.size());
+  for (const Answer& answer : evidence.free_answers)
+    parts.push_back(answer.name + " " + first_four(answer.history));
+  return {
+      "Fig. 18", "The top block's swings get smaller, except the second.", verdict(falls),
+      "the second peak is larger than the first, each later one (to the fifth) smaller than the one before",
+      fmt::format("first four peaks, rad: {}", fmt::join(parts, ", "))};
+}
+
+Statement angle_at_one_second(const Evidence& evidence) {
+  const auto at_one = [](const History& history) { return std::abs(angle_at(history, top, 1.0)); };
+  const Swing peak = largest_swing(evidence.free_answers.front().history, top);
+  return {"Fig. 18", "At 1 s the top block's angle reaches 0.183 rad, more than at the start.",
+          verdict(std::abs(at_one(evidence.free_answers.front().history) - 0.183) <= 0.0005),
+          "0.183 rad to the digits given",
+          fmt::format("at 1 s, rad: {}; the peak is {:.4f} rad, at {:.3f} s",
+                      each(evidence.free_answers, at_one), peak.peak, peak.peak_time)};
+}
+
+Statement impact_alone(const Evidence& evidence) {
+  const auto& events = evidence.free_answers.front().history.events;
+  const auto openings = std::count_if(events.begin(), events.end(),
+                                      [](const Event& event) { return event.kind == EventKind::opening; });
+  return {"Fig. 18", "In free rocking, patterns change by impact alone.", verdict(openings == 0),
+          "no opening without impact",
+          fmt::format("exact: {} opening, of the top block at {:.4f} s", openings, events.front().time)};
+}
+
+Statement periods_change(const Evidence& evidence) {
+  const auto ratio = [](const History& history) {
+    const auto list = swings(history, top);
+    return list.size() > 4 ? (list[1].end - list[0].end) / (list[4].end - list[3].end) : 1;
+  };
+  return {"Fig. 18", "The period changes much from swing to swing.",
+          verdict(ratio(evidence.free_answers.front().history) > 1.5),
+          "the top block's second swing lasts more than 1.5 times its fifth",
+          fmt::format("second swing over fifth: {}", each(evidence.free_answers, ratio))};
+}
+
+Statement linear_deviates(const Evidence& evidence) {
+  const History& exact = evidence.free_answers.front().history;
+  std::array<double, 2> largest{};
+  std::array<int, 2> beyond{};
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    for (const std::size_t block : {base, top}) {
+      const double apart = std::abs(exact.angles_at(i)[block] - evidence.free_linear.angles_at(i)[block]);
+      largest[block] = std::max(largest[block], apart);
+      if (apart > 0.1 * evidence.free.initial.angles[block]) ++beyond[block];
+    }
+  }
+  const auto share = [&](std::size_t block) {
+    return 100.0 * beyond[block] / static_cast<double>(exact.size());
+  };
+  return {"Figs. 19, 20", "The linear equations deviate significantly, for times that cannot be neglected.",
+          verdict(share(base) > 1 && share(top) > 1),
+          "more than a tenth of the release angle for over 1 % of the time, both blocks",
+          fmt::format("base: up to {:.4f} rad, {:.1f} % of the time; top: up to {:.4f} rad, {:.1f} %",
+                      largest[base], share(base), largest[top], share(top))};
+}
+
+double peak_ratio(const History& history) {
+  return largest_swing(history, base).peak / largest_swing(history, top).peak;
+}
+
+Statement base_moves_less(const Evidence& evidence) {
+  return {"Fig. 22", "The base moves much less than the top block.",
+          verdict(peak_ratio(evidence.shaken_answers.front().history) < 0.5),
+          "its peak is below half the top block's",
+          fmt::format("peak of base over peak of top: {}", each(evidence.shaken_answers, peak_ratio))};
+}
+
+Statement peaks_come_late(const Evidence& evidence) {
+  const History& exact = evidence.shaken_answers.front().history;
+  const auto& samples = evidence.shaken.horizontal.samples;
+  const auto strongest = std::max_element(samples.begin(), samples.end(),
+                                          [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const double shock = evidence.shaken.horizontal.interval * static_cast<double>(strongest - samples.begin());
+  const double base_time = largest_swing(exact, base).peak_time;
+  const double top_time = largest_swing(exact, top).peak_time;
+  return {"Fig. 22",
+          "The blocks' largest angles come at different times, and not right after the peak of acceleration.",
+          verdict(base_time != top_time && base_time - shock > 0.5 && top_time - shock > 0.5),
+          "each more than 0.5 s after it",
+          fmt::format("acceleration peaks at {:.2f} s; base at, s: {}; top at, s: {}", shock,
+                      each(evidence.shaken_answers,
+                           [](const History& history) { return largest_swing(history, base).peak_time; }),
+                      each(evidence.shaken_answers,
+                           [](const History& history) { return largest_swing(history, top).peak_time; }))};
+}
+
+Statement hit_base_rocks_as_one(const Evidence& evidence) {
+  int hits = 0;
+  int as_one = 0;
+  for (const Event& event : evidence.shaken_answers.front().history.events) {
+    if (event.kind == EventKind::opening || event.from[0] != Contact::closed ||
+        event.to[0] == Contact::closed)
+      continue;
+    ++hits;
+    if (event.to[1] == Contact::closed) ++as_one;
+  }
+  return {"Fig. 22", "Where the top block hits the base and sets it in motion, the stack rocks as one body.",
+          verdict(hits > 0 && as_one == hits), "the pattern after each such impact is 3a or 3b",
+          fmt::format("exact: {} of {} such impacts", as_one, hits)};
+}
+
+Statement ends_before_the_record(const Evidence& evidence) {
+  const History& exact = evidence.shaken_answers.front().history;
+  const bool rests = !exact.events.empty() && is_closed(exact.events.back().to);
+  return {
+      "Fig. 22", "Rocking ends before the record does.",
+      verdict(rests && exact.events.back().time < evidence.shaken.horizontal.end()),
+      "the last event is rest, before the last sample",
+      fmt::format("exact: last event at {:.2f} s, the motion of the ground ends at {:.2f} s",
+                  exact.events.empty() ? 0.0 : exact.events.back().time, evidence.shaken.horizontal.end())};
+}
+
+std::vector<Answer> answers(const Suite& suite, const Scene& scene) {
+  std::vector<Answer> list{{"exact", solve(scene, {.sample_times = regular_times(1e-4, scene.duration)})}};
+  for (const EngineSeries& series : suite.series) {
+    if (series.settings != "tuned") continue;
+    const double step = *std::min_element(series.steps.begin(), series.steps.end());
+    try {
+      list.push_back(
+          {series.engine->name(), simulate(*series.engine, scene, step, series.parameters).history});
+    } catch (const std::runtime_error&) {
+      continue;  // the comparison's own row of this run says why
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string name(Verdict verdict) {
+  return verdict == Verdict::holds ? "holds" : verdict == Verdict::fails ? "fails" : "undecidable";
+}
+
+Evidence gather(const Suite& suite) {
+  Evidence evidence;
+  evidence.free = find_scene(suite.scenes, suite.statements->free).scene;
+  evidence.shaken = find_scene(suite.scenes, suite.statements->shaken).scene;
+  evidence.free_answers = answers(suite, evidence.free);
+  evidence.shaken_answers = answers(suite, evidence.shaken);
+  Scene linear = evidence.free;
+  linear.equations = Equations::linear;
+  evidence.free_linear = solve(linear, {.sample_times = evidence.free_answers.front().history.times});
+  return evidence;
+}
+
+std::vector<Statement> judge(const Evidence& evidence) {
+  std::vector<Statement> statements;
+  for (const auto statement :
+       {turns_as_one, goes_to_1b, faster_after_impact, base_rests_early, base_is_hit, amplitudes,
+        angle_at_one_second, impact_alone, periods_change, linear_deviates}) {
+    statements.push_back(statement(evidence));
+  }
+  for (const auto statement :
+       {base_moves_less, peaks_come_late, hit_base_rocks_as_one, ends_before_the_record}) {
+    statements.push_back(statement(evidence));
+    Statement& last = statements.back();
+    last.computed = "under " + evidence.shaken.horizontal.source + ": " + last.computed;
+    if (evidence.shaken.horizontal.made_up) last.verdict = Verdict::undecidable;
+  }
+  return statements;
+}
+
+}  // namespace rockstack

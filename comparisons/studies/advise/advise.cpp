@@ -1,0 +1,160 @@
+#include "comparisons/studies/advise/advise.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/tables.hpp"
+#include "comparisons/measures/statistics/tally.hpp"
+#include "comparisons/runs/draws.hpp"
+#include "comparisons/runs/identity.hpp"
+#include "comparisons/runs/measure.hpp"
+#include "comparisons/runs/predictability.hpp"
+
+namespace rockstack {
+namespace {
+
+Suite suite_of(const NamedScene& scene, const Wish& wish) {
+  Suite suite;
+  suite.title = scene.scene.title;
+  suite.scenes = {scene};
+  suite.wanted = {.angles = true, .impacts = false, .patterns = false, .bodies = false, .histories = false};
+  suite.repeats = wish.repeats;
+  suite.limits = wish.limits;
+  suite.draws = wish.draws;
+  for (const WorkerEngine& engine : engines()) {
+    if (is_usual(engine)) suite.series.push_back(make_series(engine, "tuned", advised_steps()));
+  }
+  return suite;
+}
+
+std::size_t cores() {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+/// The nominal run of a job: from the folder, or made now.
+RunMetrics nominal_run(const Job& job, const std::filesystem::path& folder, const std::string& command) {
+  if (const auto made = finished_run(folder, identity(job))) return *made;
+  const RunFiles files = measure(job, command, 1);
+  write_files(files, folder);
+  return metrics_in(files.at(summary_name));
+}
+
+int count_within(const std::vector<RunMetrics>& draws, double error) {
+  return static_cast<int>(
+      std::count_if(draws.begin(), draws.end(), [&](const RunMetrics& row) { return meets(row, error); }));
+}
+
+/// Draws about the step itself, for a trial that passes without them.
+void confirm(const Job& job, const Wish& wish, Trial& trial) {
+  Suite suite = job.suite;
+  suite.draws = wish.confirming;
+  const auto draws = make_draws({suite, job.scene, job.dt, job.series}, cores());
+  trial.confirming = static_cast<int>(draws.size());
+  trial.confirmed = count_within(draws, wish.error);
+}
+
+Trial try_out(const Job& job, const Wish& wish, const std::filesystem::path& folder,
+              const std::string& command) {
+  const auto own = folder / "runs" / describe(job).run;
+  Trial trial{nominal_run(job, own, command)};
+  trial.within = meets(trial.row, wish.error) ? 1 : 0;
+  if (trial.within == 0 || !is_drawn(job)) return trial;
+  const auto draws = make_draws(job, cores());
+  write_draws(pack_draws(draws, draws_identity(job)), trial.row, own);
+  trial.draws += static_cast<int>(draws.size());
+  trial.within += count_within(draws, wish.error);
+  summarise(draws, trial.row);
+  if (trial.passes()) confirm(job, wish, trial);
+  return trial;
+}
+
+/// Peaks, impacts and toppling of the whole scene, over the same draws exactly and by one series.
+std::vector<DistributionDistance> whole_scene(const Job& job, const Scene& scene) {
+  std::vector<MotionTally> exact, other;
+  for (int i = 0; i < job.suite.draws.runs; ++i) {
+    const Scene drawn = drawn_scene(scene, job.suite.draws, i);
+    const double step = drawn_step(job.dt, job.suite.draws, i);
+    try {
+      other.push_back(observed_tally(
+          drawn,
+          simulate(*job.series->engine, drawn, step, job.series->parameters, job.suite.limits).history));
+    } catch (const std::runtime_error&) {
+      continue;  // the exact tally goes without it too
+    }
+    exact.push_back(exact_tally(drawn));
+  }
+  return exact.empty() ? std::vector<DistributionDistance>{} : distances(exact, other);
+}
+
+std::string advice_csv(const std::vector<Trial>& trials) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Trial& trial : trials) {
+    auto cells = metrics_json(trial.row);
+    cells["draws_tried"] = trial.draws;
+    cells["draws_within"] = trial.within;
+    cells["confirming_draws_tried"] = trial.confirming;
+    cells["confirming_draws_within"] = trial.confirmed;
+    list.push_back(std::move(cells));
+  }
+  return csv_of(list);
+}
+
+}  // namespace
+
+std::vector<double> advised_steps() {
+  return {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5};
+}
+
+bool meets(const RunMetrics& row, double error) {
+  return row.status == RunStatus::done && row.largest_angle_difference &&
+         *row.largest_angle_difference <= error && !differ(row.toppling_verdict);
+}
+
+int cheapest(const std::vector<Trial>& trials) {
+  int best = -1;
+  double time = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const RunMetrics& row = trials[i].row;
+    if (!trials[i].passes() || !(row.stepping_time_minimum.value_or(time) < time)) continue;
+    time = *row.stepping_time_minimum;
+    best = static_cast<int>(i);
+  }
+  return best;
+}
+
+Advice advise(const NamedScene& scene, const Wish& wish, const std::filesystem::path& folder,
+              const std::string& command) {
+  Advice advice;
+  advice.predictable_time = predictable_time(scene.scene, wish.draws, wish.error);
+  NamedScene predictable = scene;
+  predictable.scene.duration = advice.predictable_time;
+  const Suite suite = suite_of(predictable, wish);
+  std::vector<bool> given_up(suite.series.size(), false);
+  const EngineSeries* picked = nullptr;
+  for (const double dt : advised_steps()) {
+    for (std::size_t i = 0; i < suite.series.size(); ++i) {
+      if (given_up[i]) continue;
+      const Job job{suite, suite.scenes.front(), dt, &suite.series[i]};
+      advice.trials.push_back(try_out(job, wish, folder, command));
+      const Trial& trial = advice.trials.back();
+      const int pick = cheapest(advice.trials);
+      if (pick != advice.pick) picked = &suite.series[i];
+      advice.pick = pick;
+      const double best = pick < 0 ? std::numeric_limits<double>::infinity()
+                                   : *advice.trials[static_cast<std::size_t>(pick)].row.stepping_time_minimum;
+      given_up[i] = trial.passes() || trial.row.status == RunStatus::time_limit ||
+                    trial.row.stepping_time_minimum.value_or(0) > best;
+    }
+  }
+  if (picked != nullptr && advice.predictable_time < scene.scene.duration) {
+    const double dt = *advice.trials[static_cast<std::size_t>(advice.pick)].row.dt;
+    advice.beyond = whole_scene({suite, suite.scenes.front(), dt, picked}, scene.scene);
+  }
+  write_file(folder / "advice.csv", advice_csv(advice.trials));
+  return advice;
+}
+
+}  // namespace rockstack

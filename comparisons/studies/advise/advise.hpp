@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/measures/results/run_metrics.hpp"
+#include "comparisons/measures/statistics/distributions.hpp"
+#include "comparisons/suites/suite.hpp"
+
+namespace rockstack {
+
+/// What is wanted of an engine.
+struct Wish {
+  double error = 1e-3;  ///< largest difference of any angle from the exact one, rad, > 0
+  Limits limits = {};   ///< of each run
+  int repeats = 3;      ///< timed runs
+  /// What must come within the error, nine draws of ten each: at steps up to a quarter longer and shorter,
+  /// and again about the step itself, so that none is taken for the luck of being tried often.
+  Draws draws = {.runs = 21, .steps = 0.25};
+  Draws confirming = {.runs = 21, .seed = 2};
+};
+
+/// The share of draws that must come within the error.
+inline constexpr double passing_share = 0.9;
+
+/// A solver at a step.
+struct Trial {
+  RunMetrics row;  ///< medians, where draws were made
+  int within = 0;  ///< draws within the error; of one, the nominal run, where that misses it
+  int draws = 1;
+  int confirmed = 0;   ///< confirming draws within the error
+  int confirming = 0;  ///< made where those before pass
+
+  bool passes() const { return within >= passing_share * draws && confirmed >= passing_share * confirming; }
+};
+
+/// The answer: all trials, in their order, and the one to take.
+struct Advice {
+  std::vector<Trial> trials;
+  int pick = -1;  ///< of trials; −1: none passes
+  /// Until when histories can be compared at all, s (predictability.hpp). Trials end there.
+  double predictable_time = 0;
+  /// Of the pick's draws over the whole scene, where it lasts longer than it can be predicted; else empty.
+  std::vector<DistributionDistance> beyond;
+};
+
+/// The steps that are tried, from large to small, s.
+std::vector<double> advised_steps();
+
+/// True where a run is done, topples as the exact solution does, and stays within the error.
+bool meets(const RunMetrics& row, double error);
+
+/// The trial that passes with the least time of stepping; −1 where there is none.
+int cheapest(const std::vector<Trial>& trials);
+
+/// Tries every solver with its tuned parameters from large to small steps until it passes, or takes longer
+/// than the cheapest that did. Writes FOLDER/runs/ and FOLDER/advice.csv, the columns of comparison.csv and
+/// how many draws came within the error.
+/// @throws std::runtime_error where a file cannot be written or the scene has no exact solution.
+Advice advise(const NamedScene& scene, const Wish& wish, const std::filesystem::path& folder,
+              const std::string& command);
+
+}  // namespace rockstack

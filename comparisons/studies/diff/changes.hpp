@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "comparisons/studies/diff/quantity_change.hpp"
+
+namespace rockstack {
+
+struct ChangeOptions {
+  double level = 0.01;  ///< chance that anything is told where nothing has changed, between 0 and 1
+  ChangeFactors factors = {};
+  std::vector<std::string> across = {};  ///< of row_names(): as pair_rows()
+};
+
+/// Whether two runs left the same bytes in the files that both kept.
+enum class SameBits { same, different, unknown };
+
+/// "same", "different", or "" where nothing was kept.
+std::string name(SameBits bits);
+
+/// One row in both results.
+struct RowChange {
+  RunMetrics old_row, new_row;
+  SameBits bits = SameBits::unknown;
+  bool drawn = false;  ///< whether both have draws
+  std::vector<QuantityChange> quantities;
+
+  Turn worst() const;
+};
+
+/// Two results held against each other.
+struct ResultsChange {
+  std::vector<RowChange> rows;
+  std::vector<std::string> only_old, only_new, other_questions;  ///< as RowPairs
+  std::vector<std::string> other_environment;                    ///< "compiler: GNU 12.2.0, GNU 13.1.0"
+  std::size_t tests = 0;    ///< numbers that have draws on both sides, and vary
+  std::size_t counted = 0;  ///< of them, those that could show a change at the level
+  double level = 0;
+
+  bool worse() const;
+
+  /// Draws on each side with which all tests could show a change.
+  std::size_t draws_needed() const;
+};
+
+/// Holds new results against old ones. A number of draws is told as changed where its test, corrected for how
+/// many there are, says so at the level; a run by itself where the factors say so. Times are told on one
+/// processor alone. @throws InputError as pair_rows().
+ResultsChange hold_against(const RecordedResults& old_results, const RecordedResults& new_results,
+                           const ChangeOptions& options);
+
+}  // namespace rockstack

@@ -1,0 +1,146 @@
+#include "comparisons/studies/impact_laws/engines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "analytic/solve.hpp"
+
+namespace rockstack {
+namespace {
+
+double largest_apart(const std::vector<double>& some, const std::vector<double>& others) {
+  double largest = 0;
+  for (std::size_t k = 0; k < some.size(); ++k) largest = std::max(largest, std::abs(some[k] - others[k]));
+  return largest;
+}
+
+Vector<double> vector_of(std::span<const double> values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+std::vector<double> list_of(const Vector<double>& values) {
+  return {values.begin(), values.end()};
+}
+
+/// Mean angular velocities between two samples.
+std::vector<double> mean_rates(const History& history, std::size_t from, std::size_t to) {
+  const auto first = history.angles_at(from);
+  const auto last = history.angles_at(to);
+  std::vector<double> rates;
+  for (std::size_t k = 0; k < first.size(); ++k)
+    rates.push_back((last[k] - first[k]) / (history.times[to] - history.times[from]));
+  return rates;
+}
+
+struct LawRun {
+  Event impact;
+  std::vector<double> rates;
+  bool alone;  ///< the only impact
+};
+
+/// The exact motion under a law up to `follow` after its first event.
+LawRun run_law(Scene scene, Law law) {
+  scene.law = law;
+  const History events = solve(scene);
+  if (events.events.empty()) throw std::runtime_error("nothing happens");
+  const Event impact = events.events.front();
+  const History history = solve(scene, {.sample_times = {impact.time + follow / 2, impact.time + follow}});
+  if (history.size() < 2) throw std::runtime_error("a block topples");
+  const auto count = std::count_if(events.events.begin(), events.events.end(), [&](const Event& event) {
+    return event.kind != EventKind::opening && event.time <= impact.time + follow;
+  });
+  return {impact, mean_rates(history, 0, 1), count == 1};
+}
+
+bool is_of(const LawRun& run, const ImpactKind& kind, const Pattern& answer) {
+  return run.alone && run.impact.kind != EventKind::opening && run.impact.interface == kind.interface + 1 &&
+         run.impact.from == kind.before && run.impact.to == answer;
+}
+
+std::optional<ImpactCase> make_case(const Disagreement& disagreement) {
+  const ImpactKind& kind = disagreement.kind;
+  ImpactCase result{name(kind) + "." + name(disagreement.paper) + "." + name(disagreement.consistent),
+                    disagreement,
+                    scene_before(disagreement.clearest),
+                    0,
+                    0,
+                    {},
+                    {},
+                    {}};
+  result.scene.title = result.name;
+  const LawRun paper = run_law(result.scene, Law::paper);
+  const LawRun consistent = run_law(result.scene, Law::consistent);
+  if (!is_of(paper, kind, disagreement.paper) || !is_of(consistent, kind, disagreement.consistent)) {
+    return std::nullopt;
+  }
+  result.time = consistent.impact.time;
+  result.before = consistent.impact.before;
+  result.largest_rate = relative(vector_of(result.before)).cwiseAbs().maxCoeff();
+  result.paper = paper.rates;
+  result.consistent = consistent.rates;
+  result.scene.duration = result.time + follow;
+  return result;
+}
+
+Pattern pattern_at(const ImpactCase& question, std::span<const double> angles) {
+  const double least = open_share * question.largest_rate * follow;
+  Vector<double> opening = relative(vector_of(angles));
+  for (double& angle : opening) angle = std::abs(angle) > least ? angle : 0;
+  return pattern_of(opening, Vector<double>::Zero(opening.size()));
+}
+
+}  // namespace
+
+Scene scene_before(const DrawnImpact& drawn) {
+  Scene scene = drawn.scene;
+  const State<double>& state = drawn.impact.before;
+  scene.duration = 4 * lead + follow;
+  const Vector<double> rates = absolute(state.velocities);
+  scene.initial.velocities = list_of(rates);
+  scene.initial.angles = list_of(absolute(state.angles) - lead * rates);
+  // Closed interfaces are those whose angles are equal to the last bit.
+  for (int k = 0; k < state.pattern.size; ++k) {
+    const auto block = static_cast<std::size_t>(k);
+    if (state.pattern[k] != Contact::closed) continue;
+    scene.initial.angles[block] = k == 0 ? 0 : scene.initial.angles[block - 1];
+    scene.initial.velocities[block] = k == 0 ? 0 : scene.initial.velocities[block - 1];
+  }
+  return scene;
+}
+
+std::vector<ImpactCase> clear_cases(const std::vector<Disagreement>& disagreements, double least_clearness) {
+  std::vector<ImpactCase> cases;
+  for (const Disagreement& disagreement : disagreements) {
+    if (disagreement.clearness < least_clearness) continue;
+    if (auto found = make_case(disagreement)) cases.push_back(std::move(*found));
+  }
+  return cases;
+}
+
+std::string name(Follows follows) {
+  return follows == Follows::consistent ? "consistent" : follows == Follows::paper ? "paper" : "neither";
+}
+
+EngineVerdict ask_engine(const ImpactCase& question, const EngineSeries& series, double dt) {
+  EngineVerdict verdict{
+      series.engine->name(), series.engine->solver(), series.settings, dt, {}, {}, {}, {}, 0, 0};
+  try {
+    const History history = simulate(*series.engine, question.scene, dt, series.parameters).history;
+    const std::size_t last = history.size() - 1;
+    const auto half = static_cast<std::size_t>(std::lround(follow / 2 / dt));
+    if (half < 1 || half > last) throw std::runtime_error("the step is too long, or a block toppled");
+    verdict.rates = mean_rates(history, last - half, last);
+    verdict.pattern = pattern_at(question, history.angles_at(last));
+    verdict.follows = verdict.pattern == question.disagreement.consistent ? Follows::consistent
+                      : verdict.pattern == question.disagreement.paper    ? Follows::paper
+                                                                          : Follows::neither;
+    verdict.from_paper = largest_apart(verdict.rates, question.paper) / question.largest_rate;
+    verdict.from_consistent = largest_apart(verdict.rates, question.consistent) / question.largest_rate;
+  } catch (const std::exception& failure) {
+    verdict.failure = failure.what();
+  }
+  return verdict;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,281 @@
+#include "comparisons/studies/impact_laws/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/results/environment.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/studies/impact_laws/study_keys.hpp"
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+int read_count(const Node& root, const char* key, int otherwise, int most) {
+  const Node* node = find(root, key);
+  return node == nullptr ? otherwise : static_cast<int>(whole_number(*node, 1, most));
+}
+
+/// Below the least angle at which any block has toppled, π/4.
+double read_largest_angle(const Node& root, double otherwise) {
+  const Node* node = find(root, "largest_angle");
+  if (node == nullptr) return otherwise;
+  if (!(number(*node) > 0 && node->number <= 0.78)) throw wrong_value(*node, "a number > 0 and at most 0.78");
+  return node->number;
+}
+
+Range read_range(const Node& root, const char* key, const Range& otherwise) {
+  const Node* node = find(root, key);
+  if (node == nullptr) return otherwise;
+  const std::vector<double> values = numbers(*node);
+  if (values.size() != 2 || !(values[0] > 0) || !(values[0] < values[1])) {
+    throw wrong_value(*node, "two numbers > 0, the smaller one first");
+  }
+  return {values[0], values[1]};
+}
+
+std::vector<int> read_blocks(const Node& root, const std::vector<int>& otherwise) {
+  const Node* node = find(root, "blocks");
+  if (node == nullptr) return otherwise;
+  std::vector<int> blocks;
+  entries(*node, "an array of 2 and 3");
+  for (const double value : numbers(*node)) {
+    if (value != 2 && value != 3) throw wrong_value(*node, "an array of 2 and 3");
+    blocks.push_back(static_cast<int>(value));
+  }
+  return blocks;
+}
+
+double read_positive(const Node& root, const char* key, double otherwise) {
+  const Node* node = find(root, key);
+  return node == nullptr ? otherwise : number_above_zero(*node);
+}
+
+ImpactDraws read_impact_draws(const Node& root) {
+  ImpactDraws draws;
+  if (const Node* seed = find(root, "seed"))
+    draws.seed = static_cast<std::uint64_t>(whole_number(*seed, 0, largest_seed));
+  draws.samples = read_count(root, "samples", draws.samples, 1'000'000);
+  draws.cells = read_count(root, "cells", draws.cells, 100);
+  draws.blocks = read_blocks(root, draws.blocks);
+  draws.aspect_ratio = read_range(root, "aspect_ratio", draws.aspect_ratio);
+  draws.mass_ratio = read_range(root, "mass_ratio", draws.mass_ratio);
+  draws.base_aspect_ratio = read_range(root, "base_aspect_ratio", draws.base_aspect_ratio);
+  draws.width_ratio = read_range(root, "width_ratio", draws.width_ratio);
+  draws.largest_angle = read_largest_angle(root, draws.largest_angle);
+  draws.speed = read_range(root, "speed", draws.speed);
+  return draws;
+}
+
+template <class Range>
+std::string spaced(const Range& values) {
+  return fmt::format("{}", fmt::join(values, " "));
+}
+
+struct Definition {
+  const char* name;
+  const char* text;
+};
+
+constexpr Definition share_columns[]{
+    {"blocks", "number of blocks"},
+    {"kind", "pattern before the impact, and where it takes place; one of each pair of mirror images"},
+    {"aspect_ratio_from", "height over width of the top block: the cell's edges"},
+    {"aspect_ratio_to", "likewise"},
+    {"mass_ratio_from", "mass of the top block over that of the block below: the cell's edges"},
+    {"mass_ratio_to", "likewise"},
+    {"drawn", "states drawn, among them those whose pattern before cannot carry itself"},
+    {"impacts", "states that were judged: every pivot pushes, every centre of pressure lies inside"},
+    {"differ", "impacts after which the laws have different patterns"},
+    {"none", "impacts after which no pattern is consistent"},
+    {"several", "impacts after which more than one pattern is consistent"},
+    {"missed", "impacts with a consistent pattern that the solver's search does not find"},
+};
+
+constexpr Definition verdict_columns[]{
+    {"case", "kind of impact, pattern after it under law paper, and under law consistent"},
+    {"kind", "pattern before the impact, and where it takes place"},
+    {"engine", "name of the engine"},
+    {"solver", "its constraint solver"},
+    {"settings", "its parameter set"},
+    {"dt", "time step, s"},
+    {"status", "done, or failed"},
+    {"reason", "why a run failed"},
+    {"paper", "pattern after the impact under law paper"},
+    {"consistent", "pattern after the impact under law consistent"},
+    {"pattern", "the engine's pattern, from the signs of the relative angles 5 ms after the impact"},
+    {"follows", "the law whose pattern that is, or neither"},
+    {"from_paper",
+     "largest difference of the engine's angular velocities from law paper's, means from 2.5 to 5 ms after "
+     "the impact, over the largest relative angular velocity before"},
+    {"from_consistent", "likewise from law consistent's"},
+    {"before", "angular velocities just before the impact, bottom to top, rad/s"},
+    {"rates_paper", "mean angular velocities after it under law paper, rad/s"},
+    {"rates_consistent", "likewise under law consistent"},
+    {"rates", "likewise in the engine"},
+};
+
+template <std::size_t count>
+void add_header(CsvWriter& csv, const Definition (&columns)[count]) {
+  for (const Definition& column : columns) csv.add(column.name);
+  csv.end_line();
+}
+
+template <std::size_t count>
+Json definitions(const Definition (&columns)[count]) {
+  Json json;
+  for (const Definition& column : columns) json[column.name] = column.text;
+  return json;
+}
+
+Json case_json(const AskedCase& asked) {
+  const Scene& scene = asked.question.scene;
+  Json blocks = Json::array();
+  for (const Block& block : scene.blocks) {
+    blocks.push_back({{"width", 2 * block.half_width},
+                      {"height", 2 * block.half_height},
+                      {"mass", block.mass},
+                      {"inertia", block.inertia}});
+  }
+  return {{"name", asked.question.name},
+          {"clearness", asked.question.disagreement.clearness},
+          {"impact_time", asked.question.time},
+          {"duration", scene.duration},
+          {"blocks", blocks},
+          {"angles", scene.initial.angles},
+          {"velocities", scene.initial.velocities}};
+}
+
+Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, const std::string& command) {
+  Json json{{"title", study.title}, {"study", "impact-laws"}, {"suite_file", study.text}};
+  json["definitions"] = {{"impact-laws.csv", definitions(share_columns)},
+                         {"impact-laws-engines.csv", definitions(verdict_columns)}};
+  json["disagreements"] = Json::array();
+  for (const Disagreement& found : results.laws.disagreements) {
+    json["disagreements"].push_back({{"kind", name(found.kind)},
+                                     {"paper", name(found.paper)},
+                                     {"consistent", name(found.consistent)},
+                                     {"count", found.count},
+                                     {"clearness", found.clearness}});
+  }
+  json["cases"] = Json::array();
+  for (const AskedCase& asked : results.cases) json["cases"].push_back(case_json(asked));
+  json["engines"] = Json::array();
+  for (const EngineSeries& series : study.series) {
+    json["engines"].push_back({{"engine", series.engine->name()},
+                               {"solver", series.engine->solver()},
+                               {"settings", series.settings},
+                               {"parameters", series.parameters}});
+  }
+  json["left_out"] = engines_left_out();
+  std::vector<const WorkerEngine*> asked;
+  for (const EngineSeries& series : study.series) asked.push_back(series.engine);
+  json["environment"] = environment(asked);
+  json["command"] = command;
+  return json;
+}
+
+}  // namespace
+
+ImpactLawStudy read_impact_law_study(const std::filesystem::path& file) {
+  const Node root = read_toml(file);
+  const Node& study_name = required(root, "study", "\"stability\" or \"impact-laws\"");
+  if (text(study_name) != "impact-laws") throw wrong_value(study_name, "\"stability\" or \"impact-laws\"");
+  require_table(root, impact_law_keys);
+  std::ifstream stream(file, std::ios::binary);
+  ImpactLawStudy study{text(required(root, "title", "text")),
+                       {std::istreambuf_iterator<char>(stream), {}},
+                       read_impact_draws(root),
+                       0,
+                       read_engines(root, file.parent_path())};
+  study.least_clearness = read_positive(root, "least_clearness", 0.1);
+  return study;
+}
+
+ImpactLawResults run_study(const ImpactLawStudy& study) {
+  ImpactLawResults results{study_impact_laws(study.draws), {}};
+  for (ImpactCase& question : clear_cases(results.laws.disagreements, study.least_clearness)) {
+    results.cases.push_back({std::move(question), {}});
+    AskedCase& asked = results.cases.back();
+    for (const EngineSeries& series : study.series) {
+      for (const double dt : series.steps) asked.verdicts.push_back(ask_engine(asked.question, series, dt));
+    }
+  }
+  return results;
+}
+
+std::vector<KindShare> shares_by_kind(const std::vector<ImpactShare>& shares) {
+  std::vector<KindShare> kinds;
+  for (const ImpactShare& share : shares) {
+    if (kinds.empty() || kinds.back().kind != name(share.kind)) kinds.push_back({name(share.kind)});
+    kinds.back().impacts += share.impacts;
+    kinds.back().differ += share.differ;
+    kinds.back().none += share.none;
+  }
+  return kinds;
+}
+
+std::vector<EngineTally> tallies(const std::vector<AskedCase>& cases) {
+  std::vector<EngineTally> list;
+  for (const AskedCase& asked : cases) {
+    for (const EngineVerdict& verdict : asked.verdicts) {
+      const std::string engine = fmt::format("{}:{} {}", verdict.engine, verdict.solver, verdict.settings);
+      auto tally = std::find_if(list.begin(), list.end(), [&](const EngineTally& known) {
+        return known.engine == engine && known.dt == verdict.dt;
+      });
+      if (tally == list.end()) tally = list.insert(list.end(), {engine, verdict.dt});
+      ++(!verdict.failure.empty()                 ? tally->failed
+         : verdict.follows == Follows::consistent ? tally->consistent
+         : verdict.follows == Follows::paper      ? tally->paper
+                                                  : tally->neither);
+    }
+  }
+  return list;
+}
+
+std::string shares_csv(const std::vector<ImpactShare>& shares) {
+  CsvWriter csv;
+  add_header(csv, share_columns);
+  for (const ImpactShare& share : shares) {
+    csv.line(share.blocks, name(share.kind), share.aspect_ratio.from, share.aspect_ratio.to,
+             share.mass_ratio.from, share.mass_ratio.to, share.drawn, share.impacts, share.differ, share.none,
+             share.several, share.missed);
+  }
+  return csv.text();
+}
+
+std::string verdicts_csv(const std::vector<AskedCase>& cases) {
+  CsvWriter csv;
+  add_header(csv, verdict_columns);
+  for (const auto& [question, verdicts] : cases) {
+    const Disagreement& found = question.disagreement;
+    for (const EngineVerdict& verdict : verdicts) {
+      const bool failed = !verdict.failure.empty();
+      const auto cell = [&](double value) { return failed ? "" : number_text(value); };
+      csv.line(question.name, name(found.kind), verdict.engine, verdict.solver, verdict.settings, verdict.dt,
+               failed ? "failed" : "done", verdict.failure, name(found.paper), name(found.consistent),
+               failed ? "" : name(verdict.pattern), failed ? "" : name(verdict.follows),
+               cell(verdict.from_paper), cell(verdict.from_consistent), spaced(question.before),
+               spaced(question.paper), spaced(question.consistent), spaced(verdict.rates));
+    }
+  }
+  return csv.text();
+}
+
+void write_results(const ImpactLawStudy& study, const ImpactLawResults& results,
+                   const std::filesystem::path& folder, const std::string& command) {
+  write_file(folder / "impact-laws.csv", shares_csv(results.laws.shares));
+  write_file(folder / "impact-laws-engines.csv", verdicts_csv(results.cases));
+  write_file(folder / "impact-laws.json", results_json(study, results, command).dump(2) + "\n");
+}
+
+}  // namespace rockstack

@@ -1,0 +1,117 @@
+#include <cmath>
+
+#include "analytic/scene/input/scene_file.hpp"
+#include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/contact/contact_summary.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
+#include "comparisons/studies/lessons/answers.hpp"
+#include "comparisons/studies/lessons/contact/contact_need.hpp"
+#include "comparisons/studies/lessons/values.hpp"
+#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/suites/shipped.hpp"
+
+namespace rockstack {
+namespace {
+
+/// A scene that ends a branch, on surfaces of that friction.
+struct Example {
+  std::string name;
+  double friction;
+};
+
+const std::vector<Example>& examples() {
+  static const std::vector<Example> list{{"housner-block", 0.6},       {"slippery-floor", 0.1},
+                                         {"rubbing-block", 0.345},     {"spanos-free-rocking", 1.0},
+                                         {"spanos-free-rocking", 1.5}, {"spanos-synthetic", 2.0},
+                                         {"thrown-block", 0.25}};
+  return list;
+}
+
+Scene scene_of(const Example& example) {
+  Scene scene = read_scene(shipped("scenes") / (example.name + ".toml"));
+  scene.friction.assign(scene.blocks.size(), example.friction);
+  return scene;
+}
+
+Scene under(Scene scene, Law law) {
+  scene.law = law;
+  return scene;
+}
+
+std::string friction_cell(double friction) {
+  return std::isfinite(friction) ? cell(friction) : "no friction does";
+}
+
+/// What each asks, which law that makes it, and what the other law would have said.
+Table needs() {
+  Table table{{"scene", "friction", "least normal force (weights)", "forces need", "impacts need",
+               "pivots fail first", "law"},
+              {}};
+  for (const Example& example : examples()) {
+    const Scene scene = scene_of(example);
+    const ContactNeed need = contact_need(scene);
+    double weight = 0;
+    for (const Block& block : scene.blocks) weight += block.mass * scene.gravity;
+    table.rows.push_back({example.name, cell(example.friction), cell(need.least_normal / weight),
+                          friction_cell(need.force_friction), friction_cell(need.impulse_friction),
+                          first_failure(need),
+                          law_for(need) == Law::unilateral ? "unilateral" : "consistent"});
+  }
+  return table;
+}
+
+Table consequences() {
+  Table table{{"scene", "friction", "slips by up to (mm)", "lifts by up to (mm)",
+               "angles of the two laws apart, RMS (rad)"},
+              {}};
+  for (const Example& example : examples()) {
+    const Scene scene = scene_of(example);
+    const History free = exact_answer(under(scene, Law::unilateral));
+    const History tied = solve(under(scene, Law::consistent), {.sample_times = free.times});
+    double slip = 0, lift = 0;
+    for (const InterfaceSummary& interface : contact_summary(free)) {
+      slip = std::max(slip, interface.largest_slip);
+      lift = std::max(lift, interface.highest_lift);
+    }
+    table.rows.push_back({example.name, cell(example.friction), cell(1e3 * slip, 1), cell(1e3 * lift, 1),
+                          power(root_mean_square(difference(tied, free)), 1)});
+  }
+  return table;
+}
+
+}  // namespace
+
+LessonValues contact_models_values(const Suite& /*suite*/, const std::vector<RunMetrics>& /*rows*/) {
+  const auto need = [](const Example& example) { return contact_need(scene_of(example)); };
+  const ContactNeed rough = need(examples()[0]), slippery = need(examples()[1]),
+                    rubbing = need(examples()[2]);
+  const ContactNeed shaken = need(examples()[5]), thrown = need(examples()[6]);
+  const Scene squat = read_scene(shipped("scenes") / "squat-top.toml");
+  const History paper = solve(under(squat, Law::paper)), consistent = solve(under(squat, Law::consistent));
+  const Event* first = first_event(paper, EventKind::impact);
+  const Event* other = first_event(consistent, EventKind::impact);
+  LessonValues values;
+  values.numbers = {
+      {"paper_pattern", name(first->to)},
+      {"consistent_pattern", name(other->to)},
+      {"squat_time", fixed(first->time, 3)},
+      {"shaken_pull", fixed(-shaken.least_normal, 0)},
+      {"shaken_time", fixed(shaken.first_pull, 3)},
+      {"thrown_time", fixed(thrown.first_pull, 3)},
+      {"rough_forces", fixed(rough.force_friction, 4)},
+      {"rough_impulses", fixed(rough.impulse_friction, 4)},
+      {"slippery_friction", fixed(slippery.friction, 1)},
+      {"slippery_time", fixed(slippery.first_force_slip, 3)},
+      {"rubbing_friction", fixed(rubbing.friction, 3)},
+      {"rubbing_forces_time", fixed(rubbing.first_force_slip, 3)},
+      {"rubbing_impulses", fixed(rubbing.impulse_friction, 4)},
+      {"rubbing_short", fixed(rubbing.impulse_friction - rubbing.friction, 3)},
+      {"rubbing_slip",
+       fixed(1e3 * contact_summary(exact_answer(scene_of(examples()[2]))).front().largest_slip, 1)},
+      {"rubbing_time", fixed(rubbing.first_impulse_slip, 3)}};
+  values.tables = {{"needs", needs()}, {"consequences", consequences()}};
+  values.player = {.time = rubbing.first_impulse_slip - 0.02, .speed = 0.1, .gain = 1, .overlaid = true};
+  return values;
+}
+
+}  // namespace rockstack

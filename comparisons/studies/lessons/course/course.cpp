@@ -1,0 +1,128 @@
+#include "comparisons/studies/lessons/course/course.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
+#include "comparisons/suites/shipped.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr KeyTable course_keys{
+    "",
+    "a lesson as part of a course",
+    {{"minutes", "45", "", "a whole number from 1 to 600", required_key, "in class"},
+     {"after", "[\"housner\"]", "", "names of lessons", "[]", "what to know first"},
+     {"aims", "[\"Tell a force from an impulse\"]", "", "texts", required_key, "what is learnt"},
+     {"references", "[\"G. W. Housner 1963\"]", "", "texts", required_key, "where it comes from"},
+     {"predictions", "", "", "tables [[predictions]]", required_key, "asked before the text tells"},
+     {"problems", "", "", "tables [[problems]]", required_key, "with numbers drawn for each student"}}};
+
+constexpr KeyTable problem_keys{
+    "[[problems]]",
+    "a question with its scene",
+    {{"name", "\"first\"", "", "a text", "\"\"", "of a prediction"},
+     {"text", "\"A block stands.\"", "", "a text", "\"\"", "what is given"},
+     {"scene", "\"housner-block\"", "", "a shipped scene", no_default, "that is solved"},
+     {"set", "[\"duration=2\"]", "", "key=value texts", "[]", "changes of it"},
+     {"against", "[\"duration=2\"]", "", "key=value texts", "[]", "changes of what answers are divided by"},
+     {"draw", "{ width = [0.2, 0.6, 0.1] }", "", "least, most and step of each number", "{}", "drawn"},
+     {"parts", "[]", "", "tables", required_key, "what is asked"}}};
+
+constexpr KeyTable part_keys{
+    "parts",
+    "one thing that is asked",
+    {{"ask", "\"When?\"", "", "a text", required_key, "the question"},
+     {"answer", "\"first-impact\"", "", "a quantity", required_key, "computed"},
+     {"choices", "[\"less\", \"more\"]", "", "texts", "[]", "to choose from"},
+     {"bounds", "[1.0]", "", "ascending numbers, one fewer than choices", "[]", "between the choices"},
+     {"unit", "\"s\"", "", "a text", "\"\"", "of the answer"},
+     {"digits", "3", "", "0 to 9", "3", "after the point"},
+     {"within", "0.05", "", "> 0", "0.05", "share of the answer by which a number may be off"},
+     {"why", "\"Because.\"", "", "a text", "\"\"", "told with the answer"}}};
+
+std::vector<std::string> texts(const Node& table, const char* key) {
+  std::vector<std::string> list;
+  const Node* node = find(table, key);
+  if (node == nullptr || node->children.empty()) return list;
+  for (const Node& child : entries(*node, "an array of texts")) list.push_back(text(child));
+  return list;
+}
+
+std::string text_or_none(const Node& table, const char* key) {
+  const Node* node = find(table, key);
+  return node == nullptr ? "" : text(*node);
+}
+
+std::vector<double> read_bounds(const Node& table, std::size_t choices) {
+  const Node* node = find(table, "bounds");
+  if (node == nullptr && choices == 0) return {};
+  const Node& array = node == nullptr ? required(table, "bounds", "given beside choices") : *node;
+  std::vector<double> bounds = numbers(array);
+  if (bounds.size() + 1 != choices || !std::is_sorted(bounds.begin(), bounds.end()))
+    throw wrong_value(array, "ascending numbers, one fewer than choices");
+  return bounds;
+}
+
+Part read_part(const Node& table) {
+  require_table(table, part_keys);
+  Part part;
+  part.ask = text(required(table, "ask", "a text"));
+  part.answer = text(required(table, "answer", "a quantity"));
+  part.choices = texts(table, "choices");
+  part.bounds = read_bounds(table, part.choices.size());
+  part.unit = text_or_none(table, "unit");
+  if (const Node* node = find(table, "digits")) part.digits = static_cast<int>(whole_number(*node, 0, 9));
+  if (const Node* node = find(table, "within")) part.within = number_above_zero(*node);
+  part.why = text_or_none(table, "why");
+  return part;
+}
+
+DrawnRange read_range(const Node& node) {
+  const std::vector<double> values = numbers(node);
+  if (values.size() != 3 || !(values[1] >= values[0]) || !(values[2] > 0))
+    throw wrong_value(node, "[least, most, step] with least ≤ most and step > 0");
+  return {node.name, values[0], values[1], values[2]};
+}
+
+Problem read_problem(const Node& table) {
+  require_table(table, problem_keys);
+  Problem problem;
+  problem.name = text_or_none(table, "name");
+  problem.text = text_or_none(table, "text");
+  problem.scene = text_or_none(table, "scene");
+  problem.changes = texts(table, "set");
+  problem.against = texts(table, "against");
+  if (const Node* draw = find(table, "draw"))
+    for (const Node& range : draw->children) problem.draw.push_back(read_range(range));
+  for (const Node& part : entries(required(table, "parts", "what is asked"), "an array of tables"))
+    problem.parts.push_back(read_part(part));
+  return problem;
+}
+
+std::vector<Problem> read_problems(const Node& root, const char* key) {
+  std::vector<Problem> problems;
+  for (const Node& table : entries(required(root, key, "an array of tables"), "an array of tables"))
+    problems.push_back(read_problem(table));
+  return problems;
+}
+
+}  // namespace
+
+CourseEntry read_course(const std::string& lesson) {
+  const Node root = read_toml(shipped("studies/lessons") / "course" / (lesson + ".toml"));
+  require_table(root, course_keys);
+  CourseEntry course;
+  constexpr double longest = 600;
+  course.minutes = static_cast<int>(whole_number(required(root, "minutes", "a whole number"), 1, longest));
+  course.after = texts(root, "after");
+  course.aims = texts(root, "aims");
+  course.references = texts(root, "references");
+  course.predictions = read_problems(root, "predictions");
+  course.problems = read_problems(root, "problems");
+  return course;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,192 @@
+#include "comparisons/studies/lessons/course/quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "analytic/scene/input/document.hpp"
+#include "analytic/scene/input/scene_file.hpp"
+#include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/contact/corner_springs.hpp"
+#include "comparisons/studies/lessons/answers.hpp"
+#include "comparisons/studies/lessons/contact/closed_forms.hpp"
+#include "comparisons/studies/lessons/contact/contact_need.hpp"
+#include "comparisons/studies/lessons/energies.hpp"
+#include "comparisons/studies/lessons/landing.hpp"
+#include "comparisons/suites/shipped.hpp"
+
+namespace rockstack {
+namespace {
+
+const Event& first(const Asked& asked, EventKind kind) {
+  const Event* event = first_event(asked.history, kind);
+  if (event == nullptr)
+    throw std::runtime_error(fmt::format("{}: there is no {}", asked.scene.title, name(kind)));
+  return *event;
+}
+
+double number_of(const Asked& asked, const std::string& name) {
+  const auto found = asked.numbers.find(name);
+  if (found == asked.numbers.end())
+    throw InputError(
+        fmt::format("a lesson's question: {}: must be one of its numbers", rockstack::quoted(name)));
+  return found->second;
+}
+
+double slenderness(const Block& block) {
+  return std::atan2(block.half_width, block.half_height);
+}
+
+double kept_energy(const Asked& asked) {
+  const ImpactEnergies energies = impact_energies(asked.scene, first(asked, EventKind::impact));
+  return energies.after / energies.before;
+}
+
+double ratio_at_impact(const Asked& asked) {
+  const Event& impact = first(asked, EventKind::impact);
+  const auto block = static_cast<std::size_t>(impact.interface) - 1;
+  return impact.after[block] / impact.before[block];
+}
+
+double fifth_impact(const Asked& asked) {
+  int left = 5;
+  for (const Event& event : asked.history.events)
+    if (event.kind == EventKind::impact && --left == 0) return event.time;
+  throw std::runtime_error(fmt::format("{}: there are no five impacts", asked.scene.title));
+}
+
+/// What pivots need of friction, beyond what there is.
+double friction_short(const Asked& asked) {
+  const ContactNeed need = contact_need(asked.scene);
+  return std::max(need.force_friction, need.impulse_friction) - need.friction;
+}
+
+double impacts(const Asked& asked) {
+  return static_cast<double>(
+      std::count_if(asked.history.events.begin(), asked.history.events.end(),
+                    [](const Event& event) { return event.kind == EventKind::impact; }));
+}
+
+/// How the base turns after the first impact, rad/s.
+double base_after(const Asked& asked) {
+  return std::abs(first(asked, EventKind::impact).after.front());
+}
+
+/// The chance that two samples of n values are apart by luck: all of the one below all of the other is
+/// one of the (2n choose n) ways to share out 2n ranks, as likely as the other way round.
+double chance_apart(const Asked& asked) {
+  const double n = number_of(asked, "draws");
+  return 2 * std::exp(2 * std::lgamma(n + 1) - std::lgamma(2 * n + 1));
+}
+
+/// Each exact impact has a window of ± w; n impacts at random times miss it with (1 − 2w/T)ⁿ.
+double chance_matched(const Asked& asked) {
+  const double share = 2 * number_of(asked, "window") / number_of(asked, "duration");
+  return number_of(asked, "exact") * (1 - std::pow(1 - share, number_of(asked, "seen")));
+}
+
+double order(const Asked& asked) {
+  return std::log(number_of(asked, "coarse_error") / number_of(asked, "fine_error")) /
+         std::log(number_of(asked, "factor"));
+}
+
+double erp_stiffness(const Asked& asked) {
+  return number_of(asked, "erp") / (number_of(asked, "dt") * number_of(asked, "cfm"));
+}
+
+double erp_damping(const Asked& asked) {
+  return (1 - number_of(asked, "erp")) / number_of(asked, "cfm");
+}
+
+/// Impacts until an amplitude's energy has come down to a share, at a ratio of velocities r: r²ⁿ = share.
+double impacts_to_share(const Asked& asked) {
+  return std::ceil(std::log(number_of(asked, "share")) / (2 * std::log(number_of(asked, "ratio"))));
+}
+
+struct Quantity {
+  const char* name;
+  double (*value)(const Asked& asked);
+};
+
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> list{
+      // Of a scene's exact solution. SI units.
+      {"first-impact", [](const Asked& a) { return first(a, EventKind::impact).time; }},
+      {"opening", [](const Asked& a) { return first(a, EventKind::opening).time; }},
+      {"opening-lead",
+       [](const Asked& a) { return first(a, EventKind::impact).time - first(a, EventKind::opening).time; }},
+      {"lift-off", [](const Asked& a) { return first(a, EventKind::lift_off).time; }},
+      {"flight",
+       [](const Asked& a) { return first(a, EventKind::impact).time - first(a, EventKind::lift_off).time; }},
+      {"impact-ratio", ratio_at_impact},
+      {"top-ratio",
+       [](const Asked& a) {
+         const Event& impact = first(a, EventKind::impact);
+         return impact.after.back() / impact.before.back();
+       }},
+      {"fifth-impact", fifth_impact},
+      {"kept-energy", kept_energy},
+      {"lost-energy", [](const Asked& a) { return 1 - kept_energy(a); }},
+      {"impacts", impacts},
+      {"base-after", base_after},
+      {"slenderness", [](const Asked& a) { return slenderness(a.scene.blocks.front()); }},
+      {"force-friction", [](const Asked& a) { return contact_need(a.scene).force_friction; }},
+      {"impulse-friction", [](const Asked& a) { return contact_need(a.scene).impulse_friction; }},
+      {"sticking-ratio",
+       [](const Asked& a) {
+         const Block& block = a.scene.blocks.front();
+         return impact_ratio(block.half_height / block.half_width, largest_friction);
+       }},
+      {"friction-short", friction_short},
+      {"one-body-energy", [](const Asked& a) { return land(a.scene, {}).energy; }},
+      {"printed-energy",
+       [](const Asked& a) {
+         return land(a.scene, {true, true}).energy;
+       }},
+      // Of the numbers of the question.
+      {"chance-apart", chance_apart},
+      {"tests-that-show", [](const Asked& a) { return std::floor(number_of(a, "level") / chance_apart(a)); }},
+      {"chance-matched", chance_matched},
+      {"luckiest",
+       [](const Asked& a) { return 1 - std::pow(1 - number_of(a, "share"), number_of(a, "draws")); }},
+      {"order", order},
+      {"lead", [](const Asked& a) { return number_of(a, "step") / 2; }},
+      {"erp-stiffness", erp_stiffness},
+      {"erp-damping", erp_damping},
+      {"restitution-of-damping",
+       [](const Asked& a) { return restitution_of(number_of(a, "damping_ratio")); }},
+      {"chatter-sum", [](const Asked& a) { return number_of(a, "flight") / (1 - number_of(a, "factor")); }},
+      {"doubling", [](const Asked& a) { return std::log(2.0) / number_of(a, "rate"); }},
+      {"predictable",
+       [](const Asked& a) {
+         return std::log(number_of(a, "parted") / number_of(a, "error")) / number_of(a, "rate");
+       }},
+      {"impacts-to-share", impacts_to_share}};
+  return list;
+}
+
+}  // namespace
+
+Asked asked_about(const std::string& scene, const std::vector<std::string>& changes) {
+  Asked asked;
+  asked.scene = read_scene(shipped("scenes") / (scene + ".toml"), changes);
+  asked.history = solve(asked.scene);
+  return asked;
+}
+
+double quantity(const std::string& name, const Asked& asked) {
+  const auto found = std::find_if(quantities().begin(), quantities().end(),
+                                  [&](const Quantity& one) { return one.name == name; });
+  return found != quantities().end() ? found->value(asked) : number_of(asked, name);
+}
+
+std::vector<std::string> quantity_names() {
+  std::vector<std::string> names;
+  names.reserve(quantities().size());
+  for (const Quantity& one : quantities()) names.emplace_back(one.name);
+  return names;
+}
+
+}  // namespace rockstack

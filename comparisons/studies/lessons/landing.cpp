@@ -1,0 +1,80 @@
+#include "comparisons/studies/lessons/landing.hpp"
+
+#include <cmath>
+
+#include "analytic/mechanics/dynamics.hpp"
+
+namespace rockstack {
+namespace {
+
+/// The paper's symbols; those with an underscore are primed there.
+struct Symbols {
+  double b1, h1, m2, b2, h2, I_O, I_O1, I_O2, I_G1, I_G2, M;
+  double arm, link, link_;  ///< products that Eqs. (136)–(140) share, m²
+};
+
+double about_corner(const Block& block) {
+  return block.inertia +
+         block.mass * (block.half_width * block.half_width + block.half_height * block.half_height);
+}
+
+Symbols symbols(const Block& base, const Block& top) {
+  const double b1 = base.half_width, b2 = top.half_width, h2 = top.half_height;
+  const double height = 2 * base.half_height + h2;  // of the top block's centre
+  return {b1,
+          base.half_height,
+          top.mass,
+          b2,
+          h2,
+          about_corner(base) + top.inertia + top.mass * (b1 * b1 + height * height),
+          about_corner(base),
+          about_corner(top),
+          base.inertia,
+          top.inertia,
+          base.mass + top.mass,
+          b1 * b2 + height * h2,                        // r2 (b1 sin θc2 + (2h1+h2) cos θc2)
+          2 * base.half_height * h2 + (b1 - b2) * b2,   // l (h2 cos β + b2 sin β)
+          2 * base.half_height * h2 - (b1 + b2) * b2};  // l' (h2 cos β' − b2 sin β')
+}
+
+/// Kinetic energy in pattern 1b with the stack upright, J.
+double energy_after(const Scene& scene, double base, double top) {
+  const Stack<double> stack = make_stack<double>(scene);
+  Pattern pattern = closed_pattern(2);
+  pattern[0] = pattern[1] = Contact::left;
+  Vector<double> rates(2), angles = Vector<double>::Zero(2);
+  rates << base, top;
+  const Points<double> speeds = centre_velocities(make_chain(stack, pattern, angles), rates);
+  double sum = 0;
+  for (int k = 0; k < 2; ++k)
+    sum += (stack.mass[k] * speeds.col(k).squaredNorm() + stack.inertia[k] * rates[k] * rates[k]) / 2;
+  return sum;
+}
+
+}  // namespace
+
+Landing land(const Scene& scene, const Misprints& misprints) {
+  const Symbols q = symbols(scene.blocks[0], scene.blocks[1]);
+  const double C1 = q.I_O - 2 * q.M * q.b1 * q.b1;
+  const double C2 = (misprints.eq137 ? q.I_G1 : q.I_G2) + q.m2 * q.arm;
+  const double C3 = (misprints.eq138 ? q.I_O1 : q.I_O2) + q.m2 * q.link_;
+  const double C4 = q.I_O1 + q.m2 * (2 * q.h1 * (2 * q.h1 + q.h2) + (q.b1 - q.b2) * q.b1);
+  const double C5 = q.m2 * q.link;
+  const double base = (q.I_O2 * C1 - C2 * C3) / (C4 * q.I_O2 - C2 * C5);
+  const double top = (C5 * C1 - C4 * C3) / (C2 * C5 - C4 * q.I_O2);
+  return {base, top, energy_after(scene, base, top) / (q.I_O / 2)};
+}
+
+Block welded(const Scene& scene) {
+  const Block& base = scene.blocks[0];
+  const Block& top = scene.blocks[1];
+  const double mass = base.mass + top.mass;
+  const double height =
+      (base.mass * base.half_height + top.mass * (2 * base.half_height + top.half_height)) / mass;
+  const double below = height - base.half_height;
+  const double above = 2 * base.half_height + top.half_height - height;
+  return {base.half_width, height, mass,
+          base.inertia + top.inertia + base.mass * below * below + top.mass * above * above};
+}
+
+}  // namespace rockstack

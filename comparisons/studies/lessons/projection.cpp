@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/measures/metrics/impacts.hpp"
+#include "comparisons/studies/lessons/answers.hpp"
+#include "comparisons/studies/lessons/energies.hpp"
+#include "comparisons/studies/lessons/values.hpp"
+#include "comparisons/studies/lessons/wording.hpp"
+
+namespace rockstack {
+namespace {
+
+std::vector<Event> first_impacts(const History& history, std::size_t count) {
+  std::vector<Event> list;
+  for (const Event& event : history.events)
+    if (event.kind == EventKind::impact && list.size() < count) list.push_back(event);
+  return list;
+}
+
+Table balance(const Scene& scene, const std::vector<Event>& impacts) {
+  Table table{{"time (s)", "interface", "pattern", "energy before (J)", "energy after (J)",
+               "energy of the jump (J)", "before − after − jump (J)", "share lost"},
+              {}};
+  for (const Event& impact : impacts) {
+    const ImpactEnergies e = impact_energies(scene, impact);
+    table.rows.push_back({cell(impact.time), std::to_string(impact.interface),
+                          name(impact.from) + " → " + name(impact.to), cell(e.before), cell(e.after),
+                          cell(e.jump), cell(e.before - e.after - e.jump), cell(1 - e.after / e.before)});
+  }
+  return table;
+}
+
+/// Every pattern that could follow, with what it would bring.
+Table candidates(const Scene& scene, const Event& event) {
+  const Model<double> model = make_model<double>(scene);
+  const Impact<double> impact = impact_of(event);
+  Table table{
+      {"pattern after", "θ̇₁ (rad/s)", "θ̇₂ (rad/s)", "opens as it should", "least pivot impulse (N s)"}, {}};
+  for (const Contact contact : {Contact::left, Contact::closed, Contact::right}) {
+    Pattern pattern = event.from;
+    pattern[event.interface - 1] = contact;
+    const PatternSolution<double> solution = velocities_after(model, impact, pattern);
+    const Vector<double> rates = absolute(solution.relative);
+    Eigen::Index weakest = 0;
+    const double least = solution.reactions.normal.minCoeff(&weakest);
+    table.rows.push_back({name(pattern), cell(rates[0], 1), cell(rates[1], 1),
+                          kinematically_admissible(solution, impact.touching()) ? "yes" : "no",
+                          cell(std::abs(least) > solution.rounding[weakest] ? least : 0)});
+  }
+  return table;
+}
+
+}  // namespace
+
+LessonValues projection_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
+  const Scene& scene = suite.scenes.front().scene;
+  const std::vector<Event> impacts = first_impacts(exact_answer(scene), 8);
+  const Event& first = impacts.front();
+  const ImpactEnergies e = impact_energies(scene, first);
+  double worst = 0;
+  for (const Event& impact : impacts) {
+    const ImpactEnergies one = impact_energies(scene, impact);
+    worst = std::max(worst, std::abs(one.before - one.after - one.jump) / one.before);
+  }
+  // The drawing is to scale: lengths are roots of energies, and that before the impact is as long as
+  // `length`.
+  constexpr double left = 60, ground = 230, length = 520;
+  LessonValues values;
+  values.numbers = {{"time", fixed(first.time, 5)},
+                    {"from", name(first.from)},
+                    {"to", name(first.to)},
+                    {"before_1", fixed(first.before[0], 4)},
+                    {"before_2", fixed(first.before[1], 4)},
+                    {"after_1", fixed(first.after[0], 4)},
+                    {"after_2", fixed(first.after[1], 4)},
+                    {"energy_before", fixed(e.before, 1)},
+                    {"energy_after", fixed(e.after, 1)},
+                    {"energy_jump", fixed(e.jump, 1)},
+                    {"lost", percent(1 - e.after / e.before, 1)},
+                    {"worst", power(worst, 0)},
+                    {"foot_x", fixed(left + length * std::sqrt(e.after / e.before), 1)},
+                    {"middle_x", fixed(left + length / 2 * std::sqrt(e.after / e.before), 1)},
+                    {"tip_y", fixed(ground - length * std::sqrt(e.jump / e.before), 1)},
+                    {"half_y", fixed(ground - length / 2 * std::sqrt(e.jump / e.before), 1)},
+                    {"top_gain", percent(first.after[1] / first.before[1] - 1, 0)}};
+  values.tables = {{"balance", balance(scene, impacts)}, {"candidates", candidates(scene, first)}};
+  values.player = {.time = first.time - 0.01, .speed = 0.01, .gain = 4};
+  return values;
+}
+
+}  // namespace rockstack

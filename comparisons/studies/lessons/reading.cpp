@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
+#include "comparisons/measures/statistics/mann_whitney.hpp"
+#include "comparisons/studies/lessons/answers.hpp"
+#include "comparisons/studies/lessons/values.hpp"
+#include "comparisons/studies/lessons/wording.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr double nominal = 1e-3;  // s
+constexpr int draws = 21;         // of each set of parameters
+
+/// Root of the mean square of all differences from the exact motion, rad.
+double error_of(const char* engine, const char* settings, const Scene& scene, double dt) {
+  const History history = answer(engine, settings, scene, dt);
+  return root_mean_square(difference(solve(scene, {.sample_times = history.times}), history));
+}
+
+/// At steps spread evenly over ±3 % of the nominal one, the nominal one in the middle.
+std::vector<double> errors_of(const char* engine, const char* settings, const Scene& scene) {
+  constexpr double widest = 0.03;
+  std::vector<double> errors;
+  errors.reserve(draws);
+  for (int i = 0; i < draws; ++i)
+    errors.push_back(error_of(engine, settings, scene, nominal * (1 + widest * (2.0 * i / (draws - 1) - 1))));
+  return errors;
+}
+
+double middle_of(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
+}
+
+Table quartiles(const std::vector<std::pair<const char*, std::vector<double>>>& sets) {
+  Table table{{"engine and set", "at 1 ms itself (rad)", "least of 21 (rad)", "lower quartile (rad)",
+               "median (rad)", "upper quartile (rad)", "most of 21 (rad)"},
+              {}};
+  for (const auto& [name, errors] : sets)
+    table.rows.push_back({name, cell(errors[draws / 2]), cell(middle_of(errors, 0)),
+                          cell(middle_of(errors, 0.25)), cell(middle_of(errors, 0.5)),
+                          cell(middle_of(errors, 0.75)), cell(middle_of(errors, 1))});
+  return table;
+}
+
+/// Impacts that match: of the engine, of the exact motion read at its steps, and by chance.
+Table matches(const std::vector<RunMetrics>& rows) {
+  Table table{{"run", "step (s)", "impacts, exact", "matched", "null row: the exact motion itself",
+               "chance: random times", "chance: shifted"},
+              {}};
+  for (const RunMetrics& row : rows) {
+    if (!row.dt || !row.impacts_matched || !row.impacts_matched_null) continue;
+    const auto count = [](const std::optional<int>& value) { return value ? std::to_string(*value) : ""; };
+    table.rows.push_back({fmt::format("{} {}", row.engine, row.settings), cell(*row.dt),
+                          std::to_string(*row.impacts_matched_null + *row.impacts_missed_null),
+                          count(row.impacts_matched), count(row.impacts_matched_null),
+                          count(row.impacts_matched_random), count(row.impacts_matched_shifted)});
+  }
+  return table;
+}
+
+}  // namespace
+
+LessonValues reading_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
+  const Scene& scene = suite.scenes.front().scene;
+  const std::vector<double> ode = errors_of("ode", "tuned", scene),
+                            bullet = errors_of("bullet", "tuned", scene),
+                            plain = errors_of("ode", "default", scene);
+  const MannWhitney engines = mann_whitney(ode, bullet), sets = mann_whitney(ode, plain);
+  LessonValues values;
+  values.numbers = {{"draws", std::to_string(draws)},
+                    {"one", power(ode[draws / 2], 1)},
+                    {"least", power(middle_of(ode, 0), 1)},
+                    {"median", power(middle_of(ode, 0.5), 1)},
+                    {"most", power(middle_of(ode, 1), 1)},
+                    {"factor", fixed(middle_of(ode, 1) / middle_of(ode, 0), 1)},
+                    {"engines_share", percent(engines.superiority, 0)},
+                    {"engines_p", power(engines.p_value, 1)},
+                    {"sets_share", percent(sets.superiority, 0)},
+                    {"sets_p", power(sets.p_value, 1)}};
+  values.tables = {
+      {"quartiles", quartiles({{"ODE, tuned", ode}, {"ODE, default", plain}, {"Bullet, tuned", bullet}})},
+      {"matches", matches(rows)}};
+  values.measured = {{"spread_factor", middle_of(ode, 1) / middle_of(ode, 0)}};
+  values.player = {.time = 0.55, .speed = 0.1, .gain = 3};
+  return values;
+}
+
+}  // namespace rockstack

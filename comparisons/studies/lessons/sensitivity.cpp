@@ -1,0 +1,220 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analytic/scene/input/scene_file.hpp"
+#include "analytic/solve.hpp"
+#include "comparisons/measures/statistics/kolmogorov_smirnov.hpp"
+#include "comparisons/studies/lessons/answers.hpp"
+#include "comparisons/studies/lessons/values.hpp"
+#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/suites/shipped.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr double change = 1e-6;         // of the ground's acceleration, as a share
+constexpr double unseen_change = 1e-9;  // a change that stays out of sight
+constexpr double parted = 1e-2;         // rad
+constexpr int seeds = 30;
+constexpr double engine_step = 1e-3;  // s
+
+Scene stronger(Scene scene, double share) {
+  for (double& sample : scene.horizontal.samples) sample *= 1 + share;
+  return scene;
+}
+
+/// When the top block's angles first differ by that much, s; negative if never.
+double parting(const History& a, const History& b, double size) {
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    if (std::abs(a.angles_at(i)[1] - b.angles_at(i)[1]) > size) return a.times[i];
+  return -1;
+}
+
+/// The largest difference of the top block's angles so far, rad, at each time.
+std::vector<double> differences_so_far(const History& a, const History& b) {
+  std::vector<double> list;
+  double most = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    list.push_back(most = std::max(most, std::abs(a.angles_at(i)[1] - b.angles_at(i)[1])));
+  return list;
+}
+
+/// The straight line ln δ = offset + rate · t through a difference while it grows.
+struct Growth {
+  double rate = 0, offset = 0;  ///< 1/s, and of δ in rad
+  double from = 0, until = 0;   ///< the time that was fitted, s
+};
+
+/// By least squares, from where a difference can be seen beside rounding to three quarters of its way up.
+Growth growth(const std::vector<double>& times, const std::vector<double>& differences) {
+  constexpr double visible = 1e-11;  // rad
+  const double end = std::pow(differences.back(), 0.75) * std::pow(visible, 0.25);
+  double n = 0, t = 0, d = 0, tt = 0, td = 0;
+  Growth line;
+  for (std::size_t i = 0; i < differences.size() && differences[i] < end; ++i) {
+    if (differences[i] < visible) continue;
+    if (n == 0) line.from = times[i];
+    line.until = times[i];
+    const double log = std::log(differences[i]);
+    n += 1, t += times[i], d += log, tt += times[i] * times[i], td += times[i] * log;
+  }
+  line.rate = (n * td - t * d) / (n * tt - t * t);
+  line.offset = (d - line.rate * t) / n;
+  return line;
+}
+
+// The drawing: 10 s from left to right, 62 units each.
+double across(double time) {
+  return 70 + 62 * time;
+}
+
+/// A path through every 20th sample of the first ten seconds, `height` giving the place of one.
+template <class Height>
+std::string path(const History& history, const Height& height) {
+  std::string text;
+  for (std::size_t i = 0; i < history.size() && history.times[i] <= 10; i += 20)
+    text += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : " ", across(history.times[i]), height(i));
+  return text;
+}
+
+/// Place of a difference: 18.75 units a power of ten, 10⁻⁴ at 210.
+double decades_down(double difference) {
+  return 210 - 18.75 * (std::log10(std::max(difference, 1e-12)) + 4);
+}
+
+/// The paths of the drawing.
+std::map<std::string, std::string> paths(const History& exact, const History& changed,
+                                         const std::vector<double>& differences, const Growth& line) {
+  const auto angle = [](const History& history) {
+    return [&](std::size_t i) { return 95 - 75 / 0.16 * history.angles_at(i)[1]; };
+  };
+  const auto end = [&](double time) {
+    return fmt::format("{:.1f} {:.1f}", across(time), decades_down(std::exp(line.offset + line.rate * time)));
+  };
+  return {{"path_exact", path(exact, angle(exact))},
+          {"path_changed", path(changed, angle(changed))},
+          {"path_difference", path(exact, [&](std::size_t i) { return decades_down(differences[i]); })},
+          {"path_line", "M" + end(line.from) + "L" + end(line.until)}};
+}
+
+/// One column of partings.
+struct Other {
+  const char* label;
+  const History& history;
+};
+
+Table partings(const History& exact, const std::vector<Other>& others) {
+  Table table{{"difference of θ₂ (rad)"}, {}};
+  for (const Other& other : others) table.columns.emplace_back(other.label);
+  for (const double size : {1e-8, 1e-6, 1e-4, 1e-3, 1e-2}) {
+    table.rows.push_back({cell(size)});
+    for (const Other& other : others) {
+      const double time = parting(exact, other.history, size);
+      table.rows.back().push_back(time < 0 ? "never" : cell(time));
+    }
+  }
+  return table;
+}
+
+double peak_of_top(const History& history) {
+  double most = 0;
+  for (std::size_t i = 0; i < history.size(); ++i) most = std::max(most, std::abs(history.angles_at(i)[1]));
+  return most;
+}
+
+/// Peaks of the top block over many earthquakes, in the order of the seeds.
+struct Peaks {
+  std::vector<double> exact, changed, bullet, ode;
+};
+
+Peaks peaks_over_seeds(const NamedScene& named) {
+  Peaks peaks;
+  const auto file = shipped("scenes") / (named.name + ".toml");
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const Scene scene = read_scene(file, {fmt::format("ground.horizontal.synthetic={}", seed)});
+    peaks.exact.push_back(solve(scene, {.peaks = true}).peaks[1]);
+    peaks.changed.push_back(solve(stronger(scene, 1e-3), {.peaks = true}).peaks[1]);
+    peaks.bullet.push_back(peak_of_top(answer("bullet", "tuned", scene, engine_step)));
+    peaks.ode.push_back(peak_of_top(answer("ode", "tuned", scene, engine_step)));
+  }
+  return peaks;
+}
+
+/// The value below which that share of a sample lies.
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+Table quantiles(const Peaks& peaks) {
+  Table table{
+      {"share of earthquakes below", "exact: largest |θ₂| (rad)", "Bullet, 1 ms (rad)", "ODE, 1 ms (rad)"},
+      {}};
+  for (const double share : {0.1, 0.25, 0.5, 0.75, 0.9})
+    table.rows.push_back({cell(share), cell(quantile(peaks.exact, share)),
+                          cell(quantile(peaks.bullet, share)), cell(quantile(peaks.ode, share))});
+  return table;
+}
+
+std::vector<double> relative_differences(const std::vector<double>& exact, const std::vector<double>& other) {
+  std::vector<double> list;
+  for (std::size_t i = 0; i < exact.size(); ++i) list.push_back(std::abs(other[i] - exact[i]) / exact[i]);
+  return list;
+}
+
+void add_engine(const std::string& name, const std::vector<double>& exact, const std::vector<double>& engine,
+                LessonValues& values) {
+  const std::vector<double> apart = relative_differences(exact, engine);
+  const KolmogorovSmirnov test = kolmogorov_smirnov(exact, engine);
+  values.numbers[name + "_median"] = percent(quantile(apart, 0.5), 0);
+  values.numbers[name + "_most"] = percent(quantile(apart, 1.0), 0);
+  values.numbers[name + "_distance"] = fixed(test.distance, 3);
+  values.numbers[name + "_verdict"] = test.distance > test.critical ? "differ" : "cannot be told apart";
+}
+
+}  // namespace
+
+LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
+  const NamedScene& named = suite.scenes.front();
+  const Scene& scene = named.scene;
+  const History exact = exact_answer(scene), changed = exact_answer(stronger(scene, change));
+  const History least = exact_answer(stronger(scene, unseen_change));
+  const std::vector<double> differences = differences_so_far(exact, least);
+  const Growth line = growth(exact.times, differences);
+  const History bullet = answer("bullet", "tuned", scene, engine_step),
+                ode = answer("ode", "tuned", scene, engine_step);
+  const Peaks peaks = peaks_over_seeds(named);
+  const KolmogorovSmirnov changed_test = kolmogorov_smirnov(peaks.exact, peaks.changed);
+  LessonValues values;
+  values.numbers = {
+      {"change", power(change, 0)},
+      {"small", power(unseen_change, 0)},
+      {"parted_exact", fixed(parting(exact, changed, parted), 1)},
+      {"most", fixed(differences_so_far(exact, changed).back(), 2)},
+      {"lambda", fixed(line.rate, 1)},
+      {"doubling", fixed(std::log(2.0) / line.rate, 2)},
+      {"factor", fixed(std::exp(line.rate), 0)},
+      {"from", fixed(line.from, 1)},
+      {"until", fixed(line.until, 1)},
+      {"bullet_until", fixed(*find_run(rows, "bullet", "tuned", engine_step).agreement_time, 2)},
+      {"ode_until", fixed(*find_run(rows, "ode", "tuned", engine_step).agreement_time, 2)},
+      {"tolerance", fixed(suite.tolerance, 2)},
+      {"seeds", std::to_string(seeds)},
+      {"changed_distance", fixed(changed_test.distance, 3)},
+      {"critical", fixed(changed_test.critical, 3)}};
+  values.numbers.merge(paths(exact, changed, differences, line));
+  add_engine("bullet", peaks.exact, peaks.bullet, values);
+  add_engine("ode", peaks.exact, peaks.ode, values);
+  values.tables = {{"partings", partings(exact, {{"exact, ground changed by 1e-9 (s)", least},
+                                                 {"exact, ground changed by 1e-6 (s)", changed},
+                                                 {"Bullet, 1 ms (s)", bullet},
+                                                 {"ODE, 1 ms (s)", ode}})},
+                   {"quantiles", quantiles(peaks)}};
+  values.measured = {{"parted_exact", parting(exact, changed, parted)}};
+  values.player = {.time = parting(exact, changed, parted), .speed = 0.25, .gain = 5};
+  return values;
+}
+
+}  // namespace rockstack

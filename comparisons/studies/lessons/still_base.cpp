@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/studies/lessons/answers.hpp"
+#include "comparisons/studies/lessons/energies.hpp"
+#include "comparisons/studies/lessons/values.hpp"
+#include "comparisons/studies/lessons/wording.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr double watched = 0.1;  // s after the impact in which a base that lifts has lifted
+
+Table patterns_after(const Scene& scene, const Event& event) {
+  const Model<double> model = make_model<double>(scene);
+  const Impact<double> impact = impact_of(event);
+  const std::array<Contact, 3> contacts{Contact::left, Contact::closed, Contact::right};
+  Table table{{"pattern after", "θ̇₁ (rad/s)", "θ̇₂ (rad/s)", "opens as it should",
+               "impulse of the ground (N s)", "its place from the middle (m)"},
+              {}};
+  for (const Contact lower : contacts)
+    for (const Contact upper : contacts) {
+      Pattern pattern = event.from;
+      pattern[0] = lower;
+      pattern[1] = upper;
+      const PatternSolution<double> solution = velocities_after(model, impact, pattern);
+      const Vector<double> rates = absolute(solution.relative);
+      const double width = model.stack.half_width[0], push = solution.reactions.normal[0];
+      const bool pushes = std::abs(push) > solution.rounding[0];
+      const double place =
+          lower == Contact::closed ? -solution.reactions.moment[0] / push : sign(lower) * width;
+      table.rows.push_back({name(pattern), cell(rates[0], 1), cell(rates[1], 1),
+                            kinematically_admissible(solution, impact.touching()) ? "yes" : "no",
+                            cell(pushes ? push : 0), pushes ? cell(place) : ""});
+    }
+  return table;
+}
+
+/// The largest angle of the base soon after a time, rad.
+double lift(const History& history, double time) {
+  double most = 0;
+  for (std::size_t i = 0; i < history.size(); ++i)
+    if (history.times[i] > time && history.times[i] < time + watched)
+      most = std::max(most, std::abs(history.angles_at(i)[0]));
+  return most;
+}
+
+/// The share of kinetic energy that an impact loses.
+double loss(const Scene& scene, const Event& impact) {
+  const ImpactEnergies energies = impact_energies(scene, impact);
+  return 1 - energies.after / energies.before;
+}
+
+Scene under(Scene scene, Law law) {
+  scene.law = law;
+  return scene;
+}
+
+}  // namespace
+
+LessonValues still_base_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
+  const Scene& scene = suite.scenes.front().scene;
+  const History paper = exact_answer(under(scene, Law::paper)),
+                consistent = exact_answer(under(scene, Law::consistent));
+  const Event& first = *first_event(paper, EventKind::impact);
+  const Event& other = *first_event(consistent, EventKind::impact);
+  const PatternSolution<double> kept =
+      velocities_after(make_model<double>(scene), impact_of(first), first.to);
+  LessonValues values;
+  values.numbers = {{"time", fixed(first.time, 4)},
+                    {"paper", name(first.to)},
+                    {"consistent", name(other.to)},
+                    {"speed", fixed(first.before[1], 3)},
+                    {"place", fixed(-kept.reactions.moment[0] / kept.reactions.normal[0], 3)},
+                    {"half_width", fixed(scene.blocks[0].half_width, 2)},
+                    {"push", fixed(kept.reactions.normal[0], 0)},
+                    {"loss_paper", percent(loss(scene, first), 1)},
+                    {"loss_consistent", percent(loss(scene, other), 1)},
+                    {"lift_paper", fixed(lift(paper, first.time), 4)},
+                    {"lift_consistent", fixed(lift(consistent, first.time), 4)},
+                    {"lift_bullet", fixed(lift(answer("bullet", "tuned", scene, 1e-4), first.time), 4)},
+                    {"lift_ode", fixed(lift(answer("ode", "tuned", scene, 1e-4), first.time), 4)}};
+  values.tables = {{"candidates", patterns_after(scene, first)}};
+  values.player = {.time = first.time - 0.01, .speed = 0.05, .gain = 10};
+  return values;
+}
+
+}  // namespace rockstack

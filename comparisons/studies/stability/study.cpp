@@ -1,0 +1,250 @@
+#include "comparisons/studies/stability/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
+#include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/studies/stability/study_keys.hpp"
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string word(const Node& table, const char* key, const std::string& otherwise) {
+  const Node* node = find(table, key);
+  return node != nullptr ? text(*node) : otherwise;
+}
+
+/// Values of one key along the axis: a number each.
+struct Course {
+  std::string key;
+  std::vector<double> values;
+};
+
+/// The stack with that many blocks: cut off, or its top block over and over.
+Scene stacked(Scene scene, std::size_t blocks) {
+  const std::size_t angles = scene.initial.angles.size();
+  const double angle = angles > 0 ? scene.initial.angles.back() : 0;
+  const double velocity = scene.initial.velocities.empty() ? 0 : scene.initial.velocities.back();
+  scene.blocks.resize(blocks, scene.blocks.back());
+  scene.initial.angles.resize(blocks, angle);
+  scene.initial.velocities.resize(blocks, velocity);
+  validate(scene);
+  return scene;
+}
+
+std::vector<Course> read_courses(const Node& axis, std::size_t count) {
+  std::vector<Course> courses;
+  const Node& set = required(axis, "set", "a table of scene keys, each an array");
+  if (set.kind != Node::Kind::table || set.children.empty())
+    throw wrong_value(set, "a table of scene keys, each an array");
+  for (const Node& child : set.children) {
+    courses.push_back({child.name, numbers(child)});
+    if (courses.back().values.size() != count)
+      throw wrong_value(child, fmt::format("an array of {} numbers, one for each of axis.values", count));
+    for (const double value : courses.back().values) {
+      if (child.name == "blocks" && !(value >= 1 && value <= max_blocks && value == std::floor(value)))
+        throw wrong_value(child, fmt::format("whole numbers of blocks from 1 to {}", max_blocks));
+    }
+  }
+  return courses;
+}
+
+StabilityAxis read_axis(const Node& axis) {
+  require_table(axis, axis_keys);
+  StabilityAxis result;
+  result.name = text(required(axis, "name", "a text"));
+  result.parameter = word(axis, "parameter", "");
+  if (result.parameter.empty()) {
+    const Node& values = required(axis, "values", "an array of numbers");
+    entries(values, "an array of at least one number");
+    result.values = numbers(values);
+  }
+  const Node* scale = find(axis, "scale");
+  result.logarithmic = scale != nullptr && choice<bool>(*scale, {{"linear", false}, {"logarithmic", true}});
+  return result;
+}
+
+/// The scene at each value of the axis.
+std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& along,
+                                     const std::filesystem::path& scene,
+                                     const std::vector<std::string>& overrides) {
+  if (!along.parameter.empty()) return {read_named_scene(scene, overrides)};
+  const std::vector<Course> courses = read_courses(axis, along.values.size());
+  std::vector<NamedScene> scenes;
+  for (std::size_t i = 0; i < along.values.size(); ++i) {
+    std::vector<std::string> changes = overrides;
+    std::size_t blocks = 0;
+    for (const Course& course : courses) {
+      if (course.key == "blocks") {
+        blocks = static_cast<std::size_t>(course.values[i]);
+      } else {
+        changes.push_back(fmt::format("{}={}", course.key, course.values[i]));
+      }
+    }
+    scenes.push_back(read_named_scene(scene, changes));
+    if (blocks > 0) scenes.back().scene = stacked(scenes.back().scene, blocks);
+    scenes.back().name += fmt::format("-{}", along.values[i]);
+  }
+  return scenes;
+}
+
+/// Where a run lies on the axis.
+double place(const StabilityStudy& study, const RunMetrics& row) {
+  if (study.axis.parameter.empty()) {
+    for (std::size_t i = 0; i < study.suite.scenes.size(); ++i)
+      if (study.suite.scenes[i].name == row.scene) return study.axis.values[i];
+    return 0;
+  }
+  for (const EngineSeries& series : study.suite.series) {
+    if (series.engine->name() == row.engine && series.engine->solver() == row.solver &&
+        series.settings == row.settings)
+      return series.parameters.at(study.axis.parameter);
+  }
+  return 0;
+}
+
+/// A parameter on the axis is no part of what a map is of.
+std::string settings_of(const StabilityStudy& study, const std::string& settings) {
+  const auto changed = settings.find("+" + study.axis.parameter + "=");
+  if (study.axis.parameter.empty() || changed == std::string::npos) return settings;
+  const auto end = settings.find('+', changed + 1);
+  return settings.substr(0, changed) + (end == std::string::npos ? "" : settings.substr(end));
+}
+
+std::string stability_csv(const std::vector<StabilityRun>& rows) {
+  CsvWriter csv;
+  csv.line("run", "engine", "solver", "settings", "dt", "value", "verdict", "reason", "energy_gain",
+           "penetration", "gap", "slip", "out_of_plane", "residual_motion", "largest_angle_difference",
+           "stepping_time_minimum", "toppling_verdict");
+  for (const auto& [row, value, verdict] : rows) {
+    csv.line(row.run, row.engine, row.solver, row.settings, row.dt, value, name(verdict.soundness),
+             verdict.reason, row.energy_gain, row.penetration, row.gap, row.slip, row.out_of_plane,
+             row.residual_motion, row.largest_angle_difference, row.stepping_time_minimum,
+             name(row.toppling_verdict));
+  }
+  return csv.text();
+}
+
+std::string steps_csv(const std::vector<LargestSteps>& list) {
+  CsvWriter csv;
+  csv.line("engine", "solver", "settings", "value", "largest_sound_step", "largest_stable_step");
+  for (const LargestSteps& one : list)
+    csv.line(one.engine, one.solver, one.settings, one.value, one.sound, one.stable);
+  return csv.text();
+}
+
+Json limits_json(const StabilityLimits& limits) {
+  return {{"unstable_energy", limits.unstable_energy},
+          {"unstable_gap", limits.unstable_gap},
+          {"unstable_tilt", limits.unstable_tilt},
+          {"energy", limits.energy},
+          {"penetration", limits.penetration},
+          {"slip", limits.slip},
+          {"out_of_plane", limits.out_of_plane},
+          {"angle", limits.angle},
+          {"residual", limits.residual}};
+}
+
+}  // namespace
+
+bool is_stability_study(const std::filesystem::path& file) {
+  const Node root = read_toml(file);
+  const Node* study = find(root, "study");
+  return study != nullptr && study->text == "stability";
+}
+
+StabilityStudy read_stability_study(const std::filesystem::path& file,
+                                    const std::vector<std::string>& overrides) {
+  const Node root = read_toml(file);
+  require_table(root, stability_keys);
+  StabilityStudy study;
+  std::ifstream stream(file, std::ios::binary);
+  study.text = {std::istreambuf_iterator<char>(stream), {}};
+  study.suite.title = text(required(root, "title", "a text"));
+  std::vector<std::string> changes;
+  if (const Node* set = find(root, "set"))
+    for (const Node& child : entries(*set, "an array of key=value texts")) changes.push_back(text(child));
+  changes.insert(changes.end(), overrides.begin(), overrides.end());
+  const Node& axis = required(root, "axis", "a table of name, values and set, or name and parameter");
+  study.axis = read_axis(axis);
+  study.suite.scenes = scenes_along(
+      axis, study.axis, file.parent_path() / text(required(root, "scene", "a scene file")), changes);
+  study.suite.series = read_engines(root, file.parent_path());
+  if (const Node* steps = find(root, "rk4")) {
+    if (!study.axis.parameter.empty()) throw wrong_value(*steps, "no key where engines' parameters vary");
+    for (const double step : numbers(*steps)) {
+      if (!(step > 0)) throw wrong_value(*steps, "an array of steps > 0, s");
+      study.suite.variants.push_back({Variant::Choice::rk4, step});
+    }
+  }
+  study.suite.wanted = {
+      .angles = true, .impacts = false, .patterns = false, .bodies = true, .histories = false};
+  study.suite.repeats = 1;
+  study.suite.limits.time = 60;
+  if (const Node* repeats = find(root, "repeats"))
+    study.suite.repeats = static_cast<int>(whole_number(*repeats, 1));
+  if (const Node* draws = find(root, "draws")) study.suite.draws = read_draws(*draws);
+  if (const Node* limit = find(root, "time_limit")) study.suite.limits.time = number_above_zero(*limit);
+  for (const EngineSeries& series : study.suite.series) {
+    if (!study.axis.parameter.empty() && !series.parameters.contains(study.axis.parameter))
+      throw wrong_value(axis, fmt::format("about a parameter that {} has", series.engine->name()));
+  }
+  return study;
+}
+
+std::vector<LargestSteps> largest_steps(const std::vector<StabilityRun>& rows) {
+  using Key = std::tuple<std::string, std::string, std::string, double>;
+  std::map<Key, std::size_t> places;
+  std::vector<LargestSteps> list;
+  std::vector<std::map<double, Soundness>> by_step;
+  for (const auto& [row, value, verdict] : rows) {
+    if (!row.dt) continue;
+    const auto [at, added] = places.try_emplace({row.engine, row.solver, row.settings, value}, list.size());
+    if (added) {
+      list.push_back({row.engine, row.solver, row.settings, value});
+      by_step.emplace_back();
+    }
+    by_step[at->second][*row.dt] = verdict.soundness;
+  }
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    bool sound = true;
+    for (const auto& [dt, soundness] : by_step[i]) {
+      if (soundness > Soundness::inexact) break;
+      list[i].stable = dt;
+      sound = sound && soundness == Soundness::sound;
+      if (sound) list[i].sound = dt;
+    }
+  }
+  return list;
+}
+
+std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::filesystem::path& folder,
+                                        Executor& executor, const CompareOptions& options) {
+  std::vector<StabilityRun> rows;
+  for (const RunMetrics& row : compare({study.suite}, folder, executor, options).rows) {
+    rows.push_back({row, place(study, row),
+                    judge_stability(row, find_scene(study.suite.scenes, row.scene).scene, study.limits)});
+    rows.back().row.settings = settings_of(study, row.settings);
+  }
+  write_file(folder / "stability.csv", stability_csv(rows));
+  write_file(folder / "steps.csv", steps_csv(largest_steps(rows)));
+  const Json json{{"title", study.suite.title},          {"axis", study.axis.name},
+                  {"parameter", study.axis.parameter},   {"logarithmic", study.axis.logarithmic},
+                  {"limits", limits_json(study.limits)}, {"study_file", study.text},
+                  {"command", options.command}};
+  write_file(folder / "stability.json", json.dump(2) + "\n");
+  return rows;
+}
+
+}  // namespace rockstack

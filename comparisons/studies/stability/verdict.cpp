@@ -1,0 +1,101 @@
+#include "comparisons/studies/stability/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace rockstack {
+namespace {
+
+/// What measures of a scene are shares of.
+struct Scale {
+  double height = std::numeric_limits<double>::infinity();       ///< of the smallest block, m
+  double width = std::numeric_limits<double>::infinity();        ///< of the narrowest interface, m
+  double slenderness = std::numeric_limits<double>::infinity();  ///< of the most slender block, rad
+  double rate = 0;                                               ///< √(g/H), 1/s
+  double tipping = 0;  ///< energy that tips the stack over as one block, of weight times height of centre
+};
+
+Scale scale_of(const Scene& scene) {
+  Scale scale;
+  double mass = 0;
+  double moment = 0;
+  double height = 0;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const Block& block = scene.blocks[k];
+    const double half_width = interface_half_width(scene, static_cast<int>(k));
+    scale.height = std::min(scale.height, 2 * block.half_height);
+    scale.width = std::min(scale.width, 2 * half_width);
+    scale.slenderness = std::min(scale.slenderness, slenderness(scene, static_cast<int>(k)));
+    mass += block.mass;
+    moment += block.mass * (height + block.half_height);
+    height += 2 * block.half_height;
+  }
+  scale.rate = std::sqrt(scene.gravity / height);
+  scale.tipping = std::hypot(1, interface_half_width(scene, 0) * mass / moment) - 1;
+  return scale;
+}
+
+/// The first measure beyond its limit, in words.
+class Findings {
+ public:
+  void check(const char* label, const std::optional<double>& value, double unit, double limit) {
+    if (!value || !reason_.empty()) return;
+    const double share = std::abs(*value) / unit;
+    if (!(share <= limit)) reason_ = fmt::format("{} {:.3g}, limit {:g}", label, share, limit);
+  }
+  void check(bool broken, const char* label) {
+    if (broken && reason_.empty()) reason_ = label;
+  }
+  const std::string& reason() const { return reason_; }
+
+ private:
+  std::string reason_;
+};
+
+}  // namespace
+
+std::string name(Soundness soundness) {
+  switch (soundness) {
+    case Soundness::sound:
+      return "sound";
+    case Soundness::inexact:
+      return "inexact";
+    case Soundness::unstable:
+      return "unstable";
+    case Soundness::failed:
+      return "failed";
+  }
+  return {};
+}
+
+StabilityVerdict judge_stability(const RunMetrics& row, const Scene& scene, const StabilityLimits& limits) {
+  if (row.status != RunStatus::done) return {Soundness::failed, name(row.status) + ": " + row.reason};
+  const Scale scale = scale_of(scene);
+  Findings unstable;
+  unstable.check("energy gained, of what tips the stack over,", row.energy_gain, scale.tipping,
+                 limits.unstable_energy);
+  unstable.check("a block thrown up, of the smallest height,", row.gap, scale.height, limits.unstable_gap);
+  unstable.check("tilt out of the plane", row.out_of_plane_tilt, 1, limits.unstable_tilt);
+  unstable.check(row.toppling_verdict == TopplingVerdict::engine_alone,
+                 "topples though the exact solution does not");
+  if (!unstable.reason().empty()) return {Soundness::unstable, unstable.reason()};
+  Findings inexact;
+  inexact.check(row.toppling_verdict == TopplingVerdict::exact_alone,
+                "stands though the exact solution topples");
+  inexact.check("energy gained, of what tips the stack over,", row.energy_gain, scale.tipping, limits.energy);
+  inexact.check("penetration, of the smallest height,", row.penetration, scale.height, limits.penetration);
+  inexact.check("slip, of the narrowest width,", row.slip, scale.width, limits.slip);
+  inexact.check("way out of the plane, of the narrowest width,", row.out_of_plane, scale.width,
+                limits.out_of_plane);
+  inexact.check("motion left at rest, of sqrt(g/H),", row.residual_motion, scale.rate, limits.residual);
+  inexact.check("angle off, of the least slenderness,", row.largest_angle_difference, scale.slenderness,
+                limits.angle);
+  if (!inexact.reason().empty()) return {Soundness::inexact, inexact.reason()};
+  return {};
+}
+
+}  // namespace rockstack

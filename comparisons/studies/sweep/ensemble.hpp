@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/input/scene_file.hpp"
+#include "comparisons/measures/statistics/draws.hpp"
+
+namespace rockstack {
+
+/// A value of a varied key: as the scene takes it, and as tables show it.
+struct Value {
+  Node node;
+  std::string text;
+};
+
+/// What one table [[vary]] changes, and the values it takes.
+struct Variation {
+  std::vector<std::string> keys;             ///< of the scene, all given the same value; the first names it
+  std::vector<Value> values;                 ///< in order; empty where they are drawn
+  std::optional<Distribution> distribution;  ///< where they are drawn
+  std::string place;                         ///< file:line of the table
+
+  const std::string& name() const { return keys.front(); }
+  /// Whether a value is a record's path, by any of the keys.
+  bool is_record(const Value& value) const;
+};
+
+/// One direction of the grid: variations that take their values in step.
+struct Axis {
+  std::string group;                    ///< empty: a variation by itself
+  std::vector<std::size_t> variations;  ///< indices
+  std::size_t length = 0;               ///< number of values of each
+};
+
+/// Which summaries a sweep gets, by the names of variations; empty: none.
+struct SummaryKeys {
+  std::string intensity;  ///< fragility and incremental dynamic analysis
+  std::string period;     ///< with `intensity`: overturning spectrum of a pulse
+  std::string friction;   ///< with `intensity`: map of the modes of motion
+};
+
+/// Many runs of one scene with some values changed: a grid of fixed values, and at each of its points
+/// `samples` runs with values drawn anew. Runs are numbered from 0; samples go fastest, then the last axis.
+struct Ensemble {
+  std::string title;
+  std::filesystem::path file;
+  SceneDocument base;
+  std::vector<Variation> variations;
+  std::vector<Axis> axes;
+  std::size_t samples = 1;
+  std::uint64_t seed = 0;
+  double tolerance = 0;  ///< of each run: the solver's tolerance and resolution; 0: rounding
+  SummaryKeys summary;
+};
+
+std::size_t run_count(const Ensemble& ensemble);
+
+/// The value of each variation in a run; it depends on the ensemble and the run's number alone.
+std::vector<Value> values_of(const Ensemble& ensemble, std::size_t run);
+
+/// Gives a variation's value to its keys. @throws InputError where the scene has no place for them.
+void set_values(SceneDocument& document, const Variation& variation, const Value& value);
+
+/// Reads an ensemble file (TOML) and tries the scene with each value it names. `overrides` go to the base
+/// scene. The scene is a path relative to the file, or a table in it; records among the values are relative
+/// to the file too.
+/// @throws InputError with file:line, key, value and what is allowed.
+Ensemble read_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                       MotionLibrary& library);
+
+/// The same of what stands in such a file; paths are relative to the folder of `file`.
+Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
+                       const std::vector<std::string>& overrides, MotionLibrary& library);
+
+/// A text that is the same for ensembles whose runs are the same: the base scene, all variations, the
+/// contents of the records, and the version, compiler and flags of this program.
+std::string identity(const Ensemble& ensemble, MotionLibrary& library);
+
+}  // namespace rockstack

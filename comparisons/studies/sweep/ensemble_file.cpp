@@ -1,0 +1,197 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/overrides.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/studies/sweep/ensemble.hpp"
+#include "comparisons/studies/sweep/ensemble_keys.hpp"
+#include "comparisons/studies/sweep/variation.hpp"
+
+namespace rockstack {
+namespace {
+
+/// Strips what stands before the keys of a scene that is a table of another file.
+void rename_keys(Node& node, std::size_t prefix) {
+  node.key.erase(0, prefix);
+  for (Node& child : node.children) rename_keys(child, prefix);
+}
+
+SceneDocument read_base(const Node& scene, const std::filesystem::path& folder, const std::string& title,
+                        const std::vector<std::string>& overrides) {
+  if (scene.kind == Node::Kind::text) return read_document(folder / scene.text, overrides);
+  if (scene.kind != Node::Kind::table) throw wrong_value(scene, "a scene file, or a table that is a scene");
+  SceneDocument document{scene, folder, title};
+  document.root.name.clear();
+  document.root.key.clear();
+  for (Node& child : document.root.children) rename_keys(child, std::string("scene.").size());
+  for (const std::string& each : overrides) apply_override(document.root, each);
+  return document;
+}
+
+/// Puts a variation on the axis of its group, or on one of its own.
+void add_to_axes(Ensemble& ensemble, const Node& table) {
+  const std::size_t index = ensemble.variations.size() - 1;
+  const Variation& variation = ensemble.variations.back();
+  const Node* group = find(table, "group");
+  if (variation.distribution) {
+    if (group != nullptr) throw wrong_value(*group, "left out where values are drawn");
+    return;
+  }
+  const std::string name = group == nullptr ? "" : text(*group);
+  for (Axis& axis : ensemble.axes) {
+    if (name.empty() || axis.group != name) continue;
+    if (axis.length != variation.values.size()) {
+      throw wrong_value(*group, fmt::format("that of tables with as many values, {} has {} and this {}",
+                                            ensemble.variations[axis.variations.front()].name(), axis.length,
+                                            variation.values.size()));
+    }
+    axis.variations.push_back(index);
+    return;
+  }
+  ensemble.axes.push_back({name, {index}, variation.values.size()});
+}
+
+void require_new_keys(const Ensemble& ensemble, const Variation& variation) {
+  std::vector<std::string> taken;
+  for (const Variation& other : ensemble.variations) {
+    taken.insert(taken.end(), other.keys.begin(), other.keys.end());
+  }
+  for (const std::string& key : variation.keys) {
+    if (std::find(taken.begin(), taken.end(), key) != taken.end()) {
+      throw InputError(fmt::format("{}: key = {}: must be varied only once", variation.place, one_line(key)));
+    }
+    taken.push_back(key);
+  }
+}
+
+void read_variations(Ensemble& ensemble, const Node& root) {
+  const Node& tables = required(root, "vary", "at least one table [[vary]]");
+  if (tables.kind != Node::Kind::array || tables.children.empty()) {
+    throw wrong_value(tables, "an array of tables, [[vary]]");
+  }
+  for (const Node& table : tables.children) {
+    Variation variation = read_variation(table, ensemble.file.parent_path());
+    require_new_keys(ensemble, variation);
+    ensemble.variations.push_back(std::move(variation));
+    add_to_axes(ensemble, table);
+  }
+}
+
+/// What is set for all runs must not be varied too: it would be without effect.
+void require_unvaried(const Ensemble& ensemble, const std::vector<std::string>& overrides) {
+  for (const std::string& each : overrides) {
+    std::string key = each.substr(0, each.find('='));
+    std::erase(key, ' ');
+    for (const Variation& variation : ensemble.variations) {
+      if (std::find(variation.keys.begin(), variation.keys.end(), key) != variation.keys.end())
+        throw InputError(fmt::format("--set {}: must be a key that is not varied, as {} does", one_line(each),
+                                     variation.place));
+    }
+  }
+}
+
+void read_drawing(Ensemble& ensemble, const Node& root) {
+  const bool draws =
+      std::any_of(ensemble.variations.begin(), ensemble.variations.end(),
+                  [](const Variation& variation) { return variation.distribution.has_value(); });
+  for (const char* name : {"samples", "seed"}) {
+    const Node* node = find(root, name);
+    if (draws && node == nullptr) throw missing_key(root, name, "given where values are drawn");
+    if (!draws && node != nullptr) throw wrong_value(*node, "left out where no values are drawn");
+  }
+  if (draws) {
+    ensemble.samples = static_cast<std::size_t>(whole_number(*find(root, "samples"), 1, most_runs));
+    ensemble.seed = static_cast<std::uint64_t>(whole_number(*find(root, "seed"), 0, largest_seed));
+  }
+  double runs = static_cast<double>(ensemble.samples);
+  for (const Axis& axis : ensemble.axes) runs *= static_cast<double>(axis.length);
+  if (runs > most_runs) {
+    throw InputError(fmt::format("{}: {} runs: must be at most {}", root.place, number_text(runs),
+                                 number_text(most_runs)));
+  }
+}
+
+/// The name of the variation that a summary's key stands for; its values must be numbers.
+std::string read_axis_name(const Node& node, const Ensemble& ensemble) {
+  for (const Variation& variation : ensemble.variations) {
+    const bool numbers =
+        std::all_of(variation.values.begin(), variation.values.end(),
+                    [](const Value& value) { return value.node.kind == Node::Kind::number; });
+    const auto& keys = variation.keys;
+    if (std::find(keys.begin(), keys.end(), text(node)) != keys.end() && numbers) return variation.name();
+  }
+  throw wrong_value(node, "a key that is varied over numbers");
+}
+
+void read_summary(Ensemble& ensemble, const Node& root) {
+  const Node* table = find(root, "summary");
+  if (table == nullptr) return;
+  require_table(*table, summary_keys);
+  ensemble.summary.intensity =
+      read_axis_name(required(*table, "intensity", "a key that is varied over numbers"), ensemble);
+  if (const Node* period = find(*table, "period")) {
+    ensemble.summary.period = read_axis_name(*period, ensemble);
+  }
+  if (const Node* friction = find(*table, "friction")) {
+    if (!ensemble.summary.period.empty()) throw wrong_value(*friction, "left out where there is a period");
+    ensemble.summary.friction = read_axis_name(*friction, ensemble);
+  }
+}
+
+/// Makes the scene of the first value of everything, then of each value by itself; of very many, of some.
+void try_values(const Ensemble& ensemble, MotionLibrary& library) {
+  SceneDocument document = ensemble.base;
+  for (const Variation& variation : ensemble.variations) {
+    set_values(document, variation, typical_value(variation));
+  }
+  make_scene(document, library);
+  const auto set = [&](const Axis& axis, std::size_t i) {
+    for (const std::size_t v : axis.variations) {
+      set_values(document, ensemble.variations[v], ensemble.variations[v].values[i]);
+    }
+  };
+  for (const Axis& axis : ensemble.axes) {
+    constexpr std::size_t most_tried = 1000;
+    const std::size_t stride = 1 + axis.length / most_tried;
+    for (std::size_t i = 0; i < axis.length; i += stride) {
+      set(axis, i);
+      make_scene(document, library);
+    }
+    set(axis, axis.length - 1);
+    make_scene(document, library);
+    set(axis, 0);
+  }
+}
+
+}  // namespace
+
+Ensemble read_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                       MotionLibrary& library) {
+  return make_ensemble(read_toml(file), file, overrides, library);
+}
+
+Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
+                       const std::vector<std::string>& overrides, MotionLibrary& library) {
+  require_table(root, ensemble_keys);
+  Ensemble ensemble;
+  ensemble.file = file;
+  ensemble.title = text(required(root, "title", "a text"));
+  ensemble.base = read_base(required(root, "scene", "a scene file, or a table that is a scene"),
+                            file.parent_path(), ensemble.title, overrides);
+  if (const Node* tolerance = find(root, "tolerance")) {
+    ensemble.tolerance = number(*tolerance);
+    if (!(ensemble.tolerance >= 0 && ensemble.tolerance <= 1e-3))
+      throw wrong_value(*tolerance, "a number from 0, for rounding, to 1e-3");
+  }
+  read_variations(ensemble, root);
+  require_unvaried(ensemble, overrides);
+  read_drawing(ensemble, root);
+  read_summary(ensemble, root);
+  try_values(ensemble, library);
+  return ensemble;
+}
+
+}  // namespace rockstack

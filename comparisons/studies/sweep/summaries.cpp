@@ -1,0 +1,227 @@
+#include "comparisons/studies/sweep/summaries.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/statistics/fragility.hpp"
+#include "comparisons/studies/sweep/motion_modes.hpp"
+
+namespace rockstack {
+namespace {
+
+/// What summaries take from one line of runs.csv.
+struct Run {
+  double intensity = 0, period = 0, friction = 0;
+  std::string others;  ///< all other varied values, as "key=value"
+  bool failed = false, toppled = false, moved = false;
+  bool with_impact = false;
+  double peak_ratio = 0;
+  std::string onset, motion;  ///< names of modes
+};
+
+/// Which columns of runs.csv these are; values of varied keys stand between `run` and `peak_1`.
+class RunReader {
+ public:
+  RunReader(const std::vector<std::string>& names, const SummaryKeys& keys, std::string place)
+      : names_(names), keys_(keys), place_(std::move(place)), first_outcome_(index("peak_1")) {}
+
+  Run read(const std::vector<std::string>& cells) const {
+    Run run;
+    run.intensity = at(cells, keys_.intensity);
+    if (!keys_.period.empty()) run.period = at(cells, keys_.period);
+    if (!keys_.friction.empty()) run.friction = at(cells, keys_.friction);
+    for (std::size_t c = 1; c < first_outcome_; ++c) {
+      if (names_[c] == keys_.intensity || names_[c] == keys_.period || names_[c] == keys_.friction) continue;
+      run.others += (run.others.empty() ? "" : ", ") + names_[c] + "=" + cells[c];
+    }
+    run.failed = cells[index("status")] == "failed";
+    if (run.failed) return run;
+    if (!keys_.friction.empty()) run.onset = cells[index("onset")], run.motion = cells[index("motion")];
+    run.toppled = at(cells, "toppled") > 0;
+    run.moved = at(cells, "events") > 0;
+    run.with_impact = at(cells, "impacts") > 0;
+    run.peak_ratio = at(cells, "peak_ratio");
+    return run;
+  }
+
+ private:
+  std::size_t index(const std::string& name) const {
+    return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
+  }
+  double at(const std::vector<std::string>& cells, const std::string& name) const {
+    return number(cells[index(name)], place_, name);
+  }
+
+  std::vector<std::string> names_;
+  SummaryKeys keys_;
+  std::string place_;
+  std::size_t first_outcome_;
+};
+
+std::vector<Run> read_runs(const std::filesystem::path& file, const SummaryKeys& keys) {
+  std::vector<Run> runs;
+  std::optional<RunReader> reader;
+  read_rows(
+      file, [&](const auto& names) { reader.emplace(names, keys, file.string()); },
+      [&](const auto& cells, std::size_t) { runs.push_back(reader->read(cells)); });
+  return runs;
+}
+
+void write_fragility(const std::vector<Run>& runs, const std::filesystem::path& folder) {
+  std::map<double, Level> by_intensity;
+  for (const Run& run : runs) {
+    Level& level = by_intensity[run.intensity];
+    level.intensity = run.intensity;
+    ++(run.failed ? level.failed : level.runs);
+    if (run.toppled) ++level.toppled;
+  }
+  std::vector<Level> levels;
+  levels.reserve(by_intensity.size());
+  for (const auto& [intensity, level] : by_intensity) levels.push_back(level);
+  const auto fit = fit_fragility(levels);
+  CsvWriter csv;
+  csv.line("intensity", "runs", "toppled", "failed", "fraction", "lower", "upper", "fitted");
+  for (const Level& level : levels) {
+    const Bounds bounds = wilson_bounds(level.toppled, level.runs);
+    const auto runs_there = static_cast<double>(level.runs);
+    const std::string fraction =
+        level.runs == 0 ? "" : number_text(static_cast<double>(level.toppled) / runs_there);
+    csv.line(number_text(level.intensity), level.runs, level.toppled, level.failed, fraction,
+             number_text(bounds.lower), number_text(bounds.upper),
+             fit ? number_text(probability(*fit, level.intensity)) : "");
+  }
+  write_file(folder / "fragility.csv", csv.text());
+  CsvWriter fitted;
+  fitted.line("median", "beta", "log_likelihood");
+  if (fit) fitted.line(number_text(fit->median), number_text(fit->beta), number_text(fit->log_likelihood));
+  write_file(folder / "fragility-fit.csv", fitted.text());
+}
+
+/// The smallest value that at least that share of all do not pass.
+double fractile(const std::vector<double>& sorted, double share) {
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  return sorted[std::max<std::size_t>(rank, 1) - 1];
+}
+
+void write_incremental(std::vector<Run> runs, const std::filesystem::path& folder) {
+  std::erase_if(runs, [](const Run& run) { return run.failed; });
+  std::map<double, std::vector<double>> levels;
+  for (const Run& run : runs) {
+    levels[run.intensity].push_back(run.toppled ? std::numeric_limits<double>::infinity() : run.peak_ratio);
+  }
+  // Stable: curves stay in the order of their first run.
+  std::map<std::string, std::size_t> numbers;
+  for (const Run& run : runs) numbers.emplace(run.others, numbers.size());
+  if (numbers.size() == runs.size()) return;
+  std::vector<std::pair<std::size_t, const Run*>> ordered;
+  ordered.reserve(runs.size());
+  for (const Run& run : runs) ordered.emplace_back(numbers[run.others], &run);
+  std::stable_sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.first, a.second->intensity) < std::pair(b.first, b.second->intensity);
+  });
+  CsvWriter curves;
+  curves.line("curve", "values", "intensity", "peak_ratio", "toppled");
+  for (const auto& [number, run] : ordered) {
+    curves.line(number + 1, run->others, number_text(run->intensity), number_text(run->peak_ratio),
+                run->toppled ? 1 : 0);
+  }
+  write_file(folder / "incremental.csv", curves.text());
+  CsvWriter fractiles;
+  fractiles.line("intensity", "runs", "fractile_16", "fractile_50", "fractile_84");
+  for (auto& [intensity, ratios] : levels) {
+    std::sort(ratios.begin(), ratios.end());
+    fractiles.add(number_text(intensity), ratios.size());
+    for (const double share : {0.16, 0.5, 0.84}) fractiles.add(number_text(fractile(ratios, share)));
+    fractiles.end_line();
+  }
+  write_file(folder / "incremental-fractiles.csv", fractiles.text());
+}
+
+void write_overturning(const std::vector<Run>& runs, const std::filesystem::path& folder) {
+  struct Cell {
+    std::size_t runs = 0, rest = 0, rocking = 0, after_impact = 0, without_impact = 0, failed = 0;
+  };
+  std::map<std::pair<double, double>, Cell> cells;
+  for (const Run& run : runs) {
+    Cell& cell = cells[{run.period, run.intensity}];
+    ++cell.runs;
+    ++(run.failed        ? cell.failed
+       : !run.toppled    ? (run.moved ? cell.rocking : cell.rest)
+       : run.with_impact ? cell.after_impact
+                         : cell.without_impact);
+  }
+  CsvWriter csv;
+  csv.line("period", "frequency", "intensity", "runs", "rest", "rocking", "toppled_after_impact",
+           "toppled_without_impact", "failed");
+  for (const auto& [place, cell] : cells) {
+    for (const double value : {place.first, 1 / place.first, place.second}) csv.add(number_text(value));
+    csv.line(cell.runs, cell.rest, cell.rocking, cell.after_impact, cell.without_impact, cell.failed);
+  }
+  write_file(folder / "overturning.csv", csv.text());
+}
+
+/// "slide_rock" of slide-rock.
+std::string column_of(MotionMode mode) {
+  std::string column = name(mode);
+  std::replace_if(
+      column.begin(), column.end(), [](char c) { return c == '-' || c == ' '; }, '_');
+  return column;
+}
+
+/// Whether a motion may begin so; others are ends.
+bool begins(MotionMode mode) {
+  return mode <= MotionMode::free_flight;
+}
+
+void write_modes(const std::vector<Run>& runs, const std::filesystem::path& folder) {
+  struct Cell {
+    std::size_t runs = 0, failed = 0;
+    std::map<std::string, std::size_t> onset, motion;
+  };
+  std::map<std::pair<double, double>, Cell> cells;
+  for (const Run& run : runs) {
+    Cell& cell = cells[{run.intensity, run.friction}];
+    ++cell.runs;
+    ++(run.failed ? cell.failed : cell.onset[run.onset]);
+    if (!run.failed) ++cell.motion[run.motion];
+  }
+  CsvWriter csv;
+  csv.add("intensity", "friction", "runs");
+  for (const MotionMode mode : motion_modes)
+    if (begins(mode)) csv.add("onset_" + column_of(mode));
+  for (const MotionMode mode : motion_modes) csv.add(column_of(mode));
+  csv.line("failed");
+  for (auto& [place, cell] : cells) {
+    csv.add(number_text(place.first), number_text(place.second), cell.runs);
+    for (const MotionMode mode : motion_modes)
+      if (begins(mode)) csv.add(cell.onset[name(mode)]);
+    for (const MotionMode mode : motion_modes) csv.add(cell.motion[name(mode)]);
+    csv.line(cell.failed);
+  }
+  write_file(folder / "modes.csv", csv.text());
+}
+
+}  // namespace
+
+void write_summaries(const std::filesystem::path& folder, const SummaryKeys& keys) {
+  for (const char* name : {"fragility.csv", "fragility-fit.csv", "incremental.csv",
+                           "incremental-fractiles.csv", "overturning.csv", "modes.csv"}) {
+    std::filesystem::remove(folder / name);
+  }
+  if (keys.intensity.empty()) return;
+  const std::vector<Run> runs = read_runs(folder / "runs.csv", keys);
+  if (!keys.period.empty()) return write_overturning(runs, folder);
+  if (!keys.friction.empty()) return write_modes(runs, folder);
+  write_fragility(runs, folder);
+  write_incremental(runs, folder);
+}
+
+}  // namespace rockstack

@@ -1,0 +1,155 @@
+#include "comparisons/studies/sweep/sweep.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/environment.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/journal.hpp"
+#include "comparisons/studies/sweep/run_table.hpp"
+#include "comparisons/studies/sweep/summaries.hpp"
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::size_t block_count(std::size_t runs) {
+  return (runs + block_size(runs) - 1) / block_size(runs);
+}
+
+std::size_t length_of(std::size_t block, std::size_t runs) {
+  return std::min(block_size(runs), runs - block * block_size(runs));
+}
+
+Json to_json(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::number:
+      return node.number;
+    case Node::Kind::text:
+    case Node::Kind::other:
+      return node.text;
+    default:
+      break;
+  }
+  Json json = node.kind == Node::Kind::array ? Json::array() : Json::object();
+  for (const Node& child : node.children) {
+    if (node.kind == Node::Kind::array) {
+      json.push_back(to_json(child));
+    } else {
+      json[child.name] = to_json(child);
+    }
+  }
+  return json;
+}
+
+Json to_json(const Variation& variation) {
+  Json json{{"keys", variation.keys}};
+  if (const auto& drawn = variation.distribution) {
+    const char* name = drawn->kind == Distribution::Kind::uniform  ? "uniform"
+                       : drawn->kind == Distribution::Kind::normal ? "normal"
+                                                                   : "lognormal";
+    json[name] = {drawn->first, drawn->second};
+    return json;
+  }
+  for (const Value& value : variation.values) {
+    json["values"].push_back(value.node.kind == Node::Kind::number ? Json(value.node.number)
+                                                                   : Json(value.text));
+  }
+  return json;
+}
+
+/// All that is needed to make the runs again, and what the columns mean.
+Json description(const Ensemble& ensemble) {
+  Json json{{"title", ensemble.title},
+            {"runs", run_count(ensemble)},
+            {"samples", ensemble.samples},
+            {"seed", ensemble.seed},
+            {"scene", to_json(ensemble.base.root)}};
+  for (const Variation& variation : ensemble.variations) json["vary"].push_back(to_json(variation));
+  for (const Axis& axis : ensemble.axes) json["axes"].push_back(axis.variations);
+  json["summary"] = {{"intensity", ensemble.summary.intensity},
+                     {"period", ensemble.summary.period},
+                     {"friction", ensemble.summary.friction}};
+  for (const auto& [name, meaning] : run_columns(ensemble)) json["columns"][name] = meaning;
+  json["environment"] = environment({});
+  return json;
+}
+
+void write_results(const Ensemble& ensemble, const Journal& journal, const std::filesystem::path& folder) {
+  write_file(folder / "runs.csv", [&](const Sink& put) {
+    put(header_line(ensemble));
+    journal.copy_to(put);
+  });
+  write_file(folder / "sweep.json", description(ensemble).dump(2) + "\n");
+  write_summaries(folder, ensemble.summary);
+}
+
+std::size_t count_failed(const std::filesystem::path& runs) {
+  std::size_t status = 0, count = 0;
+  read_rows(
+      runs,
+      [&](const auto& names) {
+        status = column({names, {}}, "status", runs);
+      },
+      [&](const auto& cells, std::size_t) { count += cells[status] == "failed" ? 1 : 0; });
+  return count;
+}
+
+void write_timing(const SweepResult& result, const Executor& executor, const SweepOptions& options) {
+  const Json json{{"command", options.command},
+                  {"workers", executor.description()},
+                  {"runs_computed", result.computed},
+                  {"seconds", result.seconds}};
+  write_file(options.folder / "timing.json", json.dump(2) + "\n");
+}
+
+}  // namespace
+
+std::size_t block_size(std::size_t runs) {
+  constexpr std::size_t smallest = 32;  // enough to be solved side by side
+  constexpr std::size_t largest = 256, fewest_blocks = 64;
+  return std::clamp(runs / fewest_blocks, smallest, largest);
+}
+
+std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibrary& library) {
+  const std::size_t runs = run_count(ensemble);
+  const std::size_t first = block * block_size(runs);
+  return run_lines(ensemble, first, first + length_of(block, runs), library);
+}
+
+SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& executor,
+                  const SweepOptions& options) {
+  SweepResult result{.runs = run_count(ensemble)};
+  Journal journal(options.folder, identity(ensemble, library) + std::to_string(block_size(result.runs)));
+  std::vector<std::size_t> blocks;
+  for (std::size_t block = 0; block < block_count(result.runs); ++block) {
+    if (journal.has(block)) {
+      result.done += length_of(block, result.runs);
+    } else {
+      blocks.push_back(block);
+    }
+  }
+  const std::size_t begun_with = result.done;
+  options.progress(result.done, begun_with, result.runs);
+  const auto start = std::chrono::steady_clock::now();
+  executor.run(blocks, {[&](std::size_t block) { return block_lines(ensemble, block, library); },
+                        [&](std::size_t block, const std::string& lines) {
+                          journal.append(block, lines);
+                          result.done += length_of(block, result.runs);
+                          options.progress(result.done, begun_with, result.runs);
+                        },
+                        options.stopped});
+  result.computed = result.done - begun_with;
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!result.finished()) return result;
+  write_results(ensemble, journal, options.folder);
+  result.failed = count_failed(options.folder / "runs.csv");
+  if (result.computed > 0) write_timing(result, executor, options);
+  return result;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,127 @@
+#include "comparisons/measures/metrics/alignment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <random>
+
+namespace rockstack {
+namespace {
+
+constexpr double window = 0.05;
+
+std::vector<AlignedImpact> aligned(const std::vector<ImpactTime>& exact,
+                                   const std::vector<ImpactTime>& engine) {
+  return align(exact, engine, std::vector<double>(exact.size(), window));
+}
+
+TEST(Alignment, OfASequenceWithItselfMatchesAllWithoutDifference) {
+  const std::vector<ImpactTime> impacts{{0.6, 1}, {0.62, 2}, {0.9, 1}};
+  for (const AlignedImpact& line : aligned(impacts, impacts)) EXPECT_EQ(line.exact, line.engine);
+  EXPECT_EQ(count(aligned(impacts, impacts)).matched, 3);
+}
+
+TEST(Alignment, NamesMissedAndExtraImpactsInOrderOfTime) {
+  const std::vector<ImpactTime> exact{{0.6, 1}, {0.7, 2}, {0.9, 1}};
+  const std::vector<ImpactTime> engine{{0.61, 1}, {0.8, 2}, {0.91, 1}};
+  const auto lines = aligned(exact, engine);
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[0].number, 1);
+  EXPECT_EQ(lines[0].engine, 0.61);
+  EXPECT_EQ(lines[1].exact, 0.7);
+  EXPECT_FALSE(lines[1].engine);
+  EXPECT_EQ(lines[2].engine, 0.8);
+  EXPECT_FALSE(lines[2].number);
+  EXPECT_EQ(lines[3].number, 3);
+  EXPECT_EQ(count(lines).missed, 1);
+  EXPECT_EQ(count(lines).extra, 1);
+}
+
+TEST(Alignment, NeverPairsDifferentInterfaces) {
+  EXPECT_EQ(count(aligned({{0.6, 1}}, {{0.6, 2}})).matched, 0);
+}
+
+TEST(Alignment, AnInterfaceDoesNotMindTheOrderOfAnother) {
+  const std::vector<ImpactTime> exact{{0.60, 1}, {0.61, 2}}, engine{{0.60, 2}, {0.61, 1}};
+  EXPECT_EQ(count(aligned(exact, engine)).matched, 2);
+}
+
+TEST(Alignment, EachExactImpactHasItsOwnWindow) {
+  const std::vector<ImpactTime> exact{{0.6, 1}, {0.9, 1}}, engine{{0.61, 1}, {0.91, 1}};
+  EXPECT_EQ(count(align(exact, engine, {0.02, 0.02})).matched, 2);
+  EXPECT_EQ(count(align(exact, engine, {0.005, 0.02})).matched, 1);
+}
+
+TEST(Alignment, PairsNoImpactsThatLeaveToOppositeSides) {
+  const auto matched = [](Contact exact, Contact engine) {
+    return count(aligned({{0.6, 1, exact}}, {{0.61, 1, engine}})).matched;
+  };
+  EXPECT_EQ(matched(Contact::left, Contact::left), 1);
+  EXPECT_EQ(matched(Contact::left, Contact::right), 0);
+  EXPECT_EQ(matched(Contact::left, Contact::closed), 1);
+  EXPECT_EQ(matched(Contact::closed, Contact::right), 1);
+}
+
+TEST(Alignment, TimeDifferencesAreThoseOfMatchedImpactsAlone) {
+  const auto lines = aligned({{0.6, 1}, {0.7, 1}, {0.9, 2}}, {{0.604, 1}, {0.697, 1}, {0.9, 1}});
+  const TimeDifferences apart = time_differences(lines);
+  EXPECT_NEAR(apart.largest, 0.004, 1e-15);
+  EXPECT_NEAR(apart.root_mean_square, std::sqrt((0.004 * 0.004 + 0.003 * 0.003) / 2), 1e-15);
+  EXPECT_EQ(time_differences({}).root_mean_square, 0);
+}
+
+TEST(Alignment, OneImpactTooManyDoesNotShiftTheOthers) {
+  const std::vector<ImpactTime> exact{{0.10, 1}, {0.14, 1}, {0.18, 1}};
+  const std::vector<ImpactTime> engine{{0.10, 1}, {0.12, 1}, {0.14, 1}, {0.18, 1}};
+  const auto lines = aligned(exact, engine);
+  EXPECT_EQ(count(lines).matched, 3);
+  for (const AlignedImpact& line : lines) {
+    EXPECT_EQ(line.exact.value_or(line.engine.value_or(0)), line.engine.value_or(0));
+  }
+}
+
+/// The most pairs that any order-keeping choice of pairs has, by trying all subsets of the shorter problem;
+/// of impacts of one interface.
+int most_pairs(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine, std::size_t i,
+               std::size_t j) {
+  if (i == exact.size() || j == engine.size()) return 0;
+  int best = std::max(most_pairs(exact, engine, i + 1, j), most_pairs(exact, engine, i, j + 1));
+  if (std::abs(exact[i].time - engine[j].time) <= window) {
+    best = std::max(best, 1 + most_pairs(exact, engine, i + 1, j + 1));
+  }
+  return best;
+}
+
+std::vector<ImpactTime> of_interface(const std::vector<ImpactTime>& impacts, int interface) {
+  std::vector<ImpactTime> list;
+  std::copy_if(impacts.begin(), impacts.end(), std::back_inserter(list),
+               [&](const ImpactTime& impact) { return impact.interface == interface; });
+  return list;
+}
+
+TEST(Alignment, HasAsManyPairsAsAnyOrderKeepingChoiceAndLosesNoImpact) {
+  std::mt19937_64 random(20);
+  std::uniform_real_distribution<double> time(0, 0.3);
+  const auto sequence = [&] {
+    std::vector<ImpactTime> impacts(random() % 7);
+    for (ImpactTime& impact : impacts) impact = {time(random), static_cast<int>(random() % 2) + 1};
+    std::sort(impacts.begin(), impacts.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+    return impacts;
+  };
+  for (int round = 0; round < 500; ++round) {
+    const auto exact = sequence();
+    const auto engine = sequence();
+    const AlignmentCounts counts = count(aligned(exact, engine));
+    int most = 0;
+    for (const int interface : {1, 2})
+      most += most_pairs(of_interface(exact, interface), of_interface(engine, interface), 0, 0);
+    EXPECT_EQ(counts.matched, most);
+    EXPECT_EQ(counts.matched + counts.missed, static_cast<int>(exact.size()));
+    EXPECT_EQ(counts.matched + counts.extra, static_cast<int>(engine.size()));
+  }
+}
+
+}  // namespace
+}  // namespace rockstack

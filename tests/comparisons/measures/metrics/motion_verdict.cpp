@@ -1,0 +1,53 @@
+#include "comparisons/measures/metrics/motion_verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include "analytic/solve.hpp"
+#include "tests/free_rocking.hpp"
+
+namespace rockstack {
+namespace {
+
+Scene one_block(double angle, double ground) {
+  Scene scene;
+  scene.duration = 1;
+  scene.blocks = {make_block(0.5, 2.0, 2500)};
+  scene.initial = {{angle}, {0}};
+  scene.horizontal = {1.0, {ground, ground}};
+  return scene;
+}
+
+std::string verdict_of(const Scene& scene) {
+  return motion_verdict(
+      scene, solve(scene, {.sample_times = {0, 0.25, 0.5, 0.75, 1}, .validity = true, .peaks = true}));
+}
+
+TEST(MotionVerdict, ABlockThatIsCarriedAlongRests) {
+  EXPECT_EQ(verdict_of(one_block(0, 2.0)), "rests throughout; needs friction 0.2");  // 2/9.81
+}
+
+TEST(MotionVerdict, ABlockThatIsLetGoNeverLeansFurtherThanAtFirst) {
+  // 0.1 rad over atan(1/4) = 0.24498 rad.
+  EXPECT_EQ(verdict_of(one_block(0.1, 0))
+                .find("stands; block 1 peaks at 0.41 of its slenderness angle at 0 s; needs "),
+            0U);
+}
+
+TEST(MotionVerdict, AnAccelerationBeyondWidthOverHeightTopples) {
+  EXPECT_EQ(verdict_of(one_block(0, 9.0)).find("block 1 topples at 0."), 0U);
+}
+
+TEST(MotionVerdict, AHistoryWithoutEventsIsJudgedByItsSamples) {
+  const Scene scene = free_rocking(1);
+  History history;
+  history.blocks = 2;
+  history.times = {0, 0.5};
+  history.angles = {0, 0, 1e-5, 2e-5};
+  history.velocities = {0, 0, 0, 0};
+  EXPECT_EQ(motion_verdict(scene, history), "rests throughout");
+  history.angles[3] = 1.5;
+  EXPECT_EQ(motion_verdict(scene, history), "block 2 topples at 0.5 s");
+}
+
+}  // namespace
+}  // namespace rockstack

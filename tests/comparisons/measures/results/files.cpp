@@ -1,0 +1,114 @@
+#include "comparisons/measures/results/files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/measures/results/journal.hpp"
+#include "comparisons/measures/results/results_folder.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rockstack {
+namespace {
+
+std::string content(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Files, AreReplacedWhole) {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "a", "first, and longer");
+  write_file(folder.path() / "a", "second");
+  EXPECT_EQ(content(folder.path() / "a"), "second");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.partial"));
+}
+
+TEST(Files, NeverWriteThroughALinkAtTheTemporaryName) {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "kept", "kept");
+  std::filesystem::create_symlink("kept", folder.path() / "a.partial");
+  write_file(folder.path() / "a", "new");
+  EXPECT_EQ(content(folder.path() / "kept"), "kept");
+  EXPECT_EQ(content(folder.path() / "a"), "new");
+  std::filesystem::create_symlink("kept", folder.path() / "runs.journal");
+  EXPECT_THROW((Journal{folder.path(), "a sweep"}), std::runtime_error);
+}
+
+TEST(Files, ThatCannotBeWrittenAreNamedAndLeaveNothing) {
+  const TemporaryFolder folder;
+  try {
+    write_file(folder.path() / "missing" / "a", "text");
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("missing/a: cannot be written: No such file"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Files, NamesOfFoldersAreShortAndStillTellTextsApart) {
+  EXPECT_EQ(folder_name("scene.ode-step-tuned-0.001"), "scene.ode-step-tuned-0.001");
+  std::string one(200, 'x');
+  std::string other = one + "y";
+  EXPECT_LE(folder_name(one).size(), 128U);
+  EXPECT_NE(folder_name(one), folder_name(other));
+  std::string letters;
+  for (int k = 0; k < 100; ++k) letters += "ö";
+  for (const std::string& text : {letters, "x" + letters}) {
+    const std::string name = folder_name(text);
+    EXPECT_EQ(name.substr(0, name.rfind('-')).size() % 2, text.size() % 2) << name;
+  }
+}
+
+TEST(Files, AFolderHoldsResultsOfOneKindWithoutThoseOfBefore) {
+  const TemporaryFolder folder;
+  folder.write("fits.csv", "stale");
+  folder.write("kept.txt", "a user's own");
+  std::filesystem::create_directories(folder.path() / "runs" / "a");
+  std::filesystem::create_directories(folder.path() / "figures");
+  {
+    const ResultsFolder results(folder.path(), Results::comparison);
+    EXPECT_THROW((ResultsFolder{folder.path(), Results::comparison}), InputError) << "one at a time";
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "fits.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "figures"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "kept.txt"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs" / "a"));
+  EXPECT_NO_THROW((ResultsFolder{folder.path(), Results::comparison}));
+  try {
+    const ResultsFolder results(folder.path(), Results::sweep);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(),
+              "--out " + folder.path().string() + ": must be a folder of its own: it holds a comparison");
+  }
+}
+
+TEST(Files, FoldersAreMadeOrTakenAndLeftEmpty) {
+  const TemporaryFolder folder;
+  prepare_folder(folder.path() / "a" / "b");
+  prepare_folder(folder.path() / "a" / "b");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "a" / "b"));
+}
+
+TEST(Files, AFolderIsKeptForOneRunAtATime) {
+  const TemporaryFolder folder;
+  {
+    const FolderLock lock(folder.path());
+    EXPECT_THROW(FolderLock{folder.path()}, InputError);
+  }
+  EXPECT_NO_THROW(FolderLock{folder.path()});
+}
+
+TEST(Files, AFolderThatIsAFileIsBadInput) {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "a", "");
+  EXPECT_THROW(prepare_folder(folder.path() / "a"), InputError);
+  EXPECT_THROW(prepare_folder(folder.path() / "a" / "b"), InputError);
+}
+
+}  // namespace
+}  // namespace rockstack

@@ -1,0 +1,212 @@
+#include "comparisons/studies/diff/changes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/studies/diff/change_tables.hpp"
+
+namespace rockstack {
+namespace {
+
+using Random = std::mt19937_64;
+
+/// An engine's errors on one scene, as chance has them.
+RunMetrics drawn_row(Random& random, double size) {
+  std::lognormal_distribution<double> spread(std::log(size), 0.5);
+  RunMetrics row;
+  row.rms_angle_difference = spread(random);
+  row.largest_angle_difference = 3 * *row.rms_angle_difference;
+  row.agreement_time = spread(random);
+  row.impacts_missed = std::poisson_distribution<int>(2)(random);
+  row.warnings = 0;
+  return row;
+}
+
+/// Two solvers on three scenes of unlike difficulty.
+RecordedResults recorded(Random& random, std::size_t draws) {
+  RecordedResults results;
+  results.folder = "recorded";
+  for (const auto& [scene, size] : {std::pair{"easy", 1e-5}, {"fair", 1e-3}, {"hard", 1e-1}}) {
+    for (const char* solver : {"first", "second"}) {
+      RecordedRun run;
+      for (std::size_t i = 0; i < draws; ++i) run.draws.push_back(drawn_row(random, size));
+      run.row.scene = scene;
+      run.row.engine = "engine";
+      run.row.solver = solver;
+      run.row.settings = "default";
+      run.row.dt = 1e-3;
+      run.row.run = run.row.scene + "." + solver;
+      results.runs.push_back(run);
+    }
+  }
+  return results;
+}
+
+/// The same, without draws.
+RecordedResults single(Random& random) {
+  RecordedResults results = recorded(random, 1);
+  for (RecordedRun& run : results.runs) {
+    run.row.rms_angle_difference = run.draws.front().rms_angle_difference;
+    run.draws.clear();
+  }
+  return results;
+}
+
+std::vector<std::string> told(const ResultsChange& result) {
+  std::vector<std::string> lines;
+  for (const TurnedNumber& number : turned_numbers(result))
+    lines.push_back(number.row->new_row.run + " " + number.change->quantity + " " +
+                    name(number.change->turn));
+  return lines;
+}
+
+// The exact tests are a little below the level, since chances are steps: of 200 results at most 10, that is
+// 10 ± 3.1, have anything told.
+TEST(Changes, OtherDrawsOfTheSameEngineAreToldNoMoreOftenThanTheLevelSays) {
+  Random random(5);
+  int alarms = 0;
+  for (int trial = 0; trial < 200; ++trial)
+    alarms += told(hold_against(recorded(random, 8), recorded(random, 8), {.level = 0.05})).empty() ? 0 : 1;
+  EXPECT_LE(alarms, 19);
+  EXPECT_GE(alarms, 1);
+}
+
+TEST(Changes, OneThatIsThereIsToldAndNothingElse) {
+  Random random(6);
+  const RecordedResults before = recorded(random, 11);
+  RecordedResults now = recorded(random, 11);
+  for (RunMetrics& draw : now.runs[3].draws) {
+    *draw.rms_angle_difference *= 10;
+    *draw.agreement_time *= 10;
+  }
+  const ResultsChange result = hold_against(before, now, {});
+  EXPECT_EQ(told(result), (std::vector<std::string>{"fair.second rms_angle_difference worse",
+                                                    "fair.second agreement_time better"}));
+  EXPECT_TRUE(result.worse());
+  EXPECT_FALSE(hold_against(now, now, {}).worse());
+  EXPECT_EQ(result.tests, 6U * 4);  // warnings never vary, and failures neither
+}
+
+TEST(Changes, ThatRoundingMakesOrThatAreLessThanAHundredthStayUntold) {
+  Random random(6);
+  RecordedResults before = recorded(random, 11), now = before;
+  for (std::size_t i = 0; i < 11; ++i) {
+    before.runs[0].draws[i].energy_gain = 1e-16 * static_cast<double>(i);
+    now.runs[0].draws[i].energy_gain = 1e-14 * static_cast<double>(i + 1);
+    before.runs[1].draws[i].penetration = 1e-3 * (1 + 1e-6 * static_cast<double>(i));
+    now.runs[1].draws[i].penetration = 1.005e-3;
+  }
+  EXPECT_EQ(told(hold_against(before, now, {})), std::vector<std::string>());
+  for (RunMetrics& draw : now.runs[1].draws) draw.penetration = 1.02e-3;
+  EXPECT_EQ(told(hold_against(before, now, {})), std::vector<std::string>{"easy.second penetration worse"});
+}
+
+TEST(Changes, DrawsThatFailAreAWorseNumberAndARowThatFailsIsWorseByItself) {
+  Random random(8);
+  const RecordedResults before = recorded(random, 11);
+  RecordedResults now = before;
+  for (std::size_t i = 1; i < 11; ++i) now.runs[0].draws[i].status = RunStatus::not_finite;
+  EXPECT_EQ(told(hold_against(before, now, {})), std::vector<std::string>{"easy.first failed worse"});
+  now = before;
+  now.runs[0].row.status = RunStatus::signal;
+  now.runs[0].draws.clear();
+  EXPECT_EQ(told(hold_against(before, now, {})), std::vector<std::string>{"easy.first failed worse"});
+  EXPECT_EQ(told(hold_against(now, before, {})), std::vector<std::string>{"easy.first failed better"});
+}
+
+TEST(Changes, OfSingleRunsAreToldByAFactorAlone) {
+  Random random(9);
+  const RecordedResults before = single(random);
+  RecordedResults now = before;
+  *now.runs[2].row.rms_angle_difference *= 3;
+  const ResultsChange untold = hold_against(before, now, {});
+  EXPECT_EQ(told(untold), std::vector<std::string>());
+  EXPECT_EQ(untold.tests, 0U);
+  const auto by = [&](double factor) {
+    return told(hold_against(before, now, {.factors = {.single = factor}}));
+  };
+  EXPECT_EQ(by(2.9), std::vector<std::string>{"fair.first rms_angle_difference worse"});
+  EXPECT_EQ(by(3.1), std::vector<std::string>());
+}
+
+// Two samples of n values have 2/C(2n, n) at best: 1/35 for n = 4, 1/1716 for n = 7, 1/6435 for n = 8.
+TEST(Changes, TooFewDrawsAreSaid) {
+  Random random(10);
+  const ResultsChange result = hold_against(recorded(random, 4), recorded(random, 4), {});
+  EXPECT_EQ(result.counted, 0U);
+  EXPECT_EQ(result.tests, 24U);
+  EXPECT_EQ(result.draws_needed(), 8U);
+}
+
+TEST(Changes, OfCostAreToldWhereTheRepeatsLieApart) {
+  Random random(11);
+  RecordedResults before = single(random);
+  before.environment["processor"] = "one";
+  for (RecordedRun& run : before.runs) {
+    run.row.steps = 1000;
+    run.row.stepping_time_minimum = 1;
+    run.row.stepping_time_median = 1.1;
+    run.row.stepping_time_spread = 0.3;
+  }
+  RecordedResults now = before;
+  now.runs[1].row.stepping_time_minimum = 1.25;
+  now.runs[1].row.stepping_time_median = 1.4;
+  now.runs[4].row.steps = 500;
+  const ChangeOptions options{.factors = {.cost = 1.2}};
+  EXPECT_EQ(told(hold_against(before, now, options)), std::vector<std::string>{"hard.first step_time worse"});
+  const ValueSpread ratio = cost_ratio(hold_against(before, now, {}));
+  EXPECT_EQ(ratio.values, 6U);
+  EXPECT_DOUBLE_EQ(ratio.lower, 1);
+  EXPECT_DOUBLE_EQ(ratio.upper, 2);
+  now.environment["processor"] = "another";
+  EXPECT_EQ(cost_ratio(hold_against(before, now, options)).values, 0U);
+}
+
+TEST(Changes, RowsArePairedByWhatTheyAreOf) {
+  Random random(12);
+  RecordedResults before = single(random), now = before;
+  now.runs[0].row.settings = now.runs[1].row.settings = "default+erp=0.2";
+  const ResultsChange result = hold_against(before, now, {});
+  EXPECT_EQ(result.rows.size(), 4U);
+  EXPECT_EQ(result.only_old, (std::vector<std::string>{"easy.first", "easy.second"}));
+  EXPECT_EQ(result.only_new, result.only_old);
+  EXPECT_EQ(hold_against(before, now, {.across = {"settings"}}).rows.size(), 6U);
+  EXPECT_THROW(hold_against(before, now, {.across = {"solver", "settings"}}), InputError);
+  EXPECT_THROW(hold_against(before, {}, {}), InputError);
+
+  before.scenes["fair"] = {{"gravity", "9.81"}, {"law", "\"paper\""}};
+  now.scenes["fair"] = {{"gravity", "1.62"}};
+  const ResultsChange other = hold_against(before, now, {.across = {"settings"}});
+  EXPECT_EQ(other.rows.size(), 4U);
+  EXPECT_EQ(other.other_questions, std::vector<std::string>{"scene fair: gravity"});
+}
+
+TEST(Changes, BitsAreThoseOfFilesThatBothKept) {
+  Random random(13);
+  RecordedResults before = single(random), now = before;
+  before.runs[0].checksums = {{"history.csv", "1"}, {"events.csv", "2"}};
+  now.runs[0].checksums = {{"history.csv", "1"}};
+  before.runs[1].checksums = now.runs[1].checksums = {{"history.csv", "1"}};
+  now.runs[1].checksums["history.csv"] = "3";
+  const ResultsChange result = hold_against(before, now, {});
+  EXPECT_EQ(result.rows[0].bits, SameBits::same);
+  EXPECT_EQ(result.rows[1].bits, SameBits::different);
+  EXPECT_EQ(result.rows[2].bits, SameBits::unknown);
+}
+
+TEST(Changes, EveryDrawnColumnIsToldOrFollowsFromOthers) {
+  std::multiset<std::string> known(untold_columns().begin(), untold_columns().end());
+  for (const TellingQuantity& quantity : telling_quantities()) known.insert(quantity.name);
+  for (const Column& column : columns())
+    EXPECT_EQ(known.count(column.name), column.drawn ? 1U : 0U) << column.name;
+}
+
+}  // namespace
+}  // namespace rockstack
