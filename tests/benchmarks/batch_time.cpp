@@ -1,6 +1,6 @@
 // Sweeps of two blocks and of one over 20 s of synthetic motions, by batches of the solver and by
 // Boost.odeint on packs, each beside one by one, in one run: batch_time FOLDER writes batches.csv and
-// batches.md into it.
+// batch-errors.csv into it.
 //
 // Error of a run: RMS, over blocks and samples 10 ms apart, of the difference of angles to the solver's at
 // tolerance 0, rad, as long as no block has toppled. A motion may amplify what it is given without bound: the
@@ -100,10 +100,10 @@ std::vector<Contender> contenders() {
               }};
     };
   };
-  add([](double tolerance) { return ours("rockstack, packs", InstructionSet::avx2, tolerance); });
-  add([](double tolerance) { return ours("rockstack, one by one", InstructionSet::scalar, tolerance); });
-  add(by("odeint dopri5, packs", side_by_side<1>, side_by_side<2>));
-  add(by("odeint dopri5, one by one", one_by_one<1>, one_by_one<2>));
+  add([](double tolerance) { return ours("rockstack in packs", InstructionSet::avx2, tolerance); });
+  add([](double tolerance) { return ours("rockstack one by one", InstructionSet::scalar, tolerance); });
+  add(by("odeint dopri5 in packs", side_by_side<1>, side_by_side<2>));
+  add(by("odeint dopri5 one by one", one_by_one<1>, one_by_one<2>));
   return all;
 }
 
@@ -166,27 +166,15 @@ std::vector<BatchMeasurement> measure(const std::string& title, const Scenes& sc
   return result;
 }
 
-/// A row a sweep and tolerance, a column a method: runs a second, both errors, and how many topple otherwise.
+/// As CSV, a row a sweep, tolerance and method.
 void write_table(const std::vector<BatchMeasurement>& all, std::ostream& out) {
-  std::vector<Measurement> medians;
-  medians.reserve(all.size());
-  for (const BatchMeasurement& m : all) medians.push_back(m.median);
-  const auto methods = distinct(medians, &Measurement::method);
-  out << "| sweep | tolerance |";
-  for (const std::string& method : methods) out << ' ' << method << " |";
-  out << "\n|---|---|---|---|---|---|\n";
-  for (const std::string& sweep : distinct(medians, &Measurement::scene)) {
-    for (const double tolerance : {1e-12, 1e-9, 1e-6}) {
-      out << "| " << sweep << " | " << tolerance << " |";
-      for (const auto& [median, high, different] : all) {
-        if (median.scene != sweep || median.setting != tolerance) continue;
-        std::array<char, 96> cell{};
-        std::snprintf(cell.data(), cell.size(), " %.0f, %.1e, %.1e, %zu |", 1 / median.seconds, median.error,
-                      high, different);
-        out << cell.data();
-      }
-      out << '\n';
-    }
+  out << "sweep,tolerance,method,runs a second,median error (rad),90th percentile (rad),topple otherwise\n";
+  for (const auto& [median, high, different] : all) {
+    if (median.setting != 1e-12 && median.setting != 1e-9 && median.setting != 1e-6) continue;
+    std::array<char, 96> numbers{};
+    std::snprintf(numbers.data(), numbers.size(), "%.0f,%.1e,%.1e,%zu", 1 / median.seconds, median.error,
+                  high, different);
+    out << median.scene << ',' << median.setting << ',' << median.method << ',' << numbers.data() << '\n';
   }
 }
 
@@ -208,14 +196,12 @@ int main(int arguments, char** values) {
     const auto measured = benchmarks::measure(title, benchmarks::ensemble_scenes(ensemble));
     all.insert(all.end(), measured.begin(), measured.end());
   }
-  std::ofstream table(folder / "batches.md");
+  std::ofstream table(folder / "batches.csv");
   benchmarks::write_table(all, table);
   std::vector<benchmarks::Measurement> medians;
   medians.reserve(all.size());
   for (const auto& m : all) medians.push_back(m.median);
-  std::ofstream columns(folder / "batches.csv");
-  benchmarks::write_columns(medians, columns);
+  std::ofstream equal(folder / "batch-errors.csv");
   constexpr std::array errors{1e-4, 1e-6, 1e-8, 1e-10, 1e-12};  // rad
-  table << '\n';
-  benchmarks::write_equal_errors(medians, errors, table);
+  benchmarks::write_equal_errors(medians, errors, equal);
 }

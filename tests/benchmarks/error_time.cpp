@@ -1,5 +1,5 @@
 // Error against run time of many methods on the same scenes, in one run: error_time FOLDER writes
-// methods.csv, methods.md and the figure methods.png into it.
+// methods.csv, the tables equal-errors.csv and engines.csv, and the figure methods.png into it.
 //
 // Error: RMS, over all blocks and samples 10 ms apart, of the difference of angles to the reference of 113
 // bits, rad; up to where the scene itself amplifies a rounding more than 10⁴ times. Time: processor time of
@@ -111,7 +111,7 @@ std::vector<Contender> contenders() {
   std::vector<Contender> all;
   all.push_back(ours("taylor", Integrator::taylor, 0));
   for (const double tolerance : tolerances) all.push_back(ours("taylor", Integrator::taylor, tolerance));
-  for (const double step : steps) all.push_back(ours("rk4, exact events", Integrator::rk4, step));
+  for (const double step : steps) all.push_back(ours("rk4 with exact events", Integrator::rk4, step));
   for (const double step : paper_steps) all.push_back(stepped<PaperRk4>("rk4 of the paper", step, {0, step}));
   add_each<Dopri5>("odeint dopri5", all);
   add_each<Fehlberg78>("odeint fehlberg78", all);
@@ -199,11 +199,10 @@ int main(int arguments, char** values) {
   }
   std::ofstream columns(folder / "methods.csv");
   benchmarks::write_columns(all, columns);
-  std::ofstream table(folder / "methods.md");
+  std::ofstream methods(folder / "equal-errors.csv"), engines(folder / "engines.csv");
   benchmarks::write_equal_errors(benchmarks::chosen(all, false), std::array{1e-4, 1e-6, 1e-8, 1e-10, 1e-12},
-                                 table);  // rad
-  table << '\n';
-  benchmarks::write_equal_errors(benchmarks::chosen(all, true), std::array{1e-2, 1e-3}, table);
+                                 methods);  // rad
+  benchmarks::write_equal_errors(benchmarks::chosen(all, true), std::array{1e-2, 1e-3}, engines);
 #ifdef ROCKSTACK_WITH_PLOTS
   benchmarks::draw(all, folder / "methods");
 #endif

@@ -17,7 +17,7 @@ struct MethodStyle {
 
 /// Ours and the engines as in every other figure; other integrators in colours that no solver has.
 constexpr std::array<MethodStyle, 10> styles{{{"taylor", "#000000", 7},
-                                              {"rk4, exact events", "#8A8A8A", 13},
+                                              {"rk4 with exact events", "#8A8A8A", 13},
                                               {"rk4 of the paper", "#5A5A5A", 9},
                                               {"odeint dopri5", "#CC0066", 11},
                                               {"odeint fehlberg78", "#5B8C00", 3},

@@ -1,5 +1,5 @@
-// Error against run time on stiff springs, in one run: stiff_time [LEAST [MOST]] prints a table for
-// stiffnesses from 10^LEAST to 10^MOST N/m (5 … 12 unless given) and damping ratios of 0.1 and 1.
+// Error against run time on stiff springs, in one run: stiff_time [LEAST [MOST]] prints a table as
+// CSV for stiffnesses from 10^LEAST to 10^MOST N/m (5 … 12 unless given) and damping ratios of 0.1 and 1.
 //
 // A block of 0.5 m × 1 m is released at 0.1 rad on springs and dashpots at its corners, with a coefficient of
 // friction of 1, and rocks for a second. Error: RMS, over samples 10 ms apart, of the difference of its angle
@@ -65,7 +65,7 @@ Contender ours() {
 
 Contender bdf(double tolerance) {
   char name[32];
-  std::snprintf(name, sizeof name, "CVODE BDF, %.0e", tolerance);
+  std::snprintf(name, sizeof name, "CVODE BDF %.0e", tolerance);
   return {name,
           [=](const Scene& scene, const std::vector<double>& samples) {
             return sprung_by_bdf(scene, tolerance, samples).angles;
@@ -135,11 +135,11 @@ std::string cell(const Contender& contender, const Scene& scene, const std::vect
     const double error = root_mean_square(contender.angles(scene, samples), expected);
     double seconds = std::numeric_limits<double>::infinity();
     for (int turn = 0; turn < 5; ++turn) seconds = std::min(seconds, contender.seconds(scene));
-    std::snprintf(text, sizeof text, " %.1e, %.3g ms |", error, 1e3 * seconds);
+    std::snprintf(text, sizeof text, ",%.1e,%.3g", error, 1e3 * seconds);
   } catch (const std::runtime_error& error) {
     std::fprintf(stderr, "%s, %g N/m: %s\n", contender.name.c_str(), scene.springs.stiffness.front(),
                  error.what());
-    return " no end |";
+    return ",no end,";
   }
   return text;
 }
@@ -150,7 +150,7 @@ void print_row(double stiffness, double ratio, const std::vector<Contender>& all
   std::vector<double> samples;
   for (int i = 1; i * apart <= duration * (1 + 1e-12); ++i) samples.push_back(i * apart);
   const std::vector<double> expected = angles_by<long double>(scene, samples);
-  std::printf("| %g | %.0e |", ratio, stiffness);
+  std::printf("%g,%.0e", ratio, stiffness);
   for (const Contender& contender : all) std::printf("%s", cell(contender, scene, samples, expected).c_str());
   std::printf("\n");
   std::fflush(stdout);
@@ -164,10 +164,9 @@ int main(int arguments, char** values) try {
   const int least = arguments > 1 ? std::atoi(values[1]) : 5;
   const int most = arguments > 2 ? std::atoi(values[2]) : 12;
   const std::vector<Contender> all = contenders();
-  std::printf("| damping ratio | k (N/m) |");
-  for (const Contender& contender : all) std::printf(" %s |", contender.name.c_str());
-  std::printf("\n|---|---|");
-  for (std::size_t i = 0; i < all.size(); ++i) std::printf("---|");
+  std::printf("damping ratio,k (N/m)");
+  for (const Contender& contender : all)
+    std::printf(",%s (rad),%s (ms)", contender.name.c_str(), contender.name.c_str());
   std::printf("\n");
   for (const double ratio : {0.1, 1.0})
     for (int decade = least; decade <= most; ++decade) print_row(std::pow(10, decade), ratio, all);

@@ -62,36 +62,22 @@ void write_columns(const std::vector<Measurement>& measurements, std::ostream& o
 void write_equal_errors(const std::vector<Measurement>& measurements, std::span<const double> errors,
                         std::ostream& out) {
   const auto methods = distinct(measurements, &Measurement::method);
-  out << "| scene | error |";
-  for (const std::string& method : methods) out << ' ' << method << " |";
-  out << "\n|---|---|";
-  for (std::size_t i = 0; i < methods.size(); ++i) out << "---|";
+  out << "scene,error (rad)," << methods.front() << " (ms)";
+  for (std::size_t i = 1; i < methods.size(); ++i) out << ',' << methods[i] << " (times)";
   out << '\n';
   for (const std::string& scene : distinct(measurements, &Measurement::scene)) {
     for (const double error : errors) {
-      out << "| " << scene << " | " << printed("%.0e", error) << " |";
+      out << scene << ',' << printed("%.0e", error);
       const auto first = seconds_at(measurements, scene, methods.front(), error);
       for (const std::string& method : methods) {
         const auto seconds = seconds_at(measurements, scene, method, error);
-        const bool is_ratio = first && method != methods.front();
-        out << ' '
-            << (!seconds   ? "–"
-                : is_ratio ? printed(*seconds < 9.95 * *first ? "%.1f ×" : "%.0f ×", *seconds / *first)
-                           : milliseconds(*seconds))
-            << " |";
+        const bool is_time = method == methods.front();
+        const double value = seconds ? *seconds * (is_time ? 1e3 : 1 / first.value_or(1)) : 0;
+        out << ',' << (seconds ? printed(is_time ? "%.2g" : value < 9.95 ? "%.1f" : "%.0f", value) : "-");
       }
       out << '\n';
     }
   }
-}
-
-std::string milliseconds(double seconds) {
-  const double value = 1e3 * seconds;
-  return printed(value < 0.1   ? "%.3f ms"
-                 : value < 1   ? "%.2f ms"
-                 : value < 100 ? "%.1f ms"
-                               : "%.0f ms",
-                 value);
 }
 
 }  // namespace rockstack::benchmarks

@@ -22,11 +22,9 @@ std::optional<double> seconds_at(const std::vector<Measurement>& measurements, c
 /// A line a measurement, apart by tabulators.
 void write_columns(const std::vector<Measurement>& measurements, std::ostream& out);
 
-/// A row a scene and error: the time of the first method there, and how many times as long others take.
+/// As CSV, a row a scene and error: the time of the first method there, ms, and how many times as long others
+/// take, "-" where one does not get there.
 void write_equal_errors(const std::vector<Measurement>& measurements, std::span<const double> errors,
                         std::ostream& out);
-
-/// With two to three digits.
-std::string milliseconds(double seconds);
 
 }  // namespace rockstack::benchmarks
