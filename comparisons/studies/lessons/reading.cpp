@@ -50,8 +50,8 @@ Table quartiles(const std::vector<std::pair<const char*, std::vector<double>>>& 
 
 /// Impacts that match: of the engine, of the exact motion read at its steps, and by chance.
 Table matches(const std::vector<RunMetrics>& rows) {
-  Table table{{"run", "step (s)", "impacts, exact", "matched", "null row: the exact motion itself",
-               "chance: random times", "chance: shifted"},
+  Table table{{"run", "step (s)", "impacts, exact", "matched", "sampling limit: the exact motion itself",
+               "chance level: random times", "chance level: shifted"},
               {}};
   for (const RunMetrics& row : rows) {
     if (!row.dt || !row.impacts_matched || !row.impacts_matched_null) continue;
