@@ -93,7 +93,7 @@ struct Scene {
   /// and y are the ground's, and so are both components of its motion. At most half of what the largest
   /// slenderness leaves of π/2, so that past its toppling angle no block comes back.
   double inclination = 0;
-  Law law = Law::consistent;  ///< engines side with it; `paper` is that of Spanos et al. 2001
+  Law law = Law::consistent;  ///< engines follow it; `paper` is that of Spanos et al. 2001
   Equations equations = Equations::nonlinear;
   /// Of each interface, or none: what an impact leaves of its relative angular velocity, 0 … 1, where that
   /// interface alone was open before and no other opens, so that all above it rocks as one body. Other

@@ -169,7 +169,8 @@ std::string draws_note(const Comparison& comparison, const std::string& scene) {
   double draws = 1;
   for (const Run& run : comparison.runs)
     if (run.scene == scene && run.draws > draws) draws = run.draws;
-  return draws > 1 ? fmt::format("marks: medians of {} draws at nearby steps; bars: quartiles", draws) : "";
+  return draws > 1 ? fmt::format("marks: medians of {} replicates at nearby steps; bars: quartiles", draws)
+                   : "";
 }
 
 }  // namespace rockstack::plots

@@ -56,8 +56,8 @@ std::string off_by(double error);
 /// A quartile, or the value itself where there are no draws.
 double quartile_or(double quartile, double value);
 
-/// What the marks of a scene's figures stand for: "marks: medians of 21 draws; bars: quartiles"; empty where
-/// its rows are single runs.
+/// What the marks of a scene's figures stand for: "marks: medians of 21 replicates; bars: quartiles"; empty
+/// where its rows are single runs.
 std::string draws_note(const Comparison& comparison, const std::string& scene);
 
 /// A duration with a unit that suits it: "0.1 ms", "12 µs", "3.5 s".

@@ -30,12 +30,12 @@ std::string counts(double matched, double missed, double extra) {
   return fmt::format("{} / {} / {}", matched, missed, extra);
 }
 
-/// The impacts that each engine run has, beside the null row (the exact motion read from samples at the same
-/// steps) and the chance level; nothing where no run counted them.
+/// The impacts that each engine run has, beside the sampling limit (the exact motion read from samples at the
+/// same steps) and the chance level; nothing where no run counted them.
 std::string impacts_table(const Comparison& comparison, const std::string& scene) {
   const std::vector<std::string> columns{"run", "matched / missed / extra",
-                                         "null: the exact motion at these steps",
-                                         "matched by chance: random times", "matched by chance: shifted"};
+                                         "sampling limit: the exact motion at these steps",
+                                         "chance level: random times", "chance level: shifted"};
   std::string rows;
   for (const Run& run : done_runs(comparison, scene)) {
     if (std::isnan(run.impacts_matched) || std::isnan(run.impacts_matched_null) || std::isnan(run.dt))
@@ -128,7 +128,7 @@ std::string further_figures(const fs::path& results, const Comparison& compariso
       results / "figures", known,
       {{"solvers",
         "A row a solver and set, those first that answer for all scenes; a small cross a scene, a large "
-        "mark the median of all. Rows whose scenes lie among each other are not told apart."}});
+        "mark the median of all. Rows whose scenes lie among each other cannot be told apart."}});
 }
 
 std::string content(const fs::path& results, const Comparison& comparison) {

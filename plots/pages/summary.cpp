@@ -47,7 +47,8 @@ void add_draws(const std::vector<Run>& runs, const ComparedScene& scene,
     if (run.draws > draws) draws = run.draws;
   if (draws > 1)
     sentences.push_back(fmt::format(
-        "Numbers of engines are medians of up to {} draws: steps and scenes that hardly differ.", draws));
+        "Numbers of engines are medians of up to {} replicates: steps and scenes that hardly differ.",
+        draws));
   if (std::isnan(scene.predictable_time) || runs.empty()) return;
   sentences.push_back(
       fmt::format("Two exact motions that differ in the sixth digit stay together until {:.4g} s: "

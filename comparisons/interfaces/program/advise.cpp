@@ -33,8 +33,10 @@ void print_trials(const Advice& advice, const Wish& wish) {
                remark);
   }
   fmt::print(
-      "within: draws within {} rad, of steps up to {:.0f} % longer and shorter and scenes that differ in "
-      "the sixth digit; {:.0f} of 100 must be. The difference is their median. Confirmed: draws of steps up "
+      "within: replicates within {} rad, of steps up to {:.0f} % longer and shorter and scenes that differ "
+      "in "
+      "the sixth digit; {:.0f} of 100 must be. The difference is their median. Confirmed: replicates of "
+      "steps up "
       "to "
       "{:.0f} % longer and shorter, as many of which must be.\n",
       wish.error, 100 * wish.draws.steps, 100 * passing_share, 100 * wish.confirming.steps);

@@ -163,7 +163,7 @@ void show_motion(const std::filesystem::path& out, bool plots, const Common& com
 }
 
 int study_command(const std::filesystem::path& file, const std::filesystem::path& out, const Common& common) {
-  refuse_overrides(common, "a study of impact laws draws its own scenes");
+  refuse_overrides(common, "a study of impact laws makes its own scenes");
   const ImpactLawStudy study = read_impact_law_study(file);
   const ResultsFolder folder(out, Results::impact_laws);
   const ImpactLawResults results = run_study(study);

@@ -51,7 +51,7 @@ std::size_t letters_of(const std::string& text) {
 
 void print_table(const std::vector<TurnedNumber>& numbers) {
   std::vector<std::vector<std::string>> lines{{"", "scene", "engine:solver", "settings", "dt (s)", "number",
-                                               "old (quartiles)", "new (quartiles)", "new/old", "chance"}};
+                                               "old (quartiles)", "new (quartiles)", "new/old", "p-value"}};
   lines.reserve(numbers.size() + 1);
   for (const TurnedNumber& number : numbers) lines.push_back(cells_of(number));
   std::vector<std::size_t> widths(lines.front().size());
@@ -67,10 +67,10 @@ void print_table(const std::vector<TurnedNumber>& numbers) {
 
 void print_tests(const ResultsChange& result) {
   if (result.tests == 0)
-    fmt::print("no row has draws in both: no threshold can be derived\n");
+    fmt::print("no row has replicates in both: no threshold can be derived\n");
   else if (result.counted == 0)
     fmt::print(
-        "too few draws: none of {} numbers could show a change at level {}, with {} draws a row all could\n",
+        "too few replicates: none of {} numbers could show a change at level {}, with {} a row all could\n",
         result.tests, result.level, result.draws_needed());
   else
     fmt::print("numbers tested: {} ({} more could show nothing); chance of a false alarm among all: {}\n",
@@ -82,11 +82,12 @@ void print_singles(const ResultsChange& result, const ChangeFactors& factors) {
                                     [](const RowChange& row) { return !row.drawn && row.old_row.steps; });
   if (single == 0) return;
   if (factors.single)
-    fmt::print("rows of single runs: {}; a number of theirs is told from {} times on\n", single,
+    fmt::print("rows of single runs: {}; a number of theirs is reported from {} times on\n", single,
                *factors.single);
   else
-    fmt::print("rows of single runs: {}; only failures of theirs are told, --factor F tells numbers too\n",
-               single);
+    fmt::print(
+        "rows of single runs: {}; only failures of theirs are reported, --factor F reports numbers too\n",
+        single);
 }
 
 void print_names(const char* what, const std::vector<std::string>& names) {

@@ -113,7 +113,8 @@ Command add_compare(CLI::App& app, const Common& common) {
       ->capture_default_str();
   command
       ->add_option("--draws", arguments->draws,
-                   "runs at nearby steps of nearly the same scene behind each number of an engine; left out: "
+                   "replicates behind each number of an engine: runs at nearby steps of nearly the same "
+                   "scene; left out: "
                    "as the suite says, 5 for a scene")
       ->check(CLI::Range(1, most_draws));
   command
@@ -130,7 +131,7 @@ Command add_compare(CLI::App& app, const Common& common) {
       ->allow_extra_args(false);
   command->add_flag(
       "--quick", arguments->choice.quick,
-      "of scenes: 3 draws, steps of 1e-2 and 1e-3 s, one timed run, 2000 samples of each history");
+      "of scenes: 3 replicates, steps of 1e-2 and 1e-3 s, one timed run, 2000 samples of each history");
   command->add_flag(
       "--softness", arguments->choice.softness,
       "of scenes: split each engine's difference into contact model, contact softness and time step");
@@ -201,15 +202,15 @@ Command add_diff(CLI::App& app, const Common& common) {
   command->add_option("new", arguments->new_results, "folder with the new results")->required();
   command
       ->add_option("--level", options.level,
-                   "chance that any number with draws is told as changed where nothing has changed")
+                   "chance that any number with replicates is reported as changed where nothing has changed")
       ->capture_default_str();
   command->add_option(
       "--factor", options.factors.single,
-      "of rows without draws: from how many times on a number is told as changed; left out: only "
-      "failures are told");
+      "of rows of single runs: from how many times on a number is reported as changed; left out: only "
+      "failures are reported");
   command->add_option(
       "--cost", options.factors.cost,
-      "from how many times on the time of a step is told as changed, where the repeats of both lie "
+      "from how many times on the time of a step is reported as changed, where the repeats of both lie "
       "apart; left out: none is");
   command->add_option("--across", options.across, "what may differ between two rows that are held together")
       ->delimiter(',')

@@ -181,16 +181,17 @@ void print_rows(const CompareResult& result, const std::filesystem::path& folder
     if (row.scene != scene) {
       fmt::print("{}{}, law {}\n{:<{}} {:<{}} {:>7} {:>11} {:>9} {:>8} {:>9} {:>16} {:>9} {:>9} {:>10}\n",
                  scene.empty() ? "" : "\n", row.scene, row.law, "engine:solver", widths.engine, "settings",
-                 widths.settings, "dt (s)", "first (s)", "impacts", "by none", "rms (rad)", "quartiles",
+                 widths.settings, "dt (s)", "first (s)", "impacts", "limits", "rms (rad)", "quartiles",
                  "max (rad)", "agree (s)", "time (s)");
     }
     scene = row.scene;
     print_row(row, widths);
   }
   fmt::print(
-      "\nfirst: first impact, engine less exact; impacts: matched/missed/extra; by none: how many match of "
+      "\nfirst: first impact, engine less exact; impacts: matched/missed/extra; limits: how many match of "
       "the "
-      "exact\nmotion itself, sampled at these steps, and by chance; agree: time until which angles stay "
+      "exact\nmotion itself, sampled at these steps, and at random times; agree: time until which angles "
+      "stay "
       "within "
       "the tolerance;\ntime: least wall time of stepping alone\n");
   const auto draws = std::max_element(rows.begin(), rows.end(), [](const RunMetrics& a, const RunMetrics& b) {
@@ -198,7 +199,7 @@ void print_rows(const CompareResult& result, const std::filesystem::path& folder
   });
   if (draws != rows.end() && draws->draws)
     fmt::print(
-        "numbers are medians of {} draws: steps within a few percent, scenes that differ in the sixth "
+        "numbers are medians of {} replicates: steps within a few percent, scenes that differ in the sixth "
         "digit\n",
         *draws->draws);
   if (std::any_of(rows.begin(), rows.end(),

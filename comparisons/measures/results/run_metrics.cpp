@@ -152,14 +152,14 @@ std::vector<Column> motion_columns() {
           "largest_angle_difference",
           "largest absolute difference of any block's angle, at the engine's own times, rad"),
       column<&RunMetrics::largest_angle_difference_lower>("largest_angle_difference_lower",
-                                                          "lower quartile of the same over draws"),
+                                                          "lower quartile of the same over replicates"),
       column<&RunMetrics::largest_angle_difference_upper>("largest_angle_difference_upper", "upper quartile"),
       drawn<&RunMetrics::rms_angle_difference, &RunMetrics::rms_angle_difference_lower,
             &RunMetrics::rms_angle_difference_upper>(
           "rms_angle_difference",
           "root of the mean square of that difference over all times and blocks, rad"),
       column<&RunMetrics::rms_angle_difference_lower>("rms_angle_difference_lower",
-                                                      "lower quartile of the same over draws"),
+                                                      "lower quartile of the same over replicates"),
       column<&RunMetrics::rms_angle_difference_upper>("rms_angle_difference_upper", "upper quartile"),
       drawn<&RunMetrics::relative_angle_difference>(
           "relative_angle_difference",
@@ -183,7 +183,7 @@ std::vector<Column> motion_columns() {
           "agreement_time",
           "time until which no angle differs by more than the tolerance; the end where none ever does, s"),
       column<&RunMetrics::agreement_time_lower>("agreement_time_lower",
-                                                "lower quartile of the same over draws"),
+                                                "lower quartile of the same over replicates"),
       column<&RunMetrics::agreement_time_upper>("agreement_time_upper", "upper quartile"),
   };
 }
@@ -205,15 +205,15 @@ std::vector<Column> impact_columns() {
           "impacts_missed", "exact impacts above the chatter speed that the engine does not have"),
       drawn<&RunMetrics::impacts_extra>(
           "impacts_extra", "engine impacts above the chatter speed that the exact solution does not have"),
-      drawn<&RunMetrics::impacts_matched_null>(
-          "impacts_matched_null",
-          "the null row: of the exact motion itself, sampled at the engine's steps and read as an engine's, "
-          "within three steps"),
+      drawn<&RunMetrics::impacts_matched_null>("impacts_matched_null",
+                                               "the sampling limit: of the exact motion itself, sampled at "
+                                               "the engine's steps and read as an engine's, "
+                                               "within three steps"),
       drawn<&RunMetrics::impacts_missed_null>("impacts_missed_null", "likewise missed"),
       drawn<&RunMetrics::impacts_extra_null>("impacts_extra_null", "likewise extra"),
       drawn<&RunMetrics::impacts_matched_random>(
           "impacts_matched_random",
-          "the chance level: how many match of as many impacts at times drawn at random, within the same "
+          "the chance level: how many match of as many impacts at random times, within the same "
           "windows; median of 101"),
       drawn<&RunMetrics::impacts_matched_shifted>(
           "impacts_matched_shifted",

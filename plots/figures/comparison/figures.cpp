@@ -50,9 +50,9 @@ const std::vector<FigureKind>& figure_kinds() {
        "How far off is each engine, and from when? The largest absolute value of each short "
        "stretch of time, on a logarithmic axis; a curve that leaves its panel below is nearer still. The "
        "dashed "
-       "line is the tolerance. The rows at the bottom say when each draw first passes it, in whichever "
+       "line is the tolerance. The rows at the bottom say when each replicate first passes it, in whichever "
        "block: "
-       "crosses are draws, the large mark their median; at the right end stands what never does.",
+       "crosses are replicates, the large mark their median; at the right end stands what never does.",
        sampled},
       {"impact-times", "Impact times",
        "How late or early is each impact? Each mark is an exact impact that the engine has too: above zero "
@@ -73,8 +73,9 @@ const std::vector<FigureKind>& figure_kinds() {
        }},
       {"ranking", "Ranking",
        "Which is nearest to the exact motion? A row a solver and set, or a number of iterations where these "
-       "vary; a column a time step. Marks are medians over draws, thick bars quartiles, thin ones the whole "
-       "range. Rows whose bars overlap are not told apart.",
+       "vary; a column a time step. Marks are medians over replicates, thick bars quartiles, thin ones the "
+       "whole "
+       "range. Rows whose bars overlap cannot be told apart.",
        [](const ComparedScene& scene) { return scene.has("angles"); }},
       {"parts", "Contact model, contact softness, time step",
        "What is a difference made of? Three bars a row: from the exact motion to the exact one on rigid "

@@ -130,7 +130,7 @@ Drawing split_parts(const Comparison& comparison, const ComparedScene& scene) {
   sheet.row(34 * static_cast<double>(lines.size()) + 30, 0, cells, cells.size(), left);
   sheet.note("RMS of each part over all samples and blocks (rad); as histories the three add up", "#000000");
   if (const std::string note = draws_note(comparison, scene.name); !note.empty())
-    sheet.note("medians over draws", "#000000");
+    sheet.note("medians over replicates", "#000000");
   return sheet.finish();
 }
 

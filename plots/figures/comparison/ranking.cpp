@@ -162,8 +162,9 @@ Drawing ranking(const Comparison& comparison, const ComparedScene& scene) {
                      column_plots(sheet, rows, steps[i], i, ranges)});
   sheet.row(row_height(words) * static_cast<double>(rows.size()) + 30, 0, cells, cells.size(), words.left);
   sheet.note("RMS angle differences (rad)", "#000000");
-  sheet.note(ranges.empty() ? "one run each"
-                            : "marks: medians over draws; thick bars: quartiles; thin: least to greatest",
+  sheet.note(ranges.empty()
+                 ? "one run each"
+                 : "marks: medians over replicates; thick bars: quartiles; thin: least to greatest",
              "#000000");
   return sheet.finish();
 }

@@ -78,8 +78,8 @@ plots::Legend legend() {
 void draw(const std::vector<StiffRow>& rows, const std::filesystem::path& stem) {
   plots::Sheet sheet(
       "From soft to stiff springs at corners", legend(),
-      "Which rigid law do stiff springs side with? Strongly damped, with impulses that push, or nearly; "
-      "weakly damped, with none");
+      "Which rigid law do stiff springs follow? Strongly damped, that of impulses that push, or nearly; "
+      "weakly damped, none");
   const std::vector<std::string> quantities = quantities_of(rows);
   const auto [softest, stiffest] = std::minmax_element(
       rows.begin(), rows.end(),
