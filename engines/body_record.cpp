@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -16,7 +17,9 @@ namespace {
 class BodyAccount {
  public:
   BodyAccount(const Scene& scene, const Setup& setup, const Trajectory& trajectory)
-      : scene_(scene), setup_(setup), trajectory_(trajectory) {}
+      : scene_(scene), setup_(setup), trajectory_(trajectory) {
+    record_.unsupported_since.assign(setup.blocks.size(), std::numeric_limits<double>::infinity());
+  }
 
   void next() {
     ground_ = ground_at(samples_);
@@ -30,6 +33,7 @@ class BodyAccount {
       record_.out_of_plane = std::max(record_.out_of_plane, std::abs(body.z));
       record_.out_of_plane_tilt = std::max(record_.out_of_plane_tilt, body.tilt);
     }
+    for (const BlockPose& pose : poses_) record_.centres.insert(record_.centres.end(), {pose.x, pose.y});
     add_energy(bodies, std::span(trajectory_.velocities).subspan(samples_ * blocks, blocks));
     add_interfaces();
     ++samples_;
@@ -76,6 +80,7 @@ class BodyAccount {
   }
 
   void add_interfaces() {
+    const double time = static_cast<double>(samples_) * setup_.dt;
     double penetration = 0;
     interfaces_.clear();
     for (std::size_t k = 0; k < poses_.size(); ++k) {
@@ -84,7 +89,10 @@ class BodyAccount {
           interfaces_.emplace_back(k == 0 ? on_ground(block, poses_[0])
                                           : on_block(scene_.blocks[k - 1], poses_[k - 1], block, poses_[k]));
       record_.slip = std::max(record_.slip, std::abs(state.slip));
-      if (!std::isfinite(state.depth)) continue;
+      const bool supported = std::isfinite(state.depth);
+      record_.unsupported_since[k] =
+          supported ? std::numeric_limits<double>::infinity() : std::min(record_.unsupported_since[k], time);
+      if (!supported) continue;
       penetration = std::max(penetration, state.depth);
       record_.gap = std::max(record_.gap, -state.depth);
     }

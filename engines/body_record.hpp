@@ -20,6 +20,10 @@ struct BodyRecord {
   std::vector<double> input;
   /// Largest depth of a block in the block or ground under it at each sample, m.
   std::vector<double> penetration;
+  /// Centres of mass at each sample, x and y in turn, from the middle of the ground's interface, m.
+  std::vector<double> centres;
+  /// Since when each block has had nothing of what it stood on below it, s; infinite where it has at the end.
+  std::vector<double> unsupported_since;
   std::optional<ContactRecord> contacts;  ///< where the engine tells them
   double gap = 0;                         ///< largest height of a block over what it stands on, m
   double slip = 0;                        ///< largest way of a pivot along the face that it stands on, m

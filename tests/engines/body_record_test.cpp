@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "analytic/scene/kinematics.hpp"
@@ -144,6 +145,31 @@ TEST(BodyRecords, EnergyOfFreeFlightIsConstantAndDriftOutOfThePlaneIsSeen) {
   for (const double energy : record.energy) EXPECT_NEAR(energy, expected, 1e-12 * expected);
   EXPECT_EQ(record.out_of_plane, 1e-3);
   EXPECT_EQ(record.out_of_plane_tilt, 1e-4);
+}
+
+// Two cubes of 0.4 m: the upper hops, slides until nothing of the lower one is below it, and is back for a
+// moment.
+TEST(Bodies, ABlockHasFallenOffSinceItLastHadSomethingBelowIt) {
+  Scene scene;
+  scene.duration = 0.5;
+  scene.blocks = {make_block(0.4, 0.4, 2500), make_block(0.4, 0.4, 2500)};
+  scene.initial = {{0, 0}, {0, 0}};
+  const double dt = 0.1, infinity = std::numeric_limits<double>::infinity();
+  const auto since = [&](const std::vector<double>& places) {
+    Trajectory cubes;
+    for (const double x : places) {
+      cubes.angles.insert(cubes.angles.end(), {0, 0});
+      cubes.velocities.insert(cubes.velocities.end(), {0, 0});
+      cubes.bodies.insert(cubes.bodies.end(), {{.x = 0, .y = 0.2}, {.x = x, .y = 0.7}});
+    }
+    const BodyRecord record = account_of(scene, set_up(scene, dt, {}), cubes, true).bodies.value();
+    EXPECT_EQ(record.centres.size(), 4 * places.size());
+    EXPECT_EQ(record.centres[4], 0);
+    EXPECT_EQ(record.centres[6], places[1]);
+    return record.unsupported_since;
+  };
+  EXPECT_EQ(since({0, 0.3, 0.5, 0.3, 0.5, 0.6}), (std::vector<double>{infinity, 4 * dt}));
+  EXPECT_EQ(since({0, 0.3, 0.5, 0.6, 0.5, 0.3}), (std::vector<double>{infinity, infinity}));
 }
 
 /// A slender block under one sine in both directions that lifts it; it does not come back in time to hit.
