@@ -1,0 +1,30 @@
+#include "analytic/scene/messages/quantity_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rockstack {
+namespace {
+
+TEST(QuantityText, HasTheUnitThatSuitsItsSize) {
+  EXPECT_EQ(quantity_text(3.6697, "m"), "3.67 m");
+  EXPECT_EQ(quantity_text(0.0864, "m", 2), "86 mm");
+  EXPECT_EQ(quantity_text(1e-4, "s"), "0.1 ms");
+  EXPECT_EQ(quantity_text(1.25e-5, "rad"), "12.5 µrad");
+  EXPECT_EQ(quantity_text(3669.7, "m"), "3670 m");
+  EXPECT_EQ(quantity_text(-0.002, "s"), "-2 ms");
+}
+
+TEST(QuantityText, ANumberIsRoundedBeforeItsUnitIsChosen) {
+  EXPECT_EQ(quantity_text(0.99996, "m"), "1 m");
+  EXPECT_EQ(quantity_text(9.9996e-5, "s"), "0.1 ms");
+}
+
+TEST(QuantityText, RoundingIsZero) {
+  EXPECT_EQ(quantity_text(0, "m"), "0 m");
+  EXPECT_EQ(quantity_text(-3e-17, "m"), "0 m");
+  EXPECT_EQ(signed_quantity_text(3e-17, "s"), "0 s");
+  EXPECT_EQ(signed_quantity_text(4e-4, "s"), "+0.4 ms");
+}
+
+}  // namespace
+}  // namespace rockstack
