@@ -27,21 +27,57 @@ struct Tails {
   double p_value() const { return std::min(1.0, 2 * std::min(lower, upper)); }
 };
 
-/// Of `count` out of `ranks`, every choice of them alike.
+/// The ranks of one stratum, and those that fall to the second sample.
+struct Ranks {
+  std::vector<std::size_t> all;  ///< rising
+  std::size_t count = 0;         ///< of the second sample
+  std::size_t sum = 0;           ///< its own
+
+  std::size_t least() const {
+    return std::accumulate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count), std::size_t{0});
+  }
+  std::size_t most() const {
+    return std::accumulate(all.end() - static_cast<std::ptrdiff_t>(count), all.end(), std::size_t{0});
+  }
+};
+
+Ranks ranks_of(const Stratum& stratum) {
+  std::vector<double> sorted = stratum.first;
+  sorted.insert(sorted.end(), stratum.second.begin(), stratum.second.end());
+  std::sort(sorted.begin(), sorted.end());
+  Ranks ranks{doubled_ranks(sorted), stratum.second.size()};
+  for (const double value : stratum.second)
+    ranks.sum += ranks.all[static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), value) -
+                                                    sorted.begin())];
+  return ranks;
+}
+
+/// In how many ways the second sample's ranks add up to each sum, every choice of them alike.
+std::vector<double> ways_of(const Ranks& ranks) {
+  const std::size_t most = std::accumulate(ranks.all.begin(), ranks.all.end(), std::size_t{0});
+  // choices[k][s]: how many sets of k of the ranks so far add up to s
+  std::vector<std::vector<double>> choices(ranks.count + 1, std::vector<double>(most + 1));
+  choices[0][0] = 1;
+  std::size_t reach = 0;
+  for (const std::size_t rank : ranks.all) {
+    reach += rank;
+    for (std::size_t k = ranks.count; k > 0; --k)
+      for (std::size_t sum = reach; sum >= rank; --sum) choices[k][sum] += choices[k - 1][sum - rank];
+  }
+  return choices[ranks.count];
+}
+
+/// Of sums over all strata.
 class ExactSums {
  public:
-  ExactSums(const std::vector<std::size_t>& ranks, std::size_t count)
-      : ways_(std::accumulate(ranks.begin(), ranks.end(), std::size_t{0}) + 1) {
-    // choices[k][s]: how many sets of k of the ranks so far add up to s
-    std::vector<std::vector<double>> choices(count + 1, std::vector<double>(ways_.size()));
-    choices[0][0] = 1;
-    std::size_t reach = 0;
-    for (const std::size_t rank : ranks) {
-      reach += rank;
-      for (std::size_t k = count; k > 0; --k)
-        for (std::size_t sum = reach; sum >= rank; --sum) choices[k][sum] += choices[k - 1][sum - rank];
+  explicit ExactSums(const std::vector<Ranks>& strata) {
+    for (const Ranks& ranks : strata) {
+      const std::vector<double> own = ways_of(ranks);
+      std::vector<double> both(ways_.size() + own.size() - 1);
+      for (std::size_t i = 0; i < ways_.size(); ++i)
+        for (std::size_t j = 0; ways_[i] > 0 && j < own.size(); ++j) both[i + j] += ways_[i] * own[j];
+      ways_ = both;
     }
-    ways_ = choices[count];
   }
 
   Tails at(std::size_t sum) const {
@@ -53,20 +89,24 @@ class ExactSums {
   }
 
  private:
-  std::vector<double> ways_;  ///< by sum
+  std::vector<double> ways_{1};  ///< by sum
 };
 
 /// The normal limit of the same.
 class NormalSums {
  public:
-  NormalSums(const std::vector<std::size_t>& ranks, std::size_t count) {
-    const auto all = static_cast<double>(ranks.size()), own = static_cast<double>(count);
-    const double mean = all + 1;
-    const double squares = std::accumulate(
-        ranks.begin(), ranks.end(), 0.0,
-        [&](double sum, std::size_t rank) { return sum + std::pow(static_cast<double>(rank) - mean, 2); });
-    mean_ = own * mean;
-    deviation_ = std::sqrt(own * (all - own) / all / (all - 1) * squares);
+  explicit NormalSums(const std::vector<Ranks>& strata) {
+    double variance = 0;
+    for (const Ranks& ranks : strata) {
+      const auto all = static_cast<double>(ranks.all.size()), own = static_cast<double>(ranks.count);
+      const double mean = all + 1;
+      const double squares = std::accumulate(
+          ranks.all.begin(), ranks.all.end(), 0.0,
+          [&](double sum, std::size_t rank) { return sum + std::pow(static_cast<double>(rank) - mean, 2); });
+      mean_ += own * mean;
+      variance += own * (all - own) / all / (all - 1) * squares;
+    }
+    deviation_ = std::sqrt(variance);
   }
 
   Tails at(std::size_t sum) const {
@@ -82,31 +122,34 @@ class NormalSums {
 };
 
 template <class Sums>
-MannWhitney compare_sums(const Sums& sums, const std::vector<std::size_t>& ranks, std::size_t count,
-                         std::size_t sum) {
-  const auto part = static_cast<std::ptrdiff_t>(count);
-  const std::size_t least = std::accumulate(ranks.begin(), ranks.begin() + part, std::size_t{0});
-  const std::size_t most = std::accumulate(ranks.end() - part, ranks.end(), std::size_t{0});
-  const double other = static_cast<double>(ranks.size() - count), own = static_cast<double>(count);
-  return {(static_cast<double>(sum) / 2 - own * (own + 1) / 2) / own / other, sums.at(sum).p_value(),
-          std::min(sums.at(least).p_value(), sums.at(most).p_value())};
+MannWhitney compare_sums(const Sums& sums, const std::vector<Ranks>& strata) {
+  std::size_t sum = 0, least = 0, most = 0;
+  double won = 0, pairs = 0;
+  for (const Ranks& ranks : strata) {
+    const auto own = static_cast<double>(ranks.count);
+    sum += ranks.sum, least += ranks.least(), most += ranks.most();
+    won += static_cast<double>(ranks.sum) / 2 - own * (own + 1) / 2;
+    pairs += own * static_cast<double>(ranks.all.size() - ranks.count);
+  }
+  return {won / pairs, sums.at(sum).p_value(), std::min(sums.at(least).p_value(), sums.at(most).p_value())};
 }
 
 }  // namespace
 
 MannWhitney mann_whitney(const std::vector<double>& first, const std::vector<double>& second) {
-  std::vector<double> sorted = first;
-  sorted.insert(sorted.end(), second.begin(), second.end());
-  std::sort(sorted.begin(), sorted.end());
-  const std::vector<std::size_t> ranks = doubled_ranks(sorted);
-  std::size_t sum = 0;
-  for (const double value : second)
-    sum += ranks[static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), value) -
-                                          sorted.begin())];
+  return mann_whitney(std::vector<Stratum>{{first, second}});
+}
+
+MannWhitney mann_whitney(const std::vector<Stratum>& strata) {
+  std::vector<Ranks> ranks;
+  std::size_t values = 0;
+  for (const Stratum& stratum : strata) {
+    ranks.push_back(ranks_of(stratum));
+    values += ranks.back().all.size();
+  }
   constexpr std::size_t most_exact = 50;
-  if (ranks.size() > most_exact)
-    return compare_sums(NormalSums(ranks, second.size()), ranks, second.size(), sum);
-  return compare_sums(ExactSums(ranks, second.size()), ranks, second.size(), sum);
+  if (values > most_exact) return compare_sums(NormalSums(ranks), ranks);
+  return compare_sums(ExactSums(ranks), ranks);
 }
 
 }  // namespace rockstack

@@ -18,4 +18,15 @@ struct MannWhitney {
 /// Precondition: neither sample is empty, no value is NaN.
 MannWhitney mann_whitney(const std::vector<double>& first, const std::vector<double>& second);
 
+/// Two samples of one stratum: what is compared within a scene and step, and nowhere else.
+struct Stratum {
+  std::vector<double> first, second;
+};
+
+/// The same over several strata: ranks are those within each, and their sums are added up (Ph. van Elteren,
+/// "On the combination of independent two-sample tests of Wilcoxon", Bull. Inst. Int. Statist. 37, 1960,
+/// whose weights are one where strata are of one size). The superiority is a share of all pairs.
+/// Precondition: at least one stratum, each as above.
+MannWhitney mann_whitney(const std::vector<Stratum>& strata);
+
 }  // namespace rockstack

@@ -85,6 +85,49 @@ TEST(MannWhitney, IsTheSameInAnyScaleAndMirroredBetweenSamples) {
   EXPECT_NEAR(mann_whitney(second, first).p_value, test.p_value, 1e-15);
 }
 
+// Of all ways to share the values out within every stratum, by counting, with ties.
+TEST(MannWhitney, StrataAddUpTheRanksWithinEach) {
+  std::mt19937_64 random(4);
+  std::uniform_int_distribution<int> few(0, 5);
+  const std::size_t size = 3;
+  for (int trial = 0; trial < 10; ++trial) {
+    std::vector<Stratum> strata(2);
+    for (Stratum& stratum : strata)
+      for (std::size_t i = 0; i < size; ++i) {
+        stratum.first.push_back(few(random));
+        stratum.second.push_back(few(random) + trial / 3);
+      }
+    std::vector<std::vector<double>> won;  // by each way to share a stratum out
+    double own = 0;
+    for (const Stratum& stratum : strata) {
+      own += share_won(stratum.first, stratum.second);
+      std::vector<double> all = stratum.first;
+      all.insert(all.end(), stratum.second.begin(), stratum.second.end());
+      won.emplace_back();
+      for (unsigned choice = 0; choice < 1U << all.size(); ++choice) {
+        if (static_cast<std::size_t>(std::popcount(choice)) != size) continue;
+        std::vector<double> in, out;
+        for (std::size_t i = 0; i < all.size(); ++i) ((choice >> i & 1U) != 0 ? in : out).push_back(all[i]);
+        won.back().push_back(share_won(out, in));
+      }
+    }
+    int low = 0, high = 0;
+    for (const double one : won[0])
+      for (const double other : won[1]) {
+        low += one + other <= own + 1e-12 ? 1 : 0;
+        high += one + other >= own - 1e-12 ? 1 : 0;
+      }
+    const auto ways = static_cast<double>(won[0].size() * won[1].size());
+    const MannWhitney test = mann_whitney(strata);
+    EXPECT_NEAR(test.p_value, std::min(1.0, 2 * std::min(low, high) / ways), 1e-12);
+    EXPECT_NEAR(test.superiority, own / 2, 1e-12);
+  }
+  // Three replicates at two steps tell apart what three at one cannot: 2/20² against 2/20.
+  const Stratum apart{{1, 2, 3}, {4, 5, 6}};
+  EXPECT_NEAR(mann_whitney({apart}).p_value, 0.1, 1e-15);
+  EXPECT_NEAR(mann_whitney({apart, apart}).p_value, 0.005, 1e-15);
+}
+
 // Of 400 pairs of equal samples, 5 % are shown to differ: 20 ± 4.4. Sizes on both sides of the exact limit.
 TEST(MannWhitney, RejectsWhatIsEqualAsOftenAsItSays) {
   for (const std::size_t size : {12U, 40U}) {
