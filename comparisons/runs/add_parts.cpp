@@ -60,8 +60,8 @@ SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, 
   return {extrapolated(solved(factor), solved(2 * factor), factor), factor};
 }
 
-void add_parts(const Scene& scene, const History& exact, const OtherAnswer& answer, bool histories,
-               RunMetrics& row, RunFiles& files) {
+void add_parts(const Scene& scene, const History& exact, const OtherAnswer& answer, double horizon,
+               bool histories, RunMetrics& row, RunFiles& files) {
   if (!answer.bodies->contacts) {
     row.split_reason = "the engine tells no contacts";
     return;
@@ -76,7 +76,7 @@ void add_parts(const Scene& scene, const History& exact, const OtherAnswer& answ
       row.spring_factor = soft.factor;
     }
     const DifferenceParts parts = difference_parts(exact, rigid, soft.history, answer.history);
-    add_sizes(parts, row);
+    add_sizes({up_to(parts.model, horizon), up_to(parts.softness, horizon), up_to(parts.step, horizon)}, row);
     if (histories) files["parts.csv"] = parts_csv(parts);
   } catch (const std::exception& failure) {
     row.split_reason = failure.what();

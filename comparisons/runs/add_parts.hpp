@@ -25,8 +25,9 @@ SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, 
 
 /// Splits the difference of an engine's answer from the exact motion, at the answer's times, into contact
 /// model, softness and step: solves the scene on rigid contacts and on springs as well. Fills in the columns
-/// of the split and, where `histories`, parts.csv. Where a motion cannot be solved the row says why.
-void add_parts(const Scene& scene, const History& exact, const OtherAnswer& answer, bool histories,
-               RunMetrics& row, RunFiles& files);
+/// of the split, up to `horizon` s, and, where `histories`, parts.csv. Where a motion cannot be solved the
+/// row says why.
+void add_parts(const Scene& scene, const History& exact, const OtherAnswer& answer, double horizon,
+               bool histories, RunMetrics& row, RunFiles& files);
 
 }  // namespace rockstack

@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/centres.hpp"
 #include "comparisons/measures/metrics/contact/corner_springs.hpp"
 #include "comparisons/measures/metrics/contact_patterns.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/metrics/energy.hpp"
 #include "comparisons/measures/metrics/magnitude_phase.hpp"
 #include "comparisons/measures/metrics/matching.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/metrics/rest.hpp"
 #include "comparisons/measures/metrics/swings.hpp"
 #include "comparisons/measures/metrics/toppling.hpp"
@@ -53,14 +56,14 @@ void add_angles(const History& exact, const History& other, const Difference& ap
   }
   const auto expected = second_peak(exact), found = second_peak(other);
   if (expected && found) row.second_peak_difference = (*found - *expected) / *expected;
-  row.residual_motion = residual_motion(exact, other);
 }
 
 /// What the exact motion itself scores when it is read from samples as an engine's is.
 void add_null_matches(const Scene& scene, const History& exact, const std::vector<ImpactTime>& expected,
-                      double interval, RunMetrics& row) {
+                      double interval, double horizon, RunMetrics& row) {
   const auto observed = observed_impacts(exact, chatter_speed(scene));
-  const AlignmentCounts counts = count(align(expected, observed, still_windows(expected, interval)));
+  const AlignmentCounts counts =
+      count(up_to(align(expected, observed, still_windows(expected, interval)), horizon));
   row.impacts_matched_null = counts.matched;
   row.impacts_missed_null = counts.missed;
   row.impacts_extra_null = counts.extra;
@@ -68,43 +71,51 @@ void add_null_matches(const Scene& scene, const History& exact, const std::vecto
 
 /// The first impact of the interface that impacts first; nothing where the other never does there.
 std::optional<double> first_difference(const std::vector<ImpactTime>& expected,
-                                       const std::vector<ImpactTime>& found) {
-  if (expected.empty()) return {};
+                                       const std::vector<ImpactTime>& found, double horizon) {
+  if (expected.empty() || expected.front().time > horizon) return {};
   for (const ImpactTime& impact : found) {
     if (impact.interface == expected.front().interface) return impact.time - expected.front().time;
   }
   return {};
 }
 
+void add_settlings(const Scene& scene, const History& exact, const History& other, double horizon,
+                   RunMetrics& row) {
+  const auto settled = settlings(scene, exact);
+  const std::vector<double> windows(settled.size(), settling_duration(scene));
+  const AlignmentCounts counts = count(up_to(align(settled, settlings(scene, other), windows), horizon));
+  row.settlings_matched = counts.matched;
+  row.settlings_missed = counts.missed;
+  row.settlings_extra = counts.extra;
+}
+
 void add_impacts(const Scene& scene, const History& exact, const OtherAnswer& answer, const Difference& apart,
-                 RunMetrics& row, RunFiles& files) {
+                 double horizon, RunMetrics& row, RunFiles& files) {
   const auto expected = reported_impacts(exact, chatter_speed(scene));
   const auto windows = matching_windows(expected, apart, answer.interval);
   const auto alignment = align(expected, answer.impacts, windows);
-  const AlignmentCounts counts = count(alignment);
+  const auto compared = up_to(alignment, horizon);
+  const AlignmentCounts counts = count(compared);
+  row.impacts = static_cast<int>(answer.impacts.size());
   row.impacts_matched = counts.matched;
   row.impacts_missed = counts.missed;
   row.impacts_extra = counts.extra;
-  row.first_impact_time_difference = first_difference(expected, answer.impacts);
+  row.first_impact_time_difference = first_difference(expected, answer.impacts, horizon);
   if (counts.matched > 0) {
-    const TimeDifferences times = time_differences(alignment);
+    const TimeDifferences times = time_differences(compared);
     row.rms_impact_time_difference = times.root_mean_square;
     row.largest_impact_time_difference = times.largest;
   }
-  add_null_matches(scene, exact, expected, answer.interval, row);
-  const ChanceMatches chance = chance_matches(expected, answer.impacts, windows, scene.duration);
+  add_null_matches(scene, exact, expected, answer.interval, horizon, row);
+  const ChanceMatches chance = chance_matches(up_to(expected, horizon), up_to(answer.impacts, horizon),
+                                              windows, std::min(horizon, scene.duration));
   row.impacts_matched_random = chance.random;
   row.impacts_matched_shifted = chance.shifted;
-  const auto settled = settlings(scene, exact);
-  const std::vector<double> settling_windows(settled.size(), settling_duration(scene));
-  const AlignmentCounts settlings_apart =
-      count(align(settled, settlings(scene, answer.history), settling_windows));
-  row.settlings_matched = settlings_apart.matched;
-  row.settlings_missed = settlings_apart.missed;
-  row.settlings_extra = settlings_apart.extra;
+  add_settlings(scene, exact, answer.history, horizon, row);
   files["impacts.csv"] = impacts_csv(alignment);
 }
 
+/// `times`: those that are compared.
 void add_patterns(const Scene& scene, const std::vector<double>& times, const History& exact,
                   const History& other, RunMetrics& row, RunFiles& files) {
   const auto expected = sampled_patterns(scene, exact), found = sampled_patterns(scene, other);
@@ -135,6 +146,23 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   row.contact_restitution = restitution_of(*row.contact_damping_ratio);
 }
 
+/// Where centres are; `exact` and `times`: those that are compared.
+void add_positions(const Scene& scene, const History& exact, const std::vector<double>& times,
+                   const std::optional<BodyRecord>& bodies, double tolerance, RunMetrics& row) {
+  const std::vector<double> centres = centres_of(scene, exact);
+  row.motion = extent_of_motion(scene, exact, centres);
+  row.error = row.rms_angle_difference;
+  if (!bodies) return;
+  const Difference apart = position_difference(times, centres, bodies->centres, scene.blocks.size());
+  const double height = least_height(scene);
+  row.largest_position_difference = largest(apart);
+  row.rms_position_difference = root_mean_square(apart);
+  row.relative_position_difference = largest(apart) / height;
+  row.position_agreement_time = agreement_time(apart, tolerance * height);
+  row.error = std::max(*row.error, *row.rms_position_difference / height);
+  row.sinking = support_of(bodies->penetration, bodies->unsupported_since).sinking;
+}
+
 std::vector<ImpactTime> told_impacts(const std::vector<ContactImpact>& impacts, double slowest) {
   std::vector<ImpactTime> list;
   for (const ContactImpact& impact : impacts)
@@ -147,18 +175,18 @@ std::vector<ImpactTime> told_impacts(const std::vector<ContactImpact>& impacts, 
 
 /// The impacts that the engine's contacts tell, beside the exact ones and beside those read from its angles.
 void add_contact_impacts(const Scene& scene, const History& exact, const OtherAnswer& answer,
-                         const Difference& apart, RunMetrics& row, RunFiles& files) {
+                         const Difference& apart, double horizon, RunMetrics& row, RunFiles& files) {
   if (!answer.bodies->contacts) return;
   const double slowest = chatter_speed(scene);
   const auto told = told_impacts(answer.bodies->contacts->impacts, slowest);
   const auto expected = reported_impacts(exact, slowest);
   const auto alignment = align(expected, told, matching_windows(expected, apart, answer.interval));
-  const AlignmentCounts counts = count(alignment);
+  const AlignmentCounts counts = count(up_to(alignment, horizon));
   row.contact_impacts_matched = counts.matched;
   row.contact_impacts_missed = counts.missed;
   row.contact_impacts_extra = counts.extra;
   const AlignmentCounts readings =
-      count(align(answer.impacts, told, still_windows(answer.impacts, answer.interval)));
+      count(up_to(align(answer.impacts, told, still_windows(answer.impacts, answer.interval)), horizon));
   row.impact_readings_differ = readings.missed + readings.extra;
   files["contact_impacts.csv"] = impacts_csv(alignment);
 }
@@ -174,23 +202,35 @@ History exact_motion(const Scene& scene, const std::vector<double>& times) {
 
 }  // namespace
 
-void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswer& answer, RunMetrics& row,
-                        RunFiles& files) {
+void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswer& answer, double horizon,
+                        RunMetrics& row, RunFiles& files) {
   const Wanted& wanted = suite.wanted;
   const History& history = answer.history;
   const History exact = exact_motion(scene, history.times);
   const Difference apart = difference(exact, history);
+  row.horizon = horizon;
+  // Times are rounded: where everything is compared, so is the last sample.
+  if (horizon >= scene.duration) horizon = std::numeric_limits<double>::infinity();
+  const Difference compared = up_to(apart, horizon);
   row.toppling_verdict = toppling_verdict(!reported_toppling(exact).empty(), answer.topples);
-  if (wanted.angles) add_angles(exact, history, apart, suite.tolerance, row);
-  if (wanted.impacts) add_impacts(scene, exact, answer, apart, row, files);
-  if (wanted.patterns) add_patterns(scene, apart.times, exact, history, row, files);
-  if (answer.bodies) add_bodies(scene, *answer.bodies, row);
-  if (answer.bodies && wanted.impacts) add_contact_impacts(scene, exact, answer, apart, row, files);
-  if (answer.bodies && suite.softness) add_parts(scene, exact, answer, wanted.histories, row, files);
+  if (wanted.angles) {
+    const History seen = up_to(exact, horizon);
+    add_angles(seen, up_to(history, horizon), compared, suite.tolerance, row);
+    add_positions(scene, seen, compared.times, answer.bodies, suite.tolerance, row);
+    row.peak_angle = largest_angle(history);
+    row.exact_peak_angle = largest_angle(exact);
+    row.residual_motion = residual_motion(exact, history);
+  }
+  if (wanted.impacts) add_impacts(scene, exact, answer, apart, horizon, row, files);
+  if (wanted.patterns) add_patterns(scene, compared.times, exact, history, row, files);
+  const bool bodies = answer.bodies && wanted.bodies;
+  if (bodies) add_bodies(scene, *answer.bodies, row);
+  if (bodies && wanted.impacts) add_contact_impacts(scene, exact, answer, apart, horizon, row, files);
+  if (bodies && suite.softness) add_parts(scene, exact, answer, horizon, wanted.histories, row, files);
   if (!wanted.histories) return;
   files["history.csv"] = history_csv(history);
   files["difference.csv"] = difference_csv(apart);
-  if (answer.bodies) files["energy.csv"] = energy_csv(apart.times, energies(scene, exact), *answer.bodies);
+  if (bodies) files["energy.csv"] = energy_csv(apart.times, energies(scene, exact), *answer.bodies);
 }
 
 }  // namespace rockstack

@@ -17,24 +17,22 @@
 #include "comparisons/measures/statistics/fits.hpp"
 #include "comparisons/measures/statistics/ranking.hpp"
 #include "comparisons/runs/draws.hpp"
+#include "comparisons/runs/judge.hpp"
 #include "comparisons/runs/measure.hpp"
 #include "comparisons/runs/paper_statements.hpp"
 #include "comparisons/runs/parts.hpp"
-#include "comparisons/runs/predictability.hpp"
 
 namespace rockstack {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Empty where the suite asks for no draws, or the scene cannot be solved.
-Json predictable_json(const Suite& suite, const Scene& scene) {
-  if (suite.draws.runs < 2) return {};
-  try {
-    return predictable_time(scene, suite.draws, suite.tolerance);
-  } catch (const std::exception&) {
-    return {};
-  }
+/// Empty where the scene cannot be solved.
+Json predictable_json(const std::string& scene, const std::vector<RunMetrics>& rows) {
+  const auto exact = std::find_if(rows.begin(), rows.end(), [&](const RunMetrics& row) {
+    return row.scene == scene && row.engine == "exact";
+  });
+  return exact != rows.end() && exact->horizon ? Json(*exact->horizon) : Json();
 }
 
 Json statements_json(const std::vector<Suite>& suites) {
@@ -60,9 +58,9 @@ std::vector<const WorkerEngine*> engines_of(const std::vector<Suite>& suites) {
   return list;
 }
 
-Json comparison_json(const std::vector<Suite>& suites, const std::vector<RunMetrics>& rows,
-                     const std::vector<SeriesFit>& fits, const std::vector<DistributionDistance>& apart,
-                     const std::string& command) {
+Json comparison_json(const std::vector<Suite>& suites, const CompareResult& result,
+                     const ComparisonEvidence& evidence, const std::string& command) {
+  const std::vector<RunMetrics>& rows = result.rows;
   Json json;
   std::vector<std::string> titles;
   json["scenes"] = Json::array();
@@ -75,7 +73,7 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<RunMetr
                     {"draw_steps", suite.draws.steps},
                     {"draw_scene", suite.draws.scene},
                     {"draw_seed", suite.draws.seed},
-                    {"predictable_time", predictable_json(suite, scene.scene)},
+                    {"predictable_time", predictable_json(scene.name, rows)},
                     {"results", names_of(suite.wanted)},
                     {"perturbations", suite.perturbations.runs},
                     {"perturbation_size", suite.perturbations.size},
@@ -85,6 +83,7 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<RunMetr
     }
   }
   json["title"] = fmt::format("{}", fmt::join(titles, "; "));
+  json["verdict"] = verdict_json(result.verdict, judged_scenes(suites));
   for (const Column& column : columns()) json["definitions"][column.name] = column.definition;
   json["tolerance_rad"] = suites.front().tolerance;
   json["left_out"] = engines_left_out();
@@ -92,9 +91,9 @@ Json comparison_json(const std::vector<Suite>& suites, const std::vector<RunMetr
   json["command"] = command;
   json["statements"] = statements_json(suites);
   json["fit_definition"] = fit_definition();
-  json["fits"] = fits_json(fits);
+  json["fits"] = fits_json(evidence.fits);
   json["distribution_definition"] = distribution_definition();
-  json["distributions"] = distributions_json(apart);
+  json["distributions"] = distributions_json(evidence.distances);
   json["rows"] = Json::array();
   for (const RunMetrics& row : rows) json["rows"].push_back(metrics_json(row));
   return json;
@@ -167,20 +166,28 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
                       Executor& executor, const CompareOptions& options) {
   require_comparable(suites);
   const std::vector<Job> jobs = jobs_of(suites);
-  const MadeParts made = make_parts(jobs, folder, executor, options.command, options.progress);
-  CompareResult result{medians(made.rows), made.reused};
-  const std::vector<SeriesFit> fits = fit_runs(result.rows);
-  const std::vector<DistributionDistance> apart = distances(result.rows, folder);
+  const std::vector<JudgedScene> scenes = judged_scenes(suites);
+  RowTeller teller(jobs, scenes, options.rows);
+  const MadeParts made = make_parts(
+      jobs, folder, executor, options.command,
+      {options.progress, [&](std::size_t job, const DrawnRow& row) { teller.add(jobs[job], row); }});
+  ComparisonEvidence evidence{told_rows(made.rows, scenes), {}, {}};
+  CompareResult result{{}, made.reused, {}};
+  for (const ReplicatedRow& one : evidence.rows) result.rows.push_back(one.row);
+  evidence.fits = fit_runs(result.rows);
+  evidence.distances = distances(result.rows, folder);
+  result.verdict = verdict_of(evidence, scenes);
   write_ground(suites, folder);
-  if (!apart.empty()) write_file(folder / "distributions.csv", distributions_csv(apart));
-  if (!fits.empty()) write_file(folder / "fits.csv", fits_csv(fits));
+  if (!evidence.distances.empty())
+    write_file(folder / "distributions.csv", distributions_csv(evidence.distances));
+  if (!evidence.fits.empty()) write_file(folder / "fits.csv", fits_csv(evidence.fits));
   if (std::any_of(jobs.begin(), jobs.end(), is_drawn))
     write_file(folder / "spread.csv", spread_csv(made.rows));
-  if (const auto ranking = rank_sets(result.rows); !ranking.empty())
+  if (const auto ranking = rank_sets(evidence.rows); !ranking.empty())
     write_file(folder / "ranking.csv", ranking_csv(ranking));
   write_file(folder / "comparison.csv", comparison_csv(result.rows));
   write_file(folder / "comparison.json",
-             comparison_json(suites, result.rows, fits, apart, options.command).dump(2) + "\n");
+             comparison_json(suites, result, evidence, options.command).dump(2) + "\n");
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "comparisons/measures/results/run_metrics.hpp"
+#include "comparisons/measures/verdict/verdict.hpp"
 #include "comparisons/runs/parts.hpp"
 #include "comparisons/suites/suite.hpp"
 
@@ -18,11 +19,15 @@ struct CompareOptions {
   std::size_t jobs =
       1;  ///< runs at a time, ≥ 1; with more than one, times are those of runs that share the machine
   std::function<void(const Progress&)> progress = [](const Progress&) {};  ///< from one thread at a time
+  /// Likewise of rows as soon as they are done: those of a scene's exact solutions, and of engines those of a
+  /// scene and step together, ranked.
+  std::function<void(const std::vector<RunMetrics>&)> rows = [](const std::vector<RunMetrics>&) {};
 };
 
 struct CompareResult {
   std::vector<RunMetrics> rows;
   std::size_t reused = 0;  ///< rows of runs that were there already
+  ComparisonVerdict verdict;
 };
 
 /// @throws InputError where suites cannot be one comparison: two scenes share a name, tolerances differ, or a

@@ -79,7 +79,7 @@ bool is_drawn(const Job& job) {
 
 std::vector<RunMetrics> make_draws(const Job& job, std::size_t threads) {
   const Suite suite = without_histories(job.suite);
-  const Job lean{suite, job.scene, job.dt, job.series};
+  const Job lean{suite, job.scene, job.dt, job.series, nullptr, job.horizon};
   std::vector<RunMetrics> rows(static_cast<std::size_t>(suite.draws.runs) - 1);
   std::vector<std::size_t> parts(rows.size());
   std::iota(parts.begin(), parts.end(), 0);

@@ -85,9 +85,10 @@ std::string identity(const Job& job) {
     text = fmt::format("{:x}", file_checksum(engine.program()));
   }
   const Perturbations& around = job.suite.perturbations;
-  text += fmt::format(" {} {} {} {} {} {} {:x} ", fmt::join(names_of(job.suite.wanted), " "),
+  const Draws& nearby = job.suite.draws;  // the horizon is theirs
+  text += fmt::format(" {} {} {} {} {} {} {} {} {:x} ", fmt::join(names_of(job.suite.wanted), " "),
                       job.suite.tolerance, job.suite.history_interval, around.runs, around.size, around.seed,
-                      file_checksum(own_file()));
+                      nearby.scene, nearby.seed, file_checksum(own_file()));
   return fmt::format("{:016x}", checksum(text + run.dump()));
 }
 

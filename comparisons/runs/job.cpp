@@ -10,6 +10,10 @@ bool is_baseline(const Job& job) {
   return job.variant != nullptr && job.variant->choice == Variant::Choice::rk4;
 }
 
+double horizon_of(const Job& job) {
+  return job.horizon ? job.horizon->time() : job.scene.scene.duration;
+}
+
 RunMetrics describe(const Job& job) {
   RunMetrics row;
   row.scene = job.scene.name;

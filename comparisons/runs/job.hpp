@@ -1,6 +1,9 @@
 #pragma once
 
+#include <memory>
+
 #include "comparisons/measures/results/run_metrics.hpp"
+#include "comparisons/runs/predictability.hpp"
 #include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
@@ -13,10 +16,15 @@ struct Job {
   double dt;  ///< of a series or of the variant rk4, s
   const EngineSeries* series = nullptr;
   const Variant* variant = nullptr;
+  std::shared_ptr<const Horizon> horizon =
+      nullptr;  ///< of the scene, one for all its jobs; null: its duration
 };
 
 /// True for the variant with Runge–Kutta steps, the one that has a time step.
 bool is_baseline(const Job& job);
+
+/// Up to when the job's histories are compared, s.
+double horizon_of(const Job& job);
 
 /// The row of a run before it is made: what is run, without results.
 RunMetrics describe(const Job& job);

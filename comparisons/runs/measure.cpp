@@ -99,14 +99,14 @@ void add_history(const History& history, RunFiles& files) {
 }
 
 /// The files of one motion by itself; what shows it needs the scene as it was run.
-void write_motion(const NamedScene& scene, const History& history, Json summary,
+void write_motion(const NamedScene& scene, const History& history, const Support& support, Json summary,
                   const std::filesystem::path& folder) {
   write_file(folder / "history.csv", history_csv(history));
   write_file(folder / "events.csv", events_csv(history));
   if (!scene.scene.horizontal.empty() || !scene.scene.vertical.empty())
     write_file(folder / "ground.csv", ground_csv(scene.scene));
   if (summary.at("status") == name(RunStatus::done))
-    summary["verdict"] = motion_verdict(scene.scene, history);
+    summary["verdict"] = motion_verdict(scene.scene, history, support);
   summary["scene_as_run"] = scene_json(scene.scene);
   write_file(folder / summary_name, summary.dump(2) + "\n");
 }
@@ -150,6 +150,9 @@ Json run_exact(const Job& job, RunMetrics& row, const std::string& command, RunF
   const Scene& scene = job.scene.scene;
   const History history = solve_keeping_known(scene, sampled(scene), files);
   row.toppled = reported_toppling(history);
+  row.horizon = horizon_of(job);
+  row.impacts = static_cast<int>(reported_impacts(history, chatter_speed(scene)).size());
+  row.slower_impacts = static_cast<int>(reported_impacts(history, 0).size()) - *row.impacts;
   set_time(time_solving(scene, job.suite.repeats), motion_time(scene, history), row);
   add_history(history, files);
   files["reactions.csv"] = reactions_csv(scene, history);
@@ -169,7 +172,7 @@ Json run_variant(const Job& job, RunMetrics& row, const std::string& command, Ru
   compare_with_exact(
       job.scene.scene, job.suite,
       {history, sample_interval, reported_impacts(history, chatter_speed(scene)), !row.toppled.empty(), {}},
-      row, files);
+      horizon_of(job), row, files);
   files["events.csv"] = events_csv(history);
   run_perturbed(
       job, [&](const Scene& other) { return exact_tally(job.variant->apply(other)); }, files);
@@ -204,7 +207,7 @@ Json run_engine(const Job& job, RunMetrics& row, const std::string& command, Run
 RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int repeats, RunFiles& files) {
   const EngineSeries& series = *job.series;
   const WorkerRun made = run_in_worker(*series.engine, scene, dt, series.parameters, repeats,
-                                       job.suite.limits, job.suite.wanted.bodies);
+                                       job.suite.limits, job.suite.wanted.bodies || job.suite.wanted.angles);
   RunMetrics row = describe(job);
   row.dt = dt;
   row.processor_time = made.processor_time;
@@ -216,10 +219,11 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
   row.steps = static_cast<int>(history.size() - 1);
   row.warnings = static_cast<int>(warnings);
   row.toppled = observed_toppling(scene, history);
+  if (bodies) row.fallen = fallen_block(bodies->unsupported_since);
   compare_with_exact(scene, job.suite,
-                     {history, dt, observed_impacts(history, chatter_speed(scene)), !row.toppled.empty(),
-                      bodies, acting_friction(series, scene)},
-                     row, files);
+                     {history, dt, observed_impacts(history, chatter_speed(scene)),
+                      !row.toppled.empty() || !row.fallen.empty(), bodies, acting_friction(series, scene)},
+                     horizon_of(job), row, files);
   if (repeats > 0) set_time(stepping_time(made.seconds), history.times.back(), row);
   return row;
 }
@@ -262,7 +266,7 @@ History solve_into(const NamedScene& scene, const SolveOptions& options,
     Json json =
         summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, {}, command);
     add_validity(scene.scene, history, json);
-    write_motion(scene, history, std::move(json), folder);
+    write_motion(scene, history, {}, std::move(json), folder);
   };
   try {
     History history = solve(scene.scene, options);
@@ -277,17 +281,19 @@ History solve_into(const NamedScene& scene, const SolveOptions& options,
   }
 }
 
-History simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
-                      const std::filesystem::path& folder, const std::string& command) {
-  auto [history, warnings, bodies] = simulate(*series.engine, scene.scene, dt, series.parameters);
+SimulatedMotion simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
+                              const std::filesystem::path& folder, const std::string& command) {
+  auto [history, warnings, bodies] = simulate(*series.engine, scene.scene, dt, series.parameters, {}, true);
+  const Support support = support_of(bodies->penetration, bodies->unsupported_since);
   RunMetrics row = describe({{}, scene, dt, &series});
   row.steps = static_cast<int>(history.size() - 1);
   row.warnings = static_cast<int>(warnings);
   row.toppled = observed_toppling(scene.scene, history);
   history.patterns = sampled_patterns(scene.scene, history);
-  write_motion(scene, history,
+  row.fallen = support.fallen;
+  write_motion(scene, history, support,
                summary(row, scene, all_parameters(series, scene.scene), {series.engine}, command), folder);
-  return std::move(history);
+  return {std::move(history), support};
 }
 
 }  // namespace rockstack

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "analytic/scene/solve_options.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/runs/job.hpp"
 #include "comparisons/runs/run_files.hpp"
 
@@ -33,9 +34,15 @@ History solve_into(const NamedScene& scene, const SolveOptions& options,
                    const std::vector<std::string>& histories, const std::filesystem::path& folder,
                    const std::string& command);
 
+/// An engine's motion, and how its blocks end on what they stand on.
+struct SimulatedMotion {
+  History history;
+  Support support;
+};
+
 /// Runs one engine and writes the same files, with patterns as its angles tell them (contact_patterns.hpp);
 /// an engine reports no events, so events.csv has its header alone.
-History simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
-                      const std::filesystem::path& folder, const std::string& command);
+SimulatedMotion simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
+                              const std::filesystem::path& folder, const std::string& command);
 
 }  // namespace rockstack

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <thread>
@@ -33,6 +34,37 @@ double expected_work(const Job& job, bool draws) {
   return fixed + runs * job.scene.scene.duration / job.dt;
 }
 
+/// Of all parts, 0 where there is none to do.
+std::vector<double> work_of(const std::vector<Job>& jobs) {
+  std::vector<double> work;
+  for (const bool draws : {false, true}) {
+    for (const Job& job : jobs) work.push_back(draws && !is_drawn(job) ? 0 : expected_work(job, draws));
+  }
+  return work;
+}
+
+/// The numbers of all parts that there are to do: scene by scene, from coarse steps to fine ones, so that
+/// what takes little is known soon.
+std::vector<std::size_t> order_of(const std::vector<Job>& jobs) {
+  std::vector<std::size_t> sorted(jobs.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::map<std::string, std::size_t> scenes;
+  for (const Job& job : jobs) scenes.emplace(job.scene.name, scenes.size());
+  const auto key = [&](std::size_t i) {
+    const Job& job = jobs[i];
+    return std::pair(scenes.at(job.scene.name),
+                     job.series == nullptr ? -std::numeric_limits<double>::infinity() : -job.dt);
+  };
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::vector<std::size_t> parts;
+  for (const std::size_t job : sorted) {
+    parts.push_back(job);
+    if (is_drawn(jobs[job])) parts.push_back(job + jobs.size());
+  }
+  return parts;
+}
+
 /// Counts parts, and the work that is left.
 class ProgressCounter {
  public:
@@ -43,10 +75,16 @@ class ProgressCounter {
     tell_(report_);
   }
 
+  void begin(const std::string& run) {
+    report_.running = run;
+    tell_(report_);
+  }
+
   /// A part that was there, or was made since.
   void finish(std::size_t part, const std::string& run, bool made) {
     ++report_.done;
     report_.last = run;
+    if (report_.running == run) report_.running.clear();
     left_ -= work_[part];
     if (made) done_ += work_[part];
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
@@ -73,7 +111,12 @@ std::string text_of(const std::filesystem::path& file) {
 class Runs {
  public:
   Runs(const std::vector<Job>& jobs, const std::filesystem::path& folder)
-      : jobs_(jobs), folder_(folder), rows_(jobs.size()) {}
+      : jobs_(jobs), folder_(folder), rows_(jobs.size()) {
+    for (const Job& job : jobs) left_.push_back(is_drawn(job) ? 2 : 1);
+  }
+
+  /// Counts a part of a job as done: true where it was the last one.
+  bool finish_part(std::size_t job) { return --left_[job] == 0; }
 
   /// Takes what is there already: true where a part is.
   bool find(std::size_t number) {
@@ -129,6 +172,7 @@ class Runs {
 
   const std::vector<Job>& jobs_;
   std::filesystem::path folder_;
+  std::vector<int> left_;                     ///< parts of each job
   std::vector<DrawnRow> rows_;                ///< a nominal row without a name is not there yet
   std::map<std::size_t, std::string> texts_;  ///< draws that came before their nominal run
 };
@@ -139,11 +183,12 @@ std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
   std::vector<Job> jobs;
   for (const Suite& suite : suites) {
     for (const NamedScene& scene : suite.scenes) {
-      jobs.push_back({suite, scene, {}});
+      const auto horizon = std::make_shared<const Horizon>(suite, scene);
+      jobs.push_back({suite, scene, {}, nullptr, nullptr, horizon});
       for (const Variant& variant : suite.variants)
-        jobs.push_back({suite, scene, variant.step, nullptr, &variant});
+        jobs.push_back({suite, scene, variant.step, nullptr, &variant, horizon});
       for (const EngineSeries& series : suite.series) {
-        for (const double dt : series.steps) jobs.push_back({suite, scene, dt, &series});
+        for (const double dt : series.steps) jobs.push_back({suite, scene, dt, &series, nullptr, horizon});
       }
     }
   }
@@ -160,45 +205,40 @@ std::string compute_part(const std::vector<Job>& jobs, std::size_t number, const
 }
 
 MadeParts make_parts(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
-                     const std::string& command, const std::function<void(const Progress&)>& tell) {
+                     const std::string& command, const Listener& listener) {
   Runs runs(jobs, folder);
-  std::vector<double> work;
-  for (const bool draws : {false, true}) {
-    for (const Job& job : jobs) work.push_back(draws && !is_drawn(job) ? 0 : expected_work(job, draws));
-  }
-  ProgressCounter progress(work, tell);
+  const std::vector<std::size_t> order = order_of(jobs);
+  ProgressCounter progress(work_of(jobs), listener.progress);
+  const auto finish = [&](std::size_t part, bool made) {
+    progress.finish(part, runs.name(part), made);
+    const std::size_t job = part_of(part, jobs.size()).job;
+    if (runs.finish_part(job)) listener.row(job, runs.rows()[job]);
+  };
   std::vector<std::size_t> parts;
   std::size_t reused = 0;
-  for (std::size_t i = 0; i < work.size(); ++i) {
-    if (work[i] == 0) continue;
+  for (const std::size_t i : order) {
     if (!runs.find(i)) {
       parts.push_back(i);
       continue;
     }
     if (i < jobs.size()) ++reused;
-    progress.finish(i, runs.name(i), false);
+    finish(i, false);
   }
   const auto compute = [&](std::size_t i) { return compute_part(jobs, i, command, executor.count()); };
   const auto deliver = [&](std::size_t i, const std::string& text) {
     runs.deliver(i, text);
-    progress.finish(i, runs.name(i), true);
+    finish(i, true);
   };
   const auto needless = [&](std::size_t i) {
-    if (!runs.is_needless(i)) return false;
-    progress.finish(i, runs.name(i), false);
+    if (!runs.is_needless(i)) {
+      progress.begin(runs.name(i));
+      return false;
+    }
+    finish(i, false);
     return true;
   };
   executor.run(parts, {compute, deliver, [] { return false; }, needless});
   return {runs.rows(), reused};
-}
-
-std::vector<RunMetrics> medians(const std::vector<DrawnRow>& rows) {
-  std::vector<RunMetrics> list;
-  for (const auto& [nominal, draws] : rows) {
-    list.push_back(nominal);
-    if (!draws.empty() && nominal.status == RunStatus::done) summarise(draws, list.back());
-  }
-  return list;
 }
 
 }  // namespace rockstack

@@ -17,6 +17,7 @@ namespace rockstack {
 struct Progress {
   std::size_t done = 0, total = 0;  ///< runs
   std::string last;                 ///< the run that was finished last; empty at the beginning
+  std::string running;              ///< the run that was begun last and is not finished; empty where none is
   /// Time to go by the expected work that is left, s; unknown before a run is finished.
   std::optional<double> remaining;
 };
@@ -34,12 +35,16 @@ struct MadeParts {
   std::size_t reused = 0;      ///< nominal runs that were there already
 };
 
-/// Makes the parts that FOLDER/runs does not have, nominal runs first, and tells how far it has come. Draws
-/// of a run that has failed are not made. Precondition: executor.leads().
-MadeParts make_parts(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
-                     const std::string& command, const std::function<void(const Progress&)>& tell);
+/// What is told of parts as they are made, from one thread at a time.
+struct Listener {
+  std::function<void(const Progress&)> progress;
+  std::function<void(std::size_t job, const DrawnRow&)> row;  ///< of a job whose parts are all there
+};
 
-/// The rows as a comparison tells them: medians where there are draws.
-std::vector<RunMetrics> medians(const std::vector<DrawnRow>& rows);
+/// Makes the parts that FOLDER/runs does not have, scene by scene from coarse steps to fine ones, a run
+/// before its draws, and tells how far it has come. Draws of a run that has failed are not made.
+/// Precondition: executor.leads().
+MadeParts make_parts(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
+                     const std::string& command, const Listener& listener);
 
 }  // namespace rockstack

@@ -1,6 +1,7 @@
 #include "comparisons/runs/predictability.hpp"
 
 #include <algorithm>
+#include <exception>
 
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
@@ -17,6 +18,19 @@ double predictable_time(const Scene& scene, const Draws& draws, double tolerance
     if (largest(apart) > tolerance) time = std::min(time, agreement_time(apart, tolerance));
   }
   return time;
+}
+
+double Horizon::time() const {
+  std::call_once(found_, [this] {
+    Draws draws = suite_.draws;
+    draws.runs = horizon_scenes;
+    try {
+      time_ = predictable_time(scene_.scene, draws, suite_.tolerance);
+    } catch (const std::exception&) {
+      time_ = scene_.scene.duration;
+    }
+  });
+  return time_;
 }
 
 }  // namespace rockstack

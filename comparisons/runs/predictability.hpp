@@ -1,7 +1,9 @@
 #pragma once
 
+#include <mutex>
+
 #include "analytic/scene/scene.hpp"
-#include "comparisons/suites/perturbations.hpp"
+#include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
 
@@ -10,5 +12,25 @@ namespace rockstack {
 /// duration where none ever is. Later only distributions can be compared.
 /// @throws as solve().
 double predictable_time(const Scene& scene, const Draws& draws, double tolerance);
+
+/// How many scenes that hardly differ tell the horizon of one, itself included: of a suite's size and seed,
+/// but as many whatever its number of draws, so that a scene has one horizon.
+inline constexpr int horizon_scenes = 21;
+
+/// Up to when histories of a suite's scene can be compared, found where it is first asked for. Keeps
+/// references to the suite and the scene.
+class Horizon {
+ public:
+  Horizon(const Suite& suite, const NamedScene& scene) : suite_(suite), scene_(scene) {}
+
+  /// predictable_time(), s; the duration where the exact motion cannot be found, so that nothing is compared.
+  double time() const;
+
+ private:
+  const Suite& suite_;
+  const NamedScene& scene_;
+  mutable std::once_flag found_;
+  mutable double time_ = 0;
+};
 
 }  // namespace rockstack

@@ -202,8 +202,8 @@ Trajectory run(const WorkerEngine& engine, const Setup& setup, const Parameters&
 }
 
 EngineRun simulate(const WorkerEngine& engine, const Scene& scene, double dt, const Parameters& parameters,
-                   const Limits& limits) {
-  WorkerRun result = run_in_worker(engine, scene, dt, parameters, 0, limits);
+                   const Limits& limits, bool bodies) {
+  WorkerRun result = run_in_worker(engine, scene, dt, parameters, 0, limits, bodies);
   if (result.status != "done") throw std::runtime_error(result.status + ": " + result.reason);
   return std::move(result.run);
 }

@@ -66,6 +66,6 @@ WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double d
 /// As simulate() of an engine in this process. @throws std::runtime_error for whatever kept the run from
 /// being done.
 EngineRun simulate(const WorkerEngine& engine, const Scene& scene, double dt, const Parameters& parameters,
-                   const Limits& limits = {});
+                   const Limits& limits = {}, bool bodies = false);
 
 }  // namespace rockstack

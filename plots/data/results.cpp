@@ -63,6 +63,16 @@ void read_distances(const Json& json, Comparison& comparison) {
   }
 }
 
+/// Sentences that the comparison made of its rows.
+void read_verdict(const Json& json, Comparison& comparison) {
+  const Json verdict = json.value("verdict", Json::object());
+  comparison.headline = verdict.value("headline", std::vector<std::string>());
+  for (const Json& one : verdict.value("scenes", Json::array()))
+    for (ComparedScene& scene : comparison.scenes)
+      if (scene.name == one.at("name").get<std::string>())
+        scene.sentences = one.at("sentences").get<std::vector<std::string>>();
+}
+
 void read_description(const Json& json, Comparison& comparison) {
   comparison.title = json.at("title").get<std::string>();
   comparison.command = json.at("command").get<std::string>();
@@ -95,6 +105,7 @@ void read_description(const Json& json, Comparison& comparison) {
          statement.at("computed").get<std::string>()});
   read_fits(json, comparison);
   read_distances(json, comparison);
+  read_verdict(json, comparison);
 }
 
 void check_description(const Comparison& comparison, const std::filesystem::path& file) {

@@ -67,6 +67,8 @@ struct ComparedScene {
   bool split = false;                 ///< whether differences are split into parts
   bool frictions = false;             ///< whether the exact solver ran with other friction too
 
+  std::vector<std::string> sentences = {};  ///< what its rows come to; none where the results do not say
+
   bool has(const std::string& result) const;
 };
 
@@ -102,6 +104,7 @@ struct Comparison {
   Facts definitions;     ///< what each column means
   Facts environment;     ///< versions, compiler, processor
   double tolerance = 0;  ///< rad, the difference up to which angles count as agreeing; > 0
+  std::vector<std::string> headline;  ///< what the comparison comes to, in sentences
   std::vector<std::string> left_out;
   std::vector<PaperStatement> statements;  ///< none where the suite does not ask for them
   std::vector<Fit> fits;

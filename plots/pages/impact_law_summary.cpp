@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
+#include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/law_counts.hpp"
 #include "plots/data/selection.hpp"
-#include "plots/pages/sentences.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -8,10 +8,10 @@
 #include <map>
 #include <set>
 
+#include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/scores.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/pages/html.hpp"
-#include "plots/pages/sentences.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -2,21 +2,21 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
 
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/figures/comparison/figures.hpp"
-#include "plots/pages/answer.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
 #include "plots/pages/parts_table.hpp"
 #include "plots/pages/remarks.hpp"
 #include "plots/pages/runs_table.hpp"
-#include "plots/pages/summary.hpp"
 #include "plots/pages/template.hpp"
 
 namespace rockstack::plots {
@@ -108,12 +108,23 @@ std::string contents_list(const Comparison& comparison) {
   return element("ul", items);
 }
 
+std::vector<std::string> counts_of(const Comparison& comparison) {
+  const auto failed = static_cast<std::size_t>(std::count_if(comparison.runs.begin(), comparison.runs.end(),
+                                                             [](const Run& run) { return !run.done(); }));
+  std::vector<std::string> sentences{
+      fmt::format("{} of {}; {} failed.", counted(comparison.runs.size(), "run"),
+                  counted(comparison.scenes.size(), "scene"), failed == 0 ? "none" : std::to_string(failed))};
+  if (!comparison.left_out.empty())
+    sentences.push_back(fmt::format("This build leaves out {}.", joined(comparison.left_out)));
+  return sentences;
+}
+
 std::string whole_summary(const Comparison& comparison) {
-  std::string text = sentence_list(summary(comparison));
+  std::string text = sentence_list(counts_of(comparison));
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
     const ComparedScene& scene = comparison.scenes[i];
     text += element("h3", fmt::format("<a href=\"#{}\">{}</a>", scene_anchor(i), escaped(scene.title))) +
-            sentence_list(summary(comparison, scene));
+            sentence_list(scene.sentences);
   }
   return text;
 }
@@ -136,7 +147,7 @@ std::string content(const fs::path& results, const Comparison& comparison) {
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) scenes += scene_section(results, comparison, i);
   return filled_in(report_html, {{"title", escaped(comparison.title)},
                                  {"contents", contents_list(comparison)},
-                                 {"answer", answer_box(answer(comparison))},
+                                 {"answer", answer_box(comparison.headline)},
                                  {"figures", further_figures(results, comparison)},
                                  {"summary", whole_summary(comparison)},
                                  {"statements", statements_section(comparison)},

@@ -12,12 +12,12 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/figures/sweep/drawings.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
-#include "plots/pages/sentences.hpp"
 #include "plots/pages/template.hpp"
 
 namespace rockstack::plots {

@@ -224,7 +224,9 @@ Json engine_answer(const LiveState& state, const WorkerRun& run, std::size_t str
   if (run.run.bodies)
     add_energies(answer, state.scene, kept_rows(history.times, 1, stride),
                  kept_rows(run.run.bodies->energy, 1, stride));
-  answer["verdict"] = motion_verdict(state.scene, history);
+  const auto& bodies = run.run.bodies;
+  answer["verdict"] = motion_verdict(
+      state.scene, history, bodies ? support_of(bodies->penetration, bodies->unsupported_since) : Support{});
   answer["warnings"] = run.run.warnings;
   return answer;
 }

@@ -9,6 +9,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/solve.hpp"
+#include "comparisons/interfaces/program/comparison_output.hpp"
 #include "comparisons/interfaces/program/executor_choice.hpp"
 #include "comparisons/interfaces/program/output.hpp"
 #include "comparisons/measures/metrics/contact/validity.hpp"
@@ -216,7 +217,7 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
       .step = arguments.step};
   const ResultsFolder folder(arguments.out, Results::motion);
   const History history = solve_into(scene, options, arguments.histories, arguments.out, common.command);
-  print_history(scene.scene, history, arguments.out, common);
+  print_history(scene.scene, history, {}, arguments.out, common);
   show_motion(arguments.out, arguments.plots, common);
   return 0;
 }
@@ -229,8 +230,8 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   check_step(arguments.dt, scene.scene.duration);
   const ResultsFolder folder(arguments.out, Results::motion);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);
-  const History history = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
-  print_history(scene.scene, history, arguments.out, common);
+  const auto [history, support] = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
+  print_history(scene.scene, history, support, arguments.out, common);
   show_motion(arguments.out, arguments.plots, common);
   return 0;
 }
@@ -263,13 +264,15 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   require_comparable(suites);
   const ResultsFolder folder(arguments.out, Results::comparison);
   announce_disk_use(suites, arguments.out, common);
+  print_legend(suites, common);
   const CompareResult result =
-      compare(suites, arguments.out, *executor, {.command = common.command, .progress = progress(common)});
-  print_rows(result, arguments.out, common);
+      compare(suites, arguments.out, *executor,
+              {.command = common.command, .progress = progress(common), .rows = row_printer(common)});
 #ifdef ROCKSTACK_WITH_PLOTS
   draw_few(suites, arguments.out, common);
 #endif
   print_report(arguments.out, common);
+  print_comparison(result, arguments.out, common);
   const auto failed = [](const RunMetrics& row) { return row.status != RunStatus::done; };
   return std::any_of(result.rows.begin(), result.rows.end(), failed) ? 1 : 0;
 }

@@ -12,58 +12,12 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/measures/metrics/contact/validity.hpp"
-#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/results/build.hpp"
 
 namespace rockstack {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class Value>
-std::string cell(const std::optional<Value>& value, fmt::format_string<const Value&> format) {
-  return value ? fmt::format(format, *value) : "";
-}
-
-/// Letters that the columns engine:solver and settings need.
-struct Widths {
-  std::size_t engine = 13, settings = 8;
-};
-
-Widths widths_of(const std::vector<RunMetrics>& rows) {
-  Widths widths;
-  for (const RunMetrics& row : rows) {
-    widths.engine = std::max(widths.engine, row.engine.size() + 1 + row.solver.size());
-    widths.settings = std::max(widths.settings, row.settings.size());
-  }
-  return widths;
-}
-
-void print_row(const RunMetrics& row, const Widths& widths) {
-  if (row.status != RunStatus::done) {
-    fmt::print("{:<{}} {:<{}} {:>7} {}: {}\n", row.engine + ":" + row.solver, widths.engine, row.settings,
-               widths.settings, cell(row.dt, "{}"), name(row.status), row.reason);
-    return;
-  }
-  const std::string impacts = row.impacts_matched ? fmt::format("{}/{}/{}", *row.impacts_matched,
-                                                                *row.impacts_missed, *row.impacts_extra)
-                                                  : "";
-  const std::string chance = row.impacts_matched_null
-                                 ? fmt::format("{}, {}", *row.impacts_matched_null,
-                                               std::max(row.impacts_matched_random.value_or(0),
-                                                        row.impacts_matched_shifted.value_or(0)))
-                                 : "";
-  const std::string quartiles =
-      row.rms_angle_difference_lower
-          ? fmt::format("{:.1e}…{:.1e}", *row.rms_angle_difference_lower, *row.rms_angle_difference_upper)
-          : "";
-  fmt::print("{:<{}} {:<{}} {:>7} {:>11} {:>9} {:>8} {:>9} {:>16} {:>9} {:>9} {:>10}\n",
-             row.engine + ":" + row.solver, widths.engine, row.settings, widths.settings, cell(row.dt, "{}"),
-             cell(row.first_impact_time_difference, "{:+.1e}"), impacts, chance,
-             cell(row.rms_angle_difference, "{:.2e}"), quartiles,
-             cell(row.largest_angle_difference, "{:.2e}"), cell(row.agreement_time, "{:.4g}"),
-             cell(row.stepping_time_minimum, "{:.2e}"));
-}
 
 bool shows_progress(const Common& common) {
   return !common.quiet && isatty(STDERR_FILENO) != 0;
@@ -92,9 +46,11 @@ std::string shell_word(const std::string& word) {
 std::function<void(const Progress&)> progress(const Common& common) {
   if (!shows_progress(common)) return [](const Progress&) {};
   return [](const Progress& now) {
-    const bool end = now.done == now.total;
-    const std::string remaining = end || !now.remaining ? "" : ", " + waiting_time(*now.remaining) + " to go";
-    fmt::print(stderr, "\r\033[K[{}/{}{}] {}{}", now.done, now.total, remaining, now.last, end ? "\n" : "");
+    const std::string remaining =
+        now.remaining && now.done < now.total ? ", about " + waiting_time(*now.remaining) + " to go" : "";
+    const std::string run = now.running.empty() ? now.last : "running " + now.running;
+    fmt::print(stderr, "\r\033[K[{}/{}{}] {}{}", now.done, now.total, remaining, run,
+               now.done == now.total ? "\n" : "");
     std::fflush(stderr);
   };
 }
@@ -142,11 +98,11 @@ void print_sweep(const SweepResult& result, const std::filesystem::path& folder,
   }
 }
 
-void print_history(const Scene& scene, const History& history, const std::filesystem::path& folder,
-                   const Common& common) {
+void print_history(const Scene& scene, const History& history, const Support& support,
+                   const std::filesystem::path& folder, const Common& common) {
   std::map<std::string, int> events;
   for (const Event& event : history.events) ++events[name(event.kind)];
-  const std::string verdict = motion_verdict(scene, history);
+  const std::string verdict = motion_verdict(scene, history, support);
   const std::vector<double> peaks = peak_angles(history);
   const std::vector<std::string> warnings = validity_warnings(scene, history);
   if (common.json) {
@@ -164,50 +120,6 @@ void print_history(const Scene& scene, const History& history, const std::filesy
     for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
     fmt::print("results: {}\n", folder.string());
   }
-}
-
-void print_rows(const CompareResult& result, const std::filesystem::path& folder, const Common& common) {
-  const std::vector<RunMetrics>& rows = result.rows;
-  if (common.json) {
-    Json list = Json::array();
-    for (const RunMetrics& row : rows) list.push_back(metrics_json(row));
-    fmt::print("{}\n", list.dump(2));
-    return;
-  }
-  if (common.quiet) return;
-  const Widths widths = widths_of(rows);
-  std::string scene;
-  for (const RunMetrics& row : rows) {
-    if (row.scene != scene) {
-      fmt::print("{}{}, law {}\n{:<{}} {:<{}} {:>7} {:>11} {:>9} {:>8} {:>9} {:>16} {:>9} {:>9} {:>10}\n",
-                 scene.empty() ? "" : "\n", row.scene, row.law, "engine:solver", widths.engine, "settings",
-                 widths.settings, "dt (s)", "first (s)", "impacts", "limits", "rms (rad)", "quartiles",
-                 "max (rad)", "agree (s)", "time (s)");
-    }
-    scene = row.scene;
-    print_row(row, widths);
-  }
-  fmt::print(
-      "\nfirst: first impact, engine less exact; impacts: matched/missed/extra; limits: how many match of "
-      "the "
-      "exact\nmotion itself, sampled at these steps, and at random times; agree: time until which angles "
-      "stay "
-      "within "
-      "the tolerance;\ntime: least wall time of stepping alone\n");
-  const auto draws = std::max_element(rows.begin(), rows.end(), [](const RunMetrics& a, const RunMetrics& b) {
-    return a.draws.value_or(1) < b.draws.value_or(1);
-  });
-  if (draws != rows.end() && draws->draws)
-    fmt::print(
-        "numbers are medians of {} replicates: steps within a few percent, scenes that differ in the sixth "
-        "digit\n",
-        *draws->draws);
-  if (std::any_of(rows.begin(), rows.end(),
-                  [](const RunMetrics& row) { return row.runs_at_a_time.value_or(1) > 1; }))
-    fmt::print("times are those of runs that shared the machine\n");
-  if (result.reused > 0) fmt::print("{} of {} runs were there already\n", result.reused, rows.size());
-  for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
-  fmt::print("results: {}\n", folder.string());
 }
 
 void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,

@@ -6,6 +6,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "comparisons/interfaces/program/arguments.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
@@ -17,7 +18,7 @@ namespace rockstack {
 /// A word as a shell reads it back.
 std::string shell_word(const std::string& word);
 
-/// A line that counts runs, names the last one and says how long the rest will take.
+/// A line that counts runs, names the one that is made and says how long the rest may take.
 std::function<void(const Progress&)> progress(const Common& common);
 
 /// Takes that line away, so that something else can be printed there.
@@ -33,11 +34,8 @@ void print_stopped(const SweepResult& result, const Common& common);
 void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common);
 
 /// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are.
-void print_history(const Scene& scene, const History& history, const std::filesystem::path& folder,
-                   const Common& common);
-
-/// The comparison as a table, and where the results are.
-void print_rows(const CompareResult& result, const std::filesystem::path& folder, const Common& common);
+void print_history(const Scene& scene, const History& history, const Support& support,
+                   const std::filesystem::path& folder, const Common& common);
 
 /// Shares by kind of impact, and what the engines follow.
 void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,

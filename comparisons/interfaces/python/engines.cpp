@@ -82,7 +82,9 @@ py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name
     return py::make_tuple(py::none(), 0, py::none(), made.status + ": " + made.reason);
   const std::size_t warnings = made.run.warnings;
   const py::object record = to_dict(made.run.bodies);
-  return py::make_tuple(std::make_shared<HeldMotion>(HeldMotion{scene, std::move(made.run.history)}),
+  Support support;
+  if (made.run.bodies) support = support_of(made.run.bodies->penetration, made.run.bodies->unsupported_since);
+  return py::make_tuple(std::make_shared<HeldMotion>(HeldMotion{scene, std::move(made.run.history), support}),
                         warnings, record, py::none());
 }
 

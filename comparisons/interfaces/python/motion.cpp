@@ -4,7 +4,6 @@
 
 #include "comparisons/interfaces/python/arrays.hpp"
 #include "comparisons/measures/metrics/contact/validity.hpp"
-#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/results/reactions.hpp"
 
 namespace rockstack::python {
@@ -126,7 +125,8 @@ void add_motion(py::module_& core) {
                              [](const HeldMotion& motion) {
                                return motion.history.times.empty()
                                           ? std::string()
-                                          : motion_verdict(motion.scene->scene, motion.history);
+                                          : motion_verdict(motion.scene->scene, motion.history,
+                                                           motion.support);
                              })
       .def_property_readonly("warnings", [](const HeldMotion& motion) {
         return validity_warnings(motion.scene->scene, motion.history);

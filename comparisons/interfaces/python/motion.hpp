@@ -4,6 +4,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "comparisons/interfaces/python/scene.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 
 namespace rockstack::python {
 
@@ -11,6 +12,7 @@ namespace rockstack::python {
 struct HeldMotion {
   ScenePointer scene;
   History history;
+  Support support = {};  ///< of an engine's run that told its bodies
 };
 
 void add_motion(pybind11::module_& core);

@@ -123,6 +123,11 @@ std::vector<AlignedImpact> align(const std::vector<ImpactTime>& exact, const std
   return lines;
 }
 
+std::vector<AlignedImpact> up_to(std::vector<AlignedImpact> alignment, double time) {
+  std::erase_if(alignment, [&](const AlignedImpact& line) { return time_of(line) > time; });
+  return alignment;
+}
+
 AlignmentCounts count(const std::vector<AlignedImpact>& alignment) {
   AlignmentCounts counts;
   for (const AlignedImpact& line : alignment) {

@@ -24,6 +24,9 @@ struct AlignedImpact {
 std::vector<AlignedImpact> align(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
                                  const std::vector<double>& windows);
 
+/// Without the lines beyond a time, s: those of exact impacts that come later, and of later ones alone.
+std::vector<AlignedImpact> up_to(std::vector<AlignedImpact> alignment, double time);
+
 struct AlignmentCounts {
   int matched = 0;
   int missed = 0;  ///< exact impacts that the engine does not have

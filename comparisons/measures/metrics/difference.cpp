@@ -19,6 +19,12 @@ std::size_t common_samples(const History& first, const History& second) {
   return count;
 }
 
+/// How many samples there are up to a time, the first one in any case.
+std::size_t samples_up_to(const std::vector<double>& times, double time) {
+  const auto after = std::upper_bound(times.begin(), times.end(), time);
+  return std::min(times.size(), std::max<std::size_t>(1, static_cast<std::size_t>(after - times.begin())));
+}
+
 }  // namespace
 
 Difference difference(const History& first, const History& second) {
@@ -32,21 +38,45 @@ Difference difference(const History& first, const History& second) {
   return result;
 }
 
+Difference up_to(Difference difference, double time) {
+  const std::size_t count = samples_up_to(difference.times, time);
+  difference.times.resize(count);
+  difference.values.resize(count * difference.blocks);
+  return difference;
+}
+
+History up_to(History history, double time) {
+  const std::size_t count = samples_up_to(history.times, time);
+  const auto blocks = static_cast<std::size_t>(history.blocks);
+  const auto shorten = [](auto& values, std::size_t size) {
+    if (!values.empty()) values.resize(size);
+  };
+  history.times.resize(count);
+  shorten(history.patterns, count);
+  for (auto* values : {&history.angles, &history.velocities, &history.slips, &history.gaps})
+    shorten(*values, count * blocks);
+  for (auto* values : {&history.places, &history.place_rates}) shorten(*values, 2 * count * blocks);
+  shorten(history.reactions, count * blocks);
+  shorten(history.spring_energies, count * blocks);
+  std::erase_if(history.events, [&](const Event& event) { return event.time > time; });
+  return history;
+}
+
 double largest(const Difference& difference) {
   double result = 0;
-  for (const double angle : difference.angles) result = std::max(result, std::abs(angle));
+  for (const double angle : difference.values) result = std::max(result, std::abs(angle));
   return result;
 }
 
 double root_mean_square(const Difference& difference) {
   double sum = 0;
-  for (const double angle : difference.angles) sum += angle * angle;
-  return std::sqrt(sum / static_cast<double>(difference.angles.size()));
+  for (const double angle : difference.values) sum += angle * angle;
+  return std::sqrt(sum / static_cast<double>(difference.values.size()));
 }
 
 double agreement_time(const Difference& difference, double tolerance) {
-  for (std::size_t i = 0; i < difference.angles.size(); ++i) {
-    if (std::abs(difference.angles[i]) > tolerance) return difference.times[i / difference.blocks];
+  for (std::size_t i = 0; i < difference.values.size(); ++i) {
+    if (std::abs(difference.values[i]) > tolerance) return difference.times[i / difference.blocks];
   }
   return difference.times.back();
 }

@@ -19,7 +19,7 @@ DifferenceParts difference_parts(const History& exact, const History& rigid, con
 
 double share_of(const Difference& part, const Difference& whole) {
   const auto product = [&](const Difference& other) {
-    return std::inner_product(other.angles.begin(), other.angles.end(), whole.angles.begin(), 0.0);
+    return std::inner_product(other.angles.begin(), other.angles.end(), whole.values.begin(), 0.0);
   };
   const double squares = product(whole);
   return squares > 0 ? product(part) / squares : std::nan("");
@@ -27,8 +27,8 @@ double share_of(const Difference& part, const Difference& whole) {
 
 Difference whole_of(const DifferenceParts& parts) {
   Difference whole = parts.model;
-  for (std::size_t i = 0; i < whole.angles.size(); ++i)
-    whole.angles[i] += parts.softness.angles[i] + parts.step.angles[i];
+  for (std::size_t i = 0; i < whole.values.size(); ++i)
+    whole.values[i] += parts.softness.values[i] + parts.step.values[i];
   return whole;
 }
 

@@ -30,6 +30,11 @@ double settling_duration(const Scene& scene) {
   return 0.1 * std::sqrt(stack_height(scene) / scene.gravity);
 }
 
+std::vector<ImpactTime> up_to(std::vector<ImpactTime> impacts, double time) {
+  std::erase_if(impacts, [&](const ImpactTime& impact) { return impact.time > time; });
+  return impacts;
+}
+
 std::vector<ImpactTime> reported_impacts(const History& history, double slowest) {
   std::vector<ImpactTime> impacts;
   for (const Event& event : history.events) {

@@ -33,6 +33,9 @@ Contact side_of(double velocity, double slowest);
 /// velocities.
 double relative_at(std::span<const double> values, std::size_t interface);
 
+/// Those up to a time, s.
+std::vector<ImpactTime> up_to(std::vector<ImpactTime> impacts, double time);
+
 /// The impacts that a solver reported, at `slowest` rad/s of relative speed or more.
 std::vector<ImpactTime> reported_impacts(const History& history, double slowest);
 

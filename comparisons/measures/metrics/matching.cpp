@@ -27,7 +27,7 @@ double largest_relative(const Difference& apart, std::size_t interface, double b
   double largest = 0;
   for (auto i = static_cast<std::size_t>(first - apart.times.begin());
        i < apart.times.size() && apart.times[i] <= end; ++i) {
-    const std::span blocks(apart.angles.data() + i * apart.blocks, apart.blocks);
+    const std::span blocks(apart.values.data() + i * apart.blocks, apart.blocks);
     largest = std::max(largest, std::abs(relative_at(blocks, interface)));
   }
   return largest;

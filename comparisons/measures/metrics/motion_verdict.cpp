@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analytic/scene/messages/quantity_text.hpp"
+#include "comparisons/measures/metrics/centres.hpp"
 #include "comparisons/measures/metrics/contact/contact_summary.hpp"
 #include "comparisons/measures/metrics/toppling.hpp"
 
@@ -81,9 +83,9 @@ std::string slipping(const std::vector<InterfaceSummary>& interfaces) {
     return a.largest_slip < b.largest_slip;
   });
   if (most->largest_slip <= visible) return "";
-  return fmt::format("; block {} slips by up to {:.3g} mm and is left {:.3g} mm to the {}",
-                     most - interfaces.begin() + 1, 1000 * most->largest_slip,
-                     1000 * std::abs(most->final_slip), most->final_slip < 0 ? "left" : "right");
+  return fmt::format("; block {} slips by up to {} and is left {} to the {}", most - interfaces.begin() + 1,
+                     quantity_text(most->largest_slip, "m"), quantity_text(std::abs(most->final_slip), "m"),
+                     most->final_slip < 0 ? "left" : "right");
 }
 
 std::string lifting(const std::vector<InterfaceSummary>& interfaces) {
@@ -91,8 +93,8 @@ std::string lifting(const std::vector<InterfaceSummary>& interfaces) {
     return a.highest_lift < b.highest_lift;
   });
   if (most->highest_lift <= visible) return "";
-  return fmt::format("; block {} lifts by up to {:.3g} mm", most - interfaces.begin() + 1,
-                     1000 * most->highest_lift);
+  return fmt::format("; block {} lifts by up to {}", most - interfaces.begin() + 1,
+                     quantity_text(most->highest_lift, "m"));
 }
 
 /// How far blocks slip and lift, where they may; else what must hold for them not to.
@@ -101,6 +103,13 @@ std::string freedom(const History& history) {
   if (interfaces.empty()) return demand(history);
   const std::string text = slipping(interfaces) + lifting(interfaces);
   return text.empty() ? "; nothing slips or lifts" : text;
+}
+
+/// "sinks by 86 mm", or nothing.
+std::string sinking(const Scene& scene, const Support& support) {
+  return support.sinking > told_sinking * least_height(scene)
+             ? "sinks by " + quantity_text(support.sinking, "m", 2)
+             : "";
 }
 
 }  // namespace
@@ -115,15 +124,25 @@ std::vector<double> peak_angles(const History& history) {
   return result;
 }
 
-std::string motion_verdict(const Scene& scene, const History& history) {
+Support support_of(const std::vector<double>& penetration, const std::vector<double>& unsupported_since) {
+  const auto tenth = static_cast<std::ptrdiff_t>((penetration.size() + 9) / 10);
+  return {*std::min_element(penetration.end() - tenth, penetration.end()), fallen_block(unsupported_since)};
+}
+
+std::string motion_verdict(const Scene& scene, const History& history, const Support& support) {
   const bool reported = !history.events.empty() && ends_motion(history.events.back().kind);
   const std::string toppled = reported ? reported_toppling(history) : observed_toppling(scene, history);
   if (!toppled.empty())
     return fmt::format("{} {} at {:.4g} s{}", toppled.substr(0, toppled.find(" at ")),
                        ends_with(history, EventKind::fall) ? "falls off" : "topples",
                        reported ? history.events.back().time : history.times.back(), freedom(history));
+  if (!support.fallen.empty())
+    return fmt::format("{} has fallen off{}{}", support.fallen.substr(0, support.fallen.find(" at ")),
+                       support.fallen.substr(support.fallen.find(" at ")), freedom(history));
   const Lean most = largest_lean(scene, peak_angles(history));
-  if (history.events.empty() && most.ratio < 1e-3) return "rests throughout" + freedom(history);
+  const std::string sunk = sinking(scene, support);
+  if (history.events.empty() && most.ratio < 1e-3)
+    return sunk.empty() ? "rests throughout" + freedom(history) : "rests, but " + sunk + freedom(history);
   const std::string rest =
       ends_at_rest(scene, history) ? fmt::format(", at rest from {:.4g} s", history.events.back().time) : "";
   const std::string lean =
@@ -131,7 +150,7 @@ std::string motion_verdict(const Scene& scene, const History& history) {
           ? "; nothing rocks"
           : fmt::format("; block {} peaks at {:.2f} of its slenderness angle at {:.4g} s", most.block + 1,
                         most.ratio, peak_time(history, most.block));
-  return "stands" + rest + lean + freedom(history);
+  return "stands" + rest + lean + (sunk.empty() ? "" : "; " + sunk) + freedom(history);
 }
 
 }  // namespace rockstack

@@ -28,6 +28,12 @@ std::string observed_toppling(const Scene& scene, const History& history) {
   return "";
 }
 
+std::string fallen_block(const std::vector<double>& unsupported_since) {
+  const auto first = std::min_element(unsupported_since.begin(), unsupported_since.end());
+  if (first == unsupported_since.end() || std::isinf(*first)) return "";
+  return fmt::format("block {} at {} s", first - unsupported_since.begin() + 1, *first);
+}
+
 TopplingVerdict toppling_verdict(bool exact, bool engine) {
   if (exact == engine) return exact ? TopplingVerdict::both : TopplingVerdict::neither;
   return exact ? TopplingVerdict::exact_alone : TopplingVerdict::engine_alone;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
@@ -13,6 +14,10 @@ std::string reported_toppling(const History& history);
 /// The same of an engine's history, which ends early only where a block has toppled: the block and the time
 /// are those of its last sample.
 std::string observed_toppling(const Scene& scene, const History& history);
+
+/// Likewise of a block that has fallen off what it stood on, from since when each has had nothing below it, s
+/// (infinite where it has): the first that did.
+std::string fallen_block(const std::vector<double>& unsupported_since);
 
 /// Which of both topple.
 enum class TopplingVerdict { unknown, neither, both, exact_alone, engine_alone };

@@ -102,6 +102,8 @@ std::vector<Column> run_columns() {
           "finite (an angle or velocity), signal (the engine's process was ended, as by an assertion), time "
           "limit or memory limit"),
       column<&RunMetrics::reason>("reason", "why a run is not done"),
+      column<&RunMetrics::outcome>(
+          "outcome", "what becomes of the run, in words: until when it agrees, and what else happens in it"),
       column<&RunMetrics::steps>(
           "steps", "time steps that the engine made; fewer than the duration holds where a block toppled"),
       column<&RunMetrics::draws>(
@@ -112,6 +114,15 @@ std::vector<Column> run_columns() {
       column<&RunMetrics::draws_failed>("draws_failed", "how many of them failed"),
       column<&RunMetrics::draws_other_verdict>(
           "draws_other_verdict", "in how many of them one of both topples alone, engine or exact solution"),
+      column<&RunMetrics::horizon>(
+          "horizon",
+          "up to when histories can be compared, s: the first time at which the exact motion of one of "
+          "twenty "
+          "scenes that differ in the sixth digit is further than the tolerance from the scene's own; the "
+          "duration where none ever is. Differences of angles and slips, impacts, settlings, patterns and "
+          "parts are of the time up to the horizon; after it histories part by nature. Of the whole scene "
+          "are "
+          "energy, overlap, gap, slip, residual motion and toppling"),
   };
 }
 
@@ -150,20 +161,54 @@ std::vector<Column> motion_columns() {
       drawn<&RunMetrics::largest_angle_difference, &RunMetrics::largest_angle_difference_lower,
             &RunMetrics::largest_angle_difference_upper>(
           "largest_angle_difference",
-          "largest absolute difference of any block's angle, at the engine's own times, rad"),
+          "largest absolute difference of any block's angle, at the engine's own times up to the horizon, "
+          "rad"),
       column<&RunMetrics::largest_angle_difference_lower>("largest_angle_difference_lower",
                                                           "lower quartile of the same over replicates"),
       column<&RunMetrics::largest_angle_difference_upper>("largest_angle_difference_upper", "upper quartile"),
       drawn<&RunMetrics::rms_angle_difference, &RunMetrics::rms_angle_difference_lower,
             &RunMetrics::rms_angle_difference_upper>(
           "rms_angle_difference",
-          "root of the mean square of that difference over all times and blocks, rad"),
+          "root of the mean square of that difference over all times up to the horizon and all blocks, rad"),
       column<&RunMetrics::rms_angle_difference_lower>("rms_angle_difference_lower",
                                                       "lower quartile of the same over replicates"),
       column<&RunMetrics::rms_angle_difference_upper>("rms_angle_difference_upper", "upper quartile"),
-      drawn<&RunMetrics::relative_angle_difference>(
-          "relative_angle_difference",
-          "the largest angle difference as a share of the largest exact angle of any block"),
+      drawn<&RunMetrics::largest_position_difference>(
+          "largest_position_difference",
+          "largest distance of a block's centre of mass from the exact one, up to the horizon, m"),
+      drawn<&RunMetrics::rms_position_difference, &RunMetrics::rms_position_difference_lower,
+            &RunMetrics::rms_position_difference_upper>(
+          "rms_position_difference",
+          "root of the mean square of that distance over all times up to the horizon and all blocks, m"),
+      column<&RunMetrics::rms_position_difference_lower>("rms_position_difference_lower",
+                                                         "lower quartile of the same over replicates"),
+      column<&RunMetrics::rms_position_difference_upper>("rms_position_difference_upper", "upper quartile"),
+      drawn<&RunMetrics::relative_position_difference>(
+          "relative_position_difference",
+          "the largest distance of a centre as a share of the least block height"),
+      drawn<&RunMetrics::error, &RunMetrics::error_lower, &RunMetrics::error_upper>(
+          "error",
+          "what rows are ranked by: the RMS angle difference (rad), or the RMS distance of centres as a "
+          "share of the "
+          "least block height, whichever is larger"),
+      column<&RunMetrics::error_lower>("error_lower", "lower quartile of the same over replicates"),
+      column<&RunMetrics::error_upper>("error_upper", "upper quartile"),
+      column<&RunMetrics::rank>("rank",
+                                "one more than there are rows of engines, of this scene and step, that are "
+                                "nearer and that a test of "
+                                "replicates tells from this one (ranking_definition in comparison.json); "
+                                "empty where nothing moves"),
+      column<&RunMetrics::motion>(
+          "motion",
+          "how far the exact motion goes up to the horizon: the largest change of an angle (rad), or the "
+          "longest way of a centre as a share of the least block height, whichever is larger; 0 where "
+          "the scene is at rest and angles tell nothing apart"),
+      drawn<&RunMetrics::peak_angle>("peak_angle",
+                                     "largest absolute angle of any block over the whole scene, rad"),
+      drawn<&RunMetrics::exact_peak_angle>("exact_peak_angle", "likewise of the exact motion"),
+      drawn<&RunMetrics::relative_angle_difference>("relative_angle_difference",
+                                                    "the largest angle difference as a share of the largest "
+                                                    "exact angle of any block up to the horizon"),
       drawn<&RunMetrics::magnitude_error>(
           "magnitude_error",
           "amplitude part of the difference, blind to delay: root of the engine's mean square angle over the "
@@ -181,10 +226,15 @@ std::vector<Column> motion_columns() {
       drawn<&RunMetrics::agreement_time, &RunMetrics::agreement_time_lower,
             &RunMetrics::agreement_time_upper>(
           "agreement_time",
-          "time until which no angle differs by more than the tolerance; the end where none ever does, s"),
+          "time until which no angle differs by more than the tolerance; the horizon where none does before, "
+          "s"),
       column<&RunMetrics::agreement_time_lower>("agreement_time_lower",
                                                 "lower quartile of the same over replicates"),
       column<&RunMetrics::agreement_time_upper>("agreement_time_upper", "upper quartile"),
+      drawn<&RunMetrics::position_agreement_time>(
+          "position_agreement_time",
+          "time until which no centre is further off than the tolerance times the least block height; "
+          "the horizon where none is before, s"),
   };
 }
 
@@ -193,6 +243,9 @@ std::vector<Column> impact_columns() {
       drawn<&RunMetrics::first_impact_time_difference>(
           "first_impact_time_difference",
           "time of the engine's first impact at the interface that impacts first, less the exact one's, s"),
+      drawn<&RunMetrics::impacts>("impacts", "impacts above the chatter speed over the whole scene"),
+      column<&RunMetrics::slower_impacts>("slower_impacts",
+                                          "impacts of the exact motion below the chatter speed"),
       drawn<&RunMetrics::impacts_matched>(
           "impacts_matched",
           "impacts above the chatter speed that both have, in order at the same interface, not leaving to "
@@ -202,7 +255,8 @@ std::vector<Column> impact_columns() {
           "impact of the interface. An impact leaves to a side where the interface's relative angular "
           "velocity after it is at least the chatter speed"),
       drawn<&RunMetrics::impacts_missed>(
-          "impacts_missed", "exact impacts above the chatter speed that the engine does not have"),
+          "impacts_missed",
+          "exact impacts above the chatter speed, up to the horizon, that the engine does not have"),
       drawn<&RunMetrics::impacts_extra>(
           "impacts_extra", "engine impacts above the chatter speed that the exact solution does not have"),
       drawn<&RunMetrics::impacts_matched_null>("impacts_matched_null",
@@ -247,8 +301,8 @@ std::vector<Column> impact_columns() {
           "solution, at the same times. patterns.csv holds the share of time of each pair of patterns"),
       drawn<&RunMetrics::pattern_sequence_time>(
           "pattern_sequence_time",
-          "time until which both pass through the same patterns in the same order; the end where they always "
-          "do, s"),
+          "time until which both pass through the same patterns in the same order; the horizon where they do "
+          "up to there, s"),
   };
 }
 
@@ -264,6 +318,8 @@ std::vector<Column> body_columns() {
           "as rigid. The true motion never gains any"),
       drawn<&RunMetrics::penetration>("penetration",
                                       "largest depth of a block's corner in the block or ground it meets, m"),
+      drawn<&RunMetrics::sinking>(
+          "sinking", "the least such depth over the last tenth of the run, m: how far a block has sunk in"),
       drawn<&RunMetrics::gap>("gap", "largest height of a block over what it stands on, m"),
       drawn<&RunMetrics::slip>(
           "slip",
@@ -326,9 +382,13 @@ std::vector<Column> body_columns() {
           "sequential impulse in place of an mlcp solver"),
       column<&RunMetrics::toppled>("toppled",
                                    "block that passed its toppling angle and when, which ends the run"),
-      column<&RunMetrics::toppling_verdict>(
-          "toppling_verdict",
-          "which of both topple within the scene: neither, both, engine alone or exact alone"),
+      column<&RunMetrics::fallen>(
+          "fallen",
+          "block that has left the face it stood on, and when: from then on nothing of that is below it"),
+      column<&RunMetrics::toppling_verdict>("toppling_verdict",
+                                            "in which of both a block topples or falls off within the scene: "
+                                            "neither, both, engine alone or exact "
+                                            "alone"),
   };
 }
 

@@ -138,7 +138,7 @@ std::string difference_csv(const Difference& difference) {
   CsvWriter csv;
   csv.line("time", numbered("difference_", static_cast<int>(difference.blocks)));
   for (std::size_t i = 0; i < difference.times.size(); ++i) {
-    const std::span angles(difference.angles);
+    const std::span angles(difference.values);
     csv.line(difference.times[i], angles.subspan(i * difference.blocks, difference.blocks));
   }
   return csv.text();
@@ -149,7 +149,7 @@ std::string parts_csv(const DifferenceParts& parts) {
   CsvWriter csv;
   csv.line("time", numbered("model_", blocks), numbered("softness_", blocks), numbered("step_", blocks));
   const auto sample = [&](const Difference& part, std::size_t i) {
-    return std::span(part.angles).subspan(i * part.blocks, part.blocks);
+    return std::span(part.values).subspan(i * part.blocks, part.blocks);
   };
   for (std::size_t i = 0; i < parts.model.times.size(); ++i)
     csv.line(parts.model.times[i], sample(parts.model, i), sample(parts.softness, i), sample(parts.step, i));

@@ -3,42 +3,77 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
 #include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/statistics/holm.hpp"
+#include "comparisons/measures/statistics/mann_whitney.hpp"
 
 namespace rockstack {
 namespace {
 
 constexpr double failure_ratio = 100;
+/// Errors that are less are rounding, and all alike.
+constexpr double least_error = 1e-12;
 
-using Cell = std::pair<std::string, double>;         ///< scene and step
-using Errors = std::map<Cell, double>;               ///< of one set; infinite where its run is not done
-using Sets = std::map<std::string, Errors>;          ///< of one solver, by their settings
-using Solver = std::pair<std::string, std::string>;  ///< engine and solver
+using Cell = std::pair<std::string, double>;  ///< scene and step
+using Name = std::tuple<std::string, std::string, std::string>;
+
+/// Of one set in one cell.
+struct Error {
+  double median = 0;  ///< infinite where its run is not done
+  std::vector<double> replicates;
+};
+
+using Errors = std::map<Cell, Error>;
+using Sets = std::map<Name, Errors>;
+
+/// Scenes that an engine's row shows to be at rest, or to have no errors.
+std::set<std::string> moving_scenes(const std::vector<ReplicatedRow>& rows) {
+  std::set<std::string> scenes;
+  for (const ReplicatedRow& one : rows)
+    if (can_be_ranked(one)) scenes.insert(one.row.scene);
+  return scenes;
+}
+
+Sets sets_of(const std::vector<ReplicatedRow>& rows) {
+  const std::set<std::string> moving = moving_scenes(rows);
+  Sets sets;
+  for (const ReplicatedRow& one : rows) {
+    const RunMetrics& row = one.row;
+    if (!row.dt || row.settings.empty() || !moving.contains(row.scene)) continue;
+    Error error{INFINITY, {INFINITY}};
+    if (row.status == RunStatus::done && row.error) error = {std::max(*row.error, least_error), one.errors};
+    for (double& value : error.replicates) value = std::max(value, least_error);
+    sets[{row.engine, row.solver, row.settings}][{row.scene, *row.dt}] = std::move(error);
+  }
+  return sets;
+}
 
 /// The least error of any set in each cell where one is done.
-Errors least_errors(const Sets& sets) {
-  Errors least;
-  for (const auto& [settings, errors] : sets) {
+std::map<Cell, double> least_errors(const Sets& sets) {
+  std::map<Cell, double> least;
+  for (const auto& [name, errors] : sets) {
     for (const auto& [cell, error] : errors) {
-      if (!std::isfinite(error)) continue;
-      const auto [known, added] = least.emplace(cell, error);
-      if (!added) known->second = std::min(known->second, error);
+      if (!std::isfinite(error.median)) continue;
+      const auto [known, added] = least.emplace(cell, error.median);
+      if (!added) known->second = std::min(known->second, error.median);
     }
   }
   return least;
 }
 
-RankedSet score(const Errors& errors, const Errors& least) {
+RankedSet score(const Name& name, const Errors& errors, const std::map<Cell, double>& least) {
   RankedSet set;
+  std::tie(set.engine, set.solver, set.settings) = name;
   double sum = 0;
   for (const auto& [cell, best] : least) {
     const auto own = errors.find(cell);
     if (own == errors.end()) continue;
-    const bool done = std::isfinite(own->second);
-    const double ratio = !done ? failure_ratio : best > 0 ? own->second / best : 1;
+    const bool done = std::isfinite(own->second.median);
+    const double ratio = done ? own->second.median / best : failure_ratio;
     ++set.cells;
     set.failed += done ? 0 : 1;
     set.worst = std::max(set.worst, ratio);
@@ -48,28 +83,68 @@ RankedSet score(const Errors& errors, const Errors& least) {
   return set;
 }
 
+/// What replicates say of a pair: a superiority above one half speaks for the first as the nearer one.
+MannWhitney test_of(const Errors& first, const Errors& second) {
+  std::vector<Stratum> strata;
+  for (const auto& [cell, error] : first)
+    if (const auto other = second.find(cell); other != second.end())
+      strata.push_back({error.replicates, other->second.replicates});
+  return strata.empty() ? MannWhitney{} : mann_whitney(strata);
+}
+
+/// Gives ranks to sets in the order of their scores.
+void rank(const Sets& sets, std::vector<RankedSet>& list) {
+  const auto errors_of = [&](const RankedSet& set) -> const Errors& {
+    return sets.at({set.engine, set.solver, set.settings});
+  };
+  std::vector<TestChance> chances;
+  std::vector<bool> first_is_nearer;
+  for (std::size_t j = 1; j < list.size(); ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      const MannWhitney test = test_of(errors_of(list[i]), errors_of(list[j]));
+      chances.push_back({test.p_value, test.least_p_value});
+      first_is_nearer.push_back(test.superiority > 0.5);
+    }
+  }
+  const std::vector<double> p_values = adjust(chances, separation_level).p_values;
+  for (std::size_t j = 0, pair = 0; j < list.size(); ++j) {
+    list[j].rank = 1;
+    for (std::size_t i = 0; i < j; ++i, ++pair)
+      list[j].rank += p_values[pair] <= separation_level && first_is_nearer[pair] ? 1 : 0;
+  }
+}
+
+std::vector<RankedSet> ranked(const Sets& sets) {
+  const std::map<Cell, double> least = least_errors(sets);
+  std::vector<RankedSet> list;
+  for (const auto& [name, errors] : sets) list.push_back(score(name, errors, least));
+  std::erase_if(list, [](const RankedSet& set) { return set.cells == 0; });
+  std::stable_sort(list.begin(), list.end(),
+                   [](const RankedSet& a, const RankedSet& b) { return a.score < b.score; });
+  rank(sets, list);
+  return list;
+}
+
 }  // namespace
 
-std::vector<RankedSet> rank_sets(const std::vector<RunMetrics>& rows) {
-  std::map<Solver, Sets> solvers;
-  for (const RunMetrics& row : rows) {
-    if (!row.dt || row.settings.empty()) continue;
-    solvers[{row.engine, row.solver}][row.settings][{row.scene, *row.dt}] =
-        row.status == RunStatus::done && row.rms_angle_difference ? *row.rms_angle_difference : INFINITY;
-  }
+bool can_be_ranked(const ReplicatedRow& one) {
+  const RunMetrics& row = one.row;
+  return row.dt && !row.settings.empty() && row.status == RunStatus::done && row.error &&
+         row.motion.value_or(0) > rest_extent;
+}
+
+std::vector<RankedSet> rank_all(const std::vector<ReplicatedRow>& rows) {
+  return ranked(sets_of(rows));
+}
+
+std::vector<RankedSet> rank_sets(const std::vector<ReplicatedRow>& rows) {
+  std::map<std::pair<std::string, std::string>, Sets> solvers;
+  for (auto& [name, errors] : sets_of(rows))
+    solvers[{std::get<0>(name), std::get<1>(name)}].emplace(name, errors);
   std::vector<RankedSet> ranking;
   for (const auto& [solver, sets] : solvers) {
     if (sets.size() < 2) continue;
-    const Errors least = least_errors(sets);
-    std::vector<RankedSet> own;
-    for (const auto& [settings, errors] : sets) {
-      own.push_back(score(errors, least));
-      std::tie(own.back().engine, own.back().solver) = solver;
-      own.back().settings = settings;
-    }
-    std::stable_sort(own.begin(), own.end(),
-                     [](const RankedSet& a, const RankedSet& b) { return a.score < b.score; });
-    for (std::size_t i = 0; i < own.size(); ++i) own[i].rank = static_cast<int>(i) + 1;
+    const std::vector<RankedSet> own = ranked(sets);
     ranking.insert(ranking.end(), own.begin(), own.end());
   }
   return ranking;

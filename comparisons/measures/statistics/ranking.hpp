@@ -7,20 +7,43 @@
 
 namespace rockstack {
 
-/// One parameter set of a solver among all of that solver, over the scenes and steps of a comparison.
+/// A row of a comparison with what stands behind its median.
+struct ReplicatedRow {
+  RunMetrics row;
+  std::vector<double> errors;  ///< of the nominal run and each replicate; infinite where one is not done
+  /// Largest angles over the whole scene, of those that are done and of the exact motions of their scenes,
+  /// rad.
+  std::vector<double> peaks = {}, exact_peaks = {};
+};
+
+/// A solver with one set of its parameters among others, over scenes and steps.
 struct RankedSet {
   std::string engine, solver, settings;
-  int rank = 0;  ///< from 1 within the solver
-  double score =
-      0;  ///< geometric mean, over scenes and steps, of its RMS angle difference over the least of the solver
+  int rank = 0;      ///< one more than there are sets that are nearer and told apart from it
+  double score = 0;  ///< geometric mean, over scenes and steps, of its error over the least of all sets
   double worst = 0;  ///< the largest of those ratios
   int cells = 0;     ///< scenes and steps that count
   int failed = 0;    ///< of those, where its run is not done: each counts as a hundred times the least
 };
 
-/// Ranks the sets of every solver that has several, best first. A scene and step counts where a set of the
-/// solver is done there; numbers are the rows' own, medians where there are draws.
-std::vector<RankedSet> rank_sets(const std::vector<RunMetrics>& rows);
+/// The level of the tests that tell sets apart: of replicates of two sets, by their ranks within each scene
+/// and step that both have (mann_whitney.hpp). It is that of all pairs together (holm.hpp): of sets that are
+/// alike one is called nearer than another at most so often, however many there are.
+inline constexpr double separation_level = 0.05;
+
+/// Up to what extent of its exact motion a scene is at rest (RunMetrics::motion).
+inline constexpr double rest_extent = 1e-6;
+
+/// True for an engine's row of a scene that moves: of one at rest errors of angles are rounding.
+bool can_be_ranked(const ReplicatedRow& row);
+
+/// Ranks all sets of all solvers among the rows, best first: by their scores, over the scenes and steps where
+/// one of them is done and the scene is not at rest. Rows of failed runs count where another of their scene
+/// moves.
+std::vector<RankedSet> rank_all(const std::vector<ReplicatedRow>& rows);
+
+/// The same within every solver that has several sets.
+std::vector<RankedSet> rank_sets(const std::vector<ReplicatedRow>& rows);
 
 /// engine,solver,rank,settings,score,worst,cells,failed.
 std::string ranking_csv(const std::vector<RankedSet>& sets);

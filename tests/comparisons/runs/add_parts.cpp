@@ -47,7 +47,7 @@ TEST(AddParts, AnExactAnswerOnSpringsHasNoStep) {
   const History soft = solve(with_springs(scene, {0.7}, spring), {.sample_times = times});
   RunMetrics row;
   RunFiles files;
-  add_parts(scene, exact, other_answer(soft, contacts_of(spring, 2)), true, row, files);
+  add_parts(scene, exact, other_answer(soft, contacts_of(spring, 2)), scene.duration, true, row, files);
   EXPECT_EQ(row.split_reason, "");
   EXPECT_EQ(row.spring_factor, 1);
   EXPECT_EQ(row.step_difference, 0);
@@ -66,7 +66,7 @@ TEST(AddParts, PartsAreTheWhole) {
   for (std::size_t i = 0; i < other.angles.size(); ++i) other.angles[i] += 1e-3 * std::sin(20 * times[i]);
   RunMetrics row;
   RunFiles files;
-  add_parts(scene, exact, other_answer(other, contacts_of({1e6, 1e4}, 1)), false, row, files);
+  add_parts(scene, exact, other_answer(other, contacts_of({1e6, 1e4}, 1)), scene.duration, false, row, files);
   EXPECT_NEAR(*row.model_share + *row.softness_share + *row.step_share, 1, 1e-12);
   EXPECT_TRUE(files.empty());
 
@@ -86,7 +86,7 @@ TEST(AddParts, StiffContactsComeToRigidOnes) {
   const auto softness = [&](const ContactRecord& contacts) {
     RunMetrics row;
     RunFiles files;
-    add_parts(scene, exact, other_answer(exact, contacts), false, row, files);
+    add_parts(scene, exact, other_answer(exact, contacts), scene.duration, false, row, files);
     EXPECT_EQ(row.split_reason, "");
     return *row.softness_difference;
   };
@@ -129,11 +129,11 @@ TEST(AddParts, AFailureIsTheRowsOwn) {
   const History none;
   OtherAnswer nobody = other_answer(none, {});
   nobody.bodies->contacts.reset();
-  add_parts(scene, none, nobody, true, row, files);
+  add_parts(scene, none, nobody, scene.duration, true, row, files);
   EXPECT_EQ(row.split_reason, "the engine tells no contacts");
   EXPECT_FALSE(row.step_difference);
   nobody.bodies->contacts = contacts_of({-1, 0}, 1);
-  add_parts(scene, none, nobody, true, row, files);
+  add_parts(scene, none, nobody, scene.duration, true, row, files);
   EXPECT_NE(row.split_reason, "");
   EXPECT_FALSE(row.step_difference);
 }
@@ -180,7 +180,7 @@ TEST(AddParts, OnFixedSpringsOdesStepIsOfOrderOne) {
     const History exact = solve(scene, {.sample_times = run.history.times});
     RunMetrics row;
     RunFiles files;
-    add_parts(scene, exact, {run.history, dt, {}, false, run.bodies, {0}}, false, row, files);
+    add_parts(scene, exact, {run.history, dt, {}, false, run.bodies, {0}}, scene.duration, false, row, files);
     ASSERT_EQ(row.split_reason, "");
     EXPECT_NEAR(run.bodies->contacts->points, 2, 1e-12);
     errors.at(i) = *row.step_difference;

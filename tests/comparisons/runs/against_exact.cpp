@@ -6,10 +6,16 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/centres.hpp"
 #include "tests/free_rocking.hpp"
 
 namespace rockstack {
 namespace {
+
+std::vector<double> shifted(std::vector<double> centres) {
+  for (std::size_t i = 0; i < centres.size(); ++i) centres[i] += i % 2 == 0 ? 0.03 : -0.04;
+  return centres;
+}
 
 // Angles a tenth too large, impacts 2 ms late, the last one missed and one made up.
 TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
@@ -31,6 +37,7 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   const BodyRecord bodies{.energy = {0, 300, 100},
                           .input = {0, 50, 50},
                           .penetration = {0, 1, 0.5},
+                          .centres = shifted(centres_of(scene, exact)),
                           .contacts = ContactRecord{{0, 0, 100}, 6, 7, 3e5, 40, told},
                           .gap = 2,
                           .slip = 3,
@@ -41,7 +48,7 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   suite.tolerance = 1e-3;
   RunMetrics row;
   RunFiles files;
-  compare_with_exact(scene, suite, {other, 1e-3, impacts, false, bodies}, row, files);
+  compare_with_exact(scene, suite, {other, 1e-3, impacts, false, bodies}, scene.duration, row, files);
 
   double largest = 0;
   double squares = 0;
@@ -62,6 +69,14 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   EXPECT_NEAR(*row.rms_angle_difference, std::sqrt(squares / static_cast<double>(exact.angles.size())),
               rounding);
   EXPECT_NEAR(*row.relative_angle_difference, 0.1, rounding);
+  // Every centre is 3 cm to the right and 4 cm down; the lower block is 1.25 m high.
+  EXPECT_NEAR(*row.rms_position_difference, 0.05, rounding);
+  EXPECT_NEAR(*row.largest_position_difference, 0.05, rounding);
+  EXPECT_NEAR(*row.relative_position_difference, 0.04, rounding);
+  EXPECT_EQ(row.position_agreement_time, 0) << "0.04 is more than the tolerance at once";
+  EXPECT_NEAR(*row.error, std::max(0.04, *row.rms_angle_difference), rounding);
+  EXPECT_EQ(row.sinking, 0.5) << "at the end";
+  EXPECT_NEAR(*row.peak_angle / *row.exact_peak_angle, 1.1, rounding);
   EXPECT_NEAR(*row.magnitude_error, 0.1, rounding);
   EXPECT_NEAR(*row.phase_error, 0, 1e-7) << "an arc cosine near one has half the digits";
   EXPECT_NEAR(*row.second_peak_difference, 0.1, rounding);
@@ -90,6 +105,45 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   EXPECT_EQ(row.friction_cone_violation, 7);
   EXPECT_EQ(row.contact_stiffness, 3e5);
   EXPECT_EQ(row.contact_damping, 40);
+}
+
+/// The row of an answer whose angles are a tenth too large up to 1 s, and three times too large later on,
+/// with impacts 2 ms late and none later on. The horizon lies in the midst of a flight.
+RunMetrics row_up_to_one_second(double duration) {
+  const Scene scene = free_rocking(duration);
+  const History exact = solve(scene, {.sample_times = regular_times(1e-3, duration)});
+  History other = exact;
+  for (std::size_t i = 0; i < other.angles.size(); ++i) other.angles[i] *= other.times[i / 2] > 1 ? 3 : 1.1;
+  std::vector<ImpactTime> impacts;
+  for (ImpactTime impact : reported_impacts(exact, chatter_speed(scene)))
+    if ((impact.time += 2e-3) < 1) impacts.push_back(impact);
+  Suite suite;
+  suite.wanted.histories = false;
+  suite.tolerance = 1;
+  RunMetrics row;
+  RunFiles files;
+  compare_with_exact(scene, suite, {other, 1e-3, impacts, false, {}}, 1, row, files);
+  return row;
+}
+
+// Of three seconds those beyond the horizon say as little as if they had never been.
+TEST(AgainstExact, WhatLiesBeyondTheHorizonSaysNothing) {
+  const RunMetrics row = row_up_to_one_second(3), cut = row_up_to_one_second(1);
+  EXPECT_EQ(row.horizon, 1);
+  EXPECT_GT(*cut.impacts_matched, 2);
+  EXPECT_EQ(cut.impacts_missed, 0);
+  for (const auto field :
+       {&RunMetrics::largest_angle_difference, &RunMetrics::rms_angle_difference,
+        &RunMetrics::relative_angle_difference, &RunMetrics::magnitude_error, &RunMetrics::phase_error,
+        &RunMetrics::agreement_time, &RunMetrics::second_peak_difference,
+        &RunMetrics::rms_impact_time_difference, &RunMetrics::pattern_sequence_time}) {
+    ASSERT_EQ((row.*field).has_value(), (cut.*field).has_value());
+    if (row.*field) EXPECT_DOUBLE_EQ(*(row.*field), *(cut.*field));
+  }
+  for (const auto field :
+       {&RunMetrics::impacts_matched, &RunMetrics::impacts_missed, &RunMetrics::impacts_extra,
+        &RunMetrics::impacts_missed_null, &RunMetrics::settlings_missed})
+    EXPECT_EQ(row.*field, cut.*field);
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ RunMetrics compared(const Scene& scene, const EngineRun& run) {
   RunFiles files;
   compare_with_exact(
       scene, suite,
-      {run.history, interval, observed_impacts(run.history, chatter_speed(scene)), false, run.bodies}, row,
-      files);
+      {run.history, interval, observed_impacts(run.history, chatter_speed(scene)), false, run.bodies},
+      scene.duration, row, files);
   return row;
 }
 

@@ -118,5 +118,35 @@ TEST(Draws, PredictableTimeIsTheDurationUnlessHistoriesPart) {
   EXPECT_LT(predictable_time(scene, {.runs = 5, .scene = 1e-2}, 1e-6), 0.1);
 }
 
+// A block that rocks for a second; neighbours that differ by a hundredth part at once.
+TEST(Draws, RowsAreOfTheTimeUpToTheHorizonOfTheSceneHoweverManyDrawsThereAre) {
+  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  std::vector<double> horizons;
+  for (const int runs : {1, 3}) {
+    const TemporaryFolder folder;
+    Suite suite = suite_of(folder, engines().front());
+    suite.draws = {.runs = runs, .scene = 1e-2};
+    suite.tolerance = 1e-4;
+    const auto rows = compare({suite}, folder.path(), {}).rows;
+    horizons.push_back(*rows.at(0).horizon);
+    EXPECT_EQ(rows.at(1).horizon, rows.at(0).horizon);
+    EXPECT_LE(*rows.at(1).agreement_time, *rows.at(1).horizon);
+    if (runs > 1) continue;
+    // The angles of difference.csv go on after the horizon, and are larger there.
+    const auto columns =
+        read_columns(folder.path() / "runs" / rows.at(1).run / "difference.csv", {"time", "difference_1"});
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < columns[0].size(); ++i) {
+      double& largest = columns[0][i] <= horizons.front() ? before : after;
+      largest = std::max(largest, std::abs(columns[1][i]));
+    }
+    EXPECT_EQ(rows.at(1).largest_angle_difference, before);
+    EXPECT_GT(after, before);
+  }
+  EXPECT_EQ(horizons.front(), horizons.back());
+  EXPECT_GT(horizons.front(), 0);
+  EXPECT_LT(horizons.front(), 0.9);
+}
+
 }  // namespace
 }  // namespace rockstack

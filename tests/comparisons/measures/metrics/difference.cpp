@@ -23,7 +23,7 @@ History ramp(double slope, int samples) {
 TEST(Difference, IsSecondLessFirstOverTheCommonTime) {
   const Difference apart = difference(ramp(0, 5), ramp(0.5, 3));
   ASSERT_EQ(apart.times.size(), 3u);
-  EXPECT_EQ(apart.angles, (std::vector<double>{0, 0, 0, 0.25, 0, 0.5}));
+  EXPECT_EQ(apart.values, (std::vector<double>{0, 0, 0, 0.25, 0, 0.5}));
 }
 
 TEST(Difference, MeasuresFollowTheirDefinitions) {

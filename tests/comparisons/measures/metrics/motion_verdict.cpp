@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "analytic/solve.hpp"
 #include "tests/free_rocking.hpp"
 
@@ -45,8 +48,22 @@ TEST(MotionVerdict, AHistoryWithoutEventsIsJudgedByItsSamples) {
   history.angles = {0, 0, 1e-5, 2e-5};
   history.velocities = {0, 0, 0, 0};
   EXPECT_EQ(motion_verdict(scene, history), "rests throughout");
+  EXPECT_EQ(motion_verdict(scene, history, {.sinking = 0.086}), "rests, but sinks by 86 mm");
+  EXPECT_EQ(motion_verdict(scene, history, {.sinking = 1e-4}), "rests throughout") << "of 1.25 m";
+  EXPECT_EQ(motion_verdict(scene, history, {.fallen = "block 2 at 0.4 s"}),
+            "block 2 has fallen off at 0.4 s");
   history.angles[3] = 1.5;
   EXPECT_EQ(motion_verdict(scene, history), "block 2 topples at 0.5 s");
+}
+
+// A block that impacts press in for a moment has not sunk; one that stays in has.
+TEST(MotionVerdict, SinkingIsWhatLasts) {
+  std::vector<double> depths(100, 0.0);
+  depths[50] = depths[95] = 0.3;
+  EXPECT_EQ(support_of(depths, {INFINITY}).sinking, 0);
+  std::fill(depths.begin() + 40, depths.end(), 0.2);
+  EXPECT_EQ(support_of(depths, {INFINITY}).sinking, 0.2);
+  EXPECT_EQ(support_of(depths, {INFINITY, 0.5, 0.25}).fallen, "block 3 at 0.25 s");
 }
 
 }  // namespace

@@ -5,16 +5,21 @@
 namespace rockstack {
 namespace {
 
-RunMetrics run(const char* settings, const char* scene, double error, RunStatus status = RunStatus::done) {
-  RunMetrics row;
+/// A row whose replicates lie within a tenth of its error, all of them apart from those of half of it.
+ReplicatedRow run(const char* settings, const char* scene, double error, RunStatus status = RunStatus::done) {
+  ReplicatedRow one;
+  RunMetrics& row = one.row;
   row.engine = "ode";
   row.solver = "step";
   row.settings = settings;
   row.scene = scene;
   row.dt = 1e-3;
   row.status = status;
-  if (status == RunStatus::done) row.rms_angle_difference = error;
-  return row;
+  if (status != RunStatus::done) return one;
+  row.error = error;
+  row.motion = 1;
+  for (const double part : {0.9, 0.95, 1.0, 1.05, 1.1}) one.errors.push_back(part * error);
+  return one;
 }
 
 TEST(Ranking, IsByTheGeometricMeanOfRatiosToTheBestOfEachScene) {
@@ -24,8 +29,8 @@ TEST(Ranking, IsByTheGeometricMeanOfRatiosToTheBestOfEachScene) {
   EXPECT_EQ(ranking[0].settings, "b");
   EXPECT_DOUBLE_EQ(ranking[0].score, 2);
   EXPECT_DOUBLE_EQ(ranking[0].worst, 4);
-  EXPECT_EQ(ranking[1].rank, 2);
   EXPECT_DOUBLE_EQ(ranking[1].score, 4);
+  EXPECT_EQ(ranking[1].rank, 1) << "each is nearer in one scene, so that no test tells them apart";
 }
 
 TEST(Ranking, ARunThatIsNotDoneCountsAsAHundredTimesTheBest) {
@@ -41,6 +46,35 @@ TEST(Ranking, ARunThatIsNotDoneCountsAsAHundredTimesTheBest) {
 
 TEST(Ranking, NeedsSeveralSets) {
   EXPECT_TRUE(rank_sets({run("a", "one", 1), run("a", "two", 1)}).empty());
+}
+
+// Five replicates of either that lie apart have a chance of 2/252; of three replicates it is 2/20.
+TEST(Ranking, SetsThatReplicatesDoNotTellApartShareARank) {
+  auto rows = std::vector<ReplicatedRow>{run("a", "one", 1), run("b", "one", 1.15), run("c", "one", 3)};
+  const auto ranking = rank_all(rows);
+  ASSERT_EQ(ranking.size(), 3U);
+  EXPECT_EQ(ranking[0].rank, 1);
+  EXPECT_EQ(ranking[1].rank, 1) << "their replicates overlap";
+  EXPECT_EQ(ranking[2].rank, 3);
+  for (ReplicatedRow& row : rows) row.errors.resize(3);
+  for (const RankedSet& set : rank_all(rows)) EXPECT_EQ(set.rank, 1);
+  // At several steps three replicates are enough.
+  auto finer = rows;
+  for (ReplicatedRow& row : finer) row.row.dt = 1e-4;
+  rows.insert(rows.end(), finer.begin(), finer.end());
+  EXPECT_EQ(rank_all(rows)[2].rank, 3);
+}
+
+// What rests has errors of rounding; a set that is best there alone is not best.
+TEST(Ranking, ScenesAtRestAreLeftOut) {
+  std::vector<ReplicatedRow> rows{run("a", "one", 1), run("b", "one", 3), run("a", "rest", 1e-9),
+                                  run("b", "rest", 1e-18)};
+  for (ReplicatedRow& row : rows)
+    if (row.row.scene == "rest") row.row.motion = 1e-14;
+  const auto ranking = rank_all(rows);
+  EXPECT_EQ(ranking[0].settings, "a");
+  EXPECT_EQ(ranking[0].cells, 1);
+  EXPECT_TRUE(rank_all({rows[2], rows[3]}).empty());
 }
 
 }  // namespace

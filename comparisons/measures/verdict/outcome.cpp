@@ -1,0 +1,100 @@
+#include "comparisons/measures/verdict/outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analytic/scene/messages/quantity_text.hpp"
+#include "comparisons/measures/metrics/centres.hpp"
+#include "comparisons/measures/statistics/ranking.hpp"
+
+namespace rockstack {
+namespace {
+
+/// "block 2 at 0.4 s" with the verb between.
+std::string with_verb(const std::string& block_and_time, const std::string& verb) {
+  const std::size_t at = block_and_time.find(" at ");
+  const double time = std::stod(block_and_time.substr(at + 4));
+  return block_and_time.substr(0, at) + " " + verb + " at " + quantity_text(time, "s");
+}
+
+std::string fall_of(const RunMetrics& row) {
+  if (row.toppling_verdict == TopplingVerdict::exact_alone) return "stands, though the exact motion topples";
+  if (row.toppling_verdict != TopplingVerdict::engine_alone) return "";
+  return row.fallen.empty() ? with_verb(row.toppled, "topples") : with_verb(row.fallen, "has fallen off");
+}
+
+/// In how many runs it topples otherwise, where not in all or none.
+std::string share_of_replicates(const RunMetrics& row) {
+  const int other = row.draws_other_verdict.value_or(0), all = row.draws.value_or(1);
+  return other > 0 && other < all ? fmt::format("in {} of {} replicates", other, all) : "";
+}
+
+bool is_at_rest(const RunMetrics& row) {
+  return row.motion && *row.motion <= rest_extent;
+}
+
+std::string at_rest(const RunMetrics& row, const SceneScale& scale, const std::string& event) {
+  const bool turns = row.largest_angle_difference.value_or(0) > scale.tolerance;
+  const bool sinks = event.starts_with("sinks");
+  if (!event.empty() && !(sinks && !turns)) return event;
+  if (sinks) return "rests, but " + event;
+  const std::string off = quantity_text(row.largest_position_difference.value_or(0), "m", 2) + " off";
+  if (turns)
+    return fmt::format("does not rest: {} and {}", quantity_text(*row.largest_angle_difference, "rad", 2),
+                       off);
+  return agrees(row, scale) ? "rests" : "rests, but is " + off;
+}
+
+}  // namespace
+
+SceneScale scale_of(const Scene& scene, double tolerance) {
+  return {least_height(scene), scene.duration, tolerance};
+}
+
+bool is_engine(const RunMetrics& row) {
+  return row.dt && !row.settings.empty() && row.settings != "baseline";
+}
+
+std::string set_name(const std::string& engine, const std::string& solver, const std::string& settings) {
+  return fmt::format("{}:{} ({})", engine, solver, settings);
+}
+
+std::string set_name(const RunMetrics& row) {
+  return set_name(row.engine, row.solver, row.settings);
+}
+
+bool agrees(const RunMetrics& row, const SceneScale& scale) {
+  return row.largest_angle_difference.value_or(0) <= scale.tolerance &&
+         row.relative_position_difference.value_or(0) <= scale.tolerance;
+}
+
+double agreement_end(const RunMetrics& row, const SceneScale& scale) {
+  const double horizon = row.horizon.value_or(scale.duration);
+  if (agrees(row, scale)) return horizon;
+  return std::min(
+      {horizon, row.agreement_time.value_or(horizon), row.position_agreement_time.value_or(horizon)});
+}
+
+std::string event_of(const RunMetrics& row, const SceneScale& scale) {
+  const std::string replicates = share_of_replicates(row);
+  if (const std::string fall = fall_of(row); !fall.empty())
+    return replicates.empty() ? fall : fall + ", " + replicates;
+  if (!replicates.empty()) return "topples otherwise " + replicates;
+  const double sunk = std::min(row.sinking.value_or(0), row.largest_position_difference.value_or(0));
+  return sunk > told_sinking * scale.least_height ? "sinks by " + quantity_text(sunk, "m", 2) : "";
+}
+
+std::string outcome(const RunMetrics& row, const SceneScale& scale) {
+  if (row.status != RunStatus::done) return name(row.status) + ": " + row.reason;
+  if (!row.error) return "";
+  const std::string event = event_of(row, scale);
+  if (is_at_rest(row)) return at_rest(row, scale, event);
+  const double horizon = row.horizon.value_or(scale.duration);
+  const std::string until = !agrees(row, scale) ? "until " + quantity_text(agreement_end(row, scale), "s")
+                            : horizon < scale.duration ? "to the horizon"
+                                                       : "to the end";
+  return "agrees " + until + (event.empty() ? "" : "; " + event);
+}
+
+}  // namespace rockstack

@@ -1,0 +1,80 @@
+#include "comparisons/measures/verdict/outcome.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rockstack {
+namespace {
+
+constexpr SceneScale scale{.least_height = 0.4, .duration = 5, .tolerance = 0.01};
+
+RunMetrics moving() {
+  RunMetrics row;
+  row.motion = 0.3;
+  row.horizon = 5;
+  row.error = row.largest_angle_difference = 1e-3;
+  row.relative_position_difference = row.largest_position_difference = 0;
+  return row;
+}
+
+RunMetrics resting() {
+  RunMetrics row = moving();
+  row.motion = 0;
+  row.error = row.largest_angle_difference = 1e-17;
+  return row;
+}
+
+TEST(Outcome, SaysUntilWhenARunAgrees) {
+  RunMetrics row = moving();
+  EXPECT_EQ(outcome(row, scale), "agrees to the end");
+  row.horizon = 3;
+  EXPECT_EQ(outcome(row, scale), "agrees to the horizon");
+  row.largest_angle_difference = 0.02;
+  row.agreement_time = 1.234;
+  EXPECT_EQ(outcome(row, scale), "agrees until 1.23 s");
+  row.relative_position_difference = 0.02;
+  row.position_agreement_time = 0.5;
+  EXPECT_EQ(outcome(row, scale), "agrees until 500 ms") << "centres part before angles";
+}
+
+// Two cubes at rest, the upper a thousand times the lower: its angles stay as they are in either engine.
+TEST(Outcome, WhatRestsButSinksIsTold) {
+  RunMetrics row = resting();
+  EXPECT_EQ(outcome(row, scale), "rests");
+  row.sinking = 0.0864;
+  row.largest_position_difference = 0.13;
+  row.relative_position_difference = 0.13 / 0.4;
+  EXPECT_EQ(outcome(row, scale), "rests, but sinks by 86 mm");
+}
+
+TEST(Outcome, ABlockThatLiesBesideItsBaseHasFallenOff) {
+  RunMetrics row = resting();
+  row.fallen = "block 2 at 1.25 s";
+  row.toppling_verdict = TopplingVerdict::engine_alone;
+  row.relative_position_difference = 1;
+  EXPECT_EQ(outcome(row, scale), "block 2 has fallen off at 1.25 s");
+}
+
+TEST(Outcome, WhatSlidesAwayDoesNotRest) {
+  RunMetrics row = resting();
+  row.largest_position_difference = 0.02;
+  row.relative_position_difference = 0.05;
+  EXPECT_EQ(outcome(row, scale), "rests, but is 20 mm off");
+}
+
+TEST(Outcome, ReplicatesThatToppleOtherwiseAreCounted) {
+  RunMetrics row = moving();
+  row.toppling_verdict = TopplingVerdict::both;
+  row.draws = 21;
+  row.draws_other_verdict = 3;
+  EXPECT_EQ(outcome(row, scale), "agrees to the end; topples otherwise in 3 of 21 replicates");
+}
+
+TEST(Outcome, AFailureSaysWhy) {
+  RunMetrics row;
+  row.status = RunStatus::time_limit;
+  row.reason = "60 s have passed";
+  EXPECT_EQ(outcome(row, scale), "time limit: 60 s have passed");
+}
+
+}  // namespace
+}  // namespace rockstack

@@ -1,0 +1,148 @@
+#include "comparisons/measures/verdict/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <regex>
+
+namespace rockstack {
+namespace {
+
+constexpr double height = 0.4;  // m
+
+JudgedScene scene(const std::string& name, double duration = 5) {
+  return {name, {.least_height = height, .duration = duration, .tolerance = 0.01}};
+}
+
+/// A row of a scene that moves, with replicates within a tenth of its error (rad).
+ReplicatedRow row(const std::string& scene, const std::string& settings, double dt, double error) {
+  ReplicatedRow one;
+  RunMetrics& row = one.row;
+  row.scene = scene;
+  row.engine = "ode";
+  row.solver = "step";
+  row.settings = settings;
+  row.dt = dt;
+  row.horizon = 5;
+  row.motion = 0.3;
+  row.error = row.rms_angle_difference = error;
+  row.largest_angle_difference = 3 * error;
+  row.rms_position_difference = row.largest_position_difference = row.relative_position_difference = 0;
+  row.agreement_time = 3 * error <= 0.01 ? 5 : 0.01 / error;
+  row.position_agreement_time = 5;
+  row.toppling_verdict = TopplingVerdict::neither;
+  for (const double part : {0.9, 0.95, 1.0, 1.05, 1.1}) one.errors.push_back(part * error);
+  return one;
+}
+
+ReplicatedRow row_at_rest(const std::string& settings, double sunk = 0) {
+  ReplicatedRow one = row("rest", settings, 1e-3, 1e-18);
+  one.row.motion = 0;
+  one.row.sinking = one.row.largest_position_difference = sunk;
+  one.row.relative_position_difference = sunk / height;
+  return one;
+}
+
+std::vector<std::string> headline(const std::vector<ReplicatedRow>& rows,
+                                  const std::vector<JudgedScene>& scenes) {
+  return verdict_of({rows, {}, {}}, scenes).headline;
+}
+
+TEST(Verdict, NamesAWinnerWithTheScenesInWhichItWins) {
+  const std::vector<std::string> told =
+      headline({row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 4e-3), row("b", "tuned", 1e-3, 2e-3),
+                row("b", "default", 1e-3, 2.1e-3)},
+               {scene("a"), scene("b")});
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(
+      told[0],
+      "In a ode:step (tuned) is nearest to the exact motion; in b ode:step (tuned) and ode:step (default) "
+      "cannot be told apart by 5 replicates; ode:step (default) is furthest, 2 times the least error off.");
+  EXPECT_EQ(
+      told[1],
+      "Engines stay within 10 mrad and 1 % of the least block height: until 2.5 s or longer, some to the end "
+      "at a step of 1 ms.");
+}
+
+// The ranking of a whole scene of 25 s went by what lay beyond 5.86 s.
+TEST(Verdict, SaysHowFarHistoriesAreCompared) {
+  std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1.5e-3)};
+  for (ReplicatedRow& one : rows) one.row.horizon = 3;
+  const auto told = headline(rows, {scene("a")});
+  EXPECT_EQ(
+      told[1],
+      "Engines stay within 10 mrad and 1 % of the least block height: all to the horizon at a step of 1 ms "
+      "(the horizon: 3 s in a).");
+}
+
+TEST(Verdict, ScenesAtRestAreToldByWhatHappensInThem) {
+  const auto told = headline({row_at_rest("tuned"), row_at_rest("default", 0.086)}, {scene("rest")});
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0], "Nothing moves in rest, where no set is ranked.");
+  EXPECT_EQ(told[1], "With ode:step (default) in rest at 1 ms a block sinks by 86 mm.");
+  for (const std::string& sentence : told) EXPECT_EQ(sentence.find("nearest"), std::string::npos);
+}
+
+TEST(Verdict, ABlockThatFallsOffIsTold) {
+  std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1.5e-3)};
+  rows[0].row.toppling_verdict = TopplingVerdict::engine_alone;
+  rows[0].row.fallen = "block 2 at 0.43 s";
+  const auto told = headline(rows, {scene("a")});
+  EXPECT_NE(told[1].find("with ode:step (tuned) in a at 1 ms block 2 has fallen off at 430 ms"),
+            std::string::npos)
+      << told[1];
+}
+
+TEST(Verdict, OfOneRunEachNothingIsToldApart) {
+  std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1)};
+  for (ReplicatedRow& one : rows) one.errors.resize(1);
+  EXPECT_EQ(headline(rows, {scene("a")})[0],
+            "In a ode:step (tuned) and ode:step (default) cannot be told apart by one run each.");
+}
+
+/// Whether any sentence of a verdict calls a set nearer than others.
+bool names_a_winner(const ComparisonVerdict& verdict) {
+  const std::regex winner("\\) is (nearest|furthest)|are nearest");
+  const auto names = [&](const std::vector<std::string>& sentences) {
+    return std::any_of(sentences.begin(), sentences.end(),
+                       [&](const std::string& one) { return std::regex_search(one, winner); });
+  };
+  return names(verdict.headline) || std::any_of(verdict.scenes.begin(), verdict.scenes.end(), names);
+}
+
+/// Rows of four sets in two scenes at two steps, replicates drawn from distributions with these medians.
+std::vector<ReplicatedRow> drawn_rows(std::mt19937_64& random, const std::vector<double>& medians) {
+  std::lognormal_distribution<double> spread(0, 1);
+  std::vector<ReplicatedRow> rows;
+  for (const char* name : {"a", "b"})
+    for (const double dt : {1e-2, 1e-3})
+      for (std::size_t i = 0; i < medians.size(); ++i) {
+        rows.push_back(row(name, "set " + std::to_string(i), dt, 1e-3));
+        std::vector<double>& errors = rows.back().errors;
+        errors.clear();
+        for (int k = 0; k < 9; ++k) errors.push_back(medians[i] * spread(random));
+        std::vector<double> sorted = errors;
+        std::nth_element(sorted.begin(), sorted.begin() + 4, sorted.end());
+        rows.back().row.error = sorted[4];
+      }
+  return rows;
+}
+
+// Three rankings, of either scene and of both, each at a level of 5 %: of 100 verdicts over sets that are
+// alike 15 name a winner at most, and chance adds 2.5 deviations of 3.6. Sets that are ten times apart are
+// ranked every time.
+TEST(Verdict, NothingIsRankedApartFromSeparation) {
+  std::mt19937_64 random(5);
+  const std::vector<JudgedScene> scenes{scene("a"), scene("b")};
+  int alike = 0;
+  for (int trial = 0; trial < 100; ++trial)
+    alike +=
+        names_a_winner(verdict_of({drawn_rows(random, {1e-3, 1e-3, 1e-3, 1e-3}), {}, {}}, scenes)) ? 1 : 0;
+  EXPECT_LE(alike, 24);
+  for (int trial = 0; trial < 20; ++trial)
+    EXPECT_TRUE(names_a_winner(verdict_of({drawn_rows(random, {1e-4, 1e-3, 1e-2, 1e-1}), {}, {}}, scenes)));
+}
+
+}  // namespace
+}  // namespace rockstack
