@@ -57,6 +57,7 @@ class ContactChatter {
           rows_of(stack_.blocks, after, held_point(stack_.blocks, k, joint)).slip_row.dot(rates);
       const Real still = settling_speed_ * half_width_of<Real>(stack_.blocks, k);
       joint.slip = (speed > still) - (speed < -still);
+      meet_face(stack_, k, joint);
     }
     return result;
   }

@@ -30,28 +30,6 @@ EventKind kind_of(const Joints<Real>& from, const Joints<Real>& to) {
   return EventKind::stick;
 }
 
-/// On a pair of corners the first slip decides whose face it goes along: the mode that follows then, in place
-/// of `mode`. `free` is the acceleration without contact.
-template <class Real>
-Joints<Real> with_corners(const BasicFrictionStack<Real>& stack, Joints<Real> joints, Joints<Real> mode,
-                          const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free) {
-  for (std::size_t k = 1; k < mode.size(); ++k) {
-    const BasicJoint<Real>& joint = mode[k];
-    if (!joint.pivots() || joint.slip == 0 || joints[k].slip != 0) continue;
-    const auto interface = static_cast<int>(k);
-    const CornerOnFace<Real> point = held_point(stack.blocks, interface, joint);
-    const Real end = half_width_of<Real>(stack.blocks, point.face);
-    const Real along = point.upward * rows_of(stack.blocks, bodies, point).slip;
-    const bool outward = point.upward * joint.slip * joint.side() > 0;
-    if (!outward || end - joint.side() * along > tolerance<Real>(1e-12) * end) continue;
-    joints[k] = joint;
-    joints[k].slip = 0;
-    joints[k].corner_below = !joint.corner_below;
-    if (const auto other = find_mode(stack, joints, bodies, free, Sought::accelerations)) mode = *other;
-  }
-  return mode;
-}
-
 /// Whether friction at a pivot may turn it onto its face: G_NN ≤ μ |G_NT|. Without that one mode obeys.
 template <class Real>
 bool couples(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
@@ -70,6 +48,7 @@ bool couples(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
 template <class Real>
 bool has_others(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints, const Joints<Real>& mode,
                 const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free) {
+  if (faces_differ(stack, joints, mode, bodies, free, Sought::accelerations)) return true;
   bool any = false;
   for (std::size_t k = 0; k < joints.size(); ++k) any = any || couples(stack, joints, bodies, k);
   if (!any) return false;

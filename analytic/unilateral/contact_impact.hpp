@@ -10,10 +10,12 @@ namespace rockstack {
 /// What an impact leads to.
 template <class Real>
 struct ContactCollision {
-  Joints<Real> mode;
-  Placements<Real> rates;
+  Joints<Real> found;  ///< what the impulses bring about
   std::vector<BasicContactForce<Real>> impulses;
-  bool closes = false;  ///< something stays together as its chatter ends
+  Joints<Real> mode;  ///< without what slides or parts too slowly
+  Placements<Real> rates;
+  bool closes = false;   ///< something stays together as its chatter ends
+  bool several = false;  ///< on other faces of pairs of corners another obeys as well
 };
 
 template <class Real>
@@ -41,7 +43,9 @@ Joints<Real> with_slips(const BasicFrictionStack<Real>& stack, Joints<Real> mode
     if (!joint.touches() || joint.slip == 0) continue;
     const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, held_point(stack.blocks, k, joint));
     const Real rounding = tolerance<Real>(1e-14) * rows.slip_row.cwiseAbs().dot(rates.cwiseAbs());
-    if (!(joint.slip * rows.slip_row.dot(rates) > rounding)) joint.slip = 0;
+    if (joint.slip * rows.slip_row.dot(rates) > rounding) continue;
+    joint.slip = 0;
+    meet_face(stack, k, joint);
   }
   return mode;
 }
@@ -58,7 +62,8 @@ std::optional<ContactCollision<Real>> collide(const BasicFrictionStack<Real>& st
   const auto found = find_mode(stack, touching, bodies, before, Sought::velocities);
   if (!found) return std::nullopt;
   const BasicModeResponse<Real> response = respond(stack, *found, bodies, before, Sought::velocities);
-  ContactCollision<Real> impact{*found, {}, response.forces};
+  ContactCollision<Real> impact{*found, response.forces, *found, {}};
+  impact.several = faces_differ(stack, touching, *found, bodies, before, Sought::velocities);
   bodies.rate = placements_of(response.motion);
   for (std::size_t rounds = 0; rounds <= 4 * touching.size(); ++rounds) {
     Joints<Real> held = with_slips(stack, impact.mode, bodies);

@@ -56,15 +56,23 @@ class ContactRecorder {
     }
     if (!demands_ && !options_.peaks) return;
     const Joints<Real> joints = springs.shown(rigid);
-    if (demands_ && end_s > 0) demands_->note_step(joints, series, end_s, start);
+    if (demands_ && end_s > 0) note_demands(joints, series, end_s, start);
     if (!options_.peaks) return;
     note_peaks(series, end_s);
     for (std::size_t k = 0; k < joints.size(); ++k)
       if (!joints[k].touches()) note_lift(static_cast<int>(k), series, end_s);
   }
 
-  void note_impact(const std::vector<BasicContactForce<Real>>& impulses, const Real& time) {
-    if (demands_) demands_->note_impact(impulses, time);
+  /// Impulses that bring about a mode.
+  void note_impact(const Joints<Real>& mode, const BasicBodies<Real>& bodies,
+                   std::vector<BasicContactForce<Real>> impulses, const Real& time) {
+    if (!demands_) return;
+    demands_->note_impact(impulses, time);
+    for (const int k : sticking_pairs(mode)) {
+      const auto index = static_cast<std::size_t>(k);
+      impulses[index] = on_other_face(impulses[index], mode[index], relative_angle(bodies.at, index));
+    }
+    demands_->note_impact(impulses, time);
   }
 
   void note_event(BasicContactEvent<Real> event) { history_.events.push_back(std::move(event)); }
@@ -88,6 +96,24 @@ class ContactRecorder {
   }
 
  private:
+  std::vector<int> sticking_pairs(const Joints<Real>& joints) const {
+    return open_pairs(stack_, joints, Sought::accelerations);
+  }
+
+  /// Pairs of corners need the friction of either face.
+  void note_demands(const Joints<Real>& joints, const ModeSeries<Real>& series, const Real& end_s,
+                    const Real& start) {
+    demands_->note_step(joints, series, end_s, start);
+    const std::vector<int> pairs = sticking_pairs(joints);
+    if (pairs.empty()) return;
+    ModeSeries<Real> others = series;
+    for (const int k : pairs) {
+      ForceSeries<Real>& force = others.forces[static_cast<std::size_t>(k)];
+      force = on_upper_face(series, k, force);
+    }
+    demands_->note_step(joints, others, end_s, start);
+  }
+
   bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
 
   /// At s of a step.

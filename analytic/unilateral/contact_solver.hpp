@@ -220,7 +220,7 @@ class ContactSolver {
     const auto impact =
         collide(stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies));
     if (!impact) stop("no impulses end an impact at");
-    recorder_.note_impact(impact->impulses, time());
+    recorder_.note_impact(impact->found, state_.bodies, impact->impulses, time());
     state_ = {{state_.bodies.at, impact->rates}, impact->mode};
     place(stack_.blocks, state_.joints, state_.bodies);
     const auto still = [](const BasicJoint<Real>& joint) {
@@ -229,7 +229,7 @@ class ContactSolver {
     note(!impact->closes                                                ? EventKind::impact
          : std::all_of(impact->mode.begin(), impact->mode.end(), still) ? EventKind::rest
                                                                         : EventKind::closure,
-         interface, before, rates);
+         interface, before, rates, impact->several ? Consistency::several : Consistency::consistent);
     decide(impact->mode, state_.bodies, 0);
   }
 
@@ -247,7 +247,6 @@ class ContactSolver {
       mode = find_mode(stack_, joints, moment, free, Sought::accelerations);
       if (!mode) stop("no forces let the motion go on at");
     }
-    mode = with_corners(stack_, joints, *mode, moment, free);
     const bool others = has_others(stack_, joints, *mode, moment, free);
     const Placements<Real> rates = state_.bodies.rate;
     state_.joints = *mode;
@@ -267,7 +266,7 @@ class ContactSolver {
     if (!mode) stop("no impulses let the motion go on at");
     const BasicModeResponse<Real> response =
         respond(stack_, *mode, state_.bodies, velocities, Sought::velocities);
-    recorder_.note_impact(response.forces, time());
+    recorder_.note_impact(*mode, state_.bodies, response.forces, time());
     // The mode is that of the kicked velocities. Where its impulses on those without the kick would gain
     // energy, what joints do not leave is taken without friction.
     const auto twice_energy = [&](const BasicFreeVector<Real>& motion) -> Real {

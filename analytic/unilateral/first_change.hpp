@@ -60,13 +60,20 @@ FirstChange<Real> first_change(std::vector<Course<Real>> courses, const ModeSeri
   for (Course<Real>& course : courses) {
     Polynomial<Real>& whole = course.series;
     const bool starts = fresh.starts(course, time, decided);
-    if (course.change == Change::landing) {
-      if (whole[0] < -course.rounding) continue;
+    Real first = starts ? skipped : Real(0);
+    const bool lower = course.change == Change::landing && whole[0] < -course.rounding;
+    if (lower) {
+      // Beside its face a corner may be lower, and come up before it lands.
+      const std::optional<Real> above = first_crossing(times(-1, whole));
+      if (!above) continue;
+      first = *above;
+    } else if (course.change == Change::landing && whole[0] <= (starts ? course.rounding : Real(0))) {
       // A corner that has not just parted may come down from within rounding above the face.
-      if (whole[0] <= (starts ? course.rounding : Real(0))) whole[0] = 0;
+      whole[0] = 0;
     }
-    const Real first = starts ? skipped : Real(0);
-    std::optional<Real> crossing = first_crossing(starts ? from(whole, first) : whole);
+    Polynomial<Real> rest = first > 0 ? from(whole, first) : whole;
+    if (lower) rest[0] = 0;
+    std::optional<Real> crossing = first_crossing(rest);
     if (crossing) *crossing = first + (1 - first) * *crossing;
     if (!crossing || *crossing > found.s) continue;
     if (course.change == Change::landing && !lands(series, course, *crossing)) continue;

@@ -29,7 +29,7 @@ Joints<Real> choices(const BasicFrictionStack<Real>& stack, int interface, const
       next.touch = touch;
       next.slip = slip;
       if (joint.touch == Touch::flat && next.pivots())
-        next.corner_below = corner_is_below(stack, interface, joint.offset, next.side());
+        next.corner_below = corner_is_below(stack, interface, joint.offset, next.side(), slip);
       result.push_back(next);
     }
   }

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "analytic/unilateral/contact/contact_laws.hpp"
+#include "analytic/unilateral/contact/corner_pairs.hpp"
 #include "analytic/unilateral/contact/sticking_mode.hpp"
 
 namespace rockstack {
@@ -76,16 +76,11 @@ std::optional<Joints<Real>> nearest_mode(const BasicFrictionStack<Real>& stack, 
   return nearest;
 }
 
-/// The mode that obeys all laws of contact among those in which what touches may stay, part or pivot, and
-/// what sticks may slide; of velocities everything may stick. Where several do, the one in which all that
-/// sticks goes on to stick comes first, then the one that Lemke's method finds, then, where rounding leads
-/// that astray, of all others the one nearest to the motion without contact in the metric of kinetic energy.
-/// Where none does to rounding, what Lemke's method finds all the same; nothing where it finds none, which
-/// happens for accelerations alone (Painlevé).
+/// The mode on given faces of all pairs of corners; see find_mode().
 template <class Real>
-std::optional<Joints<Real>> find_mode(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-                                      const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free,
-                                      Sought sought) {
+std::optional<Joints<Real>> mode_on_faces(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
+                                          const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free,
+                                          Sought sought) {
   const std::vector<TouchingPoints<Real>> contacts = touching_points(stack, joints, bodies, sought);
   if (contacts.empty()) return joints;
   if (auto mode = sticking_mode(stack, joints, contacts, free, sought)) return mode;
@@ -93,6 +88,64 @@ std::optional<Joints<Real>> find_mode(const BasicFrictionStack<Real>& stack, con
   if (mode && obeys(stack, joints, *mode, bodies, free, sought)) return mode;
   auto other = nearest_mode(stack, joints, bodies, free, sought);
   return other ? other : mode;
+}
+
+/// The mode that obeys all laws of contact among those in which what touches may stay, part or pivot, and
+/// what sticks may slide; of velocities everything may stick. Where several do, the one in which all that
+/// sticks goes on to stick comes first, then the one that Lemke's method finds, then, where rounding leads
+/// that astray, of all others the one nearest to the motion without contact in the metric of kinetic energy.
+/// Where none does to rounding, what Lemke's method finds all the same; nothing where it finds none, which
+/// happens for accelerations alone (Painlevé). Pairs of corners slide by the rule of corner_pairs.hpp, found
+/// as Murty's least-index method finds what is active: the first pair that changes its face does.
+template <class Real>
+std::optional<Joints<Real>> find_mode(const BasicFrictionStack<Real>& stack, Joints<Real> joints,
+                                      const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free,
+                                      Sought sought) {
+  const auto first = mode_on_faces(stack, joints, bodies, free, sought);
+  const std::vector<int> pairs = open_pairs(stack, joints, sought);
+  if (pairs.empty() || !first) return first;
+  auto mode = first;
+  int changing = -1;
+  for (std::size_t changes = 0; changes <= 4 * pairs.size(); ++changes) {
+    changing = first_to_change(stack, pairs, *mode, bodies, respond(stack, *mode, bodies, free, sought));
+    if (changing < 0) break;
+    bool& below = joints[static_cast<std::size_t>(changing)].corner_below;
+    below = !below;
+    mode = mode_on_faces(stack, joints, bodies, free, sought);
+    if (!mode) break;
+  }
+  if (!mode || changing >= 0) mode = first;
+  for (const int k : pairs) meet_face(stack, k, (*mode)[static_cast<std::size_t>(k)]);
+  return mode;
+}
+
+/// Whether other faces of the pairs of corners lead to another motion that obeys as well, of accelerations
+/// one that goes on along its faces, where there are few to try. Where a force has just left its cone,
+/// motions are yet alike, and modes tell them apart.
+template <class Real>
+bool faces_differ(const BasicFrictionStack<Real>& stack, Joints<Real> joints, const Joints<Real>& mode,
+                  const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free, Sought sought) {
+  const std::vector<int> pairs = open_pairs(stack, joints, sought);
+  const auto any_pair = [&](const auto& is) {
+    return std::any_of(pairs.begin(), pairs.end(), [&](int k) { return is(static_cast<std::size_t>(k)); });
+  };
+  constexpr std::size_t most = 7;  // 128 ways
+  if (pairs.size() > most || !any_pair([&](std::size_t k) { return !mode[k].sticks(); })) return false;
+  const BasicFreeVector<Real> motion = respond(stack, mode, bodies, free, sought).motion;
+  const Real same = Real(1e-6) * free.template lpNorm<Eigen::Infinity>();
+  for (unsigned faces = 0; faces < 1U << pairs.size(); ++faces) {
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      joints[static_cast<std::size_t>(pairs[i])].corner_below = (faces >> i & 1U) != 0;
+    const auto other = mode_on_faces(stack, joints, bodies, free, sought);
+    if (!other || !obeys(stack, joints, *other, bodies, free, sought)) continue;
+    if (sought == Sought::accelerations && any_pair([&](std::size_t k) { return slides_off((*other)[k]); }))
+      continue;
+    const BasicFreeVector<Real> moves = respond(stack, *other, bodies, free, sought).motion;
+    if ((moves - motion).template lpNorm<Eigen::Infinity>() > same ||
+        any_pair([&](std::size_t k) { return mode[k].sticks() != (*other)[k].sticks(); }))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace rockstack

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "analytic/unilateral/contact/bodies.hpp"
+#include "analytic/unilateral/contact/tolerance.hpp"
 
 namespace rockstack {
 
@@ -80,11 +81,23 @@ Overlap<Real> overlap(const BasicFrictionStack<Real>& stack, int interface, cons
   return {std::max<Real>(-upper, -lower - offset), std::min<Real>(upper, lower - offset)};
 }
 
-/// A pivot at an end of a flat contact: which block has the corner. Even ends: the upper one.
+/// How far the end of the lower face is beyond that of the upper one, m; zero where roundings alone part
+/// them.
 template <class Real>
-bool corner_is_below(const BasicFrictionStack<Real>& stack, int interface, const Real& offset, int side) {
-  return half_width_of<Real>(stack.blocks, interface - 1) - side * offset <
-         half_width_of<Real>(stack.blocks, interface);
+Real overhang(const BasicFrictionStack<Real>& stack, int interface, const Real& offset, int side) {
+  using std::abs;
+  const Real upper = half_width_of<Real>(stack.blocks, interface);
+  const Real beyond = half_width_of<Real>(stack.blocks, interface - 1) - side * offset - upper;
+  return abs(beyond) <= tolerance<Real>(1e-13) * upper ? Real(0) : beyond;
+}
+
+/// A pivot at an end of a flat contact: which block has the corner. Even ends: the one whose corner stays on
+/// the other's face in the slip, the upper one where nothing slips.
+template <class Real>
+bool corner_is_below(const BasicFrictionStack<Real>& stack, int interface, const Real& offset, int side,
+                     int slip = 0) {
+  const Real beyond = overhang(stack, interface, offset, side);
+  return beyond < 0 || (beyond == 0 && slip * side > 0);
 }
 
 }  // namespace rockstack

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "analytic/unilateral/contact/friction_stack.hpp"
-#include "analytic/unilateral/contact/point_rows.hpp"
+#include "analytic/unilateral/contact/corner_pairs.hpp"
 
 namespace rockstack {
 
@@ -23,6 +22,7 @@ void add_slips(const BasicFrictionStack<Real>& stack, const std::vector<double>&
     const Real slip = slip_velocities[k];
     BasicJoint<Real>& joint = state.joints[k];
     joint.slip = (slip > 0) - (slip < 0);
+    meet_face(stack, static_cast<int>(k), joint);
     const CornerOnFace<Real> point = held_point(stack.blocks, static_cast<int>(k), joint);
     const Real angle = placement(state.bodies.at, point.face).angle;
     carried.x += slip * cos(angle);

@@ -24,6 +24,7 @@ struct BasicJoint {
   Real offset = 0;            ///< s, m, while it touches
 
   bool touches() const { return touch != Touch::apart; }
+  bool sticks() const { return touches() && slip == 0; }
   bool pivots() const { return touch == Touch::left || touch == Touch::right; }
   /// The end that the pivot is at, −1 or 1; 0 where there is no pivot.
   int side() const { return pivots() ? static_cast<int>(touch) : 0; }

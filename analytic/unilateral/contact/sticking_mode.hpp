@@ -21,7 +21,7 @@ void set_mode(const BasicFrictionStack<Real>& stack, const TouchingPoints<Real>&
   joint.slip = slip;
   if (joint.touch != Touch::flat || (pushes[0] && pushes[1])) return;
   joint.touch = pushes[0] ? Touch::left : Touch::right;
-  joint.corner_below = corner_is_below(stack, contact.interface, joint.offset, joint.side());
+  joint.corner_below = corner_is_below(stack, contact.interface, joint.offset, joint.side(), slip);
 }
 
 /// The mode in which all that sticks goes on to, if its forces allow that.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "analytic/unilateral/contact/friction_stack.hpp"
+#include "analytic/unilateral/contact/corner_pairs.hpp"
 #include "analytic/unilateral/contact/tolerance.hpp"
 #include "analytic/unilateral/series/mode_series.hpp"
 
@@ -58,10 +58,13 @@ class CourseCollector {
     }
     if (!joint.touches()) return;
     if (joint.slip == 0) {
-      const Real friction = stack_.friction[static_cast<std::size_t>(k)];
-      const Polynomial<Real> limit = times(friction, force(k).normal);
-      push_force(sum(limit, times(-1, force(k).tangential)), 1 + friction, k);
-      push_force(sum(limit, force(k).tangential), 1 + friction, k);
+      if (is_corner_pair(stack_, k, joint)) {
+        push_cone_side(force(k), -joint.side(), k);
+        push_cone_side(on_upper_face(series_, k, force(k)), joint.side(), k);
+      } else {
+        push_cone_side(force(k), -1, k);
+        push_cone_side(force(k), 1, k);
+      }
     } else {
       push(times(joint.slip, derivative(slip(k))), Change::halt, k);
       if (k > 0) joint.pivots() ? add_pivot_ends(k) : add_flat_ends(k);
@@ -98,6 +101,12 @@ class CourseCollector {
       push(force, Change::force, k);
   }
 
+  /// What is left of friction, μN ± T, by forces on the face that a slip goes along.
+  void push_cone_side(const ForceSeries<Real>& force, int sign, int k) {
+    const Real friction = stack_.friction[static_cast<std::size_t>(k)];
+    push_force(sum(times(friction, force.normal), times(sign, force.tangential)), 1 + friction, k);
+  }
+
   /// How far the right or left end of the lower face is beyond that of the upper one.
   Polynomial<Real> overhang(int k, int side) const {
     return line(half_width_of<Real>(stack_.blocks, k - 1) - half_width_of<Real>(stack_.blocks, k), -side,
@@ -105,13 +114,10 @@ class CourseCollector {
   }
   /// Of places along a face, m.
   Real rounding_along(int k) const { return tolerance<Real>(1e-13) * half_width_of<Real>(stack_.blocks, k); }
-  /// Which of a flat contact's corners ends the overlap; even ones: that which the sliding makes end it.
+  /// Whose corner ends the overlap of a flat contact.
   bool ends_below(int k, int side) const {
     const BasicJoint<Real>& joint = joints_[static_cast<std::size_t>(k)];
-    const Real beyond = half_width_of<Real>(stack_.blocks, k - 1) - half_width_of<Real>(stack_.blocks, k) -
-                        side * joint.offset;
-    const Real rounding = rounding_along(k);
-    return beyond < -rounding || (beyond <= rounding && joint.slip * side > 0);
+    return corner_is_below(stack_, k, joint.offset, side, joint.slip);
   }
 
   /// N (end − centre of pressure), towards either end of the overlap; the moment is −N times the centre.
@@ -139,7 +145,9 @@ class CourseCollector {
     const CornerOnFace<Real> point = held_point(stack_.blocks, k, joint);
     const Polynomial<Real>& along = series_.held[static_cast<std::size_t>(k)].along;
     const Real end = half_width_of<Real>(stack_.blocks, point.face);
-    push(line(end, -joint.side(), along), Change::corner, k);
+    // A pair of corners that slides along its face comes to a halt before it can be back.
+    if (!is_corner_pair(stack_, k, joint) || slides_off(joint))
+      push(line(end, -joint.side(), along), Change::corner, k);
     push(line(end, joint.side(), along), Change::fall, k);
   }
 

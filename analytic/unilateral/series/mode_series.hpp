@@ -42,4 +42,18 @@ FaceSeries<Real> corner_series(const std::vector<Block>& blocks, const ModeSerie
   return point.place_from_middle();
 }
 
+/// What an interface between blocks carries along and across the upper face, where `force` tells it of the
+/// lower one.
+template <class Real>
+ForceSeries<Real> on_upper_face(const ModeSeries<Real>& series, int interface,
+                                const ForceSeries<Real>& force) {
+  const BodySeries<Real>& upper = series.bodies[static_cast<std::size_t>(interface)];
+  const BodySeries<Real>& lower = series.bodies[static_cast<std::size_t>(interface - 1)];
+  const Polynomial<Real> cosine = sum(product(upper.cosine, lower.cosine), product(upper.sine, lower.sine));
+  const Polynomial<Real> sine =
+      sum(product(upper.sine, lower.cosine), times(-1, product(upper.cosine, lower.sine)));
+  return {sum(product(force.tangential, sine), product(force.normal, cosine)),
+          sum(product(force.tangential, cosine), times(-1, product(force.normal, sine))), force.moment};
+}
+
 }  // namespace rockstack
