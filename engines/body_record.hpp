@@ -39,7 +39,7 @@ struct EngineRun {
   /// The state at t = 0 and after every step; ends early where a block has toppled. Of laws that leave pivots
   /// with slips, gaps (negative: overlap) and places, whether or not the blocks touch.
   History history;
-  std::size_t warnings = 0;          ///< as Simulation::warnings()
+  std::size_t warnings = 0;          ///< as of a Trajectory
   std::optional<BodyRecord> bodies;  ///< where asked for
 };
 

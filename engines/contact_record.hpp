@@ -8,7 +8,7 @@ namespace rockstack {
 /// An impact that contacts tell: an end of an interface that was off and bore nothing begins to bear while
 /// the interface closes.
 struct ContactImpact {
-  double time = 0;    ///< at which both faces touch there, by gap and approach, s
+  double time = 0;    ///< at which both faces touch there, by gap and approach, within the run so far, s
   int interface = 0;  ///< from 1
   double speed = 0;   ///< relative angular speed of closing where the step starts, rad/s
   double after = 0;   ///< relative angular velocity where it ends, rad/s

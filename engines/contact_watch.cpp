@@ -74,10 +74,11 @@ double ContactWatch::elastic_energy(const std::vector<ContactPoint>& points) con
 
 void ContactWatch::add_forces(const std::vector<ContactPoint>& points) {
   for (const ContactPoint& point : points) {
-    record_.complementarity = std::max(record_.complementarity, point.gap * point.normal / dt_);
-    pushed_ += point.normal;
-    excess_ += std::max(0.0, point.tangential - friction_[point.interface] * point.normal);
-    if (point.normal <= 0) continue;
+    const double push = std::max(0.0, point.normal);
+    excess_ += std::max(0.0, point.tangential - friction_[point.interface] * push);
+    if (push == 0) continue;
+    record_.complementarity = std::max(record_.complementarity, point.gap * push / dt_);
+    pushed_ += push;
     rigid_ |= std::isinf(point.stiffness);
     given_ += point.normal / point.stiffness;
     damped_ += point.normal * point.damping;
@@ -121,7 +122,8 @@ void ContactWatch::add_impacts(const std::vector<Ends>& ends, const std::vector<
       // An engine that finds contacts by overlap answers a step late.
       const bool was_off = side * angles_before_[k] < 0;
       if (ends[k][end].impulse <= 0 || last_ends_[k][end].impulse > 0 || speed <= 0 || !was_off) continue;
-      const double time = start + ends[k][end].gap / (widths_[k] * speed);
+      const double touching = start + ends[k][end].gap / (widths_[k] * speed);
+      const double time = std::clamp(touching, 0.0, static_cast<double>(samples_) * dt_);
       record_.impacts.push_back({time, static_cast<int>(k) + 1, speed, velocities[k]});
     }
   }

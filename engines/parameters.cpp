@@ -65,18 +65,22 @@ Parameters tuned_values(const std::vector<Setting>& settings) {
   return values;
 }
 
-void check_value(const std::string& engine, const std::vector<Setting>& settings, const std::string& name,
-                 double value) {
+const Setting& find_setting(const std::string& engine, const std::vector<Setting>& settings,
+                            const std::string& name) {
   const auto found = std::find_if(settings.begin(), settings.end(),
                                   [&](const Setting& setting) { return setting.name == name; });
-  if (found == settings.end()) {
+  if (found == settings.end())
     throw std::invalid_argument(
-        fmt::format("{}: {} = {}: no such parameter; there are {}", engine, name, value, names_of(settings)));
-  }
-  if (!allows(*found, value)) {
+        fmt::format("{}: {}: no such parameter; there are {}", engine, name, names_of(settings)));
+  return *found;
+}
+
+void check_value(const std::string& engine, const std::vector<Setting>& settings, const std::string& name,
+                 double value) {
+  const Setting& setting = find_setting(engine, settings, name);
+  if (!allows(setting, value))
     throw std::invalid_argument(
-        fmt::format("{}: {} = {}: must be {}", engine, name, value, range_of(*found)));
-  }
+        fmt::format("{}: {} = {}: must be {}", engine, name, value, range_of(setting)));
 }
 
 void check(const std::string& engine, const std::vector<Setting>& settings, const Parameters& given) {

@@ -40,6 +40,11 @@ double mass_factor(const Setup& setup, const Parameters& parameters);
 Parameters standard_values(const std::vector<Setting>& settings);
 Parameters tuned_values(const std::vector<Setting>& settings);
 
+/// The setting of that name. @throws std::invalid_argument naming the engine, the setting and those that
+/// there are.
+const Setting& find_setting(const std::string& engine, const std::vector<Setting>& settings,
+                            const std::string& name);
+
 /// Checks one value. @throws std::invalid_argument naming the engine, the setting, its value and what is
 /// allowed: unknown or out of range.
 void check_value(const std::string& engine, const std::vector<Setting>& settings, const std::string& name,

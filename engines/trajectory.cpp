@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "analytic/scene/messages/field_error.hpp"
 #include "engines/contact_watch.hpp"
 
 namespace rockstack {
@@ -39,14 +40,20 @@ bool has_ended(const Setup& setup, const Trajectory& trajectory) {
 }
 
 void require_finite(const Trajectory& trajectory, std::size_t blocks, double dt) {
+  const auto require = [&](double value, const char* quantity, std::size_t i) {
+    if (std::abs(value) <= largest_number) return;
+    throw NotFinite(fmt::format("{} of block {} is not finite at t = {} s{}", quantity, i % blocks + 1,
+                                static_cast<double>(i / blocks) * dt,
+                                std::isfinite(value) ? fmt::format(", or as good as: {}", value) : ""));
+  };
   for (std::size_t i = 0; i < trajectory.angles.size(); ++i) {
-    const char* quantity = !std::isfinite(trajectory.angles[i])       ? "angle"
-                           : !std::isfinite(trajectory.velocities[i]) ? "angular velocity"
-                                                                      : nullptr;
-    if (quantity == nullptr) continue;
-    const std::size_t sample = i / blocks;
-    throw NotFinite(fmt::format("{} of block {} is not finite at t = {} s", quantity, i % blocks + 1,
-                                static_cast<double>(sample) * dt));
+    require(trajectory.angles[i], "angle", i);
+    require(trajectory.velocities[i], "angular velocity", i);
+  }
+  for (std::size_t i = 0; i < trajectory.bodies.size(); ++i) {
+    const BodyState& body = trajectory.bodies[i];
+    for (const double value : {body.x, body.y, body.z, body.tilt}) require(value, "place", i);
+    for (const double value : {body.velocity_x, body.velocity_y}) require(value, "velocity", i);
   }
 }
 
@@ -66,12 +73,13 @@ Trajectory run(const Engine& engine, const Setup& setup, const Parameters& param
   };
   observe();
   for (std::size_t step = 1; step <= setup.steps; ++step) {
+    const std::size_t before = simulation->warnings();
     simulation->step();
+    if (simulation->warnings() > before) ++trajectory.warnings;
     observe();
     if (has_ended(setup, trajectory)) break;
   }
   require_finite(trajectory, blocks, setup.dt);
-  trajectory.warnings = simulation->warnings();
   if (contacts) trajectory.contacts = contacts->record();
   return trajectory;
 }

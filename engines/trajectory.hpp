@@ -18,10 +18,10 @@ struct Trajectory {
   std::vector<BodyState> bodies;   ///< where asked for
   /// What its contacts tell, where asked for and where the engine tells them.
   std::optional<ContactRecord> contacts;
-  std::size_t warnings = 0;  ///< as Simulation::warnings()
+  std::size_t warnings = 0;  ///< steps in which the solver failed and went on
 };
 
-/// A block's angle or angular velocity stopped being a finite number.
+/// A number of a block's motion stopped being finite, or is beyond all that a scene has (largest_number).
 class NotFinite : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -56,12 +56,10 @@ const WorkerEngine& read_engine(const Node& table, const std::filesystem::path& 
 /// A parameter's value, which may be given by its name.
 double read_value(const Node& node, const std::string& name, const WorkerEngine& engine) {
   try {
-    const auto& settings = engine.settings();
-    const auto setting =
-        std::find_if(settings.begin(), settings.end(), [&](const Setting& one) { return one.name == name; });
-    const bool named = node.kind == Node::Kind::text && setting != settings.end();
-    const double value = named ? choice_value(engine.name(), *setting, node.text) : number(node);
-    check_value(engine.name(), settings, name, value);
+    const Setting& setting = find_setting(engine.name(), engine.settings(), name);
+    const bool named = node.kind == Node::Kind::text;
+    const double value = named ? choice_value(engine.name(), setting, node.text) : number(node);
+    check_value(engine.name(), engine.settings(), name, value);
     return value;
   } catch (const InputError&) {
     throw;
@@ -146,6 +144,7 @@ Parameters read_parameters(const std::vector<std::string>& texts, const WorkerEn
     if (equals == 0 || equals >= text.size() - 1)
       throw InputError(node.place + ": must be of the form name=value");
     const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
+    node.key = name;
     node.kind = Node::Kind::text;
     node.text = value;
     const Node given = parse_toml_value(value, node).value_or(node);

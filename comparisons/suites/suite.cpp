@@ -96,10 +96,11 @@ bool read_softness(const Node& node, const Wanted& wanted) {
 }
 
 /// Those of some names, or the first solver of every usual engine of this build.
-std::vector<const WorkerEngine*> chosen_engines(const std::vector<std::string>& names) {
+std::vector<const WorkerEngine*> engines_of_choice(const std::vector<std::string>& names) {
   std::vector<const WorkerEngine*> list;
-  list.reserve(names.size());
-  for (const std::string& name : names) list.push_back(&find_engine(name));
+  for (const std::string& name : names) {
+    for (const WorkerEngine* engine : chosen_engines(name)) list.push_back(engine);
+  }
   if (!names.empty()) return list;
   for (const WorkerEngine& engine : engines()) {
     if (!is_usual(engine)) continue;
@@ -297,7 +298,7 @@ Suite suite_for(NamedScene scene, const SceneChoice& choice) {
   std::vector<double> steps = choice.steps.empty() ? default_steps() : choice.steps;
   if (choice.quick && choice.steps.empty()) steps.pop_back();
   suite.scenes.push_back(std::move(scene));
-  for (const WorkerEngine* engine : chosen_engines(choice.engines)) {
+  for (const WorkerEngine* engine : engines_of_choice(choice.engines)) {
     for (const char* settings : {"default", "tuned"})
       suite.series.push_back(make_series(*engine, settings, steps));
   }

@@ -33,11 +33,6 @@ const std::vector<Check>& checks() {
   return list;
 }
 
-Adapter adapter_of(const Engine& engine, const Parameters& parameters) {
-  return {engine.capabilities(), parameters,
-          [&engine](const Setup& setup, const Parameters& given) { return run(engine, setup, given, true); }};
-}
-
 const Check& find_check(const std::string& name) {
   return *std::find_if(checks().begin(), checks().end(),
                        [&](const Check& check) { return check.name == name; });

@@ -6,6 +6,7 @@
 
 #include "engines/body_record.hpp"
 #include "engines/engine.hpp"
+#include "engines/trajectory.hpp"
 
 namespace rockstack {
 
@@ -16,9 +17,6 @@ struct Adapter {
   /// Runs a scene and tells its bodies. @throws the engine's own error.
   std::function<Trajectory(const Setup&, const Parameters&)> run;
 };
-
-/// An engine in this process.
-Adapter adapter_of(const Engine& engine, const Parameters& parameters);
 
 /// What a check found: a measured number and what it may be at most.
 struct Judgement {

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "analytic/scene/messages/one_line.hpp"
 
 namespace rockstack {
 namespace {
@@ -22,16 +25,28 @@ bool is_word(std::string_view text, std::string_view others) {
          });
 }
 
-bool is_line(std::string_view text) {
-  return text.size() <= 200 &&
-         std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+bool is_line(const std::string& text) {
+  return text.size() <= 200 && one_line(text) == text;
 }
+
+/// Names of the exact answer and of its variants, as rows of a comparison have them.
+constexpr std::array<std::string_view, 8> taken{"exact",      "linear",     "nonlinear", "paper",
+                                                "consistent", "unilateral", "compliant", "rk4"};
 
 void require(bool holds, const char* key, const std::string& value, const std::string& allowed) {
   if (!holds) throw std::runtime_error(fmt::format("{} = {}: must be {}", key, value, allowed));
 }
 
+/// Of the settings by which this program itself goes.
+void check_shaking(const Setting& setting) {
+  const Setting must = shaking_setting();
+  require(setting.name != must.name || (setting.whole && setting.choices == must.choices), "setting name",
+          setting.name,
+          fmt::format("of another one, or of the choices {}", fmt::join(must.choices, " and ")));
+}
+
 void check_setting(const Setting& setting) {
+  check_shaking(setting);
   require(is_word(setting.name, "_-.ABCDEFGHIJKLMNOPQRSTUVWXYZ"), "setting name", setting.name,
           "letters, digits, '_', '-' and '.', at most 60");
   require(is_line(setting.unit), "unit", setting.name, "one line");
@@ -55,6 +70,8 @@ void check_descriptions(const std::vector<EngineDescription>& engines) {
   std::set<std::string> names;
   for (const EngineDescription& engine : engines) {
     require(is_word(engine.name, "-"), "name", engine.name, "small letters, digits and '-', at most 60");
+    require(std::find(taken.begin(), taken.end(), engine.name) == taken.end(), "name", engine.name,
+            fmt::format("another one than {}, which are not engines'", fmt::join(taken, ", ")));
     require(is_word(engine.solver, "-"), "solver", engine.solver,
             "small letters, digits and '-', at most 60");
     require(names.insert(engine.name + ":" + engine.solver).second, "solver", engine.solver,

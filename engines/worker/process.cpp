@@ -14,10 +14,15 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <utility>
+
+#include "engines/worker/last_words.hpp"
 
 namespace rockstack {
 namespace {
@@ -83,17 +88,14 @@ std::string content(const Descriptor& file) {
   return bytes;
 }
 
-/// The last line that holds anything of what waits in a pipe.
-std::string last_line(const Descriptor& pipe) {
+/// What waits in a pipe.
+std::string waiting(const Descriptor& pipe) {
   std::string text;
   std::array<char, 4096> buffer{};
   for (ssize_t size = 0; (size = read(pipe.get(), buffer.data(), buffer.size())) > 0;) {
     text.append(buffer.data(), static_cast<std::size_t>(size));
   }
-  const auto end = text.find_last_not_of(" \n");
-  if (end == std::string::npos) return {};
-  text.resize(end + 1);
-  return text.substr(text.find_last_of('\n') + 1);
+  return text;
 }
 
 /// What the child finds open.
@@ -105,7 +107,7 @@ struct Files {
 [[noreturn]] void become(pid_t parent, const char* program, const Files& files, const Limits& limits) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(no_program);  // it was gone before it could be watched
-  setpgid(0, 0);
+  setsid();
   dup2(files.input, 0);
   dup2(files.nothing, 1);
   dup2(files.complaint, 2);
@@ -116,7 +118,7 @@ struct Files {
   setrlimit(RLIMIT_FSIZE, &reply);
   if (limits_memory) {
     const rlimit memory{limits.memory, limits.memory};
-    setrlimit(RLIMIT_AS, &memory);
+    setrlimit(RLIMIT_DATA, &memory);
   }
   std::array<char*, 2> arguments{const_cast<char*>(program), nullptr};
   execv(program, arguments.data());
@@ -136,10 +138,10 @@ void require_started(const std::string& path, const Descriptor& failure) {
                   error == ENOENT && there ? ", the interpreter that its first line names" : ""));
 }
 
-/// The time that a child may take. None passes while it is stopped, and little while this process is.
+/// The time that a child may take. Little passes while this process is stopped.
 class Allowance {
  public:
-  Allowance(pid_t child, const Limits& limits) : child_(child), left_(limits.time), asked_(limits.unwanted) {}
+  explicit Allowance(const Limits& limits) : left_(limits.time), asked_(limits.unwanted) {}
 
   bool unwanted() const { return unwanted_; }
 
@@ -148,30 +150,34 @@ class Allowance {
   bool lasts(std::chrono::microseconds wait) {
     const auto now = Clock::now();
     const auto passed = std::min<Clock::duration>(now - std::exchange(last_, now), 10 * wait);
-    siginfo_t change{};
-    while (waitid(P_PID, static_cast<id_t>(child_), &change, WSTOPPED | WCONTINUED | WNOHANG) == 0 &&
-           change.si_pid == child_) {
-      stopped_ = change.si_code == CLD_STOPPED;
-      change.si_pid = 0;
-    }
-    if (!stopped_) left_ -= std::chrono::duration<double>(passed).count();
+    left_ -= std::chrono::duration<double>(passed).count();
     unwanted_ = asked_ != nullptr && (*asked_)();
     return left_ > 0 && !unwanted_;
   }
 
  private:
-  pid_t child_;
   double left_;
   const std::function<bool()>* asked_;
   bool unwanted_ = false;
-  bool stopped_ = false;
   Clock::time_point last_ = Clock::now();
 };
 
-bool has_ended(pid_t child) {
-  siginfo_t end{};
-  return waitid(P_PID, static_cast<id_t>(child), &end, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-         end.si_pid == child;
+/// Whether a child is in that state, WEXITED or WSTOPPED; it stays to be waited for.
+bool is(int state, pid_t child) {
+  siginfo_t found{};
+  return waitid(P_PID, static_cast<id_t>(child), &found, state | WNOHANG | WNOWAIT) == 0 &&
+         found.si_pid == child;
+}
+
+/// Kills a child and all that it has left in its session, as groups of jobs. Precondition: it has not been
+/// waited for, so that its number is still that of its session.
+void kill_session(pid_t child) {
+  kill(-child, SIGKILL);
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
+    const pid_t process = std::atoi(entry.path().filename().c_str());
+    if (process > 0 && getsid(process) == child) kill(process, SIGKILL);
+  }
 }
 
 /// Waits until the last writer of the pipe is gone, which is when the child ends, but for what it has
@@ -181,7 +187,7 @@ bool wait_for_end(pid_t child, const Descriptor& pipe, Allowance& time, std::chr
   while (time.lasts(tick)) {
     pollfd watched{pipe.get(), 0, 0};
     const int count = poll(&watched, 1, static_cast<int>(tick.count()));
-    if ((count > 0 && (watched.revents & POLLHUP) != 0) || (count == 0 && has_ended(child))) return true;
+    if ((count > 0 && (watched.revents & POLLHUP) != 0) || (count == 0 && is(WEXITED, child))) return true;
     if (count < 0 && errno != EINTR) fail("a worker cannot be waited for");
   }
   return false;
@@ -193,13 +199,11 @@ double seconds(const timeval& time) {
 
 /// Collects the child, and kills it where it is not done in time.
 ProcessEnd collect(pid_t child, const Descriptor& pipe, const Limits& limits) {
-  Allowance time(child, limits);
+  Allowance time(limits);
   ProcessEnd end;
-  int status = 0;
-  rusage usage{};
   bool gone = wait_for_end(child, pipe, time, std::chrono::milliseconds(limits.unwanted != nullptr ? 5 : 50));
   // A child that has closed its standard error may live on.
-  while (gone && wait4(child, &status, WNOHANG, &usage) == 0) {
+  while (gone && !is(WEXITED, child)) {
     constexpr std::chrono::microseconds tick{200};
     std::this_thread::sleep_for(tick);
     gone = time.lasts(tick);
@@ -207,10 +211,12 @@ ProcessEnd collect(pid_t child, const Descriptor& pipe, const Limits& limits) {
   if (!gone) {
     end.unwanted = time.unwanted();
     end.timed_out = !end.unwanted;
-    kill(child, SIGKILL);
-    wait4(child, &status, 0, &usage);
+    end.stopped = is(WSTOPPED, child);
   }
-  kill(-child, SIGKILL);  // what is left of its process group
+  kill_session(child);
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
   if (WIFSIGNALED(status) && gone) end.signal = WTERMSIG(status);
   if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
   end.processor_time = seconds(usage.ru_utime) + seconds(usage.ru_stime);
@@ -240,7 +246,7 @@ ProcessEnd run_process(const std::filesystem::path& program, std::string_view in
   ProcessEnd end = collect(child, read_end, limits);
   require_started(path, failure);
   end.reply = content(reply);
-  end.last_words = last_line(read_end);
+  end.last_words = telling_line(waiting(read_end));
   return end;
 }
 

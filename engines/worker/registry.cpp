@@ -193,7 +193,9 @@ const std::vector<BrokenWorker>& broken_workers() {
 std::vector<std::string> engines_left_out() {
   std::vector<std::string> names;
   for (const Known& one : known) {
-    if (!one.built) names.emplace_back(one.engine);
+    const bool there = std::any_of(engines().begin(), engines().end(),
+                                   [&](const WorkerEngine& engine) { return engine.name() == one.engine; });
+    if (!there) names.emplace_back(one.engine);
   }
   return names;
 }
@@ -223,13 +225,16 @@ const WorkerEngine& find_engine_at(const fs::path& program, const std::string& n
   throw InputError(fmt::format("{}: name = {}: must be one of: {}", program.string(), name, joined(there)));
 }
 
+std::vector<const WorkerEngine*> chosen_engines(const std::string& name) {
+  if (name.find('/') == std::string::npos) return {&find_engine(name)};
+  std::error_code ignored;
+  const std::size_t colon = name.find(':', name.rfind('/'));
+  if (colon == std::string::npos || fs::exists(name, ignored)) return all_engines_at(name);
+  return {&find_engine_at(name.substr(0, colon), name.substr(colon + 1))};
+}
+
 const WorkerEngine& find_engine(const std::string& name) {
-  if (name.find('/') != std::string::npos) {
-    std::error_code ignored;
-    const std::size_t colon = name.find(':', name.rfind('/'));
-    const bool whole = colon == std::string::npos || fs::exists(name, ignored);
-    return find_engine_at(whole ? name : name.substr(0, colon), whole ? "" : name.substr(colon + 1));
-  }
+  if (name.find('/') != std::string::npos) return *chosen_engines(name).front();
   std::error_code ignored;
   const std::string file = name.substr(0, name.find(':'));
   const std::string hint =

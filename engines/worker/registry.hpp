@@ -27,6 +27,10 @@ const std::vector<WorkerEngine>& engines();
 /// worker is none.
 const WorkerEngine& find_engine(const std::string& name);
 
+/// What a name on a command line stands for: all engines of a program that is named by its path alone, or the
+/// one of find_engine(). @throws InputError likewise.
+std::vector<const WorkerEngine*> chosen_engines(const std::string& name);
+
 /// An engine of a worker program: by its name, name and solver, or solver; empty: its first. @throws
 /// InputError as find_engine().
 const WorkerEngine& find_engine_at(const std::filesystem::path& program, const std::string& name);
@@ -34,7 +38,7 @@ const WorkerEngine& find_engine_at(const std::filesystem::path& program, const s
 /// All of them. @throws InputError where the program is no worker, with the reason.
 std::vector<const WorkerEngine*> all_engines_at(const std::filesystem::path& program);
 
-/// Names of engines that were left out when this program was built.
+/// Names of engines that were left out when this program was built and that no worker in a folder provides.
 std::vector<std::string> engines_left_out();
 
 /// A program in a folder of workers that is none.

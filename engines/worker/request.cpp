@@ -1,8 +1,10 @@
 #include "engines/worker/request.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -235,7 +237,8 @@ ContactRecord read_contacts(const json& object) {
   if (has_field(object, "points")) contacts.points = number_field(object, "points");
   contacts.impacts = read_list(object, "impacts", [](const json& one) {
     ContactImpact impact = read_object(one, impact_fields);
-    impact.interface = static_cast<int>(count_field(one, "interface"));
+    constexpr std::size_t most = std::numeric_limits<int>::max();
+    impact.interface = static_cast<int>(std::min(count_field(one, "interface"), most));
     return impact;
   });
   return contacts;

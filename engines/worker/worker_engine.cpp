@@ -3,21 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
 
+#include "analytic/scene/messages/one_line.hpp"
 #include "engines/scene_setup.hpp"
 #include "engines/worker/description.hpp"
+#include "engines/worker/reply_check.hpp"
 
 namespace rockstack {
 namespace {
 
+/// What a worker says in words goes into messages, tables and pages through here.
+std::string heard(const std::string& words) {
+  constexpr std::size_t most = 200;
+  return one_line(words, most);
+}
+
 std::string with_last_words(const std::string& reason, const ProcessEnd& end) {
-  return end.last_words.empty() ? reason : reason + ": " + end.last_words;
+  return end.last_words.empty() ? reason : reason + ": " + heard(end.last_words);
 }
 
 /// Why there is no reply.
@@ -29,54 +35,14 @@ RunReply explain(const ProcessEnd& end, const Limits& limits) {
                                                           : "failed";
   run.reason =
       end.unwanted            ? "nobody wants it any more"
-      : end.timed_out         ? fmt::format("not done after {} s", limits.time)
+      : end.timed_out         ? with_last_words(fmt::format("not done after {} s{}", limits.time,
+                                                    end.stopped ? ", in which a signal has stopped it" : ""),
+                                                end)
       : end.signal == SIGXFSZ ? fmt::format("its reply is longer than {} bytes", limits.reply)
       : end.signal != 0
           ? with_last_words(fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal)), end)
           : with_last_words(fmt::format("ended with exit code {} and no result", end.exit_code), end);
   return run;
-}
-
-void require_count(const char* list, std::size_t has, std::size_t must, const std::string& what) {
-  if (has != must)
-    throw std::runtime_error(fmt::format("`{}` has {} numbers; must have {}, {}", list, has, must, what));
-}
-
-/// @throws std::runtime_error where samples are missing or too many.
-void require_all_samples(const Setup& setup, const Trajectory& made) {
-  const std::size_t blocks = setup.blocks.size(), all = (setup.steps + 1) * blocks, has = made.angles.size();
-  if (has > 0 && has < all && has % blocks == 0 && has_ended(setup, made)) return;
-  require_count("angles", has, all,
-                fmt::format("{} in each of {} samples; fewer samples only where a block of the last one is "
-                            "beyond its `toppling_angles`",
-                            blocks, setup.steps + 1));
-}
-
-/// @throws std::runtime_error where a run that is said to be done has no trajectory of the scene, or not all
-/// times.
-void require_whole(const RunReply& run, const RunRequest& asked) {
-  const Trajectory& made = run.trajectory;
-  const std::size_t blocks = asked.setup.blocks.size();
-  require_all_samples(asked.setup, made);
-  const std::size_t samples = made.angles.size() / blocks;
-  const auto require = [](bool holds, const char* what) {
-    if (!holds) throw std::runtime_error(what);
-  };
-  require_count("velocities", made.velocities.size(), made.angles.size(), "as many as `angles`");
-  require_count("seconds", run.seconds.size(), asked.repeats, "one for each of `repeats`");
-  for (const double seconds : run.seconds)
-    require(seconds >= 0 && std::isfinite(seconds), "`seconds` must be finite and not below zero");
-  require(made.bodies.empty() || asked.bodies, "`bodies` must be left out, they are not asked for");
-  require(!made.bodies.empty() || !asked.bodies, "`bodies` must be there, they are asked for");
-  if (asked.bodies) require_count("bodies.x", made.bodies.size(), made.angles.size(), "as many as `angles`");
-  if (!made.contacts) return;
-  require_count("contacts.elastic", made.contacts->elastic.size(), samples, "one for each sample");
-  require(made.contacts->stiffness > 0 && made.contacts->damping >= 0,
-          "`contacts.stiffness` must be above zero, and `contacts.damping` not below");
-  require(made.contacts->points >= 1, "`contacts.points` must be 1 or more");
-  for (const ContactImpact& impact : made.contacts->impacts)
-    require(impact.interface >= 1 && impact.interface <= static_cast<int>(blocks),
-            "`contacts.impacts` must have the number of a block as their `interface`");
 }
 
 /// The most bytes that a reply to this takes: numbers of at most 25 characters, in lists; contacts tell no
@@ -112,17 +78,13 @@ Message read_answer(const std::string& bytes) {
 RunReply read_run(const std::string& bytes, const RunRequest& asked) {
   Reply reply = read_reply(read_answer(bytes));
   if (!reply.run) throw std::runtime_error("`run` must be there");
-  static constexpr std::array<const char*, 4> states{"done", "failed", "not finite", "memory limit"};
-  if (std::find(states.begin(), states.end(), reply.run->status) == states.end())
-    throw std::runtime_error("`status` must be \"done\", \"failed\", \"not finite\" or \"memory limit\"");
-  if (reply.run->status != "done" && reply.run->reason.empty()) reply.run->reason = "no `reason` is given";
-  if (reply.run->status != "done") return *std::move(reply.run);
-  require_whole(*reply.run, asked);
   try {
-    require_finite(reply.run->trajectory, asked.setup.blocks.size(), asked.setup.dt);
+    require_answer(*reply.run, asked);
   } catch (const NotFinite& failure) {
     return {"not finite", failure.what(), {}, {}, reply.run->peak_memory};
   }
+  if (reply.run->status != "done")
+    reply.run->reason = reply.run->reason.empty() ? "no `reason` is given" : heard(reply.run->reason);
   return *std::move(reply.run);
 }
 
@@ -134,8 +96,8 @@ Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
   try {
     return {read_run(end.reply, asked), end.processor_time};
   } catch (const std::exception& error) {
-    const std::string reason =
-        fmt::format("{} gave a reply that cannot be read: {}", engine.program().string(), error.what());
+    const std::string reason = fmt::format("{} gave a reply that cannot be read: {}",
+                                           engine.program().string(), heard(error.what()));
     return {{"failed", with_last_words(reason, end), {}, {}, 0}, end.processor_time};
   }
 }
@@ -165,7 +127,7 @@ std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, doubl
     for (const EngineDescription& engine : reply.engines) engines.emplace_back(program, engine, message.form);
     return engines;
   } catch (const std::exception& error) {
-    throw refuse(with_last_words(fmt::format(": {}", error.what()), end));
+    throw refuse(with_last_words(": " + heard(error.what()), end));
   }
 }
 

@@ -239,6 +239,23 @@ TEST(ContactWatch, SpringsHaveOneStiffnessByWhichAllImpulsesOverlapAsMuch) {
   EXPECT_TRUE(std::isinf(record.stiffness));
 }
 
+// A solver that gives up may leave an impulse that pulls. No means count it, and no cone has room for its
+// friction.
+TEST(ContactWatch, PointsThatPullAreInNoMean) {
+  ContactWatch watch(rubbing(stack(1, 1), {0.5}, 1e-3), 1000);
+  const ContactRecord& record = watch.record();
+  const std::vector<double> still{0};
+  ContactPoint bears = point(-0.5, 2), pulls = point(0.5, -3, -0.01);
+  bears.stiffness = pulls.stiffness = 4e4;
+  bears.damping = pulls.damping = 10;
+  pulls.tangential = 1;
+  watch.observe({bears, pulls}, still, still);
+  EXPECT_DOUBLE_EQ(record.stiffness, 4e4);
+  EXPECT_DOUBLE_EQ(record.damping, 10);
+  EXPECT_DOUBLE_EQ(record.friction_excess, 1.0 / 2);
+  EXPECT_EQ(record.complementarity, 0);
+}
+
 TEST(ContactWatch, PointsAreCountedAtTheEndThatTheyBear) {
   ContactWatch watch(rubbing(stack(1, 1), {0.5}, 1e-3), 1000);
   const std::vector<double> still{0};
@@ -313,6 +330,20 @@ TEST(ContactWatch, OverlapThatIsAnsweredALateStepCountsFromWhereItBegan) {
   landing.observe(-0.05, {point(-0.5, 3, -0.05)});
   ASSERT_EQ(landing.watch.record().impacts.size(), 1U);
   EXPECT_DOUBLE_EQ(landing.watch.record().impacts[0].time, 0.15);
+}
+
+// At a speed that closes the gap in a thousand steps, and across an overlap that only as many would have
+// made.
+TEST(ContactWatch, ImpactsAreWithinTheRunThatTellsThem) {
+  for (const double gap : {0.1, -0.1}) {
+    Landing landing;
+    landing.speed = -1e-3;
+    landing.observe(1e-4, {});
+    landing.observe(1e-4, {point(0.5, 1)});
+    landing.observe(0, {point(-0.5, 3, gap)});
+    ASSERT_EQ(landing.watch.record().impacts.size(), 1U);
+    EXPECT_EQ(landing.watch.record().impacts[0].time, gap > 0 ? 0.2 : 0);
+  }
 }
 
 TEST(ContactWatch, APivotThatIsLostForAStepIsNone) {

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "engines/simulation.hpp"
+
 namespace rockstack {
 namespace {
 

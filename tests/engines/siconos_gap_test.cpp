@@ -8,9 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "engines/conformance/scenes.hpp"
-#include "tests/engines/linked_engines.hpp"
+#include "engines/worker/registry.hpp"
 
 namespace rockstack {
 namespace {
@@ -20,18 +21,19 @@ TEST(SiconosGap, IsThatOfTheStepThatLands) {
   Scene scene = at_rest({make_block(1, 0.5, 2500)}, 0.6);
   scene.vertical.interval = 0.2;
   scene.vertical.samples = {-scene.gravity - 2, -scene.gravity - 2, 0};
-  for (const auto& engine : linked_engines()) {
+  for (const WorkerEngine& engine : engines()) {
+    if (engine.name() != "siconos") continue;
     for (const double gamma : {0.0, 0.5, 1.0}) {
-      Parameters parameters = engine->tuned_parameters();
+      Parameters parameters = engine.tuned_parameters();
       parameters["gamma"] = gamma;
       double deepest = -1;  // of where a step may end, in hv
       for (int draw = 0; draw < 21; ++draw) {
         const double dt = 1e-3 * (1 + 0.003 * draw);
-        const EngineRun run = simulate(*engine, scene, dt, parameters, true);
-        const auto& depths = run.bodies.value().penetration;
+        const Setup setup = set_up(scene, dt, parameters);
+        Trajectory trajectory = run(engine, setup, parameters, true);
         double speed = 0;
-        for (const BodyState& body : rockstack::run(adapter_of(*engine, parameters), scene, dt).bodies)
-          speed = std::max(speed, -body.velocity_y);
+        for (const BodyState& body : trajectory.bodies) speed = std::max(speed, -body.velocity_y);
+        const auto depths = account_of(scene, setup, std::move(trajectory), true).bodies->penetration;
         deepest = std::max(deepest, *std::max_element(depths.begin(), depths.end()) / (dt * speed));
       }
       // Gravity adds gh to v in a step, a hundredth. Depths are spread evenly over one hv: of 21 the deepest

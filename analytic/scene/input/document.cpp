@@ -65,20 +65,6 @@ std::string quoted(std::string_view text) {
   return '"' + one_line(text) + '"';
 }
 
-std::string one_line(std::string_view text) {
-  static constexpr std::string_view digits = "0123456789abcdef";
-  std::string result;
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (code >= 0x20 && code != 0x7f) {
-      result += letter;
-    } else {
-      result += {'\\', 'x', digits[code / 16], digits[code % 16]};
-    }
-  }
-  return result;
-}
-
 InputError wrong_value(const Node& node, const std::string& allowed) {
   const std::string subject = node.key.empty() ? "the scene" : one_line(node.key);
   return InputError(node.place + ": " + subject + " = " + shown(node) + ": must be " + allowed);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/one_line.hpp"
 
 namespace rockstack {
 
@@ -32,11 +33,8 @@ Node* find(Node& parent, std::string_view name);
 /// The node of a dotted key, or the last one on the way to it that exists.
 const Node& nearest(const Node& root, std::string_view key);
 
-/// Text in quotes, control characters escaped so that it stays on one line.
+/// Text in quotes, as one_line().
 std::string quoted(std::string_view text);
-
-/// Text without quotes, control characters escaped likewise.
-std::string one_line(std::string_view text);
 
 /// The error "place: key = value: must be …".
 InputError wrong_value(const Node& node, const std::string& allowed);

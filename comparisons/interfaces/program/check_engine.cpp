@@ -33,8 +33,8 @@ struct Finding {
   std::size_t warnings = 0;  ///< of its runs
 };
 
-/// A worker that never answers is to cost a row.
-constexpr Limits limits{.time = 60};
+/// A worker that does not answer costs a row.
+const Limits limits;
 
 Parameters parameters_of(const WorkerEngine& engine, const std::string& settings) {
   return settings == "tuned" ? engine.tuned_parameters() : engine.default_parameters();
@@ -150,13 +150,12 @@ std::vector<std::string> both_if_empty(const std::vector<std::string>& settings)
 }
 
 std::vector<const WorkerEngine*> engines_named(const std::string& name) {
-  if (name.find('/') != std::string::npos && name.find(':', name.rfind('/')) == std::string::npos)
-    return all_engines_at(name);
-  const WorkerEngine& first = find_engine(name);
-  if (name.find(':') != std::string::npos) return {&first};
-  std::vector<const WorkerEngine*> list;
+  std::vector<const WorkerEngine*> list = chosen_engines(name);
+  if (name.find_first_of(":/") != std::string::npos) return list;
+  const std::string& engine_name = list.front()->name();
+  list.clear();
   for (const WorkerEngine& engine : engines()) {
-    if (engine.name() == first.name()) list.push_back(&engine);
+    if (engine.name() == engine_name) list.push_back(&engine);
   }
   return list;
 }

@@ -376,10 +376,10 @@ std::vector<Column> body_columns() {
           "root of the mean square angular velocity of all blocks over the last "
           "tenth of the scene, where the "
           "exact solution is at rest all that time, rad/s"),
-      drawn<&RunMetrics::warnings>(
-          "warnings",
-          "how often the engine said that its solver failed, and went on: ODE with what it had, Bullet with "
-          "sequential impulse in place of an mlcp solver"),
+      drawn<&RunMetrics::warnings>("warnings",
+                                   "in how many steps the engine said that its solver failed, and went on: "
+                                   "ODE with what it had, Bullet with "
+                                   "sequential impulse in place of an mlcp solver"),
       column<&RunMetrics::toppled>("toppled",
                                    "block that passed its toppling angle and when, which ends the run"),
       column<&RunMetrics::fallen>(

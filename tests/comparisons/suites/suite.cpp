@@ -127,8 +127,8 @@ TEST(Suites, ParametersAreChangedOneSeriesEachCombination) {
   expected[name] = 3;
   EXPECT_EQ(suite.series[1].parameters, expected);
   EXPECT_EQ(suite.series[1].settings, "tuned+" + name + "=3");
-  EXPECT_TRUE(
-      error_of(head + "wishes = 1\n").starts_with("suite.toml:7: " + engine.name() + ": wishes = 1: no"));
+  EXPECT_TRUE(error_of(head + "wishes = 1\n")
+                  .starts_with("suite.toml:7: " + engine.name() + ": wishes: no such parameter"));
   EXPECT_TRUE(error_of(head + name + " = -1\n")
                   .starts_with("suite.toml:7: " + engine.name() + ": " + name + " = -1: must be"));
 }

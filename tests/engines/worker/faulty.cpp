@@ -1,6 +1,7 @@
 // Engines that fail on purpose, each in the way of its solver's name; "fine" does not. The block of "fine"
-// turns at 1 rad/s.
+// starts as it is placed, and turns at 1 rad/s from then on.
 
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -20,21 +21,29 @@ using Fault = std::function<void(double& angle)>;
 
 class FaultySimulation : public Simulation {
  public:
-  FaultySimulation(Fault fault, double dt) : fault_(std::move(fault)), dt_(dt) {}
+  FaultySimulation(Fault fault, const Setup& setup)
+      : fault_(std::move(fault)),
+        start_(setup.blocks.front()),
+        dt_(setup.dt),
+        angle_(start_.angle),
+        velocity_(start_.angular_velocity) {}
   void step() override {
     angle_ += dt_;
+    velocity_ = 1;
     fault_(angle_);
   }
-  BodyState body(std::size_t) const override { return {}; }
+  BodyState body(std::size_t) const override {
+    return {start_.x, start_.y, start_.velocity_x, start_.velocity_y};
+  }
   void read(std::span<double> angles, std::span<double> velocities) const override {
     angles[0] = angle_;
-    velocities[0] = 1;
+    velocities[0] = velocity_;
   }
 
  private:
   Fault fault_;
-  double dt_;
-  double angle_ = 0;
+  Placement start_;
+  double dt_, angle_, velocity_;
 };
 
 class Faulty : public Engine {
@@ -48,7 +57,7 @@ class Faulty : public Engine {
 
  private:
   std::unique_ptr<Simulation> build(const Setup& setup, const Parameters&) const override {
-    return std::make_unique<FaultySimulation>(fault_, setup.dt);
+    return std::make_unique<FaultySimulation>(fault_, setup);
   }
 
   std::string solver_;
@@ -70,6 +79,13 @@ void eat_memory(double&) {
   for (;;) blocks.emplace_back(std::size_t{16} << 20, '\1');
 }
 
+void reserve_memory(double&) {
+  const std::size_t size = std::size_t{16} << 30;
+  void* room = mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room == MAP_FAILED) throw std::runtime_error("no room for a heap");
+  munmap(room, size);
+}
+
 void talk(double&) {
   for (int line = 0; line < 20000; ++line) {
     std::fputs("words nobody reads\n", stderr);
@@ -77,17 +93,24 @@ void talk(double&) {
   }
 }
 
-/// Once, for longer than the time limit of the test.
-void be_stopped(double&) {
+/// What stays in the session of this worker, out of its group: its number is in standard error.
+void leave_a_child(double&) {
   static bool done = false;
   if (std::exchange(done, true)) return;
-  if (fork() != 0) {
-    std::raise(SIGSTOP);
-    return;
+  const pid_t child = fork();
+  if (child != 0) {
+    std::fprintf(stderr, "%d\n", child);
+    std::abort();
   }
-  usleep(1'500'000);
-  kill(getppid(), SIGCONT);
-  _exit(0);
+  setpgid(0, 0);
+  for (;;) pause();
+}
+
+/// A question at the terminal, for which whoever has one would wait.
+void ask_the_terminal(double&) {
+  std::FILE* terminal = std::fopen("/dev/tty", "r");
+  if (terminal == nullptr) throw std::runtime_error("no terminal");
+  std::fgetc(terminal);
 }
 
 std::vector<std::unique_ptr<Engine>> make_faulty() {
@@ -101,13 +124,17 @@ std::vector<std::unique_ptr<Engine>> make_faulty() {
       {"exit", [](double&) { std::_Exit(7); }},
       {"loop", loop},
       {"memory", eat_memory},
+      {"reserves", reserve_memory},
       {"talk", talk},
       {"deaf",
        [](double&) {
          close(STDERR_FILENO);
          for (;;) pause();
        }},
-      {"stopped", be_stopped},
+      {"stopped", [](double&) { std::raise(SIGSTOP); }},
+      {"asleep", [](double&) { std::raise(SIGTSTP); }},
+      {"leaves-a-child", leave_a_child},
+      {"asks", ask_the_terminal},
       {"half", [](double&) {
          [[maybe_unused]] const auto written = write(reply_descriptor, "half", 4);
          std::_Exit(0);

@@ -20,6 +20,23 @@ SceneDocument document_of(const std::string& ground) {
   return read_document(folder.write("scene.toml", two_blocks() + ground));
 }
 
+TEST(OneLine, HasNothingThatControlsATerminalOrBreaksALine) {
+  EXPECT_EQ(one_line("θ = 0.1 rad, 日本, \U0001f9f1"), "θ = 0.1 rad, 日本, \U0001f9f1");
+  EXPECT_EQ(one_line(std::string("a\x1b[2J\n\0\x7f", 8)), "a\\x1b[2J\\x0a\\x00\\x7f");
+  EXPECT_EQ(one_line("\u009b2J \u2028 \u202e"), "\\xc2\\x9b2J \\xe2\\x80\\xa8 \\xe2\\x80\\xae");
+  // No UTF-8: a byte that none begins with, a letter cut short, one that is longer than it need be, a
+  // surrogate.
+  for (const char* text : {"\xff", "\xe2\x80", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\x80"})
+    EXPECT_TRUE(one_line(text).starts_with("\\x")) << one_line(text);
+}
+
+TEST(OneLine, KeepsAsManyLettersAsThereMayBe) {
+  EXPECT_EQ(one_line("θθθ", 3), "θθθ");
+  EXPECT_EQ(one_line("θθθθ", 3), "θθ…");
+  EXPECT_EQ(one_line("a\n\n", 5), "a…");
+  EXPECT_EQ(one_line("", 3), "");
+}
+
 TEST(Document, AValueThatIsSetReadsAsIfTheFileHadIt) {
   SceneDocument document = document_of("");
   MotionLibrary library;

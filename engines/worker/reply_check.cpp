@@ -1,0 +1,125 @@
+#include "engines/worker/reply_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "analytic/scene/messages/field_error.hpp"
+
+namespace rockstack {
+namespace {
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw std::runtime_error(what);
+}
+
+void require_count(const char* list, std::size_t has, std::size_t must, const std::string& what) {
+  require(has == must, fmt::format("`{}` has {} numbers; must have {}, {}", list, has, must, what));
+}
+
+void require_range(const char* field, double value, double least, double most = largest_number) {
+  if (!(value >= least && value <= most))
+    throw std::runtime_error(fmt::format("`{}` must be from {} to {}; {} is not", field, least, most, value));
+}
+
+void require_range(const char* list, std::span<const double> values, double least) {
+  for (const double value : values) require_range(list, value, least);
+}
+
+/// The run ends with the first sample in which a block is past its toppling angle, or with its last step.
+void require_all_samples(const Setup& setup, const Trajectory& made) {
+  const std::size_t blocks = setup.blocks.size(), all = (setup.steps + 1) * blocks, has = made.angles.size();
+  const bool ends_early = has > 0 && has < all && has % blocks == 0 && has_ended(setup, made);
+  if (!ends_early)
+    require_count("angles", has, all,
+                  fmt::format("{} in each of {} samples; fewer samples only where a block of the last one is "
+                              "beyond its `toppling_angles`",
+                              blocks, setup.steps + 1));
+  require_count("velocities", made.velocities.size(), has, "as many as `angles`");
+  for (std::size_t i = 0; i + blocks < has; ++i) {
+    if (std::abs(made.angles[i]) > setup.toppling_angles[i % blocks])
+      throw std::runtime_error(
+          fmt::format("`angles` must end with sample {}, in which block {} is beyond its `toppling_angles`",
+                      i / blocks + 1, i % blocks + 1));
+  }
+}
+
+/// To half the digits of single precision, which an angle has that is read back from its cosine.
+void require_same(const char* field, std::size_t block, double got, double asked) {
+  const double apart = std::sqrt(std::numeric_limits<float>::epsilon()) * (1 + std::abs(asked));
+  require(
+      std::abs(got - asked) <= apart,
+      fmt::format("`{}` must begin with the start; block {} has {} there, not {}", field, block, asked, got));
+}
+
+/// Places may be missing.
+void require_start(const Setup& setup, const Trajectory& made) {
+  for (std::size_t k = 0; k < setup.blocks.size(); ++k) {
+    const Placement& block = setup.blocks[k];
+    require_same("angles", k + 1, made.angles[k], block.angle);
+    require_same("velocities", k + 1, made.velocities[k], block.angular_velocity);
+    if (made.bodies.empty()) continue;
+    const BodyState& body = made.bodies[k];
+    require_same("bodies.x", k + 1, body.x, block.x);
+    require_same("bodies.y", k + 1, body.y, block.y);
+    require_same("bodies.velocity_x", k + 1, body.velocity_x, block.velocity_x);
+    require_same("bodies.velocity_y", k + 1, body.velocity_y, block.velocity_y);
+  }
+}
+
+void require_contacts(const ContactRecord& contacts, std::size_t samples, const Setup& setup) {
+  require_count("contacts.elastic", contacts.elastic.size(), samples, "one for each sample");
+  require_range("contacts.elastic", contacts.elastic, 0);
+  require_range("contacts.complementarity", contacts.complementarity, 0);
+  require_range("contacts.friction_excess", contacts.friction_excess, 0);
+  if (!std::isinf(contacts.stiffness))
+    require_range("contacts.stiffness", contacts.stiffness, 1 / largest_number);
+  require(contacts.stiffness > 0, "`contacts.stiffness` must be above zero");
+  require_range("contacts.damping", contacts.damping, 0);
+  require_range("contacts.points", contacts.points, 1);
+  const double end = static_cast<double>(samples - 1) * setup.dt;
+  for (const ContactImpact& impact : contacts.impacts) {
+    require_range("contacts.impacts.time", impact.time, 0, end);
+    require_range("contacts.impacts.interface", impact.interface, 1,
+                  static_cast<double>(setup.blocks.size()));
+    require_range("contacts.impacts.speed", impact.speed, 0);
+    require_range("contacts.impacts.after", impact.after, -largest_number);
+  }
+}
+
+void require_status(const std::string& status) {
+  static constexpr std::array<const char*, 4> states{"done", "failed", "not finite", "memory limit"};
+  require(std::find(states.begin(), states.end(), status) != states.end(),
+          "`status` must be \"done\", \"failed\", \"not finite\" or \"memory limit\"");
+}
+
+}  // namespace
+
+void require_answer(const RunReply& reply, const RunRequest& asked) {
+  require_status(reply.status);
+  require_range("peak_memory", reply.peak_memory, 0);
+  if (reply.status != "done") return;
+  const Trajectory& made = reply.trajectory;
+  const std::size_t blocks = asked.setup.blocks.size();
+  require(made.bodies.empty() || asked.bodies, "`bodies` must be left out, they are not asked for");
+  require(!made.contacts || asked.bodies, "`contacts` must be left out, `bodies` are not asked for");
+  require(!made.bodies.empty() || !asked.bodies, "`bodies` must be there, they are asked for");
+  require_all_samples(asked.setup, made);
+  if (asked.bodies) require_count("bodies.x", made.bodies.size(), made.angles.size(), "as many as `angles`");
+  require_finite(made, blocks, asked.setup.dt);
+  require_start(asked.setup, made);
+  const std::size_t samples = made.angles.size() / blocks;
+  require_count("seconds", reply.seconds.size(), asked.repeats, "one for each of `repeats`");
+  require_range("seconds", reply.seconds, 0);
+  require_range("warnings", static_cast<double>(made.warnings), 0, static_cast<double>(samples - 1));
+  if (made.contacts) require_contacts(*made.contacts, samples, asked.setup);
+}
+
+}  // namespace rockstack
