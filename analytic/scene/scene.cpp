@@ -9,6 +9,7 @@
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/scene/pattern.hpp"
+#include "analytic/scene/spring_checks.hpp"
 
 namespace rockstack {
 namespace {
@@ -101,12 +102,6 @@ void validate_initial(const Scene& scene) {
   }
 }
 
-void require_one_each(const char* key, const std::vector<double>& values, std::size_t blocks) {
-  if (values.size() != blocks)
-    throw FieldError(key, "an array of " + std::to_string(values.size()),
-                     "a number, or as many as there are blocks, " + std::to_string(blocks));
-}
-
 void validate_friction(const std::vector<double>& friction, std::size_t blocks) {
   if (friction.empty()) return;
   require_one_each("contact.friction", friction, blocks);
@@ -133,57 +128,6 @@ void validate_law(const Scene& scene) {
     throw FieldError("restitution", "an array",
                      std::string("left out under law ") + name(scene.law) +
                          (scene.law == Law::unilateral ? ", where friction decides" : ", where dashpots do"));
-}
-
-void validate_springs(const Scene& scene) {
-  const CornerSprings& springs = scene.springs;
-  if (scene.law != Law::compliant) {
-    const auto refuse = [&](const char* key) {
-      throw FieldError(
-          key, "given",
-          std::string("left out under law ") + name(scene.law) + ": springs are for law compliant");
-    };
-    const auto any = [](const std::vector<double>& values, double standard) {
-      return std::any_of(values.begin(), values.end(), [&](double value) { return value != standard; });
-    };
-    if (any(springs.stiffness, std::numeric_limits<double>::infinity())) refuse("contact.stiffness");
-    if (any(springs.damping, 0)) refuse("contact.damping");
-    if (any(springs.bed_stiffness, std::numeric_limits<double>::infinity())) refuse("contact.bed_stiffness");
-    if (any(springs.bed_damping, 0)) refuse("contact.bed_damping");
-    if (springs.tangential != 1) refuse("contact.tangential");
-    if (!scene.initial.settled) refuse("initial.springs");
-    return;
-  }
-  constexpr double rigid = std::numeric_limits<double>::infinity();
-  const auto require = [&](const std::string& key, const std::vector<double>& values, const auto& one) {
-    if (!values.empty()) require_one_each(key.c_str(), values, scene.blocks.size());
-    for (std::size_t k = 0; k < values.size(); ++k) one(key + "." + std::to_string(k + 1), values[k]);
-  };
-  const auto stiffness = [](const std::string& key, double value) {
-    if (value != rigid) require_positive(key, value);
-  };
-  const auto damping = [](const std::string& key, double value) { require_between(key, value, 0); };
-  require("contact.stiffness", springs.stiffness, stiffness);
-  require("contact.damping", springs.damping, damping);
-  require("contact.bed_stiffness", springs.bed_stiffness, stiffness);
-  require("contact.bed_damping", springs.bed_damping, damping);
-  for (std::size_t k = 0; k < std::min(springs.stiffness.size(), springs.bed_stiffness.size()); ++k)
-    if (springs.stiffness[k] != rigid && springs.bed_stiffness[k] != rigid)
-      throw FieldError("contact.bed_stiffness." + std::to_string(k + 1),
-                       number_text(springs.bed_stiffness[k]),
-                       "inf where contact.stiffness is not: an interface has springs at corners or a bed");
-  require_positive("contact.tangential", springs.tangential);
-  if (scene.initial.settled) return;
-  // Depth and pressure of a bed would both be zero all along it, and its two zeros at one place.
-  const auto parts = [](const std::vector<double>& values, std::size_t k) {
-    return values[k] != (k == 0 ? 0 : values[k - 1]);
-  };
-  for (std::size_t k = 0; k < springs.bed_stiffness.size(); ++k)
-    if (springs.bed_stiffness[k] != rigid && !parts(scene.initial.angles, k) &&
-        parts(scene.initial.velocities, k))
-      throw FieldError(
-          "initial.springs", "unloaded",
-          "loaded where a block lies flat on a bed and turns, as block " + std::to_string(k + 1) + " does");
 }
 
 void validate_pulse(const Pulse& pulse, const std::string& key) {
@@ -280,13 +224,16 @@ void validate(const Scene& scene) {
   validate_restitution(scene);
   validate_law(scene);
   validate_initial(scene);
-  validate_springs(scene);
   validate_friction(scene.friction, scene.blocks.size());
+  validate_springs(scene);
   validate_inclination(scene);
   validate(scene.horizontal, "ground.horizontal");
   validate(scene.vertical, "ground.vertical");
   validate_duration(scene);
   require_positive("engine.friction", scene.engine.friction);
+  if (!scene.friction.empty() && scene.engine.friction != EngineSurface().friction)
+    throw FieldError("engine.friction", number_text(scene.engine.friction),
+                     "left out beside contact.friction, which engines are given in its place");
   require_positive("engine.depth", scene.engine.depth);
 }
 

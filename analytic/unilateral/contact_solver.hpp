@@ -37,7 +37,6 @@ class ContactSolver {
     using std::cos;
     using std::sqrt;
     require_digits(stack_);
-    springs_.require_few_steps(scene, state_.bodies);
     across_ = Real(scene.gravity) * cos(Real(scene.inclination));
     Real height = 0;
     for (int k = 0; k < stack_.size(); ++k) {
@@ -88,7 +87,7 @@ class ContactSolver {
                      time(), decided_, std::min<Real>(moment_ / step.series.length, 1));
     if (!springs_.empty()) {
       const FirstSpringChange<Real> change =
-          SpringCourses<Real>(stack_, springs_.points(), step.series, springs).first();
+          SpringCourses<Real>(stack_, springs_.points(), state_.bodies, step.series, springs).first();
       if (!change.courses.empty() && (found.courses.empty() || change.s < found.s)) {
         go(step.series, springs, change.s);
         return handle(change);
@@ -153,13 +152,6 @@ class ContactSolver {
         return note_shown(EventKind::fall, interface + 1, before, state_.bodies.rate);
       }
       if (course.change == SpringChange::pass) passes[static_cast<std::size_t>(interface)] = true;
-      const auto slides = [&](const SpringCourse<Real>& other) {
-        return other.change == SpringChange::slide && other.point == course.point;
-      };
-      // What only starts to push may go on to, once it slides.
-      if (course.change == SpringChange::part && found.s == 0 &&
-          std::any_of(found.courses.begin(), found.courses.end(), slides))
-        continue;
       springs_.apply(course, state_.bodies);
     }
     springs_.show();

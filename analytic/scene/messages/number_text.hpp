@@ -14,4 +14,13 @@ inline std::string number_text(double value) {
   return {buffer.data(), end};
 }
 
+/// With so many significant digits.
+inline std::string number_text(double value, int digits) {
+  std::array<char, 32> buffer{};
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits)
+          .ptr;
+  return {buffer.data(), end};
+}
+
 }  // namespace rockstack

@@ -31,7 +31,7 @@ SpringPoint<Real> initial_bed(const BasicFrictionStack<Real>& stack, int interfa
   note_signs(stack, bodies, point);
   for (const int side : {-1, 1})
     if (joint.touch == Touch::flat || joint.side() == side)
-      point.bed.ends[side < 0 ? 0 : 1] = {true, true, true, true};
+      point.bed.ends[side < 0 ? 0 : 1] = {true, true, true};
   if (joint.touches()) point.press = Press::pushing;
   if (law_of(stack, interface).friction > 0) point.slide = joint.slip;
   point.slider = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point)).slip;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <sstream>
-#include <stdexcept>
-
+#include "analytic/scene/spring_checks.hpp"
 #include "analytic/unilateral/springs/settle.hpp"
 #include "analytic/unilateral/springs/spring_courses.hpp"
 #include "analytic/unilateral/springs/spring_energy.hpp"
@@ -26,21 +24,6 @@ class SpringContacts {
     show();
   }
 
-  /// @throws std::invalid_argument where a motion would take more than 10⁸ steps.
-  void require_few_steps(const Scene& scene, const BasicBodies<Real>& bodies) const {
-    SpringPoints<Real> all = points_;
-    for (SpringPoint<Real>& point : all) point.press = Press::pushing;
-    const auto rate = static_cast<double>(fastest_rate(stack_, all, bodies));
-    constexpr double most_steps = 1e8;
-    const double steps = scene.duration * rate / steps_per_rate;
-    if (!(steps > most_steps)) return;
-    std::ostringstream text;
-    text.precision(3);
-    text << "contact.stiffness: springs as fast as " << rate << " rad/s would take " << steps
-         << " steps; at most " << most_steps << " are taken";
-    throw std::invalid_argument(text.str());
-  }
-
   bool empty() const { return points_.empty(); }
   const SpringPoints<Real>& points() const { return points_; }
 
@@ -51,11 +34,10 @@ class SpringContacts {
     return joints;
   }
 
-  /// The longest step over which series tell the fastest motion there may be, to rounding: explicit steps of
-  /// any order that double or quadruple numbers have are stable up to 8 over its rate.
+  /// The longest step over which series tell the fastest motion there may be, to rounding.
   Real longest_step(const BasicBodies<Real>& bodies) const {
     const Real rate = fastest_rate(stack_, points_, bodies);
-    return rate > 0 ? steps_per_rate / rate : std::numeric_limits<Real>::infinity();
+    return rate > 0 ? Real(steps_per_rate) / rate : std::numeric_limits<Real>::infinity();
   }
 
   /// What springs make of bodies' acceleration.
@@ -101,13 +83,12 @@ class SpringContacts {
         break;
       case SpringChange::push_again:
         start_pushing(point, bodies);
-        point.at_no_force = true;
         break;
       case SpringChange::part:
         point.slide = 0;
         // However shallow a depth is, its spring is left behind: taken for zero, it would touch at once.
         point.press = law.damping > 0 && !point.at_face ? Press::left_behind : Press::off;
-        (point.press == Press::off ? point.at_face : point.at_no_force) = true;
+        point.at_face = point.press == Press::off;
         break;
       case SpringChange::leave:
         point.press = Press::off;
@@ -115,11 +96,9 @@ class SpringContacts {
         break;
       case SpringChange::slide:
         point.slide = course.way;
-        point.at_grip = true;
         break;
       case SpringChange::grip:
         point.slide = 0;
-        point.at_grip = true;
         break;
       case SpringChange::pass:
         pass(point);
@@ -194,6 +173,7 @@ class SpringContacts {
   /// A sign of a bed changes, not where another course at the same time has changed it. The other end's does
   /// so too where it is as near to zero as rounding.
   void apply_to_bed(const SpringCourse<Real>& course, const BasicBodies<Real>& bodies) {
+    using std::abs;
     SpringPoint<Real>& point = points_[course.point];
     BedState& bed = point.bed;
     const PointLaw<Real> law = law_of(stack_, point.interface);
@@ -201,6 +181,7 @@ class SpringContacts {
     const GrowingBed<Real> now = bed_at(law, point, rows, vector_of(bodies.rate));
     const Real held = elastic_energy(stack_, point, bodies);
     const bool above = course.way > 0;
+    const SpringRounding<Real> rounding(stack_, bodies);
     if (course.change == SpringChange::bed_crossing) {
       if (bed.crossed != above) return;
       bed.crossed = !above;
@@ -210,8 +191,8 @@ class SpringContacts {
       for (std::size_t end = 0; end < 2; ++end) {
         BedEnd& here = bed.ends[end];
         if ((depth ? here.deep : here.presses) != above) continue;
-        const Real left = depth ? now.depth[end][0] : Real(now.pressure[end][0] / law.stiffness);
-        if (end != course.end && !is_zero(left)) continue;
+        const Real left = depth ? now.depth[end][0] : now.pressure[end][0];
+        if (end != course.end && abs(left) > 2 * (depth ? rounding.place : rounding.normal(law))) continue;
         // Without dashpots both quantities are one.
         if (depth || law.damping == 0) {
           here.deep = !above;
@@ -219,7 +200,6 @@ class SpringContacts {
         }
         if (!depth || law.damping == 0) {
           here.presses = !above;
-          here.at_no_force = true;
         }
       }
       if (law.damping > 0 && !bed.at_crossing) bed.crossed = now.crosses();
@@ -251,15 +231,9 @@ class SpringContacts {
 
   /// Whether the depth is zero to rounding.
   bool is_at_face(const SpringPoint<Real>& point, const BasicBodies<Real>& bodies) const {
-    return is_zero(rows_of(stack_.blocks, bodies, corner_of(stack_.blocks, point)).gap);
-  }
-
-  /// Of a length, m.
-  bool is_zero(const Real& gap) const {
     using std::abs;
-    Real height = 0;
-    for (const Block& block : stack_.blocks) height += 2 * Real(block.half_height);
-    return abs(gap) <= tolerance<Real>(1e-14) * height;
+    return abs(rows_of(stack_.blocks, bodies, corner_of(stack_.blocks, point)).gap) <=
+           SpringRounding<Real>(stack_, bodies).place;
   }
 
   void start_pushing(SpringPoint<Real>& point, const BasicBodies<Real>& bodies) {
@@ -274,10 +248,7 @@ class SpringContacts {
     const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
     const int outward = point.side * corner.upward;
     point.slider = outward * half_width_of<Real>(stack_.blocks, corner.face);
-    point.at_end = true;
   }
-
-  static constexpr int steps_per_rate = 8;
 
   const BasicFrictionStack<Real>& stack_;
   SpringPoints<Real> points_;

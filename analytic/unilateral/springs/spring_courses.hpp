@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "analytic/polynomials/crossing.hpp"
-#include "analytic/unilateral/contact/tolerance.hpp"
+#include "analytic/unilateral/springs/spring_rounding.hpp"
 #include "analytic/unilateral/springs/spring_series.hpp"
 
 namespace rockstack {
@@ -35,23 +35,9 @@ struct SpringCourse {
   Polynomial<Real> within = {}, within_other = {};  ///< of `touch`: how far it is inside either end, m
 };
 
-/// The share of a step in which forces come to be told from rounding.
+/// The share of a step before a corner parts in which it does not come to slide.
 template <class Real>
-inline const Real spring_moment = root_tolerance<Real>(1e-6);
-
-/// The least that a series comes to up to `share` of a step, or less (Hull); zero where it stays above.
-template <class Real>
-Real least_below(const Polynomial<Real>& series, const Real& share) {
-  Real least = 0;
-  Real sum = 0;
-  Real power = 1;
-  for (const Real& coefficient : series) {
-    sum += coefficient * power;
-    least = std::min(least, sum);
-    power *= share;
-  }
-  return least;
-}
+inline const Real parting_moment = root_tolerance<Real>(1e-6);
 
 /// Those of all points that end first, at s of a step.
 template <class Real>
@@ -59,16 +45,15 @@ struct FirstSpringChange {
   Real s = 1;
   std::vector<SpringCourse<Real>> courses;
 
-  /// Takes a course into account. By the event that has just been, its first `zeros` coefficients are not
-  /// below zero, however they round; and what is above zero a moment later has been so all the while. A
-  /// course that ends after `until` is another's matter.
-  void consider(SpringCourse<Real> course, std::size_t zeros = 0, const Real& until = 1) {
-    for (std::size_t i = 0; i < zeros && i < course.series.terms; ++i)
-      course.series[i] = std::max(course.series[i], Real(0));
-    if (zeros > 0 && course.series.terms > 0 && value(course.series, spring_moment<Real>) >= 0)
-      course.series[0] -= 2 * least_below(course.series, spring_moment<Real>);
-    const std::optional<Real> crossing = first_crossing(course.series);
-    if (!crossing || *crossing > std::min(s, until)) return;
+  /// Takes a course into account, whose values round by `rounding`.
+  void consider(SpringCourse<Real> course, const Real& rounding) {
+    const std::optional<Real> crossing = told_crossing(course.series, rounding);
+    note(std::move(course), crossing);
+  }
+
+  /// One that ends at `crossing`, if at all.
+  void note(SpringCourse<Real> course, const std::optional<Real>& crossing) {
+    if (!crossing || *crossing > s) return;
     if (course.change == SpringChange::touch && course.within.terms > 0) {
       const Real slack = -tolerance<Real>(1e-12) * (course.within[0] + course.within_other[0]);
       if (value(course.within, *crossing) < slack || value(course.within_other, *crossing) < slack) return;
@@ -84,8 +69,9 @@ template <class Real>
 class SpringCourses {
  public:
   SpringCourses(const BasicFrictionStack<Real>& stack, const SpringPoints<Real>& points,
-                const ModeSeries<Real>& motion, const SpringSeries<Real>& series)
-      : stack_(stack), points_(points), motion_(motion), series_(series) {}
+                const BasicBodies<Real>& bodies, const ModeSeries<Real>& motion,
+                const SpringSeries<Real>& series)
+      : stack_(stack), points_(points), motion_(motion), series_(series), rounding_(stack, bodies) {}
 
   FirstSpringChange<Real> first() && {
     for (const GrowingSpring<Real>& spring : series_.springs()) add_pushing(spring);
@@ -106,28 +92,30 @@ class SpringCourses {
     const SpringPoint<Real>& start = spring.start;
     const PointLaw<Real>& law = spring.law;
     if (!start.is_bed())
-      found_.consider({spring.force.normal, SpringChange::part, i},
-                      start.at_no_force || start.at_face ? 1 : 0);
+      found_.consider({spring.force.normal, SpringChange::part, i}, series_.unit() * rounding_.normal(law));
     if (law.friction == 0) return add_ends(spring, spring.slip);
-    if (start.slide == 0) {
-      // What parts has no force left along the face either: it does not slide a moment before.
-      const std::optional<Real> parts = start.is_bed() ? std::nullopt : first_crossing(spring.force.normal);
-      const Real until = parts && *parts > spring_moment<Real> ? Real(*parts - spring_moment<Real>) : Real(1);
-      // Without a dashpot, a slider that has just stopped is at its strength as the slip comes to a halt.
-      const std::size_t zeros = law.tangential_damping > 0 ? 1 : 2;
-      for (const int way : {-1, 1}) {
-        SpringCourse<Real> course{
-            sum(times(law.friction, spring.force.normal), times(way, spring.force.tangential)),
-            SpringChange::slide, i, way};
-        const bool at_limit = way * spring.force.tangential[0] < 0 || course.series[0] <= 0;
-        found_.consider(std::move(course), start.at_grip && at_limit ? zeros : 0, until);
-      }
-      return;
-    }
+    if (start.slide == 0) return add_sliding(spring);
     const Polynomial<Real> slider = sum(spring.slip, times(-1, spring.stretch));
     found_.consider({times(start.slide, derivative(slider)), SpringChange::grip, i},
-                    start.at_grip && law.tangential_damping > 0 ? 1 : 0);
+                    motion_.length * rounding_.slider_rate(law));
     add_ends(spring, slider);
+  }
+
+  void add_sliding(const GrowingSpring<Real>& spring) {
+    const PointLaw<Real>& law = spring.law;
+    const Polynomial<Real>& normal = spring.force.normal;
+    // What parts has no force left along the face either: it does not slide a moment before.
+    const std::optional<Real> parts = spring.start.is_bed() ? std::nullopt : first_crossing(normal);
+    const Real until = parts && *parts > parting_moment<Real> ? Real(*parts - parting_moment<Real>) : Real(1);
+    const Real rounding = series_.unit() * rounding_.strength(law);
+    for (const int way : {-1, 1}) {
+      SpringCourse<Real> course{sum(times(law.friction, normal), times(way, spring.force.tangential)),
+                                SpringChange::slide, spring.index, way};
+      std::optional<Real> crossing = told_crossing(course.series, rounding);
+      if (crossing && value(normal, *crossing) <= series_.unit() * rounding_.normal(law))
+        crossing = first_crossing(line(rounding, 1, course.series));
+      if (crossing && *crossing <= until) found_.note(std::move(course), crossing);
+    }
   }
 
   /// The ends of the face that a slider may come to.
@@ -139,15 +127,14 @@ class SpringCourses {
     const int outward = spring.start.side * corner.upward;
     const int way = spring.start.slide * outward;  // zero where there is no friction, and no way it must go
     if (way >= 0)
-      found_.consider({line(end, -outward, slider), SpringChange::pass, spring.index},
-                      spring.start.at_end ? 1 : 0);
-    if (way <= 0) found_.consider({line(end, outward, slider), SpringChange::fall, spring.index});
+      found_.consider({line(end, -outward, slider), SpringChange::pass, spring.index}, rounding_.place);
+    if (way <= 0) found_.consider({line(end, outward, slider), SpringChange::fall, spring.index}, 0);
   }
 
   /// A bed holds as long as its middle is over the other face.
   void add_bed_falling(std::size_t i, const CornerOnFace<Real>& middle, const Polynomial<Real>& along) {
     const Real end = half_width_of<Real>(stack_.blocks, middle.face);
-    for (const int way : {-1, 1}) found_.consider({line(end, way, along), SpringChange::fall, i});
+    for (const int way : {-1, 1}) found_.consider({line(end, way, along), SpringChange::fall, i}, 0);
   }
 
   void add_bed(std::size_t i) {
@@ -163,25 +150,41 @@ class SpringCourses {
       if (sign.at_face) depth[end][0] = 0;
       pressure[end] =
           sum(times(law.stiffness, depth[end]), times(law.damping / motion_.length, derivative(depth[end])));
-      consider_sign(i, SpringChange::bed_depth, end, sign.deep, sign.at_face, depth[end]);
-      if (law.damping > 0)
-        consider_sign(i, SpringChange::bed_pressure, end, sign.presses, sign.at_no_force, pressure[end]);
     }
-    if (law.damping > 0 && has_crossing(point.bed))
-      consider_sign(i, SpringChange::bed_crossing, 0, point.bed.crossed, point.bed.at_crossing,
-                    sum(product(pressure[0], depth[1]), times(-1, product(pressure[1], depth[0]))));
+    for (std::size_t end = 0; end < 2; ++end) {
+      consider_sign(i, SpringChange::bed_depth, end, &BedEnd::deep, rounding_.place, depth);
+      if (law.damping > 0)
+        consider_sign(i, SpringChange::bed_pressure, end, &BedEnd::presses, rounding_.normal(law), pressure);
+    }
+    if (law.damping > 0 && has_crossing(point.bed)) add_crossing(i, depth, pressure, rounding_.normal(law));
     const CornerOnFace<Real> middle = corner_of(stack_.blocks, point);
     if (middle.face >= 0 && !point.pushes())
       add_bed_falling(i, middle, corner_series(stack_.blocks, motion_, middle).along);
   }
 
-  /// A quantity of a bed that keeps its sign up to the change.
-  void consider_sign(std::size_t i, SpringChange change, std::size_t end, bool above, bool zero,
-                     const Polynomial<Real>& quantity) {
-    const int way = above ? 1 : -1;
-    SpringCourse<Real> course{times(way, quantity), change, i, way};
+  /// A quantity of a bed that keeps its sign at an end up to the change. Where it has another sign at the
+  /// other end, its zero between them must not be lost in what it is taken to round by.
+  void consider_sign(std::size_t i, SpringChange change, std::size_t end, bool BedEnd::*above,
+                     const Real& rounding, const std::array<Polynomial<Real>, 2>& quantity) {
+    using std::abs;
+    const auto& ends = points_[i].bed.ends;
+    const int way = ends[end].*above ? 1 : -1;
+    SpringCourse<Real> course{times(way, quantity[end]), change, i, way};
     course.end = end;
-    found_.consider(std::move(course), zero ? 1 : 0);
+    const bool alike = ends[end].*above == ends[1 - end].*above;
+    found_.consider(std::move(course),
+                    alike ? rounding : std::min<Real>(rounding, abs(quantity[1 - end][0]) / 8));
+  }
+
+  void add_crossing(std::size_t i, const std::array<Polynomial<Real>, 2>& depth,
+                    const std::array<Polynomial<Real>, 2>& pressure, const Real& rounding) {
+    using std::abs;
+    const int way = points_[i].bed.crossed ? 1 : -1;
+    const Polynomial<Real> difference =
+        sum(product(pressure[0], depth[1]), times(-1, product(pressure[1], depth[0])));
+    found_.consider({times(way, difference), SpringChange::bed_crossing, i, way},
+                    rounding_.place * (abs(pressure[0][0]) + abs(pressure[1][0])) +
+                        rounding * (abs(depth[0][0]) + abs(depth[1][0])));
   }
 
   Polynomial<Real> depth_of(const CornerOnFace<Real>& corner, const FaceSeries<Real>& place) const {
@@ -193,10 +196,10 @@ class SpringCourses {
     const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
     const Polynomial<Real> depth = depth_of(corner, corner_series(stack_.blocks, motion_, corner));
     const PointLaw<Real> law = law_of(stack_, point.interface);
-    found_.consider({depth, SpringChange::leave, i});
+    found_.consider({depth, SpringChange::leave, i}, rounding_.place);
     const Polynomial<Real> force =
         sum(times(law.stiffness, depth), times(law.damping / motion_.length, derivative(depth)));
-    found_.consider({times(-1, force), SpringChange::push_again, i}, point.at_no_force ? 1 : 0);
+    found_.consider({times(-1, force), SpringChange::push_again, i}, rounding_.normal(law));
   }
 
   void add_touching(std::size_t i) {
@@ -215,9 +218,9 @@ class SpringCourses {
         course.within_other = line(end, 1, place.along);
         // A block that is wholly beyond an end of the face below falls.
         if (!below && lies_open(point.interface))
-          found_.consider({line(end, point.side, place.along), SpringChange::fall, i});
+          found_.consider({line(end, point.side, place.along), SpringChange::fall, i}, 0);
       }
-      found_.consider(std::move(course), point.at_face ? 1 : 0);
+      found_.consider(std::move(course), rounding_.place);
     }
   }
 
@@ -231,6 +234,7 @@ class SpringCourses {
   const SpringPoints<Real>& points_;
   const ModeSeries<Real>& motion_;
   const SpringSeries<Real>& series_;
+  SpringRounding<Real> rounding_;
   FirstSpringChange<Real> found_;
 };
 

@@ -28,19 +28,15 @@ struct SpringPoint {
   int slide = 0;  ///< the way the slider moves, of the block above against the one below; 0: it stands still
   Real slider = 0;  ///< its place on the slip coordinate, m
 
-  // What is zero by the event that has just been, however it rounds.
-  bool at_face = false;      ///< the depth
-  bool at_no_force = false;  ///< the normal force
-  bool at_grip = false;      ///< what parts standing still from sliding
-  bool at_end = false;       ///< how far the slider is from the end of the face
+  bool at_face = false;  ///< the depth is zero by the event that has just been, however it rounds
 
   BedState bed = {};  ///< of a bed alone
 
   bool is_bed() const { return side == 0; }
   bool pushes() const { return press == Press::pushing; }
   void move_on() {
-    at_face = at_no_force = at_grip = at_end = bed.at_crossing = false;
-    for (BedEnd& end : bed.ends) end.at_face = end.at_no_force = false;
+    at_face = bed.at_crossing = false;
+    for (BedEnd& end : bed.ends) end.at_face = false;
   }
 };
 

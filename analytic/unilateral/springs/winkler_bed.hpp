@@ -9,10 +9,9 @@ namespace rockstack {
 
 /// An end of a bed, where two quantities have a sign.
 struct BedEnd {
-  bool deep = false;         ///< the face is below the bed's surface: the depth δ > 0
-  bool presses = false;      ///< κδ + γδ̇ > 0
-  bool at_face = false;      ///< the depth is zero by the event that has just been, however it rounds
-  bool at_no_force = false;  ///< κδ + γδ̇ likewise
+  bool deep = false;     ///< the face is below the bed's surface: the depth δ > 0
+  bool presses = false;  ///< κδ + γδ̇ > 0
+  bool at_face = false;  ///< the depth is zero by the event that has just been, however it rounds
 };
 
 /// Where a Winkler bed presses. Each part of it pushes with p = κδ + γδ̇ a length, where δ > 0 and p > 0;

@@ -3,24 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analytic/scene/spring_checks.hpp"
+#include "analytic/scene/spring_rates.hpp"
+
 namespace rockstack {
 namespace {
-
-/// Of a corner on an end of a face of that half width: what a unit of its stiffness, both along and across,
-/// adds to tr M⁻¹K, 1/kg.
-double compliance(const Block& block, double half_width, double tangential) {
-  const double across = 1 / block.mass + half_width * half_width / block.inertia;
-  const double along = 1 / block.mass + block.half_height * block.half_height / block.inertia;
-  return across + tangential * along;
-}
 
 /// tr M⁻¹K for unit springs at both ends of each interface.
 double unit_trace(const Scene& scene) {
   double sum = 0;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const double half_width = interface_half_width(scene, static_cast<int>(k));
-    sum += 2 * compliance(scene.blocks[k], half_width, scene.springs.tangential);
-    if (k > 0) sum += 2 * compliance(scene.blocks[k - 1], half_width, scene.springs.tangential);
+    sum += 2 * spring_compliance(scene.blocks[k], half_width, scene.springs.tangential);
+    if (k > 0) sum += 2 * spring_compliance(scene.blocks[k - 1], half_width, scene.springs.tangential);
   }
   return sum;
 }
@@ -62,8 +57,7 @@ Scene with_springs(Scene scene, const std::vector<double>& friction, const Corne
 }
 
 double spring_factor(const Scene& scene, const CornerSpring& spring, double most) {
-  constexpr double rate_times_step = 8;
-  const double per_rate = scene.duration / rate_times_step / most, trace = unit_trace(scene);
+  const double per_rate = scene.duration / steps_per_rate / most, trace = unit_trace(scene);
   const double damped = trace * spring.damping * per_rate;
   const double swinging = trace * spring.stiffness * per_rate * per_rate;
   return std::max({1.0, damped, swinging});

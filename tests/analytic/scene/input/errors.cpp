@@ -79,6 +79,10 @@ TEST(SceneErrors, FrictionAndSlip) {
        "scene.toml:13: contact.bed_damping = given: must be left out under law consistent: springs are for "
        "law "
        "compliant"},
+      {12, "[contact]\nfriction = 0.4\n[engine]\nfriction = 0.5",
+       "scene.toml:15: engine.friction = 0.5: must be left out beside contact.friction, which engines are "
+       "given "
+       "in its place"},
       {12, "springs = 1", "scene.toml:12: initial.springs = 1: must be \"loaded\" or \"unloaded\""},
   });
 }
@@ -100,6 +104,69 @@ TEST(SceneErrors, AnInterfaceHasCornerSpringsOrABed) {
             "scene.toml:14: contact.bed_stiffness.1 = 0: must be a number from 1e-20 to 1e+20");
   EXPECT_EQ(contact("bed_damping = [0, -1]"),
             "scene.toml:14: contact.bed_damping.2 = -1: must be a number from 0 to 1e+20");
+}
+
+TEST(SceneErrors, SpringsThatDoNothingAreRefused) {
+  const auto contact = [](const std::string& lines) {
+    return error_of("law = \"compliant\"\n" + with_line(12, "[contact]\n" + lines));
+  };
+  EXPECT_EQ(
+      contact("bed_stiffness = 1e8\ndamping = 1e4"),
+      "scene.toml:15: contact.damping = given: must be left out without contact.stiffness: it is of the "
+      "dashpot beside each spring");
+  EXPECT_EQ(
+      contact("stiffness = 1e8\nbed_damping = 1e4"),
+      "scene.toml:15: contact.bed_damping = given: must be left out without contact.bed_stiffness: it is "
+      "of the bed");
+  EXPECT_EQ(contact("damping = 1e4").substr(0, 38), "scene.toml:14: contact.damping = given");
+  EXPECT_EQ(contact("bed_damping = [0, 1e4]").substr(0, 42), "scene.toml:14: contact.bed_damping = given");
+  for (const char* lines : {"", "tangential = 2"})
+    EXPECT_EQ(contact(lines),
+              "scene.toml:1: law = compliant: must be another, or contact.stiffness or contact.bed_stiffness "
+              "given: no interface is soft");
+  // What stands for no springs at all may be compared with some.
+  EXPECT_EQ(contact("stiffness = inf\ndamping = 1e4\ntangential = 0.5"), "");
+}
+
+// A block of m = 2500 kg by 1 m³: on two springs of k it gives way by mg/(2k), on a bed of κ by mg/κ.
+TEST(SceneErrors, SpringsThatABlockWouldSinkThroughAreRefused) {
+  const auto on = [](const std::string& lines) {
+    return error_of(
+        "duration = 1\nlaw = \"compliant\"\n[[blocks]]\nwidth = 1\nheight = 1\ndensity = 2500\n"
+        "[contact]\n" +
+        lines);
+  };
+  EXPECT_EQ(
+      on("stiffness = 1e2"),
+      "scene.toml:8: contact.stiffness.1 = 100: must be at least 1.23e+05: under the weight above it the "
+      "interface would give way by 123 m, at most a tenth of a block's height, 1 m, is a contact");
+  EXPECT_NE(on("stiffness = 1.22e5"), "");
+  EXPECT_EQ(on("stiffness = 1.23e5"), "");
+  EXPECT_NE(on("bed_stiffness = 2.45e5"), "");
+  EXPECT_EQ(on("bed_stiffness = 2.46e5"), "");
+}
+
+// One block of m = 2500 kg, b = h = 0.5 m, I = m/6: tr M⁻¹K = 2k (1 + t) (1 + 6/4)/m.
+TEST(SceneErrors, SpringsThatAreTooFastToBeFollowedAreRefused) {
+  const auto on = [](const std::string& lines) {
+    return error_of(
+        "duration = 8\nlaw = \"compliant\"\n[[blocks]]\nwidth = 1\nheight = 1\ndensity = 2500\n"
+        "[contact]\n" +
+        lines);
+  };
+  EXPECT_EQ(
+      on("stiffness = 1e7\ntangential = 1e12"),
+      "scene.toml:9: contact.tangential = 1e+12: must be such that springs take at most 1e+07 steps: as "
+      "fast as 1.41e+08 rad/s, they would take 1.41e+08");
+  EXPECT_EQ(on("stiffness = 1e17").substr(0, 40), "scene.toml:8: contact.stiffness.1 = 1e+1");
+  EXPECT_EQ(on("stiffness = 1e16"), "");
+  EXPECT_EQ(on("stiffness = 1e9\ndamping = 1e11").substr(0, 39), "scene.toml:9: contact.damping.1 = 1e+11");
+  // A stretch relaxes at k/c where the slider moves, and no friction is endless.
+  EXPECT_EQ(on("stiffness = 1e9\ndamping = 10"), "");
+  EXPECT_EQ(on("friction = 0.5\nstiffness = 1e9\ndamping = 10").substr(0, 36),
+            "scene.toml:10: contact.damping.1 = 1");
+  EXPECT_EQ(on("bed_stiffness = 1e9\nbed_damping = 1e12").substr(0, 43),
+            "scene.toml:9: contact.bed_damping.1 = 1e+12");
 }
 
 TEST(SceneErrors, AToppledStartNamesTheLimit) {

@@ -9,10 +9,10 @@ namespace {
 
 using Plane = std::complex<double>;
 
-/// A corner of an interface that is on a face, or may come to be.
+/// A corner of an interface that is on a face, or may come to be; or the middle of a bed.
 struct Corner {
   int interface = 0;  ///< from 0
-  int side = 0;
+  int side = 0;       ///< 0: a bed
   bool of_lower = false;
   bool on = false;
   double stretch = 0;  ///< of the spring along the face, m
@@ -28,13 +28,44 @@ struct Meeting {
 struct Push {
   double normal, tangential;
   double stretch_rate;
+  double moment = 0;  ///< of a bed's pressure about its middle, to the right positive, N·m
 };
+
+/// What a bed of half-width b bears by a depth and a pressure that go linearly along it, as those of its
+/// ends: ∫ p dx and ∫ p x dx where both are above zero. Simpson's rule is exact on each stretch.
+Push bed_push(double half_width, const std::array<double, 2>& depth, const std::array<double, 2>& pressure) {
+  const auto at = [](const std::array<double, 2>& ends, double u) {
+    return (ends[0] * (1 - u) + ends[1] * (1 + u)) / 2;
+  };
+  std::vector<double> bounds{-1, 1};
+  for (const auto& ends : {depth, pressure})
+    if (ends[0] * ends[1] < 0) bounds.push_back((ends[0] + ends[1]) / (ends[0] - ends[1]));
+  std::sort(bounds.begin(), bounds.end());
+  Push sum{0, 0, 0};
+  for (std::size_t i = 1; i < bounds.size(); ++i) {
+    const double from = bounds[i - 1];
+    const double to = bounds[i];
+    const double middle = (from + to) / 2;
+    if (at(depth, middle) <= 0 || at(pressure, middle) <= 0) continue;
+    const double sixth = (to - from) / 6 * half_width;
+    sum.normal += sixth * (at(pressure, from) + 4 * at(pressure, middle) + at(pressure, to));
+    sum.moment += sixth * half_width *
+                  (at(pressure, from) * from + 4 * at(pressure, middle) * middle + at(pressure, to) * to);
+  }
+  return sum;
+}
 
 class Springs {
  public:
   explicit Springs(const Scene& scene) : scene_(scene), friction_(friction_of(scene)) {
-    for (int k = 0; k < size(); ++k)
+    for (int k = 0; k < size(); ++k) {
+      if (!scene.springs.bed_stiffness.empty()) {
+        const bool of_lower = k > 0 && half_width(k - 1) < half_width(k);
+        corners_.push_back({k, 0, of_lower, true});
+        continue;
+      }
       for (const int side : {-1, 1}) corners_.push_back({k, side});
+    }
   }
 
   int size() const { return static_cast<int>(scene_.blocks.size()); }
@@ -74,18 +105,64 @@ class Springs {
 
   Push push(const Corner& corner, const Meeting& meeting) const {
     if (!corner.on) return {0, 0, 0};
-    const auto k = static_cast<std::size_t>(corner.interface);
-    const double k_n = scene_.springs.stiffness[k];
-    const double c_n = scene_.springs.damping[k];
-    const double k_t = k_n * scene_.springs.tangential;
-    const double c_t = c_n * scene_.springs.tangential;
+    const double k_n = stiffness(corner);
+    const double c_n = damping(corner);
     const double normal = k_n * meeting.depth + c_n * meeting.depth_rate;
     if (normal <= 0) return {0, 0, 0};
-    const double limit = friction_[k] * normal;
+    return rubbed(corner, meeting, {normal, 0, 0});
+  }
+
+  /// A bed, of which the ends are at these meetings.
+  Push push(const Corner& bed, const Meeting& middle, const Meeting& left, const Meeting& right) const {
+    const double width = 2 * bed_half_width(bed);
+    const auto pressure = [&](const Meeting& end) {
+      return (stiffness(bed) * end.depth + damping(bed) * end.depth_rate) / width;
+    };
+    Push pressed = bed_push(width / 2, {left.depth, right.depth}, {pressure(left), pressure(right)});
+    pressed.moment *= (right.along - left.along) / width;  // forces are across the other face
+    return pressed.normal > 0 ? rubbed(bed, middle, pressed) : Push{0, 0, 0};
+  }
+
+  /// With what a spring and a dashpot along the face do before a slider.
+  Push rubbed(const Corner& corner, const Meeting& meeting, Push push) const {
+    const double k_t = stiffness(corner) * scene_.springs.tangential;
+    const double c_t = damping(corner) * scene_.springs.tangential;
+    const double limit = friction_[static_cast<std::size_t>(corner.interface)] * push.normal;
     const double force = k_t * corner.stretch + c_t * meeting.slip_rate;
-    if (std::abs(force) <= limit) return {normal, -force, meeting.slip_rate};
-    const double held = std::copysign(limit, force);
-    return {normal, -held, c_t > 0 ? (held - k_t * corner.stretch) / c_t : meeting.slip_rate};
+    if (std::abs(force) <= limit) {
+      push.tangential = -force;
+      push.stretch_rate = meeting.slip_rate;
+    } else {
+      const double held = std::copysign(limit, force);
+      push.tangential = -held;
+      push.stretch_rate = c_t > 0 ? (held - k_t * corner.stretch) / c_t : meeting.slip_rate;
+    }
+    return push;
+  }
+
+  double half_width(int block) const { return scene_.blocks[static_cast<std::size_t>(block)].half_width; }
+  double bed_half_width(const Corner& bed) const {
+    return half_width(bed.interface - (bed.of_lower ? 1 : 0));
+  }
+  /// Of a corner, or of all of a bed.
+  double stiffness(const Corner& corner) const {
+    const auto k = static_cast<std::size_t>(corner.interface);
+    return corner.side != 0 ? scene_.springs.stiffness[k]
+                            : 2 * bed_half_width(corner) * scene_.springs.bed_stiffness[k];
+  }
+  double damping(const Corner& corner) const {
+    const auto k = static_cast<std::size_t>(corner.interface);
+    return corner.side != 0 ? scene_.springs.damping[k]
+                            : 2 * bed_half_width(corner) * scene_.springs.bed_damping[k];
+  }
+
+  Push push_at(const std::vector<PlaneBlock>& blocks, const Corner& corner, const Meeting& meeting) const {
+    if (corner.side != 0) return push(corner, meeting);
+    Corner left = corner;
+    Corner right = corner;
+    left.side = -1;
+    right.side = 1;
+    return push(corner, meeting, this->meeting(blocks, left), this->meeting(blocks, right));
   }
 
   /// What corners are after a step.
@@ -94,13 +171,12 @@ class Springs {
       if (!corner.on) find(blocks, corner);
       if (!corner.on) continue;
       const Meeting now = meeting(blocks, corner);
-      const Push force = push(corner, now);
-      if (now.depth <= 0) corner.on = false;
+      const Push force = push_at(blocks, corner, now);
+      if (now.depth <= 0 && corner.side != 0) corner.on = false;
       if (force.normal <= 0) corner.stretch = 0;
-      const auto k = static_cast<std::size_t>(corner.interface);
-      if (scene_.springs.damping[k] > 0) continue;
-      const double most =
-          friction_[k] * force.normal / (scene_.springs.stiffness[k] * scene_.springs.tangential);
+      if (damping(corner) > 0) continue;
+      const double most = friction_[static_cast<std::size_t>(corner.interface)] * force.normal /
+                          (stiffness(corner) * scene_.springs.tangential);
       corner.stretch = std::clamp(corner.stretch, -most, most);
     }
   }
@@ -140,7 +216,7 @@ Rates rates(const Scene& scene, Springs& springs, const std::vector<PlaneBlock>&
     result.blocks.push_back({block.velocity, Plane(0, -scene.gravity), block.rate, 0});
   for (const Corner& corner : springs.corners()) {
     const Meeting meeting = springs.meeting(blocks, corner);
-    const Push push = springs.push(corner, meeting);
+    const Push push = springs.push_at(blocks, corner, meeting);
     result.stretches.push_back(push.stretch_rate);
     const Plane force = push.normal * meeting.normal + push.tangential * meeting.tangent;
     for (const int sign : {1, -1}) {
@@ -151,7 +227,7 @@ Rates rates(const Scene& scene, Springs& springs, const std::vector<PlaneBlock>&
       result.blocks[index].velocity += double(sign) * force / block.mass;
       // Clockwise.
       const Plane arm = meeting.point - blocks[index].place;
-      result.blocks[index].rate -= sign * (std::conj(arm) * force).imag() / block.inertia;
+      result.blocks[index].rate -= sign * ((std::conj(arm) * force).imag() + push.moment) / block.inertia;
     }
   }
   return result;

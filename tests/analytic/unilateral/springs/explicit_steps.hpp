@@ -13,10 +13,10 @@ struct PlaneBlock {
   double angle = 0, rate = 0;
 };
 
-/// Follows a stack on corner springs from these states to `end` by the classical Runge–Kutta method in equal
-/// steps of at most `step` s, blind to events: what a corner's state is, it learns after each step, so that
-/// it converges with order one. Corners that touch at the start hold where they are, relaxed along the face.
-/// Uniform blocks and still ground.
+/// Follows a stack on corner springs, or on beds, from these states to `end` by the classical Runge–Kutta
+/// method in equal steps of at most `step` s, blind to events: what a corner's state is, it learns after each
+/// step, so that it converges with order one. Corners that touch at the start hold where they are, relaxed
+/// along the face. Uniform blocks and still ground.
 std::vector<PlaneBlock> explicit_motion(const Scene& scene, std::vector<PlaneBlock> blocks, double end,
                                         double step);
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "analytic/scene/scene.hpp"
+#include "analytic/unilateral/contact_history.hpp"
 
 namespace rockstack::testing {
 
@@ -13,5 +13,15 @@ Scene springy_scene(std::uint64_t seed);
 
 /// The same on Winkler beds that are as stiff in all as the two springs of an interface.
 Scene bedded_scene(std::uint64_t seed);
+
+/// A random stack of one to three blocks at some angles and velocities, on springs or beds that bear nothing
+/// yet, soft enough for explicit steps of 10⁻⁵ s.
+Scene soft_scene(std::uint64_t seed, bool beds);
+
+/// The energy of a sample, with what springs hold and what dashpots and friction have taken, J.
+double energy_with_losses(const Scene& scene, const ContactHistory::Sample& sample);
+
+/// Of an upright stack, J.
+double weight_times_height(const Scene& scene);
 
 }  // namespace rockstack::testing

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "tests/analytic/unilateral/scenes.hpp"
-#include "tests/analytic/unilateral/springs/explicit_steps.hpp"
 #include "tests/analytic/unilateral/springs/random_springs.hpp"
 #include "tests/analytic/unilateral/springs/stiff_cases.hpp"
 
@@ -100,23 +99,6 @@ TEST(CornerSprings, AStackThatHasSettledRests) {
   }
 }
 
-double energy_with_losses(const Scene& scene, const ContactHistory::Sample& sample) {
-  double sum = energy(scene, sample.bodies);
-  for (const auto& springs : sample.springs)
-    sum += springs.energy.elastic + springs.energy.damped + springs.energy.rubbed;
-  return sum;
-}
-
-double weight_times_height(const Scene& scene) {
-  double below = 0;
-  double sum = 0;
-  for (const Block& block : scene.blocks) {
-    sum += block.mass * scene.gravity * (below + block.half_height);
-    below += 2 * block.half_height;
-  }
-  return sum;
-}
-
 bool all_soft(const Scene& scene) {
   return std::all_of(scene.springs.stiffness.begin(), scene.springs.stiffness.end(),
                      [](double stiffness) { return std::isfinite(stiffness); });
@@ -132,10 +114,10 @@ TEST(CornerSprings, EnergyIsKeptOrTold) {
     if (!scene.horizontal.empty() || !scene.vertical.empty()) continue;
     const ContactHistory history =
         solve_unilateral(scene, {.sample_times = regular_times(scene.duration / 20, scene.duration)});
-    const double scale = weight_times_height(scene);
-    double last = energy_with_losses(scene, history.samples.front());
+    const double scale = testing::weight_times_height(scene);
+    double last = testing::energy_with_losses(scene, history.samples.front());
     for (const auto& sample : history.samples) {
-      const double now = energy_with_losses(scene, sample);
+      const double now = testing::energy_with_losses(scene, sample);
       EXPECT_LE(now, last + 1e-11 * scale) << seed << ' ' << sample.time;
       if (!all_soft(scene)) last = now;
       EXPECT_GE(now, last - 1e-11 * scale) << seed << ' ' << sample.time;
@@ -146,28 +128,6 @@ TEST(CornerSprings, EnergyIsKeptOrTold) {
   }
   EXPECT_GE(soft, 5);
   EXPECT_GT(lost, 1e-3);
-}
-
-// Blocks that lean on springs without load set off in free fall, all alike: what parts and slides between
-// them is rounding at first.
-TEST(CornerSprings, LeaningStacksSetOffWithoutLoad) {
-  testing::Draw draw(41);
-  for (int i = 0; i < 60; ++i) {
-    Scene scene;
-    scene.law = Law::compliant;
-    scene.duration = 0.01;
-    for (int k = 0; k < 2; ++k)
-      scene.blocks.push_back(make_block(draw.between(0.5, 1.4), draw.between(0.5, 1.4), 2500));
-    const double angle = draw.between(-0.1, 0.1);
-    scene.initial = {{angle, i % 2 == 0 ? angle : draw.between(-0.1, 0.1)}, {0, 0}};
-    scene.initial.settled = false;
-    scene.friction = {0.5, 0.4};
-    scene.springs = {{3e6, 3e6}, std::vector<double>(2, std::pow(10, draw.between(2, 4)))};
-    const ContactHistory history = solve_unilateral(scene, {.sample_times = {0, scene.duration}});
-    const double change = energy_with_losses(scene, history.samples.back()) -
-                          energy_with_losses(scene, history.samples.front());
-    EXPECT_NEAR(change, 0, 1e-11 * weight_times_height(scene)) << i;
-  }
 }
 
 Scene mirrored(Scene scene) {
@@ -196,69 +156,6 @@ TEST(CornerSprings, MirrorImagesMoveAlike) {
       EXPECT_NEAR(one.last.at[k].angle, -other.last.at[k].angle, 1e-8) << seed;
   }
   EXPECT_GT(events, 60);
-}
-
-/// Random stacks, soft enough for explicit steps of 10⁻⁵ s.
-Scene soft_scene(std::uint64_t seed) {
-  testing::Draw draw(seed + 4000);
-  Scene scene = testing::random_scene(draw, 1 + draw.below(3), false);
-  scene.law = Law::compliant;
-  double mass = 0;
-  for (const Block& block : scene.blocks) mass += block.mass;
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    const double stiffness = mass * std::pow(10, draw.between(2.5, 3.5));
-    scene.springs.stiffness.push_back(stiffness);
-    scene.springs.damping.push_back(draw.coin() ? 0 : draw.between(0.02, 0.5) * std::sqrt(stiffness * mass));
-    scene.friction.push_back(draw.between(0.2, 0.8));
-  }
-  scene.springs.tangential = draw.between(0.4, 1);
-  scene.initial.settled = false;
-  scene.duration = 0.3;
-  return scene;
-}
-
-/// How far explicit steps end from the exact motion, m or rad: the most of some steps, as where in a step
-/// events come is chance.
-double explicit_error(const Scene& scene, const ContactHistory& history,
-                      std::initializer_list<double> steps) {
-  const Bodies& start = history.samples.front().bodies;
-  std::vector<testing::PlaneBlock> blocks;
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k)
-    blocks.push_back({{start.at[k].x, start.at[k].y},
-                      {start.rate[k].x, start.rate[k].y},
-                      start.at[k].angle,
-                      start.rate[k].angle});
-  double error = 0;
-  for (const double step : steps) {
-    const auto found = testing::explicit_motion(scene, blocks, static_cast<double>(history.end_time), step);
-    for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-      const BodyPlacement& exact = history.last.at[k];
-      error = std::max({error, std::abs(found[k].place - std::complex<double>(exact.x, exact.y)),
-                        std::abs(found[k].angle - exact.angle)});
-    }
-  }
-  return error;
-}
-
-// A method of another kind, blind to events within its steps: an event that makes a force jump leaves an
-// error of anything up to a share of the step. With steps of a sixth no scene is left with more than a third.
-TEST(CornerSprings, MoveAsExplicitStepsDo) {
-  int slid = 0;
-  int parted = 0;
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Scene scene = soft_scene(seed);
-    const ContactHistory history = solve_unilateral(scene, {.sample_times = {0}});
-    const double coarse = explicit_error(scene, history, {1e-4, 7.7e-5, 5.9e-5});
-    const double fine = explicit_error(scene, history, {1.7e-5, 1.3e-5, 1e-5});
-    EXPECT_LT(fine, coarse / 3) << seed;
-    EXPECT_LT(coarse, 1e-3) << seed;
-    for (const ContactEvent& event : history.events) {
-      slid += event.kind == EventKind::slip ? 1 : 0;
-      parted += event.kind == EventKind::part ? 1 : 0;
-    }
-  }
-  EXPECT_GT(slid, 10);
-  EXPECT_GT(parted, 10);
 }
 
 // As stiffness grows, a rigid interface is what springs on it come to.

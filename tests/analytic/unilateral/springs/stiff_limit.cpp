@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr int softest = 4, stiffest = 14;
+constexpr int softest = 6, stiffest = 14;
 
 /// 0 for what is none.
 int exponent(const char* text) {

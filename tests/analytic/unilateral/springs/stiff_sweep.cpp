@@ -27,7 +27,7 @@ std::vector<StiffRow> stiff_sweep(int least, int most) {
         const StiffAnswer answer = answer_of(one, stiffness, ratio);
         rows.push_back(
             {quantity, stiffness, ratio, answer.springs, answer.paper, answer.consistent, answer.unilateral});
-      } catch (const Unfinished& error) {
+      } catch (const std::exception& error) {
         std::fprintf(stderr, "%s, %g N/m, damping ratio %g: %s\n", one.name.c_str(), stiffness, ratio,
                      error.what());
       }
