@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "comparisons/measures/results/csv_writer.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/tables.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/runs/measure.hpp"
 
@@ -50,26 +50,19 @@ bool out_of_bounds(const RunMetrics& row) {
   return row.status == RunStatus::time_limit || row.status == RunStatus::memory_limit;
 }
 
-/// The values of a column, sorted.
-std::vector<Json> values_of(const Column& column, const RunMetrics& nominal,
-                            const std::vector<RunMetrics>& draws) {
-  std::vector<Json> values;
+std::vector<double> values_of(const Column& column, const RunMetrics& nominal,
+                              const std::vector<RunMetrics>& draws) {
+  std::vector<double> values;
   const auto add = [&](const RunMetrics& row) {
     if (row.status != RunStatus::done) return;
-    if (Json cell = column.cell(row); cell.is_number()) values.push_back(std::move(cell));
+    if (const Json cell = column.cell(row); cell.is_number()) values.push_back(cell.get<double>());
   };
   add(nominal);
   std::for_each(draws.begin(), draws.end(), add);
-  std::sort(values.begin(), values.end());
   return values;
 }
 
-const Json& quantile(const std::vector<Json>& sorted, double share) {
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  return sorted[std::max<std::size_t>(rank, 1) - 1];
-}
-
-constexpr double lower = 0.25, middle = 0.5, upper = 0.75;
+constexpr double lower = 0.25, upper = 0.75;
 
 }  // namespace
 
@@ -107,15 +100,12 @@ std::string pack_draws(const std::vector<RunMetrics>& draws, const std::string& 
 std::optional<std::vector<RunMetrics>> unpack_draws(const std::string& text, const std::string& identity) {
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded() || json.value("identity", "") != identity) return {};
-  std::vector<RunMetrics> draws;
-  for (const Json& cells : json.at("draws")) draws.push_back(metrics_from(cells));
-  return draws;
+  return metrics_list(json.at("draws"));
 }
 
 void write_draws(const std::string& packed, const RunMetrics& nominal, const std::filesystem::path& folder) {
-  std::vector<RunMetrics> rows{nominal};
-  const Json json = Json::parse(packed);
-  for (const Json& cells : json.at("draws")) rows.push_back(metrics_from(cells));
+  std::vector<RunMetrics> rows = metrics_list(Json::parse(packed).at("draws"));
+  rows.insert(rows.begin(), nominal);
   write_file(folder / "draws.csv", comparison_csv(rows));
   write_file(folder / "draws.json", packed);
 }
@@ -132,9 +122,9 @@ void summarise(const std::vector<RunMetrics>& draws, RunMetrics& nominal) {
                                 });
   for (const Column& column : columns()) {
     if (!column.drawn) continue;
-    const std::vector<Json> values = values_of(column, first, draws);
+    const std::vector<double> values = values_of(column, first, draws);
     if (values.empty()) continue;
-    column.set(nominal, quantile(values, middle));
+    column.set(nominal, median(values));
     if (column.set_quartiles != nullptr)
       column.set_quartiles(nominal, quantile(values, lower), quantile(values, upper));
   }
@@ -146,12 +136,10 @@ std::string spread_csv(const std::vector<DrawnRow>& rows) {
   for (const auto& [nominal, draws] : rows) {
     for (const Column& column : columns()) {
       if (!column.drawn) continue;
-      const std::vector<Json> values = values_of(column, nominal, draws);
+      const std::vector<double> values = values_of(column, nominal, draws);
       if (values.empty()) continue;
-      const auto number = [](const Json& value) { return value.get<double>(); };
-      csv.line(nominal.run, column.name, values.size(), number(values.front()),
-               number(quantile(values, lower)), number(quantile(values, middle)),
-               number(quantile(values, upper)), number(values.back()));
+      csv.line(nominal.run, column.name, values.size(), quantile(values, 0), quantile(values, lower),
+               median(values), quantile(values, upper), quantile(values, 1));
     }
   }
   return csv.text();

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "comparisons/measures/statistics/quantile.hpp"
+
 namespace rockstack {
 
-SteppingTime stepping_time(std::vector<double> seconds) {
-  std::sort(seconds.begin(), seconds.end());
-  const double median = 0.5 * (seconds[(seconds.size() - 1) / 2] + seconds[seconds.size() / 2]);
-  return {seconds.front(), median, seconds.back() - seconds.front(), static_cast<int>(seconds.size())};
+SteppingTime stepping_time(const std::vector<double>& seconds) {
+  const auto [least, most] = std::minmax_element(seconds.begin(), seconds.end());
+  return {*least, median(seconds), *most - *least, static_cast<int>(seconds.size())};
 }
 
 }  // namespace rockstack

@@ -13,6 +13,6 @@ struct SteppingTime {
 };
 
 /// Precondition: at least one.
-SteppingTime stepping_time(std::vector<double> seconds);
+SteppingTime stepping_time(const std::vector<double>& seconds);
 
 }  // namespace rockstack

@@ -19,6 +19,7 @@
 
 #include "analytic/solve.hpp"
 #include "analytic/solve_batch.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "tests/benchmarks/ensemble_scenes.hpp"
 #include "tests/benchmarks/measurement.hpp"
 #include "tests/benchmarks/methods.hpp"
@@ -137,10 +138,9 @@ BatchMeasurement errors(const std::string& title, const Contender& contender, co
     const double duration = scenes[i].duration;
     different += (motions[i].end < duration) != (reference[i].end < duration) ? 1 : 0;
   }
-  std::sort(differences.begin(), differences.end());
-  return {{title, contender.method, contender.tolerance, differences[differences.size() / 2],
+  return {{title, contender.method, contender.tolerance, median(differences),
            std::numeric_limits<double>::infinity()},
-          differences[differences.size() * 9 / 10],
+          quantile(differences, 0.9),
           different};
 }
 

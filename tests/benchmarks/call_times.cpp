@@ -1,5 +1,4 @@
 // call_times SCENE COUNT: wall time of solving a scene from C++, s, the median of so many calls; one line.
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -8,6 +7,7 @@
 
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 
 namespace {
 
@@ -21,8 +21,7 @@ double median_time(const rockstack::Scene& scene, int count) {
     sum += rockstack::solve(scene, options).peaks[0];
     times.push_back(std::chrono::duration<double>(Clock::now() - start).count());
   }
-  std::nth_element(times.begin(), times.begin() + count / 2, times.end());
-  return sum < 0 ? sum : times[static_cast<std::size_t>(count / 2)];
+  return sum < 0 ? sum : rockstack::median(times);
 }
 
 }  // namespace

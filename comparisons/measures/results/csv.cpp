@@ -7,7 +7,6 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <optional>
 #include <sstream>
 
 #include "analytic/scene/messages/input_error.hpp"
@@ -16,12 +15,6 @@ namespace rockstack {
 namespace {
 
 using Cells = std::vector<std::string>;
-
-std::optional<double> number_in(std::string_view cell) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return error == std::errc() && end == cell.data() + cell.size() ? std::optional(value) : std::nullopt;
-}
 
 std::string place(const std::filesystem::path& file, std::size_t line) {
   return fmt::format("{}:{}", file.string(), line);
@@ -125,6 +118,12 @@ bool needs_guard(std::string_view text) {
   if (text.starts_with('\'')) return needs_guard(text.substr(1));
   return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
          text.find_first_not_of("0123456789+-.eE ") != std::string_view::npos;
+}
+
+std::optional<double> number_in(std::string_view cell) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return error == std::errc() && end == cell.data() + cell.size() ? std::optional(value) : std::nullopt;
 }
 
 double number(std::string_view cell, const std::string& where, const std::string& column_name) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,9 @@ std::vector<std::string> numbered(const std::string& stem, int count);
 /// Whether a spreadsheet would take a text, not numbers alone, for something to compute, or for one that is
 /// guarded against that: it is written behind a ', which reading takes off again.
 bool needs_guard(std::string_view text);
+
+/// A cell as a number, none where it is something else.
+std::optional<double> number_in(std::string_view cell);
 
 /// A cell as a number, NaN where it is empty. `place` is file:line for the error.
 /// @throws InputError naming place, column and text.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <type_traits>
@@ -31,9 +32,13 @@ requires std::is_enum_v<Enumeration> Json to_json(Enumeration value) {
   return name(value);
 }
 
-template <class Value>
-void from_json(const Json& cell, std::optional<Value>& value) {
-  if (!cell.is_null()) value = cell.get<Value>();
+void from_json(const Json& cell, std::optional<double>& value) {
+  if (!cell.is_null()) value = cell.get<double>();
+}
+
+/// Counts stay whole: a median half way between two is rounded up.
+void from_json(const Json& cell, std::optional<int>& value) {
+  if (!cell.is_null()) value = static_cast<int>(std::lround(cell.get<double>()));
 }
 
 void from_json(const Json& cell, std::string& value) {
@@ -461,6 +466,13 @@ RunMetrics metrics_from(const Json& cells) {
     if (cells.contains(one.name)) one.set(row, cells.at(one.name));
   }
   return row;
+}
+
+std::vector<RunMetrics> metrics_list(const Json& rows) {
+  std::vector<RunMetrics> list;
+  list.reserve(rows.size());
+  for (const Json& cells : rows) list.push_back(metrics_from(cells));
+  return list;
 }
 
 }  // namespace rockstack

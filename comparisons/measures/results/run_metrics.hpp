@@ -91,4 +91,7 @@ nlohmann::ordered_json metrics_json(const RunMetrics& row);
 /// The metrics whose cells metrics_json() gave; a cell that is not there stays empty.
 RunMetrics metrics_from(const nlohmann::ordered_json& cells);
 
+/// Those of a list, as comparison.json has them under "rows".
+std::vector<RunMetrics> metrics_list(const nlohmann::ordered_json& rows);
+
 }  // namespace rockstack

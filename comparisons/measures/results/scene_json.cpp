@@ -1,7 +1,9 @@
 #include "comparisons/measures/results/scene_json.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
-#include <string>
+#include <stdexcept>
 
 #include "comparisons/measures/metrics/impacts.hpp"
 
@@ -43,6 +45,21 @@ Json scene_json(const Scene& scene) {
           {"settling_duration", settling_duration(scene)},
           {"law", name(scene.law)},
           {"friction", friction_of(scene)}};
+}
+
+RecordedScene recorded_scene(const Json& json) {
+  RecordedScene scene{json.at("title").get<std::string>(),  {},
+                      json.at("gravity").get<double>(),     json.at("duration").get<double>(),
+                      json.at("ground").get<std::string>(), json.at("chatter_speed").get<double>(),
+                      json.at("law").get<std::string>(),    json.at("friction").get<std::vector<double>>()};
+  for (const Json& block : json.at("stack"))
+    scene.stack.push_back({block.at("width").get<double>() / 2, block.at("height").get<double>() / 2,
+                           block.at("mass").get<double>(), block.at("inertia").get<double>(),
+                           block.at("offset_x").get<double>(), block.at("offset_y").get<double>()});
+  if (scene.stack.empty() || scene.stack.size() > max_blocks)
+    throw std::invalid_argument(
+        fmt::format("stack has {} blocks: must have 1 to {}", scene.stack.size(), max_blocks));
+  return scene;
 }
 
 }  // namespace rockstack

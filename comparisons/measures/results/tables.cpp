@@ -17,18 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void add_cell(CsvWriter& csv, const Json& value) {
-  if (value.is_null()) {
-    csv.add("");
-  } else if (value.is_number_float()) {
-    csv.add(value.get<double>());
-  } else if (value.is_string()) {
-    csv.add(value.get_ref<const std::string&>());
-  } else {
-    csv.add(value.dump());
-  }
-}
-
 const char* side_name(Contact side) {
   return side == Contact::left ? "left" : side == Contact::right ? "right" : "closed";
 }
@@ -75,12 +63,18 @@ std::string comparison_csv(const std::vector<RunMetrics>& rows) {
   return csv_of(list);
 }
 
+std::string cell_text(const Json& cell) {
+  if (cell.is_null()) return "";
+  if (cell.is_number_float()) return fmt::format("{}", cell.get<double>());
+  return cell.is_string() ? cell.get<std::string>() : cell.dump();
+}
+
 std::string csv_of(const Json& list) {
   CsvWriter csv;
   for (const auto& [name, cell] : list.at(0).items()) csv.add(name);
   csv.end_line();
   for (const Json& row : list) {
-    for (const Json& cell : row) add_cell(csv, cell);
+    for (const Json& cell : row) csv.add(cell_text(cell));
     csv.end_line();
   }
   return csv.text();

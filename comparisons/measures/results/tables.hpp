@@ -17,6 +17,9 @@ namespace rockstack {
 /// The rows as comma-separated values with a header.
 std::string comparison_csv(const std::vector<RunMetrics>& rows);
 
+/// A cell of a table as text; empty where it is null.
+std::string cell_text(const nlohmann::ordered_json& cell);
+
 /// A list of flat objects with the same keys as comma-separated values with a header; nulls are empty cells.
 /// Precondition: at least one.
 std::string csv_of(const nlohmann::ordered_json& list);

@@ -4,28 +4,29 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "comparisons/measures/metrics/alignment.hpp"
 #include "comparisons/measures/statistics/draws.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 
 namespace rockstack {
 namespace {
 
-constexpr int chance_draws = 101;
+constexpr int chance_draws = 101;  // an odd number, whose median is one of them
 
 /// Draws 101 sequences and takes the median of how many impacts match.
 template <class Draw>
 int median_matched(const std::vector<ImpactTime>& exact, const std::vector<double>& windows,
                    const Draw& drawn) {
-  std::vector<int> matched;
+  std::vector<double> matched;
   for (std::uint64_t run = 0; run < chance_draws; ++run) {
     std::vector<ImpactTime> impacts = drawn(run);
     std::stable_sort(impacts.begin(), impacts.end(),
                      [](const ImpactTime& a, const ImpactTime& b) { return a.time < b.time; });
     matched.push_back(count(align(exact, impacts, windows)).matched);
   }
-  std::nth_element(matched.begin(), matched.begin() + chance_draws / 2, matched.end());
-  return matched[chance_draws / 2];
+  return static_cast<int>(median(std::move(matched)));
 }
 
 double uniform(double low, double high, std::uint64_t run, std::size_t key) {

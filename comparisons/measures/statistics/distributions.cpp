@@ -41,7 +41,10 @@ Json json_of(const DistributionDistance& one) {
 
 std::vector<MotionTally> tallies_in(const std::filesystem::path& run_folder) {
   const auto file = run_folder / "perturbed.csv";
-  return std::filesystem::exists(file) ? read_tallies(file) : std::vector<MotionTally>{};
+  if (!std::filesystem::exists(file)) return {};
+  std::vector<MotionTally> tallies = read_tallies(file);
+  std::erase_if(tallies, [](const MotionTally& tally) { return tally.failed(); });
+  return tallies;
 }
 
 }  // namespace
@@ -86,6 +89,22 @@ Json distributions_json(const std::vector<DistributionDistance>& list) {
   Json json = Json::array();
   for (const DistributionDistance& one : list) json.push_back(json_of(one));
   return json;
+}
+
+std::vector<DistributionDistance> distances_from(const Json& list) {
+  std::vector<DistributionDistance> distances;
+  for (const Json& one : list) {
+    const auto number = [&](const char* key) { return one.at(key).get<double>(); };
+    distances.push_back({one.at("scene").get<std::string>(),
+                         one.at("run").get<std::string>(),
+                         one.at("quantity").get<std::string>(),
+                         one.at("exact_runs").get<std::size_t>(),
+                         one.at("runs").get<std::size_t>(),
+                         number("exact_mean"),
+                         number("mean"),
+                         {number("distance"), number("p_value"), number("critical")}});
+  }
+  return distances;
 }
 
 std::string distribution_definition() {

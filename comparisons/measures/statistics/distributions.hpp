@@ -35,6 +35,9 @@ std::string distributions_csv(const std::vector<DistributionDistance>& distances
 /// The same as objects.
 nlohmann::ordered_json distributions_json(const std::vector<DistributionDistance>& distances);
 
+/// The distances that distributions_json() gave.
+std::vector<DistributionDistance> distances_from(const nlohmann::ordered_json& list);
+
 /// What is compared and how.
 std::string distribution_definition();
 

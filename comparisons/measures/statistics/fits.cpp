@@ -97,6 +97,23 @@ Json fits_json(const std::vector<SeriesFit>& fits) {
   return list;
 }
 
+std::vector<SeriesFit> fits_from(const Json& list) {
+  std::vector<SeriesFit> fits;
+  for (const Json& one : list) {
+    const auto text = [&](const char* key) { return one.at(key).get<std::string>(); };
+    const auto number = [&](const std::string& key) {
+      return one.at(key).is_null() ? std::nan("") : one.at(key).get<double>();
+    };
+    const auto bounded = [&](const std::string& key) {
+      return Bounded{number(key), number(key + "_low"), number(key + "_high")};
+    };
+    fits.push_back({text("scene"), text("engine"), text("solver"), text("settings"), text("quantity"),
+                    StepFit{one.at("steps").get<std::size_t>(), bounded("gap"), bounded("order"),
+                            number("coefficient"), number("scatter"), text("reason")}});
+  }
+  return fits;
+}
+
 std::string fit_definition() {
   return "error(dt) = gap + coefficient · dt^order, gap being the model error that no step takes away, by "
          "least squares of ln error, gap ≥ 0 and order from 0.1 "

@@ -27,6 +27,9 @@ std::string fits_csv(const std::vector<SeriesFit>& fits);
 /// The same as objects, numbers as null where there is no fit at all.
 nlohmann::ordered_json fits_json(const std::vector<SeriesFit>& fits);
 
+/// The fits that fits_json() gave; numbers that are null are none.
+std::vector<SeriesFit> fits_from(const nlohmann::ordered_json& list);
+
 /// What is fitted and how, in one sentence each.
 std::string fit_definition();
 

@@ -38,7 +38,7 @@ std::string tallies_csv(const std::vector<MotionTally>& tallies, int blocks) {
   for (std::size_t run = 0; run < tallies.size(); ++run) {
     const MotionTally& tally = tallies[run];
     csv.add(run);
-    if (tally.peaks.empty()) {
+    if (tally.failed()) {
       csv.line(no_cells);
     } else {
       csv.line(tally.peaks, tally.impacts, tally.topples ? 1 : 0);
@@ -59,12 +59,11 @@ std::vector<MotionTally> read_tallies(const std::filesystem::path& file) {
       return table.rows[i][column(table, name, file)];
     };
     const auto value = [&](const std::string& name) { return number(cell(name), place, name); };
+    MotionTally& tally = tallies.emplace_back();
     if (cell("impacts").empty()) continue;
-    MotionTally tally{{},
-                      whole_number(cell("impacts"), place, "impacts", 0, std::numeric_limits<int>::max()),
-                      value("toppled") != 0};
+    tally.impacts = whole_number(cell("impacts"), place, "impacts", 0, std::numeric_limits<int>::max());
+    tally.topples = value("toppled") != 0;
     for (const std::string& name : numbered("peak_", blocks)) tally.peaks.push_back(value(name));
-    tallies.push_back(std::move(tally));
   }
   return tallies;
 }

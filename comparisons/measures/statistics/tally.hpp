@@ -11,9 +11,11 @@ namespace rockstack {
 
 /// What a perturbed run came to.
 struct MotionTally {
-  std::vector<double> peaks;  ///< largest |θ| of each block, rad
+  std::vector<double> peaks;  ///< largest |θ| of each block, rad; none where the run failed
   int impacts = 0;            ///< above the chatter speed
   bool topples = false;
+
+  bool failed() const { return peaks.empty(); }
 };
 
 /// Of the exact solution. @throws as solve().
@@ -22,11 +24,10 @@ MotionTally exact_tally(const Scene& scene);
 /// Of an engine's history.
 MotionTally observed_tally(const Scene& scene, const History& history);
 
-/// run,peak_1,…,impacts,toppled: a line a tally, empty cells where a run failed (a tally without
-/// peaks).
+/// run,peak_1,…,impacts,toppled: a line a tally, empty cells where a run failed.
 std::string tallies_csv(const std::vector<MotionTally>& tallies, int blocks);
 
-/// The tallies of a file, without those of runs that failed. @throws InputError as read_table().
+/// The tallies of a file. @throws InputError as read_table().
 std::vector<MotionTally> read_tallies(const std::filesystem::path& file);
 
 }  // namespace rockstack

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 
 namespace rockstack {
 namespace {
@@ -116,8 +117,7 @@ ValueSpread cost_ratio(const ResultsChange& result) {
       if (change.quantity == "step_time" && row.old_row.steps)
         ratios.push_back(change.new_values.median / change.old_values.median);
   if (ratios.empty()) return {};
-  std::sort(ratios.begin(), ratios.end());
-  return {ratios.front(), ratios[(ratios.size() - 1) / 2], ratios.back(), ratios.size()};
+  return {quantile(ratios, 0), median(ratios), quantile(ratios, 1), ratios.size()};
 }
 
 }  // namespace rockstack

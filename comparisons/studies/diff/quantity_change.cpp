@@ -6,12 +6,13 @@
 #include <initializer_list>
 #include <vector>
 
+#include "comparisons/measures/statistics/quantile.hpp"
+
 namespace rockstack {
 namespace {
 
 using Better = TellingQuantity::Better;
 
-/// The values of a row, rising.
 std::vector<double> values_of(const TellingQuantity& quantity, const RecordedRun& run) {
   std::vector<double> values;
   const auto add = [&](const RunMetrics& row) {
@@ -22,15 +23,11 @@ std::vector<double> values_of(const TellingQuantity& quantity, const RecordedRun
     add(run.row);
   else
     std::for_each(run.draws.begin(), run.draws.end(), add);
-  std::sort(values.begin(), values.end());
   return values;
 }
 
-ValueSpread spread_of(const std::vector<double>& sorted) {
-  const auto ranked = [&](double share) {
-    return sorted[static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size()))) - 1];
-  };
-  return {ranked(0.25), ranked(0.5), ranked(0.75), sorted.size()};
+ValueSpread spread_of(const std::vector<double>& values) {
+  return {quantile(values, 0.25), median(values), quantile(values, 0.75), values.size()};
 }
 
 Turn turn_of(Better better, bool grown) {

@@ -41,19 +41,13 @@ RecordedResults::Facts question_in(const Json& scene) {
   return question;
 }
 
-std::vector<RunMetrics> rows_in(const Json& list) {
-  std::vector<RunMetrics> rows;
-  rows.reserve(list.size());
-  for (const Json& cells : list) rows.push_back(metrics_from(cells));
-  return rows;
-}
-
 RecordedRun read_run(const std::filesystem::path& folder, bool drawn) {
   RecordedRun run = with_json(folder / "summary.json", [](const Json& json) {
     return RecordedRun{metrics_from(json), {}, json.at("files").get<std::map<std::string, std::string>>()};
   });
   if (!drawn) return run;
-  run.draws = with_json(folder / "draws.json", [](const Json& json) { return rows_in(json.at("draws")); });
+  run.draws =
+      with_json(folder / "draws.json", [](const Json& json) { return metrics_list(json.at("draws")); });
   run.draws.insert(run.draws.begin(), run.row);
   return run;
 }
@@ -67,7 +61,7 @@ RecordedResults read_recorded_results(const std::filesystem::path& folder) {
     results.environment = facts_in(json.at("environment"));
     for (const Json& scene : json.at("scenes"))
       results.scenes[scene.at("name").get<std::string>()] = question_in(scene);
-    return rows_in(json.at("rows"));
+    return metrics_list(json.at("rows"));
   });
   results.runs.reserve(rows.size());
   for (const RunMetrics& row : rows) {

@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/statistics/mann_whitney.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "comparisons/studies/lessons/answers.hpp"
 #include "comparisons/studies/lessons/values.hpp"
 #include "comparisons/studies/lessons/wording.hpp"
@@ -32,19 +30,14 @@ std::vector<double> errors_of(const char* engine, const char* settings, const Sc
   return errors;
 }
 
-double middle_of(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
-}
-
 Table quartiles(const std::vector<std::pair<const char*, std::vector<double>>>& sets) {
   Table table{{"engine and set", "at 1 ms itself (rad)", "least of 21 (rad)", "lower quartile (rad)",
                "median (rad)", "upper quartile (rad)", "most of 21 (rad)"},
               {}};
   for (const auto& [name, errors] : sets)
-    table.rows.push_back({name, cell(errors[draws / 2]), cell(middle_of(errors, 0)),
-                          cell(middle_of(errors, 0.25)), cell(middle_of(errors, 0.5)),
-                          cell(middle_of(errors, 0.75)), cell(middle_of(errors, 1))});
+    table.rows.push_back({name, cell(errors[draws / 2]), cell(quantile(errors, 0)),
+                          cell(quantile(errors, 0.25)), cell(quantile(errors, 0.5)),
+                          cell(quantile(errors, 0.75)), cell(quantile(errors, 1))});
   return table;
 }
 
@@ -75,10 +68,10 @@ LessonValues reading_values(const Suite& suite, const std::vector<RunMetrics>& r
   LessonValues values;
   values.numbers = {{"draws", std::to_string(draws)},
                     {"one", power(ode[draws / 2], 1)},
-                    {"least", power(middle_of(ode, 0), 1)},
-                    {"median", power(middle_of(ode, 0.5), 1)},
-                    {"most", power(middle_of(ode, 1), 1)},
-                    {"factor", fixed(middle_of(ode, 1) / middle_of(ode, 0), 1)},
+                    {"least", power(quantile(ode, 0), 1)},
+                    {"median", power(quantile(ode, 0.5), 1)},
+                    {"most", power(quantile(ode, 1), 1)},
+                    {"factor", fixed(quantile(ode, 1) / quantile(ode, 0), 1)},
                     {"engines_share", percent(engines.superiority, 0)},
                     {"engines_p", power(engines.p_value, 1)},
                     {"sets_share", percent(sets.superiority, 0)},
@@ -86,7 +79,7 @@ LessonValues reading_values(const Suite& suite, const std::vector<RunMetrics>& r
   values.tables = {
       {"quartiles", quartiles({{"ODE, tuned", ode}, {"ODE, default", plain}, {"Bullet, tuned", bullet}})},
       {"matches", matches(rows)}};
-  values.measured = {{"spread_factor", middle_of(ode, 1) / middle_of(ode, 0)}};
+  values.measured = {{"spread_factor", quantile(ode, 1) / quantile(ode, 0)}};
   values.player = {.time = 0.55, .speed = 0.1, .gain = 3};
   return values;
 }

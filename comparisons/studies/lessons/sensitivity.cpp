@@ -6,6 +6,7 @@
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/statistics/kolmogorov_smirnov.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "comparisons/studies/lessons/answers.hpp"
 #include "comparisons/studies/lessons/values.hpp"
 #include "comparisons/studies/lessons/wording.hpp"
@@ -140,12 +141,6 @@ Peaks peaks_over_seeds(const NamedScene& named) {
     peaks.ode.push_back(peak_of_top(answer("ode", "tuned", scene, engine_step)));
   }
   return peaks;
-}
-
-/// The value below which that share of a sample lies.
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
 Table quantiles(const Peaks& peaks) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "comparisons/measures/metrics/contact/corner_springs.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "comparisons/studies/lessons/answers.hpp"
 #include "comparisons/studies/lessons/values.hpp"
 #include "comparisons/studies/lessons/wording.hpp"
@@ -59,20 +60,19 @@ std::vector<Choice> choices() {
       {"bullet", "tuned", "Bullet, tuned", {}}};
 }
 
-/// The bounces of one choice over all falls, from the least to the most.
+/// The bounces of one choice over all falls.
 std::vector<double> rebounds(const Choice& choice, const std::vector<Fall>& all) {
   std::vector<double> list;
   list.reserve(all.size());
   for (const Fall& fall : all)
     list.push_back(rebound(answer(choice.engine, choice.settings, fall.scene, contact_step, choice.changes),
                            fall.landing));
-  std::sort(list.begin(), list.end());
   return list;
 }
 
 /// "0.063 (0.006 to 0.17)", two digits of each.
-std::string spread(const std::vector<double>& sorted) {
-  return fmt::format("{:.2g} ({:.2g} to {:.2g})", sorted[sorted.size() / 2], sorted.front(), sorted.back());
+std::string spread(const std::vector<double>& values) {
+  return fmt::format("{:.2g} ({:.2g} to {:.2g})", median(values), quantile(values, 0), quantile(values, 1));
 }
 
 /// ERP and CFM as the spring and damper that they stand for at a step.
@@ -154,9 +154,10 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
   std::vector<double> medians;
   for (const Choice& choice : all) {
     const std::vector<double> list = rebounds(choice, every);
-    table.rows.push_back({choice.label, cell(list[list.size() / 2]), cell(list.front()), cell(list.back())});
+    table.rows.push_back(
+        {choice.label, cell(median(list)), cell(quantile(list, 0)), cell(quantile(list, 1))});
     bounces.push_back(spread(list));
-    medians.push_back(list[list.size() / 2]);
+    medians.push_back(median(list));
   }
   LessonValues values;
   values.numbers = {{"alpha", fixed(alpha, 3)},

@@ -1,7 +1,6 @@
 #include "comparisons/studies/sweep/summaries.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <string>
@@ -12,6 +11,7 @@
 #include "comparisons/measures/results/csv_writer.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "comparisons/studies/sweep/motion_modes.hpp"
 
 namespace rockstack {
@@ -105,12 +105,6 @@ void write_fragility(const std::vector<Run>& runs, const std::filesystem::path& 
   write_file(folder / "fragility-fit.csv", fitted.text());
 }
 
-/// The smallest value that at least that share of all do not pass.
-double fractile(const std::vector<double>& sorted, double share) {
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  return sorted[std::max<std::size_t>(rank, 1) - 1];
-}
-
 void write_incremental(std::vector<Run> runs, const std::filesystem::path& folder) {
   std::erase_if(runs, [](const Run& run) { return run.failed; });
   std::map<double, std::vector<double>> levels;
@@ -136,10 +130,9 @@ void write_incremental(std::vector<Run> runs, const std::filesystem::path& folde
   write_file(folder / "incremental.csv", curves.text());
   CsvWriter fractiles;
   fractiles.line("intensity", "runs", "fractile_16", "fractile_50", "fractile_84");
-  for (auto& [intensity, ratios] : levels) {
-    std::sort(ratios.begin(), ratios.end());
+  for (const auto& [intensity, ratios] : levels) {
     fractiles.add(number_text(intensity), ratios.size());
-    for (const double share : {0.16, 0.5, 0.84}) fractiles.add(number_text(fractile(ratios, share)));
+    for (const double share : {0.16, 0.5, 0.84}) fractiles.add(number_text(quantile(ratios, share)));
     fractiles.end_line();
   }
   write_file(folder / "incremental-fractiles.csv", fractiles.text());

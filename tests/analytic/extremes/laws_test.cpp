@@ -6,6 +6,7 @@
 #include "analytic/solve.hpp"
 #include "analytic/solver/solver.hpp"
 #include "analytic/solver/to_double.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "tests/analytic/extremes/laws.hpp"
 #include "tests/analytic/extremes/scenes.hpp"
 #include "tests/analytic/reference/agreement.hpp"
@@ -132,13 +133,6 @@ double largest_deviation(const testing::Agreement& agreement) {
   double largest = 0;
   for (const testing::Deviation& deviation : agreement.events) largest = std::max(largest, deviation.state);
   return largest;
-}
-
-/// The middle one of an odd number of values.
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // Of unequal blocks, events in double may be off by 10⁴ times and more what 16 roundings of the scene's own

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "analytic/scene/named.hpp"
 
 namespace rockstack {
 namespace {
@@ -37,6 +41,40 @@ TEST(Pattern, OtherStacksAreSpelledFromTheGroundUp) {
   EXPECT_EQ(name(pattern), "LCR");
   EXPECT_FALSE(is_closed(pattern));
   EXPECT_EQ(name(closed_pattern(1)), "C");
+}
+
+/// All patterns of some blocks, whose interfaces slide one way, the other or not.
+std::vector<Pattern> all_patterns(int size) {
+  std::vector<Pattern> list{closed_pattern(size)};
+  for (int k = 0; k < size; ++k) {
+    std::vector<Pattern> longer;
+    for (Pattern pattern : list)
+      for (const int contact : {-1, 0, 1, 2})
+        for (const int slide : {-1, 0, 1}) {
+          pattern[k] = static_cast<Contact>(contact);
+          pattern.slides[static_cast<std::size_t>(k)] = static_cast<std::int8_t>(slide);
+          longer.push_back(pattern);
+        }
+    list = std::move(longer);
+  }
+  return list;
+}
+
+TEST(Pattern, IsWhatItsNameSays) {
+  for (const int size : {1, 2, 3})
+    for (const Pattern& pattern : all_patterns(size))
+      EXPECT_EQ(name(named_pattern(name(pattern), size)), name(pattern));
+  EXPECT_EQ(named_pattern("2b", 2), two(Contact::left, Contact::right));
+  for (const char* text : {"", "L", "LCRL", "<LC", "1a", "rest", "LXR"})
+    EXPECT_THROW(named_pattern(text, 3), std::invalid_argument) << text;
+}
+
+TEST(Events, AreWhatTheirNamesSay) {
+  for (const EventKind kind : {EventKind::opening, EventKind::fall, EventKind::part})
+    EXPECT_EQ(named_event(name(kind)), kind);
+  for (const Consistency one : {Consistency::consistent, Consistency::several})
+    EXPECT_EQ(named_consistency(name(one)), one);
+  EXPECT_THROW(named_event("consistent"), std::invalid_argument);
 }
 
 TEST(Pattern, OppositeSwapsTheEndsAndKeepsClosed) {

@@ -53,7 +53,8 @@ RunMetrics row_with(double difference) {
   return row;
 }
 
-// Of 1 … 21 the ranks ⌈21/4⌉, ⌈21/2⌉ and ⌈63/4⌉ are 6, 11 and 16.
+// Of 1 … 21 quartiles are the values 5, 10 and 15 places behind the first. Of 20 values they lie 4.75 places
+// and so on behind it; a count stays whole.
 TEST(Draws, ARowGetsMediansAndQuartiles) {
   RunMetrics nominal = row_with(21);
   std::vector<RunMetrics> draws;
@@ -67,6 +68,14 @@ TEST(Draws, ARowGetsMediansAndQuartiles) {
   EXPECT_EQ(nominal.impacts_matched, 11);
   EXPECT_EQ(nominal.draws, 22);
   EXPECT_EQ(nominal.draws_failed, 1);
+  draws.pop_back();
+  draws.pop_back();
+  nominal = row_with(21);
+  summarise(draws, nominal);
+  EXPECT_EQ(nominal.rms_angle_difference, 10.5);
+  EXPECT_EQ(nominal.rms_angle_difference_lower, 5.75);
+  EXPECT_EQ(nominal.rms_angle_difference_upper, 15.25);
+  EXPECT_EQ(nominal.impacts_matched, 11);
 }
 
 TEST(Draws, StandBehindARowAndAreNotMadeAgain) {

@@ -70,16 +70,17 @@ TEST(MotionTallies, ReportedAndObservedAreTheSame) {
   }
 }
 
-TEST(MotionTallies, ReadBackWithoutThoseThatFailed) {
+TEST(MotionTallies, ReadBackAsTheyWere) {
   const TemporaryFolder folder;
   const auto file =
       folder.write("perturbed.csv", tallies_csv({{{0.1, 1.0 / 3}, 7, true}, {}, {{0, 0.2}, 0, false}}, 2));
   const auto read = read_tallies(file);
-  ASSERT_EQ(read.size(), 2U);
+  ASSERT_EQ(read.size(), 3U);
   EXPECT_EQ(read[0].peaks, (std::vector<double>{0.1, 1.0 / 3}));
   EXPECT_EQ(read[0].impacts, 7);
   EXPECT_TRUE(read[0].topples);
-  EXPECT_FALSE(read[1].topples);
+  EXPECT_TRUE(read[1].failed());
+  EXPECT_FALSE(read[2].failed() || read[2].topples);
 }
 
 TEST(Distributions, AreComparedQuantityByQuantity) {

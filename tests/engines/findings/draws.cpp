@@ -6,6 +6,7 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/measures/statistics/draws.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "comparisons/suites/perturbations.hpp"
 #include "tests/engines/linked_engines.hpp"
 
@@ -21,15 +22,8 @@ std::vector<Draw> draws(const Scene& scene, double dt, int runs) {
   return list;
 }
 
-Quartiles quartiles(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const auto at = [&](double share) {
-    const double place = share * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return std::lerp(values[below], values[above], place - std::floor(place));
-  };
-  return {at(0.25), at(0.5), at(0.75)};
+Quartiles quartiles(const std::vector<double>& values) {
+  return {quantile(values, 0.25), median(values), quantile(values, 0.75)};
 }
 
 const Engine* linked(const std::string& name) {

@@ -23,8 +23,8 @@ struct Quartiles {
   double lower = 0, median = 0, upper = 0;
 };
 
-/// Between sorted values linearly. Precondition: not empty.
-Quartiles quartiles(std::vector<double> values);
+/// Precondition: not empty.
+Quartiles quartiles(const std::vector<double>& values);
 
 /// The engine linked into this program as "ode:step", or nullptr where it was switched off.
 const Engine* linked(const std::string& name);
