@@ -1,4 +1,5 @@
 #include "comparisons/runs/draws.hpp"
+#include "analytic/scene/input/json_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -105,16 +106,22 @@ std::string pack_draws(const std::vector<RunMetrics>& draws, const std::string& 
 }
 
 std::optional<std::vector<RunMetrics>> unpack_draws(const std::string& text, const std::string& identity) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded() || json.value("identity", "") != identity) return {};
-  std::vector<RunMetrics> draws;
-  for (const Json& cells : json.at("draws")) draws.push_back(metrics_from(cells));
-  return draws;
+  try {
+    const Json json = parse_json(text, "draws: ");
+    if (json.at("identity") != identity) return {};
+    std::vector<RunMetrics> draws;
+    for (const Json& cells : json.at("draws")) draws.push_back(metrics_from(cells));
+    return draws;
+  } catch (const InputError&) {
+    return {};
+  } catch (const Json::exception&) {
+    return {};
+  }
 }
 
 void write_draws(const std::string& packed, const RunMetrics& nominal, const std::filesystem::path& folder) {
   std::vector<RunMetrics> rows{nominal};
-  const Json json = Json::parse(packed);
+  const Json json = parse_json(packed, "draws: ");
   for (const Json& cells : json.at("draws")) rows.push_back(metrics_from(cells));
   write_file(folder / "draws.csv", comparison_csv(rows));
   write_file(folder / "draws.json", packed);
