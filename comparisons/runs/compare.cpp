@@ -103,7 +103,7 @@ void write_ground(const std::vector<Suite>& suites, const std::filesystem::path&
   for (const Suite& suite : suites) {
     for (const NamedScene& scene : suite.scenes) {
       if (scene.scene.horizontal.empty() && scene.scene.vertical.empty()) continue;
-      prepare_folder(folder / "ground");
+      std::filesystem::create_directories(folder / "ground");
       write_file(folder / "ground" / (scene.name + ".csv"), ground_csv(scene.scene));
     }
   }

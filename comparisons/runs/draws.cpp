@@ -1,4 +1,5 @@
 #include "comparisons/runs/draws.hpp"
+#include "analytic/scene/input/json_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -98,13 +99,19 @@ std::string pack_draws(const std::vector<RunMetrics>& draws, const std::string& 
 }
 
 std::optional<std::vector<RunMetrics>> unpack_draws(const std::string& text, const std::string& identity) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded() || json.value("identity", "") != identity) return {};
-  return metrics_list(json.at("draws"));
+  try {
+    const Json json = parse_json(text, "draws: ");
+    if (json.at("identity") != identity) return {};
+    return metrics_list(json.at("draws"));
+  } catch (const InputError&) {
+    return {};
+  } catch (const Json::exception&) {
+    return {};
+  }
 }
 
 void write_draws(const std::string& packed, const RunMetrics& nominal, const std::filesystem::path& folder) {
-  std::vector<RunMetrics> rows = metrics_list(Json::parse(packed).at("draws"));
+  std::vector<RunMetrics> rows = metrics_list(parse_json(packed, "draws: ").at("draws"));
   rows.insert(rows.begin(), nominal);
   write_file(folder / "draws.csv", comparison_csv(rows));
   write_file(folder / "draws.json", packed);

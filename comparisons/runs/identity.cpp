@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "engines/worker/installation.hpp"
 
@@ -107,16 +108,17 @@ Checksums checksums(const RunFiles& files) {
 }
 
 std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, const std::string& identity) {
-  std::ifstream stream(run_folder / summary_name);
-  try {
-    const auto summary = nlohmann::ordered_json::parse(stream);
+  const auto whole = [&](const Json& summary) -> std::optional<RunMetrics> {
     const RunMetrics row = metrics_from(summary);
     if (row.status != RunStatus::done || summary.at("identity") != identity) return {};
     for (const auto& [name, sum] : summary.at("files").get<Checksums>()) {
       if (fmt::format("{:016x}", checksum(bytes_of(run_folder / name))) != sum) return {};
     }
     return row;
-  } catch (const nlohmann::json::exception&) {
+  };
+  try {
+    return read_json(run_folder / summary_name, whole);
+  } catch (const InputError&) {
     return {};
   }
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "analytic/scene/input/json_reader.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact/contact_summary.hpp"
 #include "comparisons/measures/metrics/contact/validity.hpp"
@@ -250,7 +251,7 @@ RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at
 }
 
 RunMetrics metrics_in(const std::string& summary) {
-  return metrics_from(Json::parse(summary));
+  return metrics_from(parse_json(summary, "summary: "));
 }
 
 History solve_into(const NamedScene& scene, const SolveOptions& options,

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/files.hpp"
 
 namespace rockstack {
@@ -56,7 +57,8 @@ std::string pack(const RunFiles& files) {
 }
 
 RunFiles unpack(const std::string& message) {
-  return nlohmann::json::from_msgpack(message).get<RunFiles>();
+  return parse_bytes<nlohmann::json>(message, nlohmann::json::input_format_t::msgpack, "files of a run: ")
+      .get<RunFiles>();
 }
 
 }  // namespace rockstack

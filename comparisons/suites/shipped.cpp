@@ -1,8 +1,11 @@
 #include "comparisons/suites/shipped.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <system_error>
 
+#include "analytic/scene/input/fields.hpp"
 #include "comparisons/measures/results/build.hpp"
 #include "engines/worker/installation.hpp"
 
@@ -41,6 +44,15 @@ std::filesystem::path find_file(const std::string& input, const std::string& kin
   const auto own = shipped_file(kind, input + ".toml"), given = folder / input;
   return !std::filesystem::is_regular_file(given, ignored) && std::filesystem::exists(own, ignored) ? own
                                                                                                     : given;
+}
+
+std::filesystem::path named_file(const Node& node, const std::string& kind,
+                                 const std::filesystem::path& folder) {
+  const std::filesystem::path file = find_file(text(node), kind, folder);
+  std::error_code ignored;
+  if (std::filesystem::exists(file, ignored)) return file;
+  throw wrong_value(node, fmt::format("a file or a name from `rockstack list {}`, none is at {}", kind,
+                                      one_line(file.string())));
 }
 
 }  // namespace rockstack

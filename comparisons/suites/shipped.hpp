@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "analytic/scene/input/document.hpp"
+
 namespace rockstack {
 
 /// The folder of the "scenes", "suites", "ensembles" or "studies/lessons" that come with this program.
@@ -17,5 +19,9 @@ std::vector<std::string> shipped_names(const std::string& kind);
 /// it to refuse. Files are looked for from `folder`.
 std::filesystem::path find_file(const std::string& input, const std::string& kind,
                                 const std::filesystem::path& folder = {});
+
+/// The same of an input that a file names. @throws InputError with file:line and key where neither is there.
+std::filesystem::path named_file(const Node& node, const std::string& kind,
+                                 const std::filesystem::path& folder);
 
 }  // namespace rockstack

@@ -239,7 +239,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   const std::vector<SceneChange> list = read_vary(root, std::move(changes));
   const char* scenes = "an array of at least one scene file";
   for (const Node& scene : entries(required(root, "scenes", scenes), scenes)) {
-    const std::filesystem::path scene_file = find_file(text(scene), "scenes", file.parent_path());
+    const std::filesystem::path scene_file = named_file(scene, "scenes", file.parent_path());
     for (const SceneChange& change : list) {
       suite.scenes.push_back(read_named_scene(scene_file, change.overrides));
       suite.scenes.back().name += change.name;

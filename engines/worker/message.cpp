@@ -9,7 +9,9 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <utility>
+
+#include "analytic/scene/input/json_reader.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 namespace {
@@ -20,57 +22,6 @@ static_assert(std::endian::native == std::endian::little, "lists of numbers are 
 
 constexpr const char* version_field = "rockstack";
 constexpr int version = 1;
-
-/// Accepts every message of few levels, so that none can exhaust the stack of what reads it next.
-class Depth : public nlohmann::json_sax<json> {
- public:
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return enter(); }
-  bool key(string_t&) override { return true; }
-  bool end_object() override { return leave(); }
-  bool start_array(std::size_t) override { return enter(); }
-  bool end_array() override { return leave(); }
-  bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception&) override {
-    position_ = position;
-    return false;
-  }
-
-  static constexpr int most = 8;
-  bool is_too_deep() const { return levels_ > most; }
-  /// Of the byte that cannot be read, from 1; beyond the last where one is missing.
-  std::size_t position() const { return position_; }
-
- private:
-  bool enter() { return ++levels_ <= most; }
-  bool leave() {
-    --levels_;
-    return true;
-  }
-  int levels_ = 0;
-  std::size_t position_ = 0;
-};
-
-/// Why bytes are no message; `found` has stopped in them.
-std::string why_unreadable(std::string_view bytes, bool text, const Depth& found) {
-  if (found.is_too_deep()) return fmt::format("the message has more than {} levels", Depth::most);
-  if (found.position() > bytes.size())
-    return fmt::format("the message is cut short, after {} bytes", bytes.size());
-  const std::string_view rest = bytes.substr(found.position() > 0 ? found.position() - 1 : 0);
-  for (const char* bare : {"NaN", "Infinity"}) {
-    if (text && rest.starts_with(bare))
-      return fmt::format(
-          "the message has a bare {} at byte {}; must be a text there, \"nan\", \"inf\" or \"-inf\"", bare,
-          found.position());
-  }
-  if (text) return fmt::format("the message is no JSON from byte {} on", found.position());
-  return "the message is no JSON, which begins with '{', and no MessagePack";
-}
 
 [[noreturn]] void refuse(const char* name, const char* what) {
   throw WrongField(name, what);
@@ -87,10 +38,11 @@ std::optional<double> number_of(const json& value) {
   return {};
 }
 
+/// @throws std::runtime_error, as what a worker says is nobody's input.
 json parsed(std::string_view bytes, json::input_format_t format) {
   try {
-    return format == json::input_format_t::json ? json::parse(bytes) : json::from_msgpack(bytes);
-  } catch (const json::exception& error) {
+    return parse_bytes<json>(bytes, format, "the message ");
+  } catch (const InputError& error) {
     throw std::runtime_error(error.what());
   }
 }
@@ -109,8 +61,6 @@ Message read_message(std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   const bool text = first != std::string_view::npos && bytes[first] == '{';
   const auto format = text ? json::input_format_t::json : json::input_format_t::msgpack;
-  Depth depth;
-  if (!json::sax_parse(bytes, &depth, format)) throw std::runtime_error(why_unreadable(bytes, text, depth));
   Message message{parsed(bytes, format), text ? Form::json : Form::messagepack};
   if (!message.fields.is_object() || !has_field(message.fields, version_field))
     throw std::runtime_error("the message is no object with a field `rockstack`");

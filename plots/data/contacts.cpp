@@ -1,10 +1,7 @@
 #include "plots/data/contacts.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "plots/data/events.hpp"
 #include "plots/data/json_file.hpp"
 
@@ -38,19 +35,16 @@ std::string shown_pattern(const std::string& name) {
 
 ContactSummary read_contact_summary(const Run& run) {
   const std::filesystem::path file = run.folder / "summary.json";
-  ContactSummary summary;
-  if (!std::filesystem::exists(file)) return summary;
-  try {
-    const Json json = read_json(file);
+  if (!std::filesystem::exists(file)) return {};
+  return read_json(file, [](const Json& json) {
+    ContactSummary summary;
     for (const Json& one : json.value("contact", Json::array()))
       summary.interfaces.push_back({one.at("final_slip").get<double>(), one.at("largest_slip").get<double>(),
                                     one.at("highest_lift").get<double>(), one.at("slips").get<std::size_t>(),
                                     one.at("lift_offs").get<std::size_t>()});
     summary.warnings = json.value("validity_warnings", std::vector<std::string>());
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
-  return summary;
+    return summary;
+  });
 }
 
 }  // namespace rockstack::plots

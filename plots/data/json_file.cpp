@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <fstream>
-
 #include "analytic/scene/input/document.hpp"
 
 namespace rockstack::plots {
@@ -24,16 +22,6 @@ void flatten(const Json& object, const std::string& prefix, Facts& facts) {
 }
 
 }  // namespace
-
-Json read_json(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw InputError(file.string() + ": cannot be read");
-  try {
-    return Json::parse(in);
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
-}
 
 std::string file_name(const std::string& text, const std::string& place) {
   if (text.empty() || text == "." || text == ".." || text.find('/') != std::string::npos)

@@ -3,14 +3,12 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "analytic/scene/input/json_reader.hpp"
 #include "plots/data/facts.hpp"
 
 namespace rockstack::plots {
 
 using Json = nlohmann::ordered_json;
-
-/// @throws InputError naming the file that is missing or malformed.
-Json read_json(const std::filesystem::path& file);
 
 /// A text that names a file or folder of results: never a path to elsewhere. @throws InputError naming
 /// `place`.

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/pattern.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/data/json_file.hpp"
@@ -95,11 +94,7 @@ void read_description(const Json& json, LawResults& results) {
 LawResults read_law_results(const fs::path& results) {
   LawResults read;
   const fs::path description = results / "impact-laws.json";
-  try {
-    read_description(read_json(description), read);
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: {}", description.string(), error.what()));
-  }
+  read_json(description, [&](const Json& json) { read_description(json, read); });
   read_cells(results / "impact-laws.csv", read);
   read_runs(results / "impact-laws-engines.csv", read);
   return read;

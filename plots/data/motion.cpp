@@ -1,10 +1,7 @@
 #include "plots/data/motion.hpp"
 
-#include <fmt/core.h>
-
 #include <cmath>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "plots/data/json_file.hpp"
 
 namespace rockstack::plots {
@@ -73,12 +70,8 @@ bool has_one_motion(const fs::path& results) {
 }
 
 Motion read_motion(const fs::path& results) {
-  const fs::path file = results / "summary.json";
-  try {
-    return motion_of(read_json(file), results);
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  return read_json(results / "summary.json",
+                   [&](const Json& summary) { return motion_of(summary, results); });
 }
 
 }  // namespace rockstack::plots

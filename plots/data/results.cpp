@@ -179,6 +179,13 @@ Run read_run(const RowReader& row) {
                                     {"model_share", &run.model_share},
                                     {"softness_share", &run.softness_share},
                                     {"step_share", &run.step_share},
+                                    {"contact_stiffness", &run.contact_stiffness},
+                                    {"contact_damping_ratio", &run.contact_damping_ratio},
+                                    {"contact_restitution", &run.contact_restitution},
+                                    {"spring_factor", &run.spring_factor},
+                                    {"energy_gain", &run.energy_gain},
+                                    {"penetration", &run.penetration},
+                                    {"residual_motion", &run.residual_motion},
                                     {"draws", &run.draws},
                                     {"impacts_matched_null", &run.impacts_matched_null},
                                     {"impacts_missed_null", &run.impacts_missed_null},
@@ -212,11 +219,7 @@ std::string heading(const ComparedScene& scene) {
 Comparison read_comparison(const std::filesystem::path& results) {
   Comparison comparison;
   const std::filesystem::path description = results / "comparison.json";
-  try {
-    read_description(read_json(description), comparison);
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: {}", description.string(), error.what()));
-  }
+  read_json(description, [&](const Json& json) { read_description(json, comparison); });
   check_description(comparison, description);
   const std::filesystem::path file = results / "comparison.csv";
   const Table table = read_table(file);

@@ -31,6 +31,12 @@ struct Run {
   /// RMS of the parts of the angle difference, rad; NaN where it is not split.
   double model_difference = 0, softness_difference = 0, step_difference = 0;
   double model_share = 0, softness_share = 0, step_share = 0;  ///< of the difference, sum 1
+  double contact_stiffness = 0, contact_damping_ratio = 0,
+         contact_restitution = 0;  ///< of the engine's points, N/m
+  double spring_factor = 0;        ///< by which a spring is softer for the softness part
+  double energy_gain = 0;          ///< share of weight times height
+  double penetration = 0;          ///< largest, m
+  double residual_motion = 0;      ///< RMS angular velocity where the exact one is zero, rad/s
   std::vector<std::string> cells;  ///< the whole row as text, for Comparison::columns
   std::filesystem::path folder;    ///< where its files are
 

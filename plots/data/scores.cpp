@@ -16,16 +16,10 @@ bool is_compared(const Run& run) {
          !std::isnan(run.rms_angle_difference);
 }
 
-template <const char* column>
-double cell(const Comparison& comparison, const Run& run) {
-  const auto found = std::find(comparison.columns.begin(), comparison.columns.end(), column);
-  if (found == comparison.columns.end()) return std::nan("");
-  const std::string& text = run.cells[static_cast<std::size_t>(found - comparison.columns.begin())];
-  return text.empty() ? std::nan("") : std::stod(text);
+template <double Run::*field>
+double value_of(const Comparison&, const Run& run) {
+  return run.*field;
 }
-
-constexpr char energy_gain[] = "energy_gain", penetration[] = "penetration",
-               residual_motion[] = "residual_motion";
 
 bool same_series(const Run& a, const Run& b) {
   return a.scene == b.scene && solver_name(a) == solver_name(b) && a.settings == b.settings;
@@ -60,16 +54,17 @@ StepEnds step_ends(const Comparison& comparison, const Run& run) {
 const std::vector<SolverQuestion>& solver_questions() {
   static const std::vector<SolverQuestion> questions{
       {"accuracy", "Which is nearest to the exact motion?", "RMS angle difference (rad)", "",
-       [](const Comparison&, const Run& run) { return run.rms_angle_difference; }},
+       value_of<&Run::rms_angle_difference>},
       {"convergence", "What does a smaller step leave of the error?", "share of the error that is left",
        "from the largest step to the smallest", left_of_error},
       {"first-impact", "Does the first impact come in time?", "first impact off by (steps)", "",
        [](const Comparison&, const Run& run) { return std::abs(run.first_impact_time_difference) / run.dt; }},
       {"energy", "Do contacts make energy?", "energy gained (share of weight times height)", "",
-       cell<energy_gain>},
-      {"overlap", "How deep do blocks sink into each other?", "largest overlap (m)", "", cell<penetration>},
+       value_of<&Run::energy_gain>},
+      {"overlap", "How deep do blocks sink into each other?", "largest overlap (m)", "",
+       value_of<&Run::penetration>},
       {"rest", "Is what rests at rest?", "RMS angular velocity where the exact one is zero (rad/s)", "",
-       cell<residual_motion>},
+       value_of<&Run::residual_motion>},
       {"cost", "What does a step cost?", "time of one step (s)", "",
        [](const Comparison&, const Run& run) { return run.stepping_time / run.steps; }},
   };

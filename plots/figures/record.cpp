@@ -37,8 +37,7 @@ Mark to_mark(const Json& json) {
 }
 
 RecordFacts read_facts(const std::filesystem::path& file) {
-  const Json json = read_json(file);
-  try {
+  return read_json(file, [](const Json& json) -> RecordFacts {
     const auto& span = json.at("significant_5_95");
     const std::string record = std::filesystem::path(json.at("file").get<std::string>()).filename().string();
     const std::string channel = json.at("channel");
@@ -51,9 +50,7 @@ RecordFacts read_facts(const std::filesystem::path& file) {
             .acceleration = to_mark(json.at("peak_acceleration")),
             .velocity = to_mark(json.at("peak_velocity")),
             .displacement = to_mark(json.at("peak_displacement"))};
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  });
 }
 
 double largest(const Curve& curve) {

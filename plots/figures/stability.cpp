@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "analytic/scene/messages/input_error.hpp"
@@ -109,7 +107,7 @@ std::string question(const Map& map) {
   return fmt::format("Where does it stop being right? {} of {} runs are sound", sound, map.cells.size());
 }
 
-Drawing drawing(const Map& map, const nlohmann::json& facts) {
+Drawing drawing(const Map& map, const Json& facts) {
   std::set<double> values;
   std::set<double> steps;
   for (const Cell& cell : map.cells) {
@@ -152,9 +150,8 @@ Drawing drawing(const Map& map, const nlohmann::json& facts) {
   return sheet.finish();
 }
 
-nlohmann::json study_facts(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  nlohmann::json facts = nlohmann::json::parse(stream, nullptr, false);
+Json study_facts(const std::filesystem::path& file) {
+  const Json facts = read_json(file);
   if (!facts.contains("title") || !facts.contains("axis"))
     throw InputError(file.string() + ": must be the results of a study of stability, with title and axis");
   return facts;
@@ -167,7 +164,7 @@ bool has_stability(const std::filesystem::path& results) {
 }
 
 void draw_stability(const std::filesystem::path& results) {
-  const nlohmann::json facts = study_facts(results / "stability.json");
+  const Json facts = study_facts(results / "stability.json");
   std::filesystem::create_directories(results / "figures");
   for (const auto& [solver, map] : read_maps(results)) {
     const std::string name =

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/pages/html.hpp"
@@ -113,12 +112,9 @@ bool has_canon(const fs::path& results) {
 
 void write_canon_report(const fs::path& results) {
   const fs::path file = results / "canon.json";
-  const Json canon = read_json(file);
-  try {
+  read_json(file, [&](const Json& canon) {
     write_file(results / "report.html", page({canon.at("title"), "report", content(canon)}));
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  });
 }
 
 }  // namespace rockstack::plots

@@ -28,11 +28,8 @@ double median_of(std::vector<double> values) {
   return values[(values.size() - 1) / 2];
 }
 
-std::string cell_of(const Comparison& comparison, const Run& run, const std::string& column) {
-  const auto found = std::find(comparison.columns.begin(), comparison.columns.end(), column);
-  if (found == comparison.columns.end()) return "";
-  const std::string& text = run.cells[static_cast<std::size_t>(found - comparison.columns.begin())];
-  return text.empty() ? "" : fmt::format("{:.2g}", std::stod(text));
+std::string cell_of(double value) {
+  return std::isnan(value) ? "" : fmt::format("{:.2g}", value);
 }
 
 std::string sentence(const std::vector<Run>& runs) {
@@ -68,14 +65,12 @@ std::string parts_table(const Comparison& comparison, const std::string& scene) 
   if (runs.empty()) return "";
   std::string rows;
   for (const Run& run : runs)
-    rows += table_row(
-        columns,
-        {run_label(run), fmt::format("{:.2g}", run.rms_angle_difference),
-         size_and_share(run.model_difference, run.model_share),
-         size_and_share(run.softness_difference, run.softness_share),
-         size_and_share(run.step_difference, run.step_share), cell_of(comparison, run, "contact_stiffness"),
-         cell_of(comparison, run, "contact_damping_ratio"), cell_of(comparison, run, "contact_restitution"),
-         cell_of(comparison, run, "spring_factor")});
+    rows += table_row(columns, {run_label(run), fmt::format("{:.2g}", run.rms_angle_difference),
+                                size_and_share(run.model_difference, run.model_share),
+                                size_and_share(run.softness_difference, run.softness_share),
+                                size_and_share(run.step_difference, run.step_share),
+                                cell_of(run.contact_stiffness), cell_of(run.contact_damping_ratio),
+                                cell_of(run.contact_restitution), cell_of(run.spring_factor)});
   return element("h3", "What the differences are made of") + sentence(runs) +
          element("div", table(columns, rows), " class=\"statements\"") + "\n";
 }

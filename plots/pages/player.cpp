@@ -138,21 +138,27 @@ Json spans_of(const std::vector<PatternSpan>& spans, int blocks) {
   return list;
 }
 
-/// What the player stops at.
-constexpr std::array stops{"impact", "lift-off", "slip", "stick", "corner", "fall"};
+/// What chatter is made of, each of its bounces first.
+constexpr std::array bounces{"impact", "touch"};
+constexpr std::array followers{"slip", "stick", "part"};
 
-/// Events by time, with 1 for chatter: slow impacts, and the starts and ends of sliding that follow them; a
-/// landing is none. Chatter beyond what a page can hold is left out.
+template <class Kinds>
+bool is_among(const Kinds& kinds, const std::string& kind) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+/// Events by time, with 1 for chatter: slow bounces, and the starts and ends of sliding and touching that
+/// follow them; a landing is none. Chatter beyond what a page can hold is left out.
 Json stops_of(const std::vector<PatternChange>& changes, double chatter_speed, int blocks) {
   constexpr std::size_t most = 4000;
   Json list = Json::array();
   bool chatter = false;
   for (const PatternChange& change : changes) {
-    if (std::find(stops.begin(), stops.end(), change.kind) == stops.end()) continue;
     const auto interface = static_cast<std::size_t>(change.interface) - 1;
-    if (change.kind == "impact")
+    const bool bounce = is_among(bounces, change.kind);
+    if (bounce)
       chatter = change.approach < chatter_speed && contacts_in(change.from, blocks)[interface].side != 2;
-    const bool slow = chatter && (change.kind == "impact" || change.kind == "slip" || change.kind == "stick");
+    const bool slow = chatter && (bounce || is_among(followers, change.kind));
     if (list.size() < most || !slow)
       list.push_back({change.time, change.interface, shown_pattern(change.from), shown_pattern(change.to),
                       slow ? 1 : 0, change.kind});
@@ -226,7 +232,7 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
   for (const Run& run : runs)
     data["tracks"].push_back(track(run, scene.blocks, style_of(run), samples, first.contains(run.name)));
   add_exact_impacts(data["tracks"][0], data["events"]);
-  if (scene.law == "unilateral") data["friction"] = scene.friction;
+  if (has_column(runs.front(), "slip_1")) data["friction"] = scene.friction;
   if (!scene.ground_motion.empty()) data["ground"] = ground_of(scene);
   return data;
 }

@@ -9,7 +9,6 @@
 #include <numeric>
 #include <vector>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/sentences.hpp"
@@ -93,17 +92,14 @@ void write_study(const fs::path& results, const Study& study) {
 
 /// Reads a description; a missing or wrong entry names its file.
 Study study_of(const fs::path& file, const std::function<Study(const Json&)>& read) {
-  const Json json = read_json(file);
-  try {
+  return read_json(file, [&](const Json& json) {
     Study study = read(json);
     study.command = json.value("command", study.command);
     study.facts = facts_of(json);
     std::erase_if(study.facts,
                   [](const auto& fact) { return fact.first == "command" || fact.first == "title"; });
     return study;
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  });
 }
 
 double sum(const std::vector<double>& values) {

@@ -29,6 +29,17 @@ std::string shown(const Node& node) {
   return "a table";
 }
 
+bool is_control(char letter) {
+  const auto code = static_cast<unsigned char>(letter);
+  return code < 0x20 || code == 0x7f;
+}
+
+std::string two_digits(char letter) {
+  static constexpr std::string_view digits = "0123456789abcdef";
+  const auto code = static_cast<unsigned char>(letter);
+  return {digits[code / 16], digits[code % 16]};
+}
+
 }  // namespace
 
 Node make_child(const Node& parent, std::string name, std::string place) {
@@ -63,6 +74,15 @@ const Node& nearest(const Node& root, std::string_view key) {
 
 std::string quoted(std::string_view text) {
   return '"' + one_line(text) + '"';
+}
+
+std::string toml_text(std::string_view text) {
+  std::string result = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') result += '\\';
+    result += is_control(letter) ? "\\u00" + two_digits(letter) : std::string(1, letter);
+  }
+  return result + '"';
 }
 
 InputError wrong_value(const Node& node, const std::string& allowed) {

@@ -9,6 +9,10 @@
 
 namespace rockstack {
 
+/// The levels of tables, objects and arrays that an input may have: more than anything here writes, and few
+/// enough for what goes down level by level. Keys have as many parts.
+inline constexpr int most_levels = 32;
+
 /// One value of a scene file together with the place it was written at; tables and arrays hold their entries
 /// as children, those of an array are named "1", "2", ….
 struct Node {
@@ -35,6 +39,9 @@ const Node& nearest(const Node& root, std::string_view key);
 
 /// Text in quotes, as one_line().
 std::string quoted(std::string_view text);
+
+/// Text as TOML writes it, on one line, such that reading gives the same text.
+std::string toml_text(std::string_view text);
 
 /// The error "place: key = value: must be …".
 InputError wrong_value(const Node& node, const std::string& allowed);

@@ -60,8 +60,7 @@ Node& target(Node& root, const std::vector<std::string>& path, const std::string
 
 /// Whether a scene may have such a key; none has more than a few parts.
 bool is_key(const std::vector<std::string>& path) {
-  constexpr std::size_t most_parts = 32;
-  return path.size() <= most_parts && std::find(path.begin(), path.end(), "") == path.end();
+  return path.size() <= most_levels && std::find(path.begin(), path.end(), "") == path.end();
 }
 
 }  // namespace

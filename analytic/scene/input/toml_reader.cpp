@@ -11,7 +11,7 @@
 // Its assertions end the process on malformed files that it reports as errors right after.
 #define TOML_ASSERT(expr) static_assert(true)
 // Tables inside tables are read, converted and freed by recursion.
-#define TOML_MAX_NESTED_VALUES 32
+#define TOML_MAX_NESTED_VALUES ::rockstack::most_levels
 // Its test for white space calls most letters beyond ASCII, such as é, unreachable: undefined behaviour in a
 // malformed file. They are no white space.
 #include <toml++/impl/preprocessor.h>
@@ -94,7 +94,6 @@ std::size_t end_of_string(std::string_view text, std::size_t start) {
 /// Refuses keys of many dotted parts, each a table in the one before. Between two dots of a key stand no
 /// other signs than strings, letters and blanks.
 void require_short_keys(std::string_view text, const std::string& name) {
-  constexpr int most_parts = 32;
   int parts = 1;
   for (std::size_t i = 0; i < text.size();) {
     if (text[i] == '"' || text[i] == '\'') {
@@ -102,10 +101,10 @@ void require_short_keys(std::string_view text, const std::string& name) {
       continue;
     }
     if (text[i] == '#') i = std::min(text.find('\n', i), text.size() - 1);
-    if (text[i] == '.' && ++parts > most_parts) {
+    if (text[i] == '.' && ++parts > most_levels) {
       const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i), '\n');
       throw InputError(name + ":" + std::to_string(line) + ": must be TOML with keys of at most " +
-                       std::to_string(most_parts) + " parts");
+                       std::to_string(most_levels) + " parts");
     }
     if (std::string_view("\n,=[]{}").find(text[i]) != std::string_view::npos) parts = 1;
     ++i;

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/interfaces/live/answers.hpp"
 #include "comparisons/interfaces/live/scene_text.hpp"
@@ -42,7 +43,7 @@ void write_all(const std::string& text) {
 int main() {
   try {
     const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-    write_all(answer_to(Json::parse(text)).dump());
+    write_all(answer_to(parse_json(text, "the question ")).dump());
     return 0;
   } catch (const std::exception& error) {
     std::fputs((one_line(error.what()) + "\n").c_str(), stderr);

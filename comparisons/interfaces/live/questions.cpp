@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/interfaces/live/answers.hpp"
 #include "comparisons/interfaces/live/live_state.hpp"
 #include "comparisons/suites/perturbations.hpp"
@@ -41,7 +42,7 @@ Kind kind_of(const std::string& name) {
 
 Question read_question(const std::string& text, const std::set<std::string>& records,
                        MotionLibrary& library) {
-  Json json = Json::parse(text);
+  Json json = parse_json(text, "the page: ");
   Question question{
       {json.at("page"), kind_of(json.at("kind")), json.at("sequence")}, json.value("member", 0), {}, {}};
   constexpr std::size_t longest_name = 64;
@@ -71,7 +72,7 @@ Json solved(const std::filesystem::path& solver, const Question& question, const
   if (end.timed_out) return failure(fmt::format("not done after {} s", limits.time));
   if (end.signal != 0 || end.exit_code != 0)
     return failure(end.last_words.empty() ? "more memory or time than a live page has" : end.last_words);
-  return Json::parse(end.reply);
+  return parse_json(end.reply, "the exact solver's answer ");
 }
 
 Json simulated(const Question& question, const Limits& limits) {
@@ -112,7 +113,7 @@ std::string Questions::answer(const std::string& text, const Unwanted& gone) {
 }
 
 std::string Questions::files(const std::string& text) {
-  const Json json = Json::parse(text);
+  const Json json = parse_json(text, "the page: ");
   const Json& state = json.at("state");
   const LiveState read = read_state(state, records_, library_);
   const Json files{{"scene", state_scene_text(state)},

@@ -14,9 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Deeper than any scene.
-constexpr int deepest = 6;
-
 constexpr const char* infinite = "inf";
 
 /// As a value's place in messages.
@@ -42,24 +39,22 @@ Json page_value(const Node& node) {
   return table;
 }
 
-void fill(Node& node, const Json& value, int depth);
+void fill(Node& node, const Json& value);
 
-void add_child(Node& node, std::string name, const Json& value, int depth) {
+void add_child(Node& node, std::string name, const Json& value) {
   Node child = make_child(node, std::move(name), place);
-  fill(child, value, depth + 1);
+  fill(child, value);
   node.children.push_back(std::move(child));
 }
 
-void fill(Node& node, const Json& value, int depth) {
-  if (depth > deepest)
-    throw InputError(fmt::format("{}: must have a scene that is not nested so deeply", place));
+void fill(Node& node, const Json& value) {
   if (value.is_object()) {
     node.kind = Node::Kind::table;
-    for (const auto& [name, entry] : value.items()) add_child(node, name, entry, depth);
+    for (const auto& [name, entry] : value.items()) add_child(node, name, entry);
   } else if (value.is_array()) {
     node.kind = Node::Kind::array;
     node.children.reserve(value.size());
-    for (const Json& entry : value) add_child(node, std::to_string(node.children.size() + 1), entry, depth);
+    for (const Json& entry : value) add_child(node, std::to_string(node.children.size() + 1), entry);
   } else if (value.is_number() || (value == infinite && node.name != "title")) {
     node.kind = Node::Kind::number;
     node.number = value.is_number() ? value.get<double>() : std::numeric_limits<double>::infinity();
@@ -77,7 +72,8 @@ bool is_tables(const Json& value) {
 void add_table(const Json& table, const std::string& key, std::string& text) {
   for (const auto& [name, value] : table.items())
     if (!value.is_object() && !is_tables(value))
-      text += fmt::format("{} = {}\n", name, name == "title" ? toml_text(value) : toml_value(value));
+      text += fmt::format("{} = {}\n", name,
+                          name == "title" ? toml_text(value.get<std::string>()) : toml_value(value));
   for (const auto& [name, value] : table.items()) {
     const std::string inner = fmt::format("{}{}{}", key, key.empty() ? "" : ".", name);
     const Json tables = is_tables(value) ? value : Json::array({value});
@@ -98,12 +94,8 @@ Json page_scene(const Node& document) {
 Node scene_document(const Json& scene) {
   Node root;
   root.place = place;
-  fill(root, scene, 0);
+  fill(root, scene);
   return root;
-}
-
-std::string toml_text(const std::string& text) {
-  return Json(one_line(text)).dump();
 }
 
 std::string toml_value(const Json& value) {

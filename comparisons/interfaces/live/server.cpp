@@ -16,6 +16,7 @@
 
 #include "analytic/scene/input/document.hpp"
 #include "comparisons/interfaces/live/connection.hpp"
+#include "comparisons/interfaces/live/strangers.hpp"
 
 namespace rockstack::live {
 namespace {
@@ -62,6 +63,19 @@ class BoundedStream : public httplib::Stream {
 
  private:
   Connection connection_;
+};
+
+/// The library's threads, which tell how many connections there are.
+class Threads : public httplib::ThreadPool {
+ public:
+  explicit Threads(Strangers& strangers) : httplib::ThreadPool(threads), strangers_(strangers) {}
+  void enqueue(std::function<void()> serve) override {
+    strangers_.queue();
+    httplib::ThreadPool::enqueue(std::move(serve));
+  }
+
+ private:
+  Strangers& strangers_;
 };
 
 /// The connection that this thread serves.
@@ -116,7 +130,7 @@ void send_file(httplib::Response& response, const std::filesystem::path& file) {
 class LiveServer::Http : public httplib::Server {
  public:
   Http(Questions& questions, LivePage page, int port) : page_(std::move(page)) {
-    new_task_queue = [] { return new httplib::ThreadPool(threads); };
+    new_task_queue = [this] { return new Threads(strangers_); };
     // Without the port being shared, which is what the library sets.
     set_socket_options([](socket_t socket) {
       const int yes = 1;
@@ -175,7 +189,7 @@ class LiveServer::Http : public httplib::Server {
 
   /// Whoever has been led here by another name or another page does not know the token either; each is
   /// refused for itself.
-  bool admits(const httplib::Request& request, httplib::Response& response) const {
+  bool admits(const httplib::Request& request, httplib::Response& response) {
     const std::string host = request.get_header_value("Host"), origin = request.get_header_value("Origin");
     const bool known =
         host == fmt::format("{}:{}", home, port_) || host == fmt::format("localhost:{}", port_);
@@ -188,24 +202,28 @@ class LiveServer::Http : public httplib::Server {
       refuse(response, 403, "token: must be that of the address that this `rockstack live` has printed");
       return false;
     }
+    strangers_.admit(current->socket());
     return true;
   }
 
   /// In the place of the library's own: a connection of bounded length and time, for one request.
   bool process_and_close_socket(socket_t socket) override {
     BoundedStream stream(socket);
+    strangers_.enter(socket);
     current = &stream;
     bool closed = false;
     // Packing an answer takes ten times as long as making it.
     const bool done = process_request(
         stream, true, closed, [](httplib::Request& request) { request.headers.erase("Accept-Encoding"); });
     current = nullptr;
+    strangers_.leave(socket);
     shutdown(socket, SHUT_RDWR);
     close(socket);
     return done;
   }
 
   LivePage page_;
+  Strangers strangers_{threads};
   std::string token_ = drawn_token();
   int port_ = 0;
 };

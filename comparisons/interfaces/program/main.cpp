@@ -42,6 +42,13 @@ std::string command_line(int count, char** arguments) {
   return line;
 }
 
+/// Figures are drawn there after hours of computing: what is wrong with it is told before.
+void require_temporary_folder() {
+  std::error_code error;
+  static_cast<void>(std::filesystem::temp_directory_path(error));
+  if (error) throw InputError(fmt::format("TMPDIR = {}: must be a folder", std::getenv("TMPDIR")));
+}
+
 /// A subcommand with what it does once its options are read.
 struct Command {
   CLI::App* app;
@@ -347,6 +354,7 @@ int run(int count, char** arguments) {
                                   [](const Command& command) { return command.app->parsed(); });
   require_folders("--workers", common.workers);
   if (!common.workers.empty()) setenv(workers_variable, common.workers.c_str(), 1);
+  require_temporary_folder();
   if (given != commands.end()) return given->run();
   std::string names;
   for (const Command& command : commands) names += " " + command.app->get_name();
@@ -372,7 +380,9 @@ int main(int count, char** arguments) {
   open_standard_streams();
   try {
     const int code = run(count, arguments);
-    if (std::fflush(stdout) != 0) throw std::runtime_error("standard output: cannot be written");
+    // What a stream could not take before is known to it alone.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      throw std::runtime_error("standard output: cannot be written");
     return code;
   } catch (const std::invalid_argument& error) {
     complain(error.what());

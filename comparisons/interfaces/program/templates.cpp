@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analytic/scene/ground/records/record_file.hpp"
+#include "analytic/scene/input/document.hpp"
 #include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/studies/sweep/ensemble_keys.hpp"
@@ -75,13 +76,6 @@ std::string text_of(const std::vector<Part>& parts, const std::string& scene = "
     text += (text.empty() ? "" : "\n") + (part.comment ? commented(table) : table);
   }
   return text;
-}
-
-/// A path as a TOML text.
-std::string toml_text(const std::string& path) {
-  std::string text = "\"";
-  for (const char letter : path) text += (letter == '"' || letter == '\\' ? std::string("\\") : "") + letter;
-  return text + "\"";
 }
 
 /// The motion that a scene has, and the others as comments; with a record the scene lasts as long as it.

@@ -14,6 +14,7 @@
 #include "analytic/scene/scene.hpp"
 #include "comparisons/interfaces/python/arrays.hpp"
 #include "comparisons/interfaces/python/nodes.hpp"
+#include "comparisons/interfaces/python/packed.hpp"
 #include "comparisons/interfaces/python/scene.hpp"
 #include "comparisons/measures/metrics/ground/ground_measures.hpp"
 #include "comparisons/measures/metrics/ground/response_spectrum.hpp"
@@ -120,6 +121,11 @@ std::pair<double, double> base_line(const GroundMotion& motion) {
 void add_ground(py::module_& core) {
   py::class_<GroundMotion, std::shared_ptr<GroundMotion>>(core, "GroundMotion")
       .def_static("made", &make)
+      .def("packed", &packed<GroundMotion>)
+      .def_static("unpacked",
+                  [](const py::bytes& bytes) {
+                    return std::make_shared<GroundMotion>(unpacked<GroundMotion>(bytes));
+                  })
       .def_static("of_scene",
                   [](const GivenScene& scene, const std::string& axis) {
                     return std::make_shared<GroundMotion>(axis == "vertical" ? scene.scene.vertical

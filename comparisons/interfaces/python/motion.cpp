@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "comparisons/interfaces/python/arrays.hpp"
+#include "comparisons/interfaces/python/packed.hpp"
 #include "comparisons/measures/metrics/contact/validity.hpp"
 #include "comparisons/measures/results/reactions.hpp"
 
@@ -98,6 +99,11 @@ void add_motion(py::module_& core) {
   PYBIND11_NUMPY_DTYPE(Reaction, normal, tangential, centre);
   PYBIND11_NUMPY_DTYPE(SpringEnergy, elastic, damped, rubbed);
   py::class_<HeldMotion, std::shared_ptr<HeldMotion>>(core, "Motion")
+      .def("packed", [](const HeldMotion& motion) { return packed(motion.history); })
+      .def_static("unpacked",
+                  [](const ScenePointer& scene, const py::bytes& bytes) {
+                    return std::make_shared<HeldMotion>(HeldMotion{scene, unpacked<History>(bytes)});
+                  })
       .def_property_readonly("times",
                              [](const py::object& self) {
                                const auto& times = self.cast<const HeldMotion&>().history.times;

@@ -12,8 +12,6 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr int deepest = 32;  ///< as the reader of TOML has it
-
 void read(const py::handle& value, Node& target, int depth);
 
 std::string shown(const py::handle& value) {
@@ -74,6 +72,9 @@ void read_text(const py::handle& value, Node& target) {
 
 /// Of numpy's arrays and numbers, and of what is like them.
 void read_array(const py::handle& value, Node& target, int depth) {
+  if (py::hasattr(value, "mask") && py::module_::import("numpy.ma").attr("is_masked")(value).cast<bool>())
+    throw InputError(target.place + ": " + one_line(target.key) +
+                     ": has masked entries: must be filled first");
   const py::array array(py::reinterpret_borrow<py::object>(value));
   if (array.ndim() == 0) return read(array.attr("item")(), target, depth + 1);
   const bool numbers = std::string_view("fiu").find(array.dtype().kind()) != std::string_view::npos;
@@ -94,9 +95,9 @@ bool is_truth(const py::handle& value) {
 }
 
 void read(const py::handle& value, Node& target, int depth) {
-  if (depth > deepest)
+  if (depth > most_levels)
     throw InputError(target.place + ": " + one_line(target.key) + ": must be nested at most " +
-                     std::to_string(deepest) + " deep");
+                     std::to_string(most_levels) + " deep");
   const py::handle type = py::type::handle_of(value);
   if (is_truth(value)) {
     target.kind = Node::Kind::other;

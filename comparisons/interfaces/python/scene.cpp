@@ -53,6 +53,7 @@ py::array_t<double> of_each(const GivenScene& given_scene, double (*angle)(const
 }  // namespace
 
 void add_scene(py::module_& core) {
+  core.def("toml_text", [](const std::string& text) { return toml_text(text); });
   py::class_<GivenScene, std::shared_ptr<GivenScene>>(core, "Scene")
       .def_static(
           "made",

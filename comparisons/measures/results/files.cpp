@@ -11,7 +11,6 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
@@ -62,24 +61,6 @@ class PartialFile {
 };
 
 }  // namespace
-
-void prepare_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!error && !std::filesystem::is_directory(folder, error))
-    error = std::make_error_code(std::errc::not_a_directory);
-  if (error)
-    throw InputError(
-        fmt::format("--out {}: must be a folder that can be written: {}", folder.string(), error.message()));
-  try {
-    const auto probe = folder / ".writable";
-    write_file(probe, "");
-    std::filesystem::remove(probe);
-  } catch (const std::runtime_error& failure) {
-    throw InputError(
-        fmt::format("--out {}: must be a folder that can be written: {}", folder.string(), failure.what()));
-  }
-}
 
 FolderLock::FolderLock(const std::filesystem::path& folder)
     : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {

@@ -8,10 +8,6 @@
 
 namespace rockstack {
 
-/// Makes a folder for results, or takes one that is there.
-/// @throws InputError naming the folder and the reason where nothing can be written into it.
-void prepare_folder(const std::filesystem::path& folder);
-
 /// Keeps a folder for this process until destroyed: two runs in one folder would spoil each other's files.
 class FolderLock {
  public:

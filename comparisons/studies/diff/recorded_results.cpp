@@ -2,28 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "analytic/scene/input/document.hpp"
+#include "analytic/scene/input/json_reader.hpp"
 
 namespace rockstack {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Calls `read` with the content of a file; whatever is wrong in it is an InputError that names the file.
-template <class Read>
-auto with_json(const std::filesystem::path& file, const Read& read) {
-  std::ifstream stream(file);
-  if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
-  try {
-    return read(Json::parse(stream));
-  } catch (const std::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), one_line(error.what())));
-  }
-}
 
 RecordedResults::Facts facts_in(const Json& object) {
   RecordedResults::Facts facts;
@@ -42,12 +29,12 @@ RecordedResults::Facts question_in(const Json& scene) {
 }
 
 RecordedRun read_run(const std::filesystem::path& folder, bool drawn) {
-  RecordedRun run = with_json(folder / "summary.json", [](const Json& json) {
+  RecordedRun run = read_json(folder / "summary.json", [](const Json& json) {
     return RecordedRun{metrics_from(json), {}, json.at("files").get<std::map<std::string, std::string>>()};
   });
   if (!drawn) return run;
   run.draws =
-      with_json(folder / "draws.json", [](const Json& json) { return metrics_list(json.at("draws")); });
+      read_json(folder / "draws.json", [](const Json& json) { return metrics_list(json.at("draws")); });
   run.draws.insert(run.draws.begin(), run.row);
   return run;
 }
@@ -57,7 +44,7 @@ RecordedRun read_run(const std::filesystem::path& folder, bool drawn) {
 RecordedResults read_recorded_results(const std::filesystem::path& folder) {
   RecordedResults results{folder, {}, {}, {}};
   const auto file = folder / "comparison.json";
-  const std::vector<RunMetrics> rows = with_json(file, [&](const Json& json) {
+  const std::vector<RunMetrics> rows = read_json(file, [&](const Json& json) {
     results.environment = facts_in(json.at("environment"));
     for (const Json& scene : json.at("scenes"))
       results.scenes[scene.at("name").get<std::string>()] = question_in(scene);

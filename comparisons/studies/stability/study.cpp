@@ -14,6 +14,7 @@
 #include "comparisons/measures/results/csv_writer.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/stability/study_keys.hpp"
+#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -179,7 +180,8 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
   const Node& axis = required(root, "axis", "a table of name, values and set, or name and parameter");
   study.axis = read_axis(axis);
   study.suite.scenes = scenes_along(
-      axis, study.axis, file.parent_path() / text(required(root, "scene", "a scene file")), changes);
+      axis, study.axis, named_file(required(root, "scene", "a scene file"), "scenes", file.parent_path()),
+      changes);
   study.suite.series = read_engines(root, file.parent_path());
   if (const Node* steps = find(root, "rk4")) {
     if (!study.axis.parameter.empty()) throw wrong_value(*steps, "no key where engines' parameters vary");

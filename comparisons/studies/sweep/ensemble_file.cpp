@@ -9,6 +9,7 @@
 #include "comparisons/studies/sweep/ensemble.hpp"
 #include "comparisons/studies/sweep/ensemble_keys.hpp"
 #include "comparisons/studies/sweep/variation.hpp"
+#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -21,7 +22,7 @@ void rename_keys(Node& node, std::size_t prefix) {
 
 SceneDocument read_base(const Node& scene, const std::filesystem::path& folder, const std::string& title,
                         const std::vector<std::string>& overrides) {
-  if (scene.kind == Node::Kind::text) return read_document(folder / scene.text, overrides);
+  if (scene.kind == Node::Kind::text) return read_document(named_file(scene, "scenes", folder), overrides);
   if (scene.kind != Node::Kind::table) throw wrong_value(scene, "a scene file, or a table that is a scene");
   SceneDocument document{scene, folder, title};
   document.root.name.clear();

@@ -1,13 +1,10 @@
 #include "plots/figures/sweep/sweep.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/input/json_reader.hpp"
 #include "plots/figures/sweep/drawings.hpp"
 
 namespace rockstack::plots {
@@ -66,10 +63,7 @@ std::optional<StruckBlock> struck_block(const Json& sweep) {
 }
 
 SweepFacts read_facts(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw InputError(file.string() + ": cannot be read");
-  try {
-    const Json json = Json::parse(stream);
+  return read_json(file, [](const Json& json) {
     const Json& summary = json.at("summary");
     const std::string intensity = summary.at("intensity").get<std::string>();
     SweepFacts facts{json.at("title"), axis_title(intensity), 0, 0};
@@ -78,9 +72,7 @@ SweepFacts read_facts(const std::filesystem::path& file) {
     if (intensity == "ground.horizontal.amplitude" && summary.value("friction", "") == "contact.friction")
       facts.struck = struck_block(json);
     return facts;
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  });
 }
 
 }  // namespace

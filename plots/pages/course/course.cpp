@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/pages/course/templates.hpp"
@@ -49,11 +48,7 @@ bool has_course(const std::filesystem::path& results) {
 
 void write_course(const std::filesystem::path& results) {
   const std::filesystem::path file = results / "course.json";
-  try {
-    write_file(results / "index.html", course_page(read_json(file)));
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  read_json(file, [&](const Json& course) { write_file(results / "index.html", course_page(course)); });
 }
 
 }  // namespace rockstack::plots

@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/pages/course/predictions.hpp"
@@ -148,16 +147,13 @@ bool has_lesson(const std::filesystem::path& results) {
 
 void write_lesson(const std::filesystem::path& results) {
   const std::filesystem::path file = results / "lesson.json";
-  try {
-    const Json lesson = read_json(file);
+  read_json(file, [&](const Json& lesson) {
     const Values values = lesson_values(results, lesson);
     const auto title = lesson.at("title").get<std::string>();
     const std::string slides = page_of(title, values, "slides", slides_html, slides_css, slides_js);
     write_file(results / "lesson.html", page_of(title, values, "lesson", lesson_html, "", lesson_js));
     write_file(results / "slides.html", slides);
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  });
 }
 
 }  // namespace rockstack::plots

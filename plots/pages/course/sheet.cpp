@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/pages/course/templates.hpp"
@@ -61,8 +60,7 @@ std::string sheet_page(const Json& sheet, bool with_answers) {
 }  // namespace
 
 SheetPages write_sheet(const std::filesystem::path& answers) {
-  try {
-    const Json sheet = read_json(answers);
+  return read_json(answers, [&](const Json& sheet) {
     const auto place = [&](const char* kind) {
       return answers.parent_path() / fmt::format("{}-{}-{}.html", sheet.at("lesson").get<std::string>(), kind,
                                                  sheet.at("seed").dump());
@@ -71,9 +69,7 @@ SheetPages write_sheet(const std::filesystem::path& answers) {
     write_file(pages.sheet, sheet_page(sheet, false));
     write_file(pages.key, sheet_page(sheet, true));
     return pages;
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: {}", answers.string(), error.what()));
-  }
+  });
 }
 
 }  // namespace rockstack::plots

@@ -36,9 +36,12 @@ const seenFrom = (middle, angle, point) => {
 };
 
 // Kinds of events in words, and what they mean.
-const kinds = { impact: ["Impact", ""], "lift-off": ["Lift-off", ", where blocks part"],
+const kinds = { opening: ["Opening", ", which starts to rock"], impact: ["Impact", ""],
+  closure: ["Closure", ", which stays closed after ever smaller impacts"], rest: ["Rest", ", the last that was open"],
+  "lift-off": ["Lift-off", ", where blocks part"],
   slip: ["Slip", ", which starts to slide"], stick: ["Stick", ", which stops to slide that way"],
-  corner: ["Corner", ", where the contact passes to another corner"], fall: ["Fall", ", where a block leaves the face below"] };
+  corner: ["Corner", ", where the contact passes to another corner"], fall: ["Fall", ", where a block leaves the face below"],
+  touch: ["Touch", ", where a corner starts to push"], part: ["Part", ", where a corner stops to push"] };
 
 const subscript = (number) => String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
 const signed = (value, digits) => (Number(value.toFixed(digits)) < 0 ? "−" : "") + Math.abs(value).toFixed(digits);
@@ -232,8 +235,7 @@ class Player {
   // What controls offer of this motion; they are made anew where that has changed.
   fitControls() {
     const forces = this.tracks.some((track) => track.forces), slips = this.tracks.some((track) => track.slipped);
-    this.stop = this.events.stops.some((stop) => stop[5] !== "impact") ? "event" : "impact";
-    const offered = JSON.stringify([forces, slips, Boolean(this.friction), this.stop, this.end,
+    const offered = JSON.stringify([forces, slips, Boolean(this.friction), this.end,
       this.tracks.map((track) => track.label)]);
     const swatches = this.find("tracks").querySelectorAll(".swatch");
     if (offered === this.offered)
@@ -241,8 +243,6 @@ class Player {
     this.offered = offered;
     for (const [name, there] of [["force-option", forces], ["force-hint", forces], ["cone-hint", forces && this.friction],
       ["slip-hint", slips]]) this.find(name).hidden = !there;
-    this.find("next").textContent = this.stop + " ▶";
-    this.find("previous").textContent = "◀ " + this.stop;
     this.find("view").parentElement.hidden = this.tracks.length === 1;
     this.find("scrub").max = this.end * 1000;
     for (const label of this.find("tracks").querySelectorAll("label")) label.remove();
@@ -361,8 +361,9 @@ class Player {
   stops() { return this.events.stops.filter((stop) => this.find("chatter").checked || !stop[4]); }
 
   told([, number, from, to, , kind]) {
+    if (kind === "topple") return `Block ${number} topples: it passes its toppling angle.`;
     const [word, meaning] = kinds[kind];
-    return `${word} at interface ${number}${meaning}: pattern ${from} becomes ${to}.`;
+    return `${word} at interface ${number}${meaning}: ${from === to ? `pattern ${from} stays` : `pattern ${from} becomes ${to}`}.`;
   }
 
   // To the next or last event of the exact motion; the one that is on now does not count.
@@ -372,7 +373,7 @@ class Player {
     const still = 1e-7;
     const next = direction > 0 ? list.find((stop) => stop[0] > this.time + still)
       : list.findLast((stop) => stop[0] < this.time - still);
-    if (!next) return this.say(`No ${this.stop} ${direction > 0 ? "after" : "before"} this time.`);
+    if (!next) return this.say(`No event ${direction > 0 ? "after" : "before"} this time.`);
     this.time = next[0];
     this.draw();
     this.say(list.filter((stop) => stop[0] === next[0]).map((stop) => this.told(stop)).join(" "));

@@ -233,7 +233,7 @@ TEST(MessageBytes, WhyTheyCannotBeReadIsSaid) {
         "the message has a bare " + bare + " at byte 28; must be a text there, \"nan\", \"inf\" or \"-inf\"");
   EXPECT_EQ(complaint(R"({"rockstack": 1, 'run': 2})"), "the message is no JSON from byte 18 on");
   EXPECT_EQ(complaint("words"), "the message is no JSON, which begins with '{', and no MessagePack");
-  EXPECT_EQ(complaint("{\"a\":" + std::string(20, '[')), "the message has more than 8 levels");
+  EXPECT_EQ(complaint("{\"a\":" + std::string(40, '[')), "the message has more than 32 levels");
 }
 
 TEST(MessageBytes, FieldThatIsWrongIsNamedWithTheObjectsThatHaveIt) {

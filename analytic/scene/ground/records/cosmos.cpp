@@ -98,7 +98,7 @@ void read_channel(Cursor& cursor, std::vector<Record>& series) {
     read_columns(cursor, values, columns);
   }
   cursor.skip_blank();
-  if (!cursor.next("the end of data, \"/&\"").starts_with("/&"))
+  if (!is_end_of_data(cursor.next("the end of data, \"/&\"")))
     cursor.fail("expected the end of data, \"/&\"");
   cursor.skip_blank();
 }

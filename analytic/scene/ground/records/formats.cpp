@@ -15,7 +15,13 @@ namespace rockstack::records {
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-constexpr char dos_end_of_file = '\x1A';
+
+/// Without the bytes that fill the last block of a file that comes from DOS: its ends of file, zeros.
+std::string_view without_padding(std::string_view text) {
+  const std::size_t last = text.find_last_not_of(std::string_view("\x1A\0\r\n", 4));
+  const std::size_t end = text.find_first_not_of("\r\n", last + 1);  // npos + 1 is 0
+  return text.substr(0, end);
+}
 
 /// Refuses what is not text, at its first control character.
 void check_text(std::string_view file, std::string_view text) {
@@ -59,7 +65,7 @@ void check_last_line(std::string_view file, std::string_view text) {
 
 std::vector<Record> read_series(std::string_view file, std::string_view text) {
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  if (text.ends_with(dos_end_of_file)) text.remove_suffix(1);
+  text = without_padding(text);
   const Cursor cursor(file, text);
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) cursor.fail("the file is empty");
   check_text(file, text);

@@ -218,6 +218,10 @@ void append_values(const Cursor& cursor, std::string_view line, std::vector<doub
   for (const std::string_view word : words(line)) values.push_back(number(cursor, word));
 }
 
+bool is_end_of_data(std::string_view line) {
+  return starts_with(line, "/&") || starts_with(line, "end-of-data");
+}
+
 std::vector<double> read_values(Cursor& cursor) {
   std::vector<double> values;
   while (!cursor.at_end()) {

@@ -82,6 +82,9 @@ std::vector<double> read_columns(Cursor& cursor, std::size_t count, Columns colu
 /// Adds all values of a line, separated by blanks or commas.
 void append_values(const Cursor& cursor, std::string_view line, std::vector<double>& values);
 
+/// "/& ---- End of data for channel 1", or "End-of-data for Chan  1 acceleration".
+bool is_end_of_data(std::string_view line);
+
 /// All values up to the end of the file, as append_values().
 std::vector<double> read_values(Cursor& cursor);
 

@@ -44,23 +44,29 @@ double block_interval(const Cursor& cursor, std::string_view line, std::string_v
   return checked_interval(cursor, agree ? full : rounded);
 }
 
-/// The unit that follows "sec, in" or "SEC.  IN UNITS".
+/// The unit that follows "sec, in", "SEC.  IN UNITS" or "SEC.  (UNITS:".
 double block_factor(const Cursor& cursor, std::string_view line) {
-  const auto fields = words(line, ",()");
-  bool after_in = false;
-  for (const std::string_view field : fields) {
+  bool expected = false;
+  for (const std::string_view field : words(line, ",():")) {
     const auto factor = unit_factor(field);
-    if (after_in && factor) return *factor;
-    after_in = after_in || lower(field) == "in";
+    if (expected && factor) return *factor;
+    expected = expected || lower(field) == "in" || lower(field) == "units";
   }
   cursor.fail("this line names no unit of acceleration: cm/sec2 or g");
+}
+
+/// Those that the last brackets name, where these do not hold the unit.
+Columns block_columns(const Cursor& cursor, std::string_view line) {
+  const std::size_t open = line.rfind('(');
+  if (open == std::string_view::npos) return usual_columns;
+  if (starts_with(line.substr(open), "(units")) return block_columns(cursor, line.substr(0, open));
+  return fortran_columns(cursor, line);
 }
 
 void read_block(Cursor& cursor, std::string_view interval, std::vector<Record>& series) {
   const std::string_view line = cursor.next("a block of data");
   const std::size_t values = count(cursor, words(line).front());
-  const Columns columns =
-      line.find('(') == std::string_view::npos ? usual_columns : fortran_columns(cursor, line);
+  const Columns columns = block_columns(cursor, line);
   if (starts_with(field_after(line, "points of"), "acc")) {
     const double factor = block_factor(cursor, line);
     const double step = block_interval(cursor, line, interval);
@@ -75,7 +81,7 @@ std::vector<Record> read(Cursor cursor) {
   while (!cursor.at_end()) {
     const std::string_view interval = read_header(cursor);
     while (is_block_header(cursor.peek())) read_block(cursor, interval, series);
-    if (!cursor.at_end() && !trimmed(cursor.peek()).empty() && !cursor.next({}).starts_with("/&")) {
+    if (!cursor.at_end() && !trimmed(cursor.peek()).empty() && !is_end_of_data(cursor.next({}))) {
       cursor.fail("expected another block of data or its end, \"/&\"");
     }
     cursor.skip_blank();

@@ -24,14 +24,15 @@ class Comparison(Table):
     is, with its unit.
 
     folder: the results, as `rockstack compare` writes them; of a comparison without `out` a temporary one, which lasts as
-    long as this.
+    long as this and its copies in this process.
     """
 
     meanings: dict[str, str] = _core.column_meanings()
 
-    def __init__(self, rows: list[dict[str, Any]], folder: Path):
+    def __init__(self, rows: list[dict[str, Any]], folder: Path, kept: _Kept | None = None):
         super().__init__({name: _column([row[name] for row in rows]) for name in (rows[0] if rows else {})})
         self.folder = folder
+        self._kept = kept
 
     def history(self, run: str) -> np.ndarray:
         """The samples of a run, a value of the column `run`: a structured array with time (s), theta_1, … (rad), omega_1, …
@@ -44,6 +45,19 @@ class Comparison(Table):
         if not path.is_file():
             raise _core.InputError(f"{path}: must be a file of a run")
         return np.genfromtxt(path, delimiter=",", names=True, dtype=None, encoding="utf-8")
+
+
+class _Kept:
+    """A folder that goes when all have gone who share this; another process has no share."""
+
+    def __init__(self, folder: Path):
+        weakref.finalize(self, shutil.rmtree, folder, True)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> _Kept:
+        return self
+
+    def __reduce__(self):
+        return type(None), ()
 
 
 def _column(cells: list[Any]) -> np.ndarray:
@@ -72,20 +86,10 @@ def compare(inputs: Scene | str | os.PathLike[str] | Sequence[Scene | str | os.P
              for scene in given]
     choice = _core.SceneChoice(list(engines), list(dt), quick, softness)
 
-    def compared(folder: Path) -> Comparison:
-        rows = _core.compare(asked, str(folder), choice, draws, history_interval, thread_count(jobs))
-        return Comparison(json.loads(rows), folder)
-
-    if out is not None:
-        return compared(Path(out))
-    folder = Path(tempfile.mkdtemp(prefix="rockstack-"))
-    try:
-        comparison = compared(folder)
-    except BaseException:
-        shutil.rmtree(folder, ignore_errors=True)
-        raise
-    weakref.finalize(comparison, shutil.rmtree, folder, True)
-    return comparison
+    folder = Path(out) if out is not None else Path(tempfile.mkdtemp(prefix="rockstack-"))
+    kept = _Kept(folder) if out is None else None
+    rows = _core.compare(asked, str(folder), choice, draws, history_interval, thread_count(jobs, "jobs"))
+    return Comparison(json.loads(rows), folder, kept)
 
 
 def _name(scene: Scene) -> str:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockstack import _core
+from rockstack.numbers import numbers
 
 
 class GroundMotion(Mapping):
@@ -31,10 +32,16 @@ class GroundMotion(Mapping):
     @classmethod
     def _of(cls, table: Mapping[str, Any], core: _core.GroundMotion) -> GroundMotion:
         """Of a scene, whose folder is not told: its samples as they are."""
+        return cls._with({"samples": core.samples, "interval": core.interval} if len(core.samples) else dict(table), core)
+
+    @classmethod
+    def _with(cls, table: dict[str, Any], core: _core.GroundMotion) -> GroundMotion:
         motion = cls.__new__(cls)
-        motion._core = core
-        motion._table = {"samples": core.samples, "interval": core.interval} if len(core.samples) else dict(table)
+        motion._core, motion._table = core, table
         return motion
+
+    def __reduce__(self):
+        return _unpacked, (self._table, self._core.packed())
 
     def __getitem__(self, key: str) -> Any:
         return self._table[key]
@@ -75,7 +82,7 @@ class GroundMotion(Mapping):
 
     def acceleration(self, times: ArrayLike) -> np.ndarray:
         """At times ≥ 0 (s) of any shape, m/s²; the same shape."""
-        return self._core.acceleration(np.asarray(times, dtype=float))
+        return self._core.acceleration(numbers("times", times))
 
     def sampled(self, interval: float) -> GroundMotion:
         """The motion by its values at 0, interval, … (s) up to its end."""
@@ -103,9 +110,13 @@ class GroundMotion(Mapping):
     def spectrum(self, periods: ArrayLike | None = None, damping: float = 0.05) -> tuple[np.ndarray, np.ndarray]:
         """Periods (s) and the pseudo-accelerations (m/s²) of oscillators with them, shape (periods,); without `periods`
         201 from 0.02 to 10 s. `damping` is a fraction of critical."""
-        return self._core.spectrum(None if periods is None else np.asarray(periods, dtype=float), damping)
+        return self._core.spectrum(None if periods is None else numbers("periods", periods), damping)
 
     def without_base_line(self) -> GroundMotion:
         """The motion less the straight line whose removal leaves the least mean square of the velocity."""
         value, slope = self._core.base_line()
         return GroundMotion(samples=self.samples - (value + slope * self.times), interval=self.interval)
+
+
+def _unpacked(table: dict[str, Any], packed: bytes) -> GroundMotion:
+    return GroundMotion._with(table, _core.GroundMotion.unpacked(packed))

@@ -1,7 +1,6 @@
 """The question: blocks, how they start, how the ground moves, and for how long."""
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -142,4 +141,4 @@ def _toml(value: Any) -> str:
         return "{" + ", ".join(f"{key} = {_toml(inner)}" for key, inner in value.items()) + "}"
     if isinstance(value, list):
         return "[" + ", ".join(map(_toml, value)) + "]"
-    return repr(value) if isinstance(value, float) else json.dumps(value, ensure_ascii=False)
+    return _core.toml_text(value) if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else repr(value)

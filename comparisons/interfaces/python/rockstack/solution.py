@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from rockstack import _core
 from rockstack.errors import Unfinished
+from rockstack.numbers import numbers
 from rockstack.scene import Scene, core_of
 
 
@@ -71,6 +72,10 @@ class Motion:
         """The motion in a line: whether it stands, rests or topples, which block comes nearest to its slenderness angle,
         and of exact motions the friction that it needs. Empty without samples."""
         return self._core.verdict
+
+    def __reduce__(self):
+        rest = {name: getattr(self, name) for name in type(self).__slots__}
+        return _unpacked, (type(self), self.scene, self._core.packed()), (None, rest)
 
     def __repr__(self) -> str:
         return f"<rockstack.{type(self).__name__}: {len(self.times)} samples of {self.scene.blocks}; {self.verdict}>"
@@ -152,6 +157,16 @@ class Solution(Motion):
         return self._core.choices
 
 
+def _unpacked(kind: type[Motion], scene: Scene, packed: bytes) -> Motion:
+    motion = kind.__new__(kind)
+    Motion.__init__(motion, scene, _core.Motion.unpacked(core_of(scene), packed))
+    return motion
+
+
+def _asked(interval: float | None, times: ArrayLike | None, tolerance: float, integrator: str, step: float) -> _core.Asked:
+    return _core.Asked(interval, None if times is None else numbers("times", times), integrator, tolerance, step)
+
+
 def _solution(scene: Scene, core: _core.Motion | None) -> Solution | None:
     return None if core is None else Solution(scene, core)
 
@@ -166,7 +181,7 @@ def solve(scene: Scene, *, interval: float | None = 1e-3, times: ArrayLike | Non
 
     Raises Unfinished, with the motion up to there, where it cannot be followed; InputError for what is out of range.
     """
-    motion, failure = _core.solve(core_of(scene), _core.Asked(interval, times, integrator, tolerance, step))
+    motion, failure = _core.solve(core_of(scene), _asked(interval, times, tolerance, integrator, step))
     if failure is not None:
         raise Unfinished(failure, _solution(scene, motion))
     return Solution(scene, motion)
@@ -184,7 +199,7 @@ def solve_many(scenes: Iterable[Scene], *, interval: float | None = 1e-3, times:
         raise _core.InputError(f"failures = {failures}: must be raise or keep")
     given = list(scenes)
     outcomes = _core.solve_many([core_of(scene) for scene in given],
-                                _core.Asked(interval, times, integrator, tolerance, step), thread_count(threads))
+                                _asked(interval, times, tolerance, integrator, step), thread_count(threads))
     results: list[Solution | Unfinished] = []
     for scene, (motion, failure) in zip(given, outcomes):
         if failure is None:
@@ -197,10 +212,11 @@ def solve_many(scenes: Iterable[Scene], *, interval: float | None = 1e-3, times:
     return results
 
 
-def thread_count(threads: int | None) -> int:
+def thread_count(threads: int | None, name: str = "threads") -> int:
     """As many as given, or one a core."""
+    most = 1024  # as of the program's --threads and --jobs
     if threads is None:
         return len(os.sched_getaffinity(0))
-    if threads < 1:
-        raise _core.InputError(f"threads = {threads}: must be at least 1")
+    if not 1 <= threads <= most:
+        raise _core.InputError(f"{name} = {threads}: must be from 1 to {most}")
     return threads

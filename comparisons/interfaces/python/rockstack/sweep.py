@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockstack import _core
+from rockstack.numbers import numbers
 from rockstack.scene import Scene
 from rockstack.solution import thread_count
 from rockstack.tables import Table
@@ -98,13 +99,13 @@ class Fragility:
     def probability(self, intensities: ArrayLike) -> np.ndarray:
         """Of toppling, by the curve; the shape of the intensities."""
         erf = np.vectorize(math.erf, otypes=[float])
-        return 0.5 * (1 + erf(np.log(np.asarray(intensities, dtype=float) / self.median) / self.beta / np.sqrt(2)))
+        return 0.5 * (1 + erf(np.log(numbers("intensities", intensities) / self.median) / self.beta / np.sqrt(2)))
 
 
 def fragility(intensities: ArrayLike, toppled: ArrayLike) -> Fragility:
     """Of runs with intensities > 0 and whether (or which block) each toppled; both of shape (runs,). Raises InputError for
     arrays of different lengths."""
-    at, hit = np.asarray(intensities, dtype=float), np.asarray(toppled).astype(bool)
+    at, hit = numbers("intensities", intensities), numbers("toppled", toppled).astype(bool)
     if at.shape != hit.shape or at.ndim != 1 or at.size == 0:
         raise _core.InputError(f"intensities and toppled: shapes {at.shape} and {hit.shape}: must be one length > 0")
     if not np.all((at > 0) & np.isfinite(at)):

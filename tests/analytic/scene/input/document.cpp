@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/input/overrides.hpp"
 #include "analytic/scene/input/scene_file.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
 #include "tests/analytic/scene/input/scene_text.hpp"
 
 namespace rockstack {
@@ -62,6 +64,69 @@ TEST(Document, AValueOutOfRangeIsNamedByThePlaceThatSetIt) {
   }
   EXPECT_THROW(set_value(document.root, "blocks.3.height", number_node(1)), InputError);
   EXPECT_THROW(set_value(document.root, "blocks..height", number_node(1)), InputError);
+}
+
+TEST(Document, TextsReadAsTheyWereWritten) {
+  std::string all = "ä\u0007";
+  for (char letter = 1; letter != '\x7f'; ++letter) all += letter;
+  for (const std::string& text :
+       {all + '\x7f', std::string("a\0b", 3), std::string("'\"\"\"\\"), std::string()}) {
+    const auto node = parse_toml_value(toml_text(text), Node());
+    ASSERT_TRUE(node) << toml_text(text);
+    EXPECT_EQ(node->text, text);
+    EXPECT_EQ(toml_text(text).find_first_of("\n\r\x7f"), std::string::npos);
+  }
+}
+
+/// What is said of an input that has more levels than any may have.
+template <class Read>
+std::string complaint(const Read& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+// Whatever reads, copies or frees a value goes down level by level: each of these ended the program.
+TEST(Levels, AreLimitedInEveryFormOfInput) {
+  const TemporaryFolder folder;
+  using nlohmann::ordered_json;
+  for (const std::size_t levels : {33, 1000, 150'000}) {
+    const std::string open(levels, '['), close(levels, ']'), one(levels, '\x91');
+    const auto binary = nlohmann::json::input_format_t::msgpack;
+    EXPECT_EQ(complaint([&] { parse_json(open + close, "the page: "); }),
+              "the page: has more than 32 levels");
+    EXPECT_EQ(complaint([&] { parse_bytes<nlohmann::json>(one + '\1', binary, "the message "); }),
+              "the message has more than 32 levels");
+    const auto file = folder.write("deep.json", R"({"a": )" + open + close + "}");
+    EXPECT_EQ(complaint([&] { read_json(file); }), file.string() + ": has more than 32 levels");
+    const auto scene = folder.write("deep.toml", "duration = 1\na = " + open + close + "\n");
+    EXPECT_TRUE(complaint([&] { read_toml(scene); }).starts_with(scene.string() + ":2: must be TOML"));
+    Node root;
+    EXPECT_NE(complaint([&] { apply_override(root, "a=" + open + close); }), "") << "a text, or an error";
+  }
+  const std::string most = std::string(32, '[') + std::string(32, ']');
+  EXPECT_EQ(parse_json(most, "").dump(), most);
+}
+
+TEST(Json, WhatIsWrongInAFileIsOneLineThatNamesIt) {
+  const TemporaryFolder folder;
+  const auto said = [&](const std::string& text) {
+    const auto file = folder.write("a.json", text);
+    const std::string line = complaint(
+        [&] { read_json(file, [](const auto& json) { return json.at("key").template get<double>(); }); });
+    EXPECT_TRUE(line.starts_with(file.string() + ": ")) << line;
+    return line.substr(file.string().size() + 2);
+  };
+  EXPECT_EQ(said(""), "is cut short, after 0 bytes");
+  EXPECT_EQ(said(R"({"key": 1)"), "is cut short, after 9 bytes");
+  EXPECT_EQ(said("{'key': 1}"), "is no JSON from byte 2 on");
+  EXPECT_EQ(said("{}"), "key 'key' not found");
+  EXPECT_EQ(said(R"({"key": "1"})"), "type must be number, but is string");
+  EXPECT_EQ(complaint([&] { read_json(folder.path() / "none"); }),
+            (folder.path() / "none").string() + ": cannot be read");
 }
 
 TEST(MotionLibrary, SharedSyntheticMotionsAreThoseOfTheirOwnScenes) {

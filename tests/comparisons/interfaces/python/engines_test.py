@@ -1,5 +1,7 @@
 """Engines run by workers, of the build and of one's own."""
+import copy
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -125,6 +127,13 @@ class EngineTest(unittest.TestCase):
         np.testing.assert_array_equal(run.velocities[:, 0], rows["omega_1"])
         np.testing.assert_array_equal(run.patterns, rows["pattern"].astype(str))
 
+    def test_a_run_comes_back_from_another_process(self):
+        run = rockstack.simulate(rocking(duration=0.1), self.engine, 0.01, bodies=True)
+        other = pickle.loads(pickle.dumps(run))
+        self.assertEqual((other.engine, other.warnings, repr(other)), (run.engine, run.warnings, repr(run)))
+        np.testing.assert_array_equal(other.angles, run.angles)
+        np.testing.assert_array_equal(other.energy, run.energy)
+
     def test_wrong_wishes_are_refused(self):
         for wish in ({"engine": "no-engine"}, {"dt": 0.0}, {"dt": np.nan}, {"dt": 5.0}, {"settings": "best"},
                      {"parameters": {"speed": 1.0}}, {"time_limit": 0.0}):
@@ -146,9 +155,13 @@ class EngineTest(unittest.TestCase):
         with self.assertRaises(rockstack.InputError):
             rows.history("no-run")
         folder = rows.folder
-        self.assertTrue(folder.is_dir())
+        copied, sent = copy.deepcopy(copy.copy(rows)), pickle.loads(pickle.dumps(rows))
         del rows
+        self.assertTrue(folder.is_dir())
+        self.assertEqual(copied.history(exact)["theta_1"][0], 0.1)
+        del copied
         self.assertFalse(folder.exists())
+        self.assertEqual(sent["status"].tolist(), ["done"] * 3)
         for wrong in (lambda: rockstack.compare("no-scene"), lambda: rockstack.compare(scene, engines=["no-engine"]),
                       lambda: rockstack.compare("paper", quick=True)):
             with self.assertRaises(rockstack.InputError):

@@ -74,13 +74,19 @@ class GroundMotionTest(unittest.TestCase):
                               ({"samples": [1.0], "interval": 0.0}, "motion.interval = 0"),
                               ({"record": "nowhere.at2"}, "none is at"),
                               ({"samples": [1.0], "interval": 0.1, "period": 1}, "unknown key"),
+                              ({"samples": np.ma.masked_equal([1.0, -999.0], -999.0), "interval": 0.1}, "motion.samples: .*masked"),
+                              ({"samples": [1.0, np.ma.masked], "interval": 0.1}, "masked"),
                               ({}, "record: missing")):
             with self.subTest(keys=str(keys)), self.assertRaisesRegex(rockstack.InputError, message):
                 rockstack.GroundMotion(keys)
         motion = rockstack.GroundMotion(samples=[0.0, 1.0], interval=0.1)
+        np.testing.assert_array_equal(rockstack.GroundMotion(samples=np.ma.array([0.0, 1.0]), interval=0.1).samples, [0, 1])
+        gaps = np.ma.masked_equal([1.0, 2.0], 2.0)
         for wrong in (lambda: motion.spectrum([0.0]), lambda: motion.spectrum([1e-300]), lambda: motion.spectrum([np.nan]),
                       lambda: motion.spectrum(damping=1.0), lambda: motion.acceleration([-1.0]),
-                      lambda: motion.acceleration([np.nan]), lambda: motion.sampled(0.0),
+                      lambda: motion.acceleration([np.nan]), lambda: motion.acceleration(gaps),
+                      lambda: motion.spectrum(gaps), lambda: rockstack.solve(rocking(), times=gaps),
+                      lambda: rockstack.fragility(gaps, [0, 1]), lambda: rockstack.fragility([1.0, 2.0], gaps), lambda: motion.sampled(0.0),
                       lambda: rockstack.GroundMotion(pulse="sine", amplitude=1.0, period=1.0).measures()):
             with self.assertRaises(rockstack.InputError):
                 wrong()

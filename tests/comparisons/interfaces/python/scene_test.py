@@ -63,6 +63,13 @@ class SceneTest(unittest.TestCase):
                           copy.copy(rockstack.Scene(table)), pickle.loads(pickle.dumps(rockstack.Scene(table)))):
                 np.testing.assert_array_equal(rockstack.solve(scene).angles, wanted)
 
+    def test_texts_read_as_they_were_given(self):
+        title = "".join(map(chr, range(1, 0x100))) + "\u2028\U0001f4d0"
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "scene.toml"
+            file.write_text(rocking(title=title).to_toml(), encoding="utf-8")
+            self.assertEqual(rockstack.Scene.read(file).title, title)
+
     def test_numbers_of_any_kind_are_numbers(self):
         wanted = rocking().to_dict()
         for block in ({key: np.float64(value) for key, value in BLOCK.items()},

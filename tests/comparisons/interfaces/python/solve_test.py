@@ -74,6 +74,13 @@ class SolveTest(unittest.TestCase):
                 rockstack.solve(rocking(), **options)
         with self.assertRaises(TypeError):
             rockstack.solve({"duration": 1.0})
+        vary = [{"key": "gravity", "values": [9.0]}]
+        for wrong in (0, -1, 1025, 10 ** 6):
+            for call in (lambda: rockstack.solve_many([rocking()], threads=wrong),
+                         lambda: rockstack.sweep(scene=rocking(), vary=vary, threads=wrong),
+                         lambda: rockstack.compare(rocking(), jobs=wrong)):
+                with self.assertRaisesRegex(rockstack.InputError, f"(threads|jobs) = {wrong}: must be from 1 to 1024"):
+                    call()
 
     def test_many_are_the_ones(self):
         scenes = [rocking(initial={"angles": [angle]}, duration=duration)

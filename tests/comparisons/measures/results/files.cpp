@@ -63,35 +63,60 @@ TEST(Files, NamesOfFoldersAreShortAndStillTellTextsApart) {
   }
 }
 
+/// Why a folder cannot take results; empty where it can.
+std::string refusal(const std::filesystem::path& folder, Results kind) {
+  try {
+    const ResultsFolder results(folder, kind);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
 TEST(Files, AFolderHoldsResultsOfOneKindWithoutThoseOfBefore) {
   const TemporaryFolder folder;
-  folder.write("fits.csv", "stale");
-  folder.write("kept.txt", "a user's own");
-  std::filesystem::create_directories(folder.path() / "runs" / "a");
-  std::filesystem::create_directories(folder.path() / "figures");
   {
     const ResultsFolder results(folder.path(), Results::comparison);
-    EXPECT_THROW((ResultsFolder{folder.path(), Results::comparison}), InputError) << "one at a time";
+    folder.write("fits.csv", "stale");
+    folder.write("kept.txt", "a user's own, put there later");
+    std::filesystem::create_directories(folder.path() / "runs" / "a");
+    std::filesystem::create_directories(folder.path() / "figures");
+    EXPECT_EQ(
+        refusal(folder.path(), Results::comparison),
+        "--out " + folder.path().string() + ": must be a folder that no other run writes into just now");
   }
+  EXPECT_EQ(refusal(folder.path(), Results::comparison), "");
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "fits.csv"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "figures"));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "kept.txt"));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs" / "a"));
-  EXPECT_NO_THROW((ResultsFolder{folder.path(), Results::comparison}));
-  try {
-    const ResultsFolder results(folder.path(), Results::sweep);
-    FAIL() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.what(),
-              "--out " + folder.path().string() + ": must be a folder of its own: it holds a comparison");
-  }
+  EXPECT_EQ(refusal(folder.path(), Results::sweep),
+            "--out " + folder.path().string() + ": must be a folder of its own: it holds a comparison");
 }
 
-TEST(Files, FoldersAreMadeOrTakenAndLeftEmpty) {
+TEST(Files, AFolderWithFilesOfOthersIsLeftAlone) {
   const TemporaryFolder folder;
-  prepare_folder(folder.path() / "a" / "b");
-  prepare_folder(folder.path() / "a" / "b");
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "a" / "b"));
+  folder.write(".hidden", "of the desktop");
+  EXPECT_EQ(refusal(folder.path(), Results::motion), "");
+  std::filesystem::remove(folder.path() / ".results");
+  folder.write("report.html", "a report of a stranger");
+  EXPECT_EQ(refusal(folder.path(), Results::motion),
+            "--out " + folder.path().string() +
+                ": must be empty or hold results: report.html is there, and is not ours");
+  EXPECT_EQ(content(folder.path() / "report.html"), "a report of a stranger");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / ".results"));
+}
+
+TEST(Files, AFolderThatNothingComesIntoGoesAgain) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(refusal(folder.path() / "a" / "b", Results::motion), "");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  std::filesystem::create_directories(folder.path() / "a");
+  {
+    const ResultsFolder results(folder.path() / "a" / "b", Results::motion);
+    folder.write("a/b/history.csv", "time\n");
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "a" / "b" / "history.csv"));
 }
 
 TEST(Files, AFolderIsKeptForOneRunAtATime) {
@@ -106,8 +131,8 @@ TEST(Files, AFolderIsKeptForOneRunAtATime) {
 TEST(Files, AFolderThatIsAFileIsBadInput) {
   const TemporaryFolder folder;
   write_file(folder.path() / "a", "");
-  EXPECT_THROW(prepare_folder(folder.path() / "a"), InputError);
-  EXPECT_THROW(prepare_folder(folder.path() / "a" / "b"), InputError);
+  EXPECT_NE(refusal(folder.path() / "a", Results::motion), "");
+  EXPECT_NE(refusal(folder.path() / "a" / "b", Results::motion), "");
 }
 
 }  // namespace

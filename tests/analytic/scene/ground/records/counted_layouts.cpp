@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "analytic/scene/ground/records/formats.hpp"
 #include "tests/analytic/scene/ground/records/layouts.hpp"
 
@@ -50,6 +52,14 @@ TEST(CosmosRecord, ChannelsComeInOrderAndOtherQuantitiesAreLeftOut) {
   expect_samples(series[1], second, gal);
 }
 
+TEST(CosmosRecord, BlocksMayEndInWords) {
+  const std::string text = with(cosmos_channel(made_up_samples()), "/&  ----------  End of data",
+                                "End-of-data for Chan  1 acceleration");
+  const auto series = records::read_series("file", text + text);
+  ASSERT_EQ(series.size(), 2U);
+  expect_samples(series[1], made_up_samples(), gal);
+}
+
 TEST(CosmosRecord, MistakesAreRefused) {
   const auto samples = made_up_samples();
   const std::string text = cosmos_channel(samples);
@@ -95,6 +105,30 @@ TEST(Volume2Record, OldFilesNameNoFormatAndHaveNoEndMark) {
   const Record record = read_text(text);
   EXPECT_DOUBLE_EQ(record.interval, 0.02);
   expect_samples(record, made_up_samples(), gal);
+}
+
+// Ninety degrees of a sine of 0.35 g in ten steps: the peak is where the header says.
+TEST(Volume2Record, BracketsMayHoldTheUnitInThePlaceOfAFormat) {
+  std::vector<double> samples(40);
+  for (std::size_t k = 0; k < samples.size(); ++k)
+    samples[k] = 343.233 * std::sin(static_cast<double>(k) * std::acos(-1.0) / 20);
+  const std::string start = volume2_channel(samples);
+  const auto text = [&](const std::string& ending) {
+    return with(start.substr(0, start.find("   40 points of accel")), "  0.002500", "  0.000000") +
+           "   40 POINTS OF ACCEL DATA EQUALLY SPACED AT  .025 SEC.  " + ending + "\n" +
+           in_columns(samples, "%10.3f", 8) +
+           "   40 POINTS OF VELOC DATA EQUALLY SPACED AT  .025 SEC.  (UNITS: CM/SEC)\n" +
+           in_columns(samples, "%10.3f", 8) + "/&\n";
+  };
+  for (const char* ending : {"(UNITS: CM/SEC/SEC)", "UNITS: CM/SEC/SEC", "(8F10.3) (UNITS: CM/SEC/SEC)",
+                             "(UNITS: CM/SEC/SEC) (8F10.3)"}) {
+    const Record record = read_text(text(ending));
+    EXPECT_DOUBLE_EQ(record.interval, 0.025) << ending;
+    ASSERT_EQ(record.samples.size(), 40U) << ending;
+    EXPECT_DOUBLE_EQ(record.samples[10], 343.233 * gal) << ending;
+  }
+  EXPECT_EQ(error_of_text(text("(UNITS: CM/SEC)")),
+            "file:46: this line names no unit of acceleration: cm/sec2 or g");
 }
 
 TEST(Volume2Record, MistakesAreRefused) {

@@ -81,18 +81,23 @@ TEST_F(RecordFile, MissingEmptyAndOtherFilesAreRefused) {
 }
 
 TEST_F(RecordFile, BinaryIsRefusedAtItsFirstControlCharacter) {
+  write("padding", std::string(9, '\0'));
+  EXPECT_EQ(error_of("padding"), "padding:1: the file is empty");
   write("binary", "one\ntwo\n" + std::string("a\0b", 3));
   EXPECT_EQ(error_of("binary"), "binary:3: byte 0: not a text file");
 }
 
-TEST_F(RecordFile, WindowsLineEndsAndByteOrderMarkChangeNothing) {
+TEST_F(RecordFile, WindowsLineEndsPaddingOfDosAndByteOrderMarkChangeNothing) {
   for (const std::string& text : one_of_each_layout()) {
     const Record plain = read_record(write("plain", text));
-    const Record dressed =
-        read_record(write("dressed", "\xEF\xBB\xBF" + with_windows_line_ends(text) + "\x1A"));
-    EXPECT_EQ(dressed.samples, plain.samples) << text;
-    EXPECT_EQ(dressed.interval, plain.interval);
-    EXPECT_EQ(dressed.format, plain.format);
+    for (const std::string& padding : {std::string("\x1A"), std::string(93, '\x1A'), std::string(93, '\0'),
+                                       std::string("\x1A\r\n"), "\x1A" + std::string(7, '\0')}) {
+      const Record dressed =
+          read_record(write("dressed", "\xEF\xBB\xBF" + with_windows_line_ends(text) + padding));
+      EXPECT_EQ(dressed.samples, plain.samples) << text;
+      EXPECT_EQ(dressed.interval, plain.interval);
+      EXPECT_EQ(dressed.format, plain.format);
+    }
   }
 }
 

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "analytic/scene/messages/input_error.hpp"
+
+namespace rockstack {
+
+// The one place where JSON and MessagePack come in, from files, workers, pages and other ranks. As with TOML,
+// what has more than most_levels is refused: whatever reads, copies or writes it next goes down level by
+// level.
+
+/// Reads bytes of one of the two forms. @throws InputError that begins with `subject`, "x.json: " or "the
+/// message " as it may be, and says what is wrong.
+template <class Json>
+Json parse_bytes(std::string_view bytes, nlohmann::json::input_format_t form, const std::string& subject);
+
+/// The same of JSON, whose objects keep their order.
+nlohmann::ordered_json parse_json(std::string_view text, const std::string& subject);
+
+/// The same of a whole file. @throws InputError also where it cannot be read.
+nlohmann::ordered_json read_json(const std::filesystem::path& file);
+
+/// The error that something in a file is missing or of another kind.
+InputError wrong_json(const std::filesystem::path& file, const nlohmann::json::exception& error);
+
+/// What `read` makes of a file. @throws InputError as read_json(), and wrong_json().
+template <class Read>
+auto read_json(const std::filesystem::path& file, const Read& read) {
+  try {
+    return read(read_json(file));
+  } catch (const nlohmann::json::exception& error) {
+    throw wrong_json(file, error);
+  }
+}
+
+}  // namespace rockstack

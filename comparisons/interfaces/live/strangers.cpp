@@ -1,0 +1,54 @@
+#include "comparisons/interfaces/live/strangers.hpp"
+
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+
+namespace rockstack::live {
+namespace {
+
+bool is_silent(int socket) {
+  int bytes = 0;
+  return ioctl(socket, FIONREAD, &bytes) == 0 && bytes == 0;
+}
+
+}  // namespace
+
+void Strangers::queue() {
+  const std::lock_guard lock(mutex_);
+  ++open_;
+  make_room(-1);
+}
+
+void Strangers::enter(int socket) {
+  const std::lock_guard lock(mutex_);
+  sockets_.push_back(socket);
+  make_room(socket);
+}
+
+void Strangers::admit(int socket) {
+  const std::lock_guard lock(mutex_);
+  forget(socket);
+}
+
+void Strangers::leave(int socket) {
+  const std::lock_guard lock(mutex_);
+  forget(socket);
+  --open_;
+}
+
+void Strangers::make_room(int except) {
+  if (open_ <= threads_) return;
+  const auto silent = std::find_if(sockets_.begin(), sockets_.end(),
+                                   [&](int socket) { return socket != except && is_silent(socket); });
+  if (silent == sockets_.end()) return;
+  shutdown(*silent, SHUT_RDWR);
+  sockets_.erase(silent);
+}
+
+void Strangers::forget(int socket) {
+  std::erase(sockets_, socket);
+}
+
+}  // namespace rockstack::live

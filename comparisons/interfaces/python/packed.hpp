@@ -1,0 +1,94 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <concepts>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include "analytic/scene/ground/ground_motion.hpp"
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/messages/input_error.hpp"
+
+namespace rockstack::python {
+
+// Values as bytes and back, for processes that hand each other what they have computed; of one build, as
+// numbers are written as they lie in memory.
+
+template <class Value, class Kind>
+concept A = std::same_as<std::remove_const_t<Value>, Kind>;
+
+auto fields_of(A<Event> auto& event) {
+  return std::tie(event.time, event.kind, event.interface, event.from, event.to, event.angles, event.before,
+                  event.after, event.consistency, event.count);
+}
+
+auto fields_of(A<History> auto& history) {
+  return std::tie(history.blocks, history.times, history.angles, history.velocities, history.patterns,
+                  history.events, history.grazes, history.choices, history.slips, history.gaps,
+                  history.places, history.place_rates, history.reactions, history.spring_energies,
+                  history.peaks, history.slips_left, history.lifts, history.forces, history.impulses);
+}
+
+auto fields_of(A<GroundMotion> auto& motion) {
+  return std::tie(motion.interval, motion.samples, motion.source, motion.made_up, motion.pulse);
+}
+
+template <class List>
+constexpr bool is_list = requires(List list) {
+  list.resize(1);
+};
+
+template <class Value>
+void pack(const Value& value, std::string& bytes) {
+  if constexpr (std::is_trivially_copyable_v<Value>) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  } else if constexpr (is_list<Value>) {
+    pack(value.size(), bytes);
+    for (const auto& element : value) pack(element, bytes);
+  } else {
+    std::apply([&](const auto&... fields) { (pack(fields, bytes), ...); }, fields_of(value));
+  }
+}
+
+/// Takes a value off the front of some bytes. @throws InputError where they end in it.
+template <class Value>
+void unpack(Value& value, std::string_view& bytes) {
+  const auto require = [&](bool whole) {
+    if (!whole) throw InputError("packed numbers: must be whole, and of this build");
+  };
+  if constexpr (std::is_trivially_copyable_v<Value>) {
+    require(bytes.size() >= sizeof value);
+    std::memcpy(static_cast<void*>(&value), bytes.data(), sizeof value);
+    bytes.remove_prefix(sizeof value);
+  } else if constexpr (is_list<Value>) {
+    std::size_t size = 0;
+    unpack(size, bytes);
+    require(size <= bytes.size());
+    value.resize(size);
+    for (auto& element : value) unpack(element, bytes);
+  } else {
+    std::apply([&](auto&... fields) { (unpack(fields, bytes), ...); }, fields_of(value));
+  }
+}
+
+template <class Value>
+pybind11::bytes packed(const Value& value) {
+  std::string bytes;
+  pack(value, bytes);
+  return bytes;
+}
+
+/// @throws InputError for other bytes than packed() gives.
+template <class Value>
+Value unpacked(const pybind11::bytes& packed) {
+  auto bytes = packed.cast<std::string_view>();
+  Value value;
+  unpack(value, bytes);
+  return value;
+}
+
+}  // namespace rockstack::python
