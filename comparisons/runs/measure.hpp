@@ -10,9 +10,6 @@
 
 namespace rockstack {
 
-/// Of histories that have no step of their own, s.
-inline constexpr double sample_interval = 1e-3;
-
 /// Makes one run of a comparison: for the exact solution its history and events, up to where it was
 /// given up if it was; for others what compare_with_exact() adds; and its summary.json. A failure ends up in
 /// the summary. `runs_at_a_time`: how many share the machine with it, itself included.

@@ -5,7 +5,6 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
-#include "comparisons/runs/measure.hpp"
 
 namespace rockstack {
 

@@ -7,6 +7,9 @@
 
 namespace rockstack {
 
+/// Between samples of histories that have no step of their own, s.
+inline constexpr double sample_interval = 1e-3;
+
 /// Until when a scene can be predicted, s: the first time at which the exact motion of one of its draws,
 /// which hardly differ, is further than `tolerance` rad from its own, seen every sample_interval; its
 /// duration where none ever is. Later only distributions can be compared.

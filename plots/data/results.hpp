@@ -107,9 +107,9 @@ struct PaperStatement {
 struct Comparison {
   std::string title, command;
   std::vector<ComparedScene> scenes;
-  Facts definitions;     ///< what each column means
-  Facts environment;     ///< versions, compiler, processor
-  double tolerance = 0;  ///< rad, the difference up to which angles count as agreeing; > 0
+  Facts definitions;                  ///< what each column means
+  Facts environment;                  ///< versions, compiler, processor
+  double tolerance = 0;               ///< rad, the difference up to which angles count as agreeing; > 0
   std::vector<std::string> headline;  ///< what the comparison comes to, in sentences
   std::vector<std::string> left_out;
   std::vector<PaperStatement> statements;  ///< none where the suite does not ask for them

@@ -29,7 +29,7 @@ std::string thousandths(double value) {
   return fmt::format("{:.{}f}", shown, digits);
 }
 
-std::string cell(const std::optional<double>& value) {
+std::string shown_or_blank(const std::optional<double>& value) {
   return value ? thousandths(*value) : "";
 }
 
@@ -38,24 +38,25 @@ std::string angles(const RunMetrics& row) {
                                     ? fmt::format(" ({}-{})", thousandths(*row.rms_angle_difference_lower),
                                                   thousandths(*row.rms_angle_difference_upper))
                                     : "";
-  return cell(row.rms_angle_difference) + quartiles;
+  return shown_or_blank(row.rms_angle_difference) + quartiles;
 }
 
-std::string signed_cell(const std::optional<double>& value) {
+std::string signed_or_blank(const std::optional<double>& value) {
   return value ? (*value > 0 ? "+" : "") + thousandths(*value) : "";
 }
 
 void print_engine_row(const RunMetrics& row) {
-  fmt::print(line_format, cell(row.dt), row.rank == 1 ? "*" : "", set_name(row), angles(row),
-             cell(row.rms_position_difference), signed_cell(row.first_impact_time_difference),
-             cell(row.stepping_time_minimum), row.outcome);
+  fmt::print(line_format, shown_or_blank(row.dt), row.rank == 1 ? "*" : "", set_name(row), angles(row),
+             shown_or_blank(row.rms_position_difference), signed_or_blank(row.first_impact_time_difference),
+             shown_or_blank(row.stepping_time_minimum), row.outcome);
 }
 
 /// What there is to know of a scene before its engines.
 void print_exact_rows(const std::vector<RunMetrics>& rows) {
   for (const RunMetrics& row : rows) {
     if (row.engine != "exact") {
-      fmt::print("{:>9} {:<36} {:>19}\n", "", "exact, " + row.engine, cell(row.rms_angle_difference));
+      fmt::print("{:>9} {:<36} {:>19}\n", "", "exact, " + row.engine,
+                 shown_or_blank(row.rms_angle_difference));
       continue;
     }
     fmt::print("\n{}, law {}: ", row.scene, row.law);
