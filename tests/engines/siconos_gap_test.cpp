@@ -29,7 +29,7 @@ TEST(SiconosGap, IsThatOfTheStepThatLands) {
       double deepest = -1;  // of where a step may end, in hv
       for (int draw = 0; draw < 21; ++draw) {
         const double dt = 1e-3 * (1 + 0.003 * draw);
-        const Setup setup = set_up(scene, dt, parameters);
+        const rockstack::Setup setup = set_up(scene, dt, parameters);
         Trajectory trajectory = run(engine, setup, parameters, true);
         double speed = 0;
         for (const BodyState& body : trajectory.bodies) speed = std::max(speed, -body.velocity_y);

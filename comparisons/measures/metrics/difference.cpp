@@ -33,8 +33,8 @@ Difference difference(const History& first, const History& second) {
   Difference result{blocks,
                     {first.times.begin(), first.times.begin() + static_cast<std::ptrdiff_t>(count)},
                     std::vector<double>(count * blocks)};
-  for (std::size_t i = 0; i < result.angles.size(); ++i)
-    result.angles[i] = second.angles[i] - first.angles[i];
+  for (std::size_t i = 0; i < result.values.size(); ++i)
+    result.values[i] = second.angles[i] - first.angles[i];
   return result;
 }
 

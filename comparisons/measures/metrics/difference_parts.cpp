@@ -12,14 +12,14 @@ DifferenceParts difference_parts(const History& exact, const History& rigid, con
   const std::size_t samples = std::min({exact.size(), rigid.size(), soft.size(), engine.size()});
   for (Difference* part : {&parts.model, &parts.softness, &parts.step}) {
     part->times.resize(samples);
-    part->angles.resize(samples * part->blocks);
+    part->values.resize(samples * part->blocks);
   }
   return parts;
 }
 
 double share_of(const Difference& part, const Difference& whole) {
   const auto product = [&](const Difference& other) {
-    return std::inner_product(other.angles.begin(), other.angles.end(), whole.values.begin(), 0.0);
+    return std::inner_product(other.values.begin(), other.values.end(), whole.values.begin(), 0.0);
   };
   const double squares = product(whole);
   return squares > 0 ? product(part) / squares : std::nan("");
