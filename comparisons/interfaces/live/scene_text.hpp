@@ -19,9 +19,6 @@ Node scene_document(const nlohmann::ordered_json& scene);
 /// The same as the text of a scene file. Precondition: keys and values that a scene may have.
 std::string scene_file_text(const nlohmann::ordered_json& scene);
 
-/// A text as TOML, control characters escaped.
-std::string toml_text(const std::string& text);
-
 /// A value as TOML: a text, a number or an array of them.
 std::string toml_value(const nlohmann::ordered_json& value);
 

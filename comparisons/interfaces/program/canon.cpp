@@ -62,7 +62,7 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
         if (answer.verdict != "agrees" && answer.verdict != "converges") ++off;
         clear_progress(common);
         if (talk) print(head, answer);
-        show({++done, total, fmt::format("{} {} {}", engine->name(), settings, answer.scene), {}});
+        show({++done, total, fmt::format("{} {} {}", engine->name(), settings, answer.scene), {}, {}});
       }));
     }
   }

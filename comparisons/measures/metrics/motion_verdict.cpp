@@ -97,12 +97,20 @@ std::string lifting(const std::vector<InterfaceSummary>& interfaces) {
                      quantity_text(most->highest_lift, "m"));
 }
 
+/// From when on the motion is one of several that obey the laws of contact; empty where it is the only one.
+std::string alternative(const History& history) {
+  for (const Event& event : history.events)
+    if (event.consistency == Consistency::several)
+      return fmt::format("; from {:.4g} s on one of several motions that obey", event.time);
+  return "";
+}
+
 /// How far blocks slip and lift, where they may; else what must hold for them not to.
 std::string freedom(const History& history) {
   const std::vector<InterfaceSummary> interfaces = contact_summary(history);
   if (interfaces.empty()) return demand(history);
   const std::string text = slipping(interfaces) + lifting(interfaces);
-  return text.empty() ? "; nothing slips or lifts" : text;
+  return (text.empty() ? "; nothing slips or lifts" : text) + alternative(history);
 }
 
 /// "sinks by 86 mm", or nothing.

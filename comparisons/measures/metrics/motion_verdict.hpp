@@ -23,9 +23,10 @@ struct Support {
 Support support_of(const std::vector<double>& penetration, const std::vector<double>& unsupported_since);
 
 /// A motion in one line: whether it stands, rests or topples, which block comes nearest to its slenderness
-/// angle, and, of a history that was solved with SolveOptions::validity, the friction that it needs. Motion
-/// within a thousandth of the slenderness angles and without events counts as rest. Blocks that have sunk in
-/// or fallen off are told. Precondition: samples.
+/// angle, and, of a history that was solved with SolveOptions::validity, the friction that it needs; from
+/// when on it is one of several motions that obey the laws of contact. Motion within a thousandth of the
+/// slenderness angles and without events counts as rest. Blocks that have sunk in or fallen off are told.
+/// Precondition: samples.
 std::string motion_verdict(const Scene& scene, const History& history, const Support& support = {});
 
 }  // namespace rockstack

@@ -15,6 +15,9 @@ double dot(const Vec& a, const Vec& b) {
 double cross(const Vec& a, const Vec& b) {
   return a.x * b.y - a.y * b.x;
 }
+Vec combined(double first, const Vec& a, double second, const Vec& b) {
+  return {first * a.x + second * b.x, first * a.y + second * b.y};
+}
 
 /// A block that turns counterclockwise by −angle.
 struct Body {
@@ -29,12 +32,13 @@ struct Body {
   }
 };
 
-/// A point of one body that touches another, which may be the ground.
+/// Where two bodies touch; the lower one may be the ground.
 struct Touching {
   Body* upper;
   Body* lower;  ///< null: the ground
   Vec where, normal, tangent;
   double friction;
+  int pair = 0;  ///< of a pair of corners: its side, −1 or 1; normal and tangent are those of the lower face
   double push = 0, rub = 0;  ///< impulses, N·s
 
   Vec relative_velocity() const {
@@ -46,12 +50,13 @@ struct Touching {
     const Vec below = lower ? of(*lower) : Vec{0, 0};
     return {above.x - below.x, above.y - below.y};
   }
-  double mobility(const Vec& direction) const {
+  /// What an impulse along `cause` changes of the velocity along `effect`.
+  double mobility(const Vec& effect, const Vec& cause) const {
     double sum = 0;
     for (const Body* body : {upper, lower}) {
       if (!body) continue;
-      const double lever = cross({where.x - body->at.x, where.y - body->at.y}, direction);
-      sum += 1 / body->mass + lever * lever / body->inertia;
+      const Vec arm{where.x - body->at.x, where.y - body->at.y};
+      sum += dot(effect, cause) / body->mass + cross(arm, effect) * cross(arm, cause) / body->inertia;
     }
     return sum;
   }
@@ -68,18 +73,61 @@ struct Touching {
   /// How much the impulses change.
   double relax() {
     const double push_before = push;
-    push = std::max(0.0, push - dot(relative_velocity(), normal) / mobility(normal));
-    apply(normal, push - push_before);
     const double rub_before = rub;
-    const double limit = friction * push;
-    rub = std::clamp(rub - dot(relative_velocity(), tangent) / mobility(tangent), -limit, limit);
-    apply(tangent, rub - rub_before);
+    if (pair != 0) {
+      apply(normal, -push);
+      apply(tangent, -rub);
+      const Vec impulse = pair_impulse(relative_velocity());
+      push = dot(impulse, normal);
+      rub = dot(impulse, tangent);
+      apply(normal, push);
+      apply(tangent, rub);
+    } else {
+      push = std::max(0.0, push - dot(relative_velocity(), normal) / mobility(normal, normal));
+      apply(normal, push - push_before);
+      const double limit = friction * push;
+      rub = std::clamp(rub - dot(relative_velocity(), tangent) / mobility(tangent, tangent), -limit, limit);
+      apply(tangent, rub - rub_before);
+    }
     return std::abs(push - push_before) + std::abs(rub - rub_before);
+  }
+
+  /// Coulomb's law on one face, for a velocity without impulse: the impulse, and the way it slides, 0 where
+  /// it sticks or parts.
+  struct OnFace {
+    Vec impulse;
+    int slip;
+  };
+  OnFace on_face(const Vec& velocity, const Vec& across, const Vec& along) const {
+    const double approach = -dot(velocity, across);
+    if (approach <= 0) return {{0, 0}, 0};
+    const double nn = mobility(across, across);
+    const double nt = mobility(across, along);
+    const double tt = mobility(along, along);
+    const double drift = -dot(velocity, along);
+    const double stuck_push = (approach * tt - drift * nt) / (nn * tt - nt * nt);
+    const double stuck_rub = (drift * nn - approach * nt) / (nn * tt - nt * nt);
+    if (std::abs(stuck_rub) <= friction * stuck_push)
+      return {combined(stuck_push, across, stuck_rub, along), 0};
+    const int slip = stuck_rub > 0 ? -1 : 1;
+    const double slid_push = approach / (nn - friction * slip * nt);
+    return {combined(slid_push, across, -friction * slip * slid_push, along), slip};
+  }
+
+  /// Of a pair of corners, for a velocity without impulse: inward it slides along the lower face, outward the
+  /// upper one.
+  Vec pair_impulse(const Vec& velocity) const {
+    const OnFace lower_face = on_face(velocity, normal, tangent);
+    const bool parts = lower_face.impulse.x == 0 && lower_face.impulse.y == 0;
+    if (parts || lower_face.slip == -pair) return lower_face.impulse;
+    const bool outward = lower_face.slip != 0 || -pair * dot(lower_face.impulse, upper->along()) >
+                                                     friction * dot(lower_face.impulse, upper->up());
+    return outward ? on_face(velocity, upper->up(), upper->along()).impulse : lower_face.impulse;
   }
 };
 
-/// A corner of the upper block over the lower one's top, or of the lower one under the upper one's bottom.
-/// `reach` is how far apart, m, counts as touching.
+/// A corner of the upper block over the lower one's top, or of the lower one under the upper one's bottom, or
+/// both corners at one place. `reach` is how far apart, m, counts as touching.
 void add_corners(const Scene& scene, std::vector<Body>& bodies, std::size_t k, double friction, double reach,
                  std::vector<Touching>& touching) {
   const Block& block = scene.blocks[k];
@@ -92,11 +140,20 @@ void add_corners(const Scene& scene, std::vector<Body>& bodies, std::size_t k, d
       continue;
     }
     const Block& base = scene.blocks[k - 1];
+    const Vec other = lower->point(side * base.half_width, base.half_height);
+    const Vec drift{corner.x - other.x, corner.y - other.y};
+    // Blocks that turn drift apart by some ω²b dt²/2 in a step, which in time would make a pair one corner's
+    // contact. So pairs come together anew, until a slip takes them further.
+    if (std::hypot(drift.x, drift.y) <= reach) {
+      for (std::size_t above = k; above < bodies.size(); ++above)
+        bodies[above].at = {bodies[above].at.x - drift.x, bodies[above].at.y - drift.y};
+      touching.push_back({&upper, lower, corner, lower->up(), lower->along(), friction, side});
+      continue;
+    }
     const Vec on_base{corner.x - lower->at.x, corner.y - lower->at.y};
     if (dot(on_base, lower->up()) <= base.half_height + reach &&
         std::abs(dot(on_base, lower->along())) <= base.half_width)
       touching.push_back({&upper, lower, corner, lower->up(), lower->along(), friction});
-    const Vec other = lower->point(side * base.half_width, base.half_height);
     const Vec on_block{other.x - upper.at.x, other.y - upper.at.y};
     if (dot(on_block, upper.up()) + reach >= -block.half_height &&
         std::abs(dot(on_block, upper.along())) <= block.half_width)
@@ -129,8 +186,8 @@ Bodies time_stepped(const Scene& scene, double step, double stop) {
   };
   const auto steps = static_cast<int>(std::lround(scene.duration / step));
   const double length = scene.duration / steps;
-  // A share of a step's fall, so that what sweeps leave out does not decide whether a resting corner touches.
-  const double reach = 1e-3 * scene.gravity * length * length;
+  // Twice a step's fall, so that what steps leave out does not decide whether a corner touches.
+  const double reach = scene.gravity * length * length;
   std::vector<Touching> touching;
   for (int i = 0; i < steps; ++i) {
     move(length / 2);

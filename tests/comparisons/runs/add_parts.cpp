@@ -73,8 +73,8 @@ TEST(AddParts, PartsAreTheWhole) {
   const History rigid = solve(with_rigid_contacts(scene, {0.7}), {.sample_times = times});
   const History soft = solve(with_springs(scene, {0.7}, {1e6, 1e4}), {.sample_times = times});
   const Difference sum = whole_of(difference_parts(exact, rigid, soft, other));
-  for (std::size_t i = 0; i < sum.angles.size(); ++i)
-    ASSERT_NEAR(sum.angles[i], other.angles[i] - exact.angles[i], 1e-15) << "rounding of angles of 0.1 rad";
+  for (std::size_t i = 0; i < sum.values.size(); ++i)
+    ASSERT_NEAR(sum.values[i], other.angles[i] - exact.angles[i], 1e-15) << "rounding of angles of 0.1 rad";
 }
 
 // A block that lands on its base, so that one corner at a time bears: a stiffer spring of the same damping

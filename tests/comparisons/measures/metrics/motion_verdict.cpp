@@ -40,6 +40,23 @@ TEST(MotionVerdict, AnAccelerationBeyondWidthOverHeightTopples) {
   EXPECT_EQ(verdict_of(one_block(0, 9.0)).find("block 1 topples at 0."), 0U);
 }
 
+// Corner on corner the lower face would hold the upper block, T/N = 0.199, and the upper one not, 0.418.
+TEST(MotionVerdict, TellsFromWhenOnSeveralMotionsObey) {
+  Scene scene;
+  scene.duration = 0.02;
+  scene.law = Law::unilateral;
+  scene.blocks = {make_block(1, 1, 2500), make_block(1, 2, 2500)};
+  scene.initial = {{0, -0.2}, {0, 0}};
+  const auto verdict = [&](double friction) {
+    scene.friction = {friction, friction};
+    return motion_verdict(scene, solve(scene, {.sample_times = {0, 0.02}, .peaks = true}));
+  };
+  EXPECT_NE(verdict(0.3).find("block 2 slips by up to "), std::string::npos);
+  EXPECT_NE(verdict(0.3).find("; from 0 s on one of several motions that obey"), std::string::npos);
+  EXPECT_NE(verdict(0.43).find("nothing slips or lifts"), std::string::npos);
+  EXPECT_EQ(verdict(0.43).find("several"), std::string::npos);
+}
+
 TEST(MotionVerdict, AHistoryWithoutEventsIsJudgedByItsSamples) {
   const Scene scene = free_rocking(1);
   History history;
