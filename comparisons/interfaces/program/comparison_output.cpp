@@ -45,10 +45,15 @@ std::string signed_or_blank(const std::optional<double>& value) {
   return value ? (*value > 0 ? "+" : "") + thousandths(*value) : "";
 }
 
-void print_engine_row(const RunMetrics& row) {
-  fmt::print(line_format, shown_or_blank(row.dt), row.rank == 1 ? "*" : "", set_name(row), angles(row),
-             shown_or_blank(row.rms_position_difference), signed_or_blank(row.first_impact_time_difference),
-             shown_or_blank(row.stepping_time_minimum), row.outcome);
+/// Of one scene and step. Where nothing is told apart none is marked.
+void print_engine_rows(const std::vector<RunMetrics>& rows) {
+  const bool told =
+      std::any_of(rows.begin(), rows.end(), [](const RunMetrics& row) { return row.rank.value_or(1) > 1; });
+  for (const RunMetrics& row : rows)
+    fmt::print(line_format, shown_or_blank(row.dt), told && row.rank == 1 ? "*" : "", set_name(row),
+               angles(row), shown_or_blank(row.rms_position_difference),
+               signed_or_blank(row.first_impact_time_difference), shown_or_blank(row.stepping_time_minimum),
+               row.outcome);
 }
 
 /// What there is to know of a scene before its engines.
@@ -87,7 +92,8 @@ void print_legend(const std::vector<Suite>& suites, const Common& common) {
   fmt::print(
       "angles, centres: RMS differences from the exact motion up to the horizon{}\n"
       "impact: the first one, engine less exact; time: the shortest wall time of stepping\n"
-      "*: nearest of its scene and step; those that share it cannot be told apart\n",
+      "*: nearest of its scene and step; those that share it cannot be told apart, and none has it where no "
+      "row can\n",
       replicates > 1 ? fmt::format(", medians of {} replicates (quartiles)", replicates) : "");
   std::fflush(stdout);
 }
@@ -99,7 +105,7 @@ std::function<void(const std::vector<RunMetrics>&)> row_printer(const Common& co
     if (!rows.empty() && !is_engine(rows.front())) {
       print_exact_rows(rows);
     } else {
-      for (const RunMetrics& row : rows) print_engine_row(row);
+      print_engine_rows(rows);
     }
     std::fflush(stdout);
   };
