@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "analytic/scene/messages/number_text.hpp"
+#include "analytic/scene/pattern.hpp"
+#include "analytic/scene/scene.hpp"
+#include "analytic/scene/spring_checks.hpp"
+
+namespace rockstack {
+namespace {
+
+void validate_block(const Block& block, const std::string& key) {
+  require_positive(key + ".width", 2 * block.half_width);
+  require_positive(key + ".height", 2 * block.half_height);
+  require_positive(key + ".mass", block.mass);
+  // The mass times the square of a length: of a grain below 0.1 mm it is beyond 10⁻²⁰ kg·m².
+  const double square = largest_number * largest_number;
+  if (!(block.inertia >= block.mass / square && block.inertia <= block.mass * square)) {
+    throw FieldError(
+        key + ".inertia", number_text(block.inertia),
+        "a number from " + number_text(block.mass / square) + " to " + number_text(block.mass * square));
+  }
+  const auto require_inside = [&](const char* entry, double offset, double half) {
+    if (!(std::abs(offset) < half))
+      throw FieldError(key + ".center_of_mass." + entry, number_text(offset),
+                       "inside the block, between ±" + number_text(half) + " m");
+  };
+  require_inside("1", block.offset_x, block.half_width);
+  require_inside("2", block.offset_y, block.half_height);
+}
+
+bool is_off_middle(const Block& block) {
+  return block.offset_x != 0 || block.offset_y != 0;
+}
+
+void validate_inclination(const Scene& scene) {
+  double most = 0.25 * std::numbers::pi;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k)
+    most = std::min(most, std::numbers::pi / 2 - toppling_angle(scene, static_cast<int>(k)));
+  if (!(std::abs(scene.inclination) <= most))
+    throw FieldError("ground.inclination", number_text(scene.inclination),
+                     "between ±" + number_text(most) +
+                         " rad, half of what the largest slenderness of a block leaves of π/2");
+}
+
+void validate_restitution(const Scene& scene) {
+  const std::vector<double>& ratios = scene.restitution;
+  if (ratios.empty()) return;
+  if (ratios.size() != scene.blocks.size())
+    throw FieldError("restitution", "an array of " + std::to_string(ratios.size()),
+                     "as long as there are blocks, " + std::to_string(scene.blocks.size()));
+  for (std::size_t k = 0; k < ratios.size(); ++k) {
+    if (!(ratios[k] >= 0 && ratios[k] <= 1))
+      throw FieldError("restitution." + std::to_string(k + 1), number_text(ratios[k]),
+                       "a number from 0 to 1");
+  }
+}
+
+/// Of what only some equations and impacts are made for.
+void validate_off_middle(const Scene& scene) {
+  const auto off = std::find_if(scene.blocks.begin(), scene.blocks.end(), is_off_middle);
+  if (off == scene.blocks.end()) return;
+  const std::string key = "blocks." + std::to_string(off - scene.blocks.begin() + 1) + ".center_of_mass";
+  const std::string value = "[" + number_text(off->offset_x) + ", " + number_text(off->offset_y) + "]";
+  if (scene.equations == Equations::small_angle)
+    throw FieldError(key, value,
+                     "[0, 0] in small-angle equations, which are those of one half diagonal a block");
+  if (!scene.restitution.empty())
+    throw FieldError(key, value, "[0, 0] beside restitution, whose ratio might add energy otherwise");
+}
+
+void require_all_signed(const std::string& key, const std::vector<double>& values) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (!(std::abs(values[k]) <= largest_number))
+      require_signed(key + "." + std::to_string(k + 1), values[k]);
+  }
+}
+
+void validate_initial(const Scene& scene) {
+  const auto check = [&](const std::string& key, const std::vector<double>& values) {
+    if (values.size() != scene.blocks.size()) {
+      throw FieldError(key, "an array of " + std::to_string(values.size()),
+                       "as long as there are blocks, " + std::to_string(scene.blocks.size()));
+    }
+    require_all_signed(key, values);
+  };
+  check("initial.angles", scene.initial.angles);
+  check("initial.velocities", scene.initial.velocities);
+  if (!scene.initial.slip_velocities.empty()) check("initial.slip_velocities", scene.initial.slip_velocities);
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const double limit = toppling_angle(scene, static_cast<int>(k));
+    if (std::abs(scene.initial.angles[k]) >= limit) {
+      throw FieldError(
+          "initial.angles." + std::to_string(k + 1), number_text(scene.initial.angles[k]),
+          "between ±" + number_text(limit) + " for block " + std::to_string(k + 1) + ", its toppling angle");
+    }
+  }
+}
+
+void validate_friction(const std::vector<double>& friction, std::size_t blocks) {
+  if (friction.empty()) return;
+  require_one_each("contact.friction", friction, blocks);
+  for (std::size_t k = 0; k < blocks; ++k) {
+    if (!(friction[k] >= 0 && friction[k] <= largest_friction))
+      throw FieldError("contact.friction." + std::to_string(k + 1), number_text(friction[k]),
+                       "a number from 0 to " + number_text(largest_friction));
+  }
+}
+
+/// Of what is made for some laws alone.
+void validate_law(const Scene& scene) {
+  if (!leaves_pivots(scene.law)) {
+    const std::vector<double>& slips = scene.initial.slip_velocities;
+    if (std::any_of(slips.begin(), slips.end(), [](double slip) { return slip != 0; }))
+      throw FieldError("initial.slip_velocities", "not all 0",
+                       std::string("all 0 under law ") + name(scene.law) + ", where nothing slips");
+    return;
+  }
+  if (scene.equations != Equations::nonlinear)
+    throw FieldError("equations", scene.equations == Equations::linear ? "linear" : "small-angle",
+                     std::string("nonlinear under law ") + name(scene.law));
+  if (!scene.restitution.empty())
+    throw FieldError("restitution", "an array",
+                     std::string("left out under law ") + name(scene.law) +
+                         (scene.law == Law::unilateral ? ", where friction decides" : ", where dashpots do"));
+}
+
+void validate_pulse(const Pulse& pulse, const std::string& key) {
+  require_signed(key + ".amplitude", pulse.amplitude);
+  require_positive(key + ".period", pulse.period);
+  require_between(key + ".start", pulse.start, 0);
+  if (!(pulse.cycles > 1 && pulse.cycles <= 1e6) && pulse.shape == PulseShape::mavroeidis_papageorgiou) {
+    throw FieldError(key + ".cycles", number_text(pulse.cycles), "a number > 1, up to 1e+06");
+  }
+  if (!(pulse.cycles > 0))
+    throw FieldError(key + ".cycles", number_text(pulse.cycles), "a number > 0, or inf");
+  require_signed(key + ".phase", pulse.phase);
+}
+
+void validate_duration(const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  double turning = 0;  // m/s², towards the centre of what turns
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const double radius = std::hypot(scene.blocks[k].half_width, scene.blocks[k].half_height);
+    smallest = std::min(smallest, radius);
+    turning = std::max(turning, radius * scene.initial.velocities[k] * scene.initial.velocities[k]);
+  }
+  const auto strongest = [](const GroundMotion& motion) {
+    return motion.pulse ? std::abs(motion.pulse->amplitude) : peak(motion);
+  };
+  const double acceleration =
+      scene.gravity + strongest(scene.horizontal) + strongest(scene.vertical) + turning;
+  const double longest = 1e7 * std::sqrt(smallest / acceleration);
+  if (scene.duration > longest)
+    throw FieldError("duration", number_text(scene.duration),
+                     "at most " + number_text(longest) +
+                         " s, 10⁷ √(half a diagonal of the smallest block / the largest acceleration)");
+}
+
+}  // namespace
+
+void validate(const GroundMotion& motion, const std::string& key) {
+  if (motion.empty()) return;
+  if (motion.pulse) return validate_pulse(*motion.pulse, key);
+  require_positive(key + ".interval", motion.interval);
+  require_all_signed(key + ".samples", motion.samples);
+}
+
+void validate(const Scene& scene) {
+  require_positive("duration", scene.duration);
+  require_positive("gravity", scene.gravity);
+  if (scene.blocks.empty() || scene.blocks.size() > static_cast<std::size_t>(max_blocks)) {
+    throw FieldError("blocks", std::to_string(scene.blocks.size()) + " blocks",
+                     "1 to " + std::to_string(max_blocks) + " blocks");
+  }
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    validate_block(scene.blocks[k], "blocks." + std::to_string(k + 1));
+  }
+  validate_off_middle(scene);
+  validate_restitution(scene);
+  validate_law(scene);
+  validate_initial(scene);
+  validate_friction(scene.friction, scene.blocks.size());
+  validate_springs(scene);
+  validate_inclination(scene);
+  validate(scene.horizontal, "ground.horizontal");
+  validate(scene.vertical, "ground.vertical");
+  validate_duration(scene);
+  require_positive("engine.friction", scene.engine.friction);
+  if (!scene.friction.empty() && scene.engine.friction != EngineSurface().friction)
+    throw FieldError("engine.friction", number_text(scene.engine.friction),
+                     "left out beside contact.friction, which engines are given in its place");
+  require_positive("engine.depth", scene.engine.depth);
+}
+
+}  // namespace rockstack
