@@ -160,7 +160,9 @@ TEST(UnilateralCornerPairs, APairThatStartsToSlideDoesNotComeBackInTheSameInstan
     std::vector<double> slipped(4, -1);  // of each interface, from 1
     for (const ContactEvent& event : solve_unilateral(testing::equal_widths(seed)).events) {
       double& time = slipped[static_cast<std::size_t>(event.interface)];
-      if (event.kind == EventKind::corner) EXPECT_GT(event.time - time, 1e-6) << seed;
+      if (event.kind == EventKind::corner) {
+        EXPECT_GT(event.time - time, 1e-6) << seed;
+      }
       if (event.kind == EventKind::slip) time = event.time;
     }
   }
