@@ -191,9 +191,6 @@ void validate(const Scene& scene) {
   validate(scene.vertical, "ground.vertical");
   validate_duration(scene);
   require_positive("engine.friction", scene.engine.friction);
-  if (!scene.friction.empty() && scene.engine.friction != EngineSurface().friction)
-    throw FieldError("engine.friction", number_text(scene.engine.friction),
-                     "left out beside contact.friction, which engines are given in its place");
   require_positive("engine.depth", scene.engine.depth);
 }
 

@@ -78,7 +78,7 @@ SpringRate fastest_spring_rate(const Scene& scene) {
   swinging.rate = std::sqrt(square);
   dying.rate = damped;
   SpringRate& fastest = swinging.rate > dying.rate ? swinging : dying;
-  if (along > across) {
+  if (along > across && scene.springs.tangential > 1) {
     fastest.key = "contact.tangential";
     fastest.value = scene.springs.tangential;
   }

@@ -141,6 +141,7 @@ std::string spread_csv(const std::vector<DrawnRow>& rows) {
   CsvWriter csv;
   csv.line("run", "quantity", "draws", "least", "lower_quartile", "median", "upper_quartile", "greatest");
   for (const auto& [nominal, draws] : rows) {
+    if (draws.empty()) continue;
     for (const Column& column : columns()) {
       if (!column.drawn) continue;
       const std::vector<double> values = values_of(column, nominal, draws);

@@ -81,7 +81,7 @@ TEST_P(Adapters, UnknownParameterIsNamed) {
     start(*GetParam().engine, slender_block(1), 1e-3, given);
     FAIL() << "no error";
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("wishes = 3"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("wishes: no such parameter"), std::string::npos) << error.what();
   }
 }
 

@@ -37,6 +37,12 @@ std::optional<double> other_verdict(const TellingQuantity& /*quantity*/, const R
 constexpr std::pair<const char*, Better> told_columns[]{
     {"largest_angle_difference", Better::less},
     {"rms_angle_difference", Better::less},
+    {"error", Better::less},
+    {"largest_position_difference", Better::less},
+    {"rms_position_difference", Better::less},
+    {"position_agreement_time", Better::more},
+    {"sinking", Better::less},
+    {"peak_angle", Better::neither},
     {"magnitude_error", Better::nearer_zero},
     {"phase_error", Better::less},
     {"second_peak_difference", Better::nearer_zero},
@@ -93,6 +99,9 @@ const std::vector<TellingQuantity>& telling_quantities() {
 
 const std::vector<std::string>& untold_columns() {
   static const std::vector<std::string> list{"relative_angle_difference",
+                                             "relative_position_difference",
+                                             "exact_peak_angle",
+                                             "impacts",
                                              "impacts_matched",
                                              "impacts_matched_null",
                                              "impacts_missed_null",

@@ -12,8 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Json finite(double value) {
   return std::isfinite(value) ? Json(value) : Json();
 }
@@ -64,26 +62,6 @@ void add_open_questions(const History& history, std::vector<std::string>& lines)
   }
 }
 
-/// Springs that the weight above presses further than the block on them is high.
-void add_soft_springs(const Scene& scene, std::vector<std::string>& lines) {
-  const CornerSprings& springs = scene.springs;
-  double mass = 0;
-  for (std::size_t k = scene.blocks.size(); k-- > 0;) {
-    mass += scene.blocks[k].mass;
-    const double width = 2 * interface_half_width(scene, static_cast<int>(k));
-    const double corners = k < springs.stiffness.size() ? 2 * springs.stiffness[k] : infinity;
-    const double bed = k < springs.bed_stiffness.size() ? width * springs.bed_stiffness[k] : infinity;
-    const double depth = mass * scene.gravity / std::min(corners, bed);
-    const double height = 2 * scene.blocks[k].half_height;
-    if (depth <= height) continue;
-    lines.push_back(
-        fmt::format("interface {} has springs so soft that the weight above sinks {:.4g} m, further than "
-                    "block {} is high, "
-                    "{:.4g} m: real blocks would meet",
-                    k + 1, depth, k + 1, height));
-  }
-}
-
 }  // namespace
 
 Json validity_json(const History& history) {
@@ -100,7 +78,6 @@ std::vector<std::string> validity_warnings(const Scene& scene, const History& hi
   std::vector<std::string> lines;
   if (leaves_pivots(scene.law)) {
     add_open_questions(history, lines);
-    if (scene.law == Law::compliant) add_soft_springs(scene, lines);
   } else {
     add_warnings(scene, history.forces, "force", "N", lines);
     add_warnings(scene, history.impulses, "impulse", "N s", lines);

@@ -79,10 +79,6 @@ TEST(SceneErrors, FrictionAndSlip) {
        "scene.toml:13: contact.bed_damping = given: must be left out under law consistent: springs are for "
        "law "
        "compliant"},
-      {12, "[contact]\nfriction = 0.4\n[engine]\nfriction = 0.5",
-       "scene.toml:15: engine.friction = 0.5: must be left out beside contact.friction, which engines are "
-       "given "
-       "in its place"},
       {12, "springs = 1", "scene.toml:12: initial.springs = 1: must be \"loaded\" or \"unloaded\""},
   });
 }

@@ -88,8 +88,8 @@ class Unloaded : public ::testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(OnSpringsOrBeds, Unloaded, ::testing::Bool());
 
 // Masses in a column, set down without load: each comes to press the one above by an order of time later, and
-// nothing rubs or turns. Steps of a half leave a sixteenth of the error: what is left of the finer ones is a
-// fifteenth of their difference, as long as no force jumps, up to the first event.
+// nothing rubs or turns. Forces start with a kink, which leaves order two: what is left of steps of a half is
+// a third of what they change, up to the first event; half of it allows for higher orders.
 TEST_P(Unloaded, UprightColumnsStayUpright) {
   testing::Draw draw(3);
   for (int i = 0; i < 30; ++i) {
@@ -105,7 +105,7 @@ TEST_P(Unloaded, UprightColumnsStayUpright) {
     for (std::size_t k = 0; k < 3; ++k) {
       const BodyPlacement& at = history.last.at[k];
       const double height = below + scene.blocks[k].half_height + fine.height[k];
-      EXPECT_NEAR(at.y, height, std::abs(fine.height[k] - coarse.height[k]) / 4 + 1e-12) << i << ' ' << k;
+      EXPECT_NEAR(at.y, height, std::abs(fine.height[k] - coarse.height[k]) / 2 + 1e-12) << i << ' ' << k;
       EXPECT_NEAR(at.x, 0, 1e-15) << i;
       EXPECT_NEAR(at.angle, 0, 1e-15) << i;
       below += 2 * scene.blocks[k].half_height;
@@ -123,7 +123,9 @@ TEST_P(Unloaded, StacksThatLeanTogetherSetOff) {
     const ContactHistory history = solve_unilateral(scene, {.sample_times = {0, scene.duration}});
     const double change = testing::energy_with_losses(scene, history.samples.back()) -
                           testing::energy_with_losses(scene, history.samples.front());
-    EXPECT_NEAR(change, 0, 1e-11 * testing::weight_times_height(scene)) << i;
+    std::string kinds;
+    for (const ContactEvent& event : history.events) kinds += name(event.kind) + ' ';
+    EXPECT_NEAR(change, 0, 1e-11 * testing::weight_times_height(scene)) << i << ' ' << kinds;
     events += static_cast<int>(history.events.size());
   }
   EXPECT_GT(events, 200);

@@ -89,25 +89,5 @@ TEST(Validity, InfiniteRatiosAreNullInJson) {
   EXPECT_TRUE(json[0]["impulses"]["least_normal"].is_null());
 }
 
-// 1250 kg on two springs: 2 k times the depth is the weight.
-TEST(Validity, WarnsOfSpringsThatTheWeightPressesFurtherThanABlockIsHigh) {
-  Scene scene;
-  scene.law = Law::compliant;
-  scene.duration = 0.01;
-  scene.blocks = {make_block(0.5, 1.0, 2500)};
-  scene.initial = {{0}, {0}};
-  const double weight = scene.blocks[0].mass * scene.gravity;
-  scene.springs.stiffness = {weight / 2 * 1.01};
-  EXPECT_TRUE(validity_warnings(scene, solved(scene)).empty());
-  scene.springs.stiffness = {weight / 2 / 4};
-  ASSERT_EQ(validity_warnings(scene, solved(scene)).size(), 1U);
-  EXPECT_EQ(
-      validity_warnings(scene, solved(scene))[0],
-      "interface 1 has springs so soft that the weight above sinks 4 m, further than block 1 is high, 1 m: "
-      "real blocks would meet");
-  scene.springs = {.bed_stiffness = {weight / 0.5 / 3}};
-  EXPECT_EQ(validity_warnings(scene, solved(scene)).size(), 1U);
-}
-
 }  // namespace
 }  // namespace rockstack
