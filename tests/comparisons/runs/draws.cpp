@@ -135,7 +135,7 @@ TEST(Draws, RowsAreOfTheTimeUpToTheHorizonOfTheSceneHoweverManyDrawsThereAre) {
     const TemporaryFolder folder;
     Suite suite = suite_of(folder, engines().front());
     suite.draws = {.runs = runs, .scene = 1e-3};
-    suite.tolerance = 1e-3;
+    suite.tolerance = 2e-4;
     const auto rows = compare({suite}, folder.path(), {}).rows;
     horizons.push_back(*rows.at(0).horizon);
     EXPECT_EQ(rows.at(1).horizon, rows.at(0).horizon);

@@ -14,7 +14,7 @@ namespace {
 constexpr double round_off = 1e-11;  // of a solver's times and velocities, and of their differences
 
 Scene shipped_scene(const std::string& name) {
-  return read_scene(std::filesystem::path(ROCKSTACK_LESSONS) / "../scenes" / (name + ".toml"));
+  return read_scene(std::filesystem::path(ROCKSTACK_LESSONS) / "../../scenes" / (name + ".toml"));
 }
 
 // At ω² = p² h/b the ground's force points up the block: nothing slips before the impact, whatever the
