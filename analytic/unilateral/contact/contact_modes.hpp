@@ -101,7 +101,7 @@ template <class Real>
 std::optional<Joints<Real>> find_mode(const BasicFrictionStack<Real>& stack, Joints<Real> joints,
                                       const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free,
                                       Sought sought) {
-  const auto first = mode_on_faces(stack, joints, bodies, free, sought);
+  auto first = mode_on_faces(stack, joints, bodies, free, sought);
   const std::vector<int> pairs = open_pairs(stack, joints, sought);
   if (pairs.empty() || !first) return first;
   auto mode = first;

@@ -74,7 +74,7 @@ class GroundMotionTest(unittest.TestCase):
                               ({"samples": [1.0], "interval": 0.0}, "motion.interval = 0"),
                               ({"record": "nowhere.at2"}, "none is at"),
                               ({"samples": [1.0], "interval": 0.1, "period": 1}, "unknown key"),
-                              ({"samples": np.ma.masked_equal([1.0, -999.0], -999.0), "interval": 0.1}, "motion.samples: .*masked"),
+                              ({"samples": np.ma.masked_equal([1.0, -999.0], -999.0), "interval": 0.1}, "motion: samples: .*masked"),
                               ({"samples": [1.0, np.ma.masked], "interval": 0.1}, "masked"),
                               ({}, "record: missing")):
             with self.subTest(keys=str(keys)), self.assertRaisesRegex(rockstack.InputError, message):

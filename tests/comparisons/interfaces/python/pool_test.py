@@ -56,7 +56,7 @@ class PoolTest(unittest.TestCase):
                         self.same(value, other)
 
     def test_the_motion_up_to_where_it_was_given_up_comes_back(self):
-        chatter = rocking(blocks=[{"width": 0.1, "height": 2.0, "density": 2500.0}], initial={"angles": [1e-6]})
+        chatter = rocking(blocks=[{"width": 0.1, "height": 2.0, "density": 2500.0}], initial={"angles": [1e-6]}, duration=2.0)
         failure, = rockstack.solve_many([chatter], tolerance=1e-100, failures="keep")
         other = pickle.loads(pickle.dumps(failure))
         self.assertEqual(str(other), str(failure))

@@ -19,7 +19,7 @@ TWO = [{"width": 0.6, "height": 1.6, "density": 2500.0}, {"width": 0.5, "height"
 #: A block that rocks for days, followed in a minute by large steps; and on springs, which take half an hour.
 LONG = ("rockstack.Scene(duration=1e6, blocks=[dict(width=0.5, height=1.5, density=2500)], ground=dict("
         "horizontal=dict(pulse='sine', amplitude=3.6, period=0.5, cycles=1e9)))")
-ENDLESS = LONG + ".replace({'law': 'compliant', 'contact.stiffness': 1e8})"
+ENDLESS = LONG + ".replace({'law': 'compliant', 'contact.stiffness': 1e6})"
 
 
 def rocking(**changes) -> rockstack.Scene:
