@@ -54,7 +54,8 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, const char* unit, co
   std::vector<std::string> parts;
   for (const auto& [dt, range] : ranges(rows, value)) {
     const std::string least = text(*value(*range.least), unit, 2), most = text(*value(*range.most), unit, 2);
-    parts.push_back(quantity_text(dt, "s") + ": " + (least == most ? least : least + " to " + most));
+    parts.push_back(fmt::format("{}: {}", quantity_text(dt, "s"),
+                                least == most ? least : fmt::format("{} to {}", least, most)));
   }
   return fmt::format("{}", fmt::join(parts, "; "));
 }

@@ -20,12 +20,14 @@ using Json = nlohmann::ordered_json;
 
 std::vector<std::string> names_of(const std::vector<JudgedScene>& scenes) {
   std::vector<std::string> names;
+  names.reserve(scenes.size());
   for (const JudgedScene& scene : scenes) names.push_back(scene.name);
   return names;
 }
 
 std::vector<RunMetrics> row_list(const std::vector<ReplicatedRow>& rows) {
   std::vector<RunMetrics> list;
+  list.reserve(rows.size());
   for (const ReplicatedRow& one : rows) list.push_back(one.row);
   return list;
 }
@@ -55,6 +57,7 @@ std::vector<std::string> headline_of(const ComparisonEvidence& evidence,
   constexpr std::size_t most_events = 2;
   const auto& rows = evidence.rows;
   std::vector<std::string> sentences;
+  sentences.reserve(scenes.size() + 2);
   for (const JudgedScene& scene : scenes)
     sentences.push_back(toppling_sentence(evidence.distances, row_list(rows), scene.name));
   sentences.push_back(together(nearest_sentence(rows, names_of(scenes)), rest_sentence(rows, scenes)));
