@@ -18,6 +18,7 @@ void add_evidence(const RunMetrics& run, ReplicatedRow& row) {
 /// Ranks of the rows of one scene and step, given to them.
 void rank(const std::vector<ReplicatedRow*>& rows) {
   std::vector<ReplicatedRow> list;
+  list.reserve(rows.size());
   for (const ReplicatedRow* row : rows) list.push_back(*row);
   for (const RankedSet& set : rank_all(list))
     for (ReplicatedRow* one : rows)

@@ -77,7 +77,7 @@ SteppingTime time_solving(const Scene& scene, int repeats, const SolveOptions& o
     solve(scene, options);
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  return stepping_time(std::move(seconds));
+  return stepping_time(seconds);
 }
 
 /// How long a solved motion lasts, s.

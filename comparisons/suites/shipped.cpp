@@ -48,7 +48,7 @@ std::filesystem::path find_file(const std::string& input, const std::string& kin
 
 std::filesystem::path named_file(const Node& node, const std::string& kind,
                                  const std::filesystem::path& folder) {
-  const std::filesystem::path file = find_file(text(node), kind, folder);
+  std::filesystem::path file = find_file(text(node), kind, folder);
   std::error_code ignored;
   if (std::filesystem::exists(file, ignored)) return file;
   throw wrong_value(node, fmt::format("a file or a name from `rockstack list {}`, none is at {}", kind,
