@@ -78,6 +78,10 @@ std::vector<StepLine> step_lines(const Comparison& comparison, const std::string
   return lines;
 }
 
+std::vector<Run> ends_of(const StepLine& line) {
+  return line.size() < 2 ? std::vector<Run>{line.front()} : std::vector<Run>{line.back(), line.front()};
+}
+
 bool varies_iterations(const StepLine& line) {
   return line.size() > 1 && line.front().dt == line.back().dt && iterations_of(line.front()) > 0;
 }

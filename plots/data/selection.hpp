@@ -23,6 +23,9 @@ using StepLine = std::vector<Run>;
 /// Of each engine, solver and settings one line; default settings only where there are no tuned ones.
 std::vector<StepLine> shown_lines(const Comparison& comparison, const std::string& scene);
 
+/// A line's runs at its coarsest and its finest step; one where it has no more.
+std::vector<Run> ends_of(const StepLine& line);
+
 /// Whether the runs of a line differ in their iterations, at one step.
 bool varies_iterations(const StepLine& line);
 

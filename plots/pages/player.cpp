@@ -43,13 +43,15 @@ InterfaceForces read_forces(const std::filesystem::path& file, int blocks) {
   return forces;
 }
 
-Json track_of(const Run& run, const Json& events, std::size_t samples, bool shown) {
+/// `coarse`: another step of the same line has a track too.
+Json track_of(const Run& run, const Json& events, std::size_t samples, bool shown, bool coarse) {
   const auto history = history_of(run);
   const History merged = run.exact() ? with_events(*history) : History{};
   const History& motion = run.exact() ? merged : *history;
   const Style style = style_of(run);
-  Json track = player_track(motion, stride_for(motion.size(), samples),
-                            {run_label(run), style.colour, style.dash, shown, run.exact()});
+  Json track =
+      player_track(motion, stride_for(motion.size(), samples),
+                   {run_label(run), style.colour, coarse ? "(5,5)" : style.dash, shown, run.exact()});
   track["impacts"] = run.exact() ? exact_impacts(events) : own_impacts(run);
   if (const auto file = run.folder / "reactions.csv"; run.exact() && std::filesystem::exists(file)) {
     const InterfaceForces forces = read_forces(file, history->blocks);
@@ -58,7 +60,7 @@ Json track_of(const Run& run, const Json& events, std::size_t samples, bool show
   return track;
 }
 
-/// The exact run, and two engines that differ from it and from each other.
+/// The exact run, and two engines that differ from it and from each other, at their coarsest steps.
 std::set<std::string> shown_at_first(const std::vector<Run>& runs) {
   std::set<std::string> engines, names;
   for (const Run& run : runs)
@@ -76,9 +78,12 @@ std::size_t samples_for(std::size_t tracks, int blocks, bool slips, std::size_t 
 }
 
 Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size_t players) {
-  const Shown shown = shown_runs(comparison, scene.name);
-  std::vector<Run> runs = shown.exact;
-  runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
+  std::vector<Run> runs = shown_runs(comparison, scene.name).exact;
+  std::set<std::string> coarse;
+  for (const StepLine& line : shown_lines(comparison, scene.name)) {
+    for (const Run& run : ends_of(line)) runs.push_back(run);
+    if (line.size() > 1) coarse.insert(line.back().run);
+  }
   const Run& first = runs.front();
   const Json events = player_events(first.exact() ? *history_of(first) : History{}, scene.chatter_speed);
   PlayerScene stage{scene.title, scene.stack, scene.gravity, {}, {}, {}};
@@ -92,7 +97,8 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
   const std::size_t samples = samples_for(runs.size(), scene.blocks(), scene.slips, players);
   data["tracks"] = Json::array();
   for (const Run& run : runs)
-    data["tracks"].push_back(track_of(run, events, samples, seen.contains(run.run)));
+    data["tracks"].push_back(
+        track_of(run, events, samples, seen.contains(run.run), coarse.contains(run.run)));
   return data;
 }
 

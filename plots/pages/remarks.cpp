@@ -135,7 +135,7 @@ class Writer {
         {fmt::format("Rank {} of {}{}: with its {} set its error is {:.2g} times the least, in the "
                      "geometric mean of {} of scene and step; at {} most in {} ({:.2g}).",
                      set->rank, counted(ranking.size(), "set"),
-                     sharing > 1 ? fmt::format(", which {} share", sharing) : "", worst.settings,
+                     sharing > 1 ? fmt::format(", which {} share", sharing) : "", worst.settings, set->score,
                      counted(static_cast<std::size_t>(set->cells), "pair"), duration_text(value_of(worst.dt)),
                      worst.scene, value_of(worst.error)),
          again(worst)});

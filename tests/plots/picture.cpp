@@ -107,7 +107,7 @@ Picture read_picture(const std::filesystem::path& file) {
           group.find("rotate(-90") != std::string::npos || group.find("rotate(270") != std::string::npos};
       if (text.colour != "none" && !without_blanks(text.words).empty())
         picture.texts.push_back(std::move(text));
-    } else if (tag.starts_with("<use ")) {
+    } else if (tag.starts_with("<use ") && tag.find("#gpDot") == std::string::npos) {  // no middle of a range
       const std::vector<double> place = numbers_in(attribute(tag, "transform"));
       picture.marks.push_back({place.at(0), place.at(1), without_blanks(attribute(tag, "color"))});
     } else if (tag.starts_with("<path ")) {

@@ -119,10 +119,10 @@ struct SizeAxis {
   double low = 0, high = 0;
 };
 
-/// Of all scenes, two decades below the tolerance at least.
+/// Of all scenes, almost two decades below the tolerance at least, so that no number stands at the end.
 SizeAxis size_axis(const Comparison& comparison) {
   constexpr double decades_below = 1e-4, room = 1.5;
-  double low = comparison.tolerance / 100, high = comparison.tolerance * 10;
+  double low = comparison.tolerance / 80, high = comparison.tolerance * 10;
   for (const Run& run : comparison.runs)
     if (is_shown(run) && run.done() && run.error) {
       high = std::max(high, room * largest_of(run));
@@ -164,7 +164,7 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const Frame& frame, 
     times.push_back({"agrees until (s)", until.list(), scene.name, [axis](double width) {
                        return time_range(axis) + linear_tics("x", 0, axis.end, width);
                      }});
-    largest.push_back({"off by (rad, or share)", off.list(), scene.name});
+    largest.push_back({"off by (rad, or share)", off.list()});
   }
   constexpr double first = 20, between = 90;
   sheet.leave_room_above(from == 0 ? first : between);

@@ -96,8 +96,9 @@ struct BlockCurves {
   std::vector<std::string> names;  ///< of their data blocks
 };
 
-BlockCurves curves_of(Sheet& sheet, const std::vector<Run>& runs, int blocks, int block) {
-  const std::size_t bins = bins_for(runs.size() * static_cast<std::size_t>(blocks));
+/// `drawn`: how many curves the figure has for a block.
+BlockCurves curves_of(Sheet& sheet, const std::vector<Run>& runs, std::size_t drawn, int blocks, int block) {
+  const std::size_t bins = bins_for(drawn * static_cast<std::size_t>(blocks));
   BlockCurves list{runs, {}, {}};
   for (const Run& run : runs) {
     const auto history = history_of(run);
@@ -135,11 +136,6 @@ void add_angles(Sheet& sheet, const BlockCurves& curves, int blocks, int block, 
 }
 
 constexpr auto fine = "with lines lw 1.5", coarse = "with lines lw 1.5 dt (5,5)";
-
-/// A line's runs at its coarsest and its finest step.
-std::vector<Run> ends_of(const StepLine& line) {
-  return line.size() < 2 ? StepLine{line.front()} : StepLine{line.back(), line.front()};
-}
 
 std::string words_of(const StepLine& line) {
   const auto step = [&](const Run& run) {
@@ -188,7 +184,8 @@ Drawing draw_runs(const SceneSubject& subject, const std::vector<Run>& runs, boo
   const bool banded = runs.front().exact() && !pattern_spans(*history_of(runs.front())).empty();
   Sheet sheet = subject.sheet(legend, answer(runs, all));
   for (int k = 0; k < blocks; ++k)
-    add_angles(sheet, curves_of(sheet, runs, blocks, k), blocks, k, axis, k + 1 == blocks && !banded);
+    add_angles(sheet, curves_of(sheet, runs, runs.size(), blocks, k), blocks, k, axis,
+               k + 1 == blocks && !banded);
   if (banded) add_band(sheet, *history_of(runs.front()), axis.end);
   return sheet.finish();
 }
@@ -208,10 +205,11 @@ Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
   const TimeAxis axis = axis_of(subject, runs, legend);
   Sheet sheet = subject.sheet(legend, answer(runs, false));
   constexpr double first = 24, between = 24;
+  const std::size_t drawn = runs.size() + lines.size() * exact.size();
   sheet.leave_room_above(first);
   for (int k = 0; k < blocks; ++k) {
     if (k > 0) sheet.leave_room_above(between);
-    add_lines(sheet, curves_of(sheet, runs, blocks, k), lines, k, axis);
+    add_lines(sheet, curves_of(sheet, runs, drawn, blocks, k), lines, k, axis);
   }
   if (!exact.empty()) {
     constexpr double room = 70;

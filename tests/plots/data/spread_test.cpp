@@ -47,10 +47,12 @@ TEST(Draws, AreSortedAndThoseWithoutANumberDropped) {
 // An engine that is late but loses the same has the same losses, which add up to all that is lost.
 TEST(ImpactLosses, CountTheSameImpactsWheneverTheyCome) {
   const fs::path folder = testing::fresh_folder();
-  std::string energy = "time,exact,balance\n";
-  for (int i = 0; i <= 40; ++i)
-    energy += std::to_string(i) + "," + std::to_string(100 - 30 * (i >= 10) - 20 * (i >= 20)) + "," +
-              std::to_string(100 - 30 * (i >= 13) - 20 * (i >= 24)) + "\n";
+  std::string energy = "time,exact,engine,input,balance\n";
+  for (int i = 0; i <= 40; ++i) {
+    const std::string own = std::to_string(100 - 30 * (i >= 13) - 20 * (i >= 24));
+    energy += std::to_string(i) + "," + std::to_string(100 - 30 * (i >= 10) - 20 * (i >= 20)) + "," + own +
+              ",0," + own + "\n";
+  }
   plots::Run run = run_with(folder, "energy.csv", energy);
   run = run_with(folder, "impacts.csv",
                  "number,interface,exact_time,engine_time,difference,verdict\n1,1,9.5,12.5,3,matched\n"

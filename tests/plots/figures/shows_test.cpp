@@ -64,7 +64,7 @@ TEST(Shown, CurvesHaveTheExtentOfTheirHistories) {
   EXPECT_NEAR(extent_of(taken.picture, "rgb(154,154,154)") * slope,
               spread_of(history_of(shown.exact.front())->angles), pixel);
   ASSERT_EQ(shown.engines.size(), 1u);
-  const plots::Run& engine = shown.engines.front();
+  const plots::Run engine = shown.engines.front();
   EXPECT_NEAR(extent_of(taken.picture, colour_of(engine)) * slope, spread_of(history_of(engine)->angles),
               pixel);
   EXPECT_TRUE(taken.picture.says("Largest angles: exact 0.1"));
@@ -72,7 +72,7 @@ TEST(Shown, CurvesHaveTheExtentOfTheirHistories) {
 
 TEST(Shown, EachImpactIsAMarkAndSoIsWhatIsMissedOrAdded) {
   const Shot taken = shot({.blocks = 1, .impacts = 9}, "impact-times");
-  const plots::Run& engine = shown_runs(taken.comparison, "sample").engines.front();
+  const plots::Run engine = shown_runs(taken.comparison, "sample").engines.front();
   const auto impacts = impacts_of(engine);
   // And one in the legend.
   EXPECT_EQ(taken.picture.marks_of(colour_of(engine)).size(), impacts->size() + 1);
@@ -100,7 +100,7 @@ TEST(Shown, RowsAreRankedFromAbove) {
 
 TEST(Shown, DifferencesPassTheToleranceWhereTheFileDoes) {
   const Shot taken = shot({.blocks = 1, .results = {"histories"}}, "differences");
-  const plots::Run& engine = shown_runs(taken.comparison, "sample").engines.front();
+  const plots::Run engine = shown_runs(taken.comparison, "sample").engines.front();
   EXPECT_TRUE(taken.picture.says("tolerance"));
   // The large mark of the lowest row stands at the time, between the panel's edges at 0 and at 1.012 times 5
   // s.
