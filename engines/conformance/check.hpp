@@ -12,7 +12,8 @@ namespace rockstack {
 
 /// An engine, wherever it runs, with the parameters that it is to be judged by.
 struct Adapter {
-  Capabilities capabilities;
+  bool single_precision = false;
+  double lead = 0.5;  ///< as Capabilities have it, of these parameters
   Parameters parameters;
   /// Runs a scene and tells its bodies. @throws the engine's own error.
   std::function<Trajectory(const Setup&, const Parameters&)> run;

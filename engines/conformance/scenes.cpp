@@ -48,7 +48,7 @@ Adapter by_force(Adapter adapter) {
 }
 
 double rounding(const Adapter& adapter) {
-  return adapter.capabilities.single_precision ? std::numeric_limits<float>::epsilon()
+  return adapter.single_precision ? std::numeric_limits<float>::epsilon()
                                                : std::numeric_limits<double>::epsilon();
 }
 

@@ -170,6 +170,7 @@ json fields_of(const EngineDescription& engine) {
               {"single_precision", engine.capabilities.single_precision},
               {"planar", engine.capabilities.planar},
               {"lead", engine.capabilities.lead},
+              {"tuned_lead", engine.capabilities.tuned_lead},
               {"settings", json::array()}};
   for (const Setting& setting : engine.settings) {
     json one = object_of(setting, setting_fields);
@@ -196,17 +197,17 @@ Setting read_setting(const json& object) {
 }
 
 EngineDescription read_engine(const json& object) {
-  EngineDescription engine{text_field(object, "name"),
-                           text_field(object, "solver"),
-                           text_field(object, "version"),
-                           text_field(object, "licence"),
-                           {},
-                           {}};
+  EngineDescription engine;
+  engine.name = text_field(object, "name");
+  engine.solver = text_field(object, "solver");
+  engine.version = text_field(object, "version");
+  engine.licence = text_field(object, "licence");
   Capabilities& able = engine.capabilities;
   if (has_field(object, "largest_friction")) able.largest_friction = number_field(object, "largest_friction");
   if (has_field(object, "single_precision")) able.single_precision = flag_field(object, "single_precision");
   if (has_field(object, "planar")) able.planar = flag_field(object, "planar");
   if (has_field(object, "lead")) able.lead = number_field(object, "lead");
+  able.tuned_lead = has_field(object, "tuned_lead") ? number_field(object, "tuned_lead") : able.lead;
   engine.settings = read_list(object, "settings", read_setting);
   return engine;
 }

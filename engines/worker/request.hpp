@@ -13,13 +13,6 @@
 
 namespace rockstack {
 
-/// What a worker program says of an engine with one of its solvers.
-struct EngineDescription {
-  std::string name, solver, version, licence;
-  Capabilities capabilities;
-  std::vector<Setting> settings;
-};
-
 /// One run that a worker is asked for.
 struct RunRequest {
   std::string solver;

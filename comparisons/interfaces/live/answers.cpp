@@ -214,7 +214,7 @@ Json engine_answer(const LiveState& state, const WorkerRun& run, std::size_t str
   answer["impacts"] = impacts_of(observed_impacts(history, chatter_speed(state.scene)));
   Json track = track_of(history, stride);
   const WorkerEngine& engine = *state.series.engine;
-  track.update({{"label", engine.name() + ":" + engine.solver()},
+  track.update({{"label", engine.full_name()},
                 {"colour", "#0072b2"},
                 {"dash", "(8,3)"},
                 {"shown", true},

@@ -73,8 +73,7 @@ void print_untried(const Advice& advice, double within) {
   if (advice.untried.empty()) return;
   std::string list;
   for (const Untried& one : advice.untried)
-    list += fmt::format("{}{}:{} below {} s", list.empty() ? "" : ", ", one.engine->name(),
-                        one.engine->solver(), one.below);
+    list += fmt::format("{}{} below {} s", list.empty() ? "" : ", ", one.engine->full_name(), one.below);
   fmt::print("Not tried, as {} s would not do (--within): {}.\n", within, list);
 }
 
@@ -120,7 +119,7 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
     json["untried"] = nlohmann::ordered_json::array();
     for (const Untried& one : advice.untried)
       json["untried"].push_back(
-          {{"engine", one.engine->name()}, {"solver", one.engine->solver()}, {"below", one.below}});
+          {{"engine", one.engine->name}, {"solver", one.engine->solver}, {"below", one.below}});
     json["beyond"] = distributions_json(advice.beyond);
     fmt::print("{}\n", json.dump(2));
   } else if (!common.quiet) {

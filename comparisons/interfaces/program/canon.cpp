@@ -30,8 +30,8 @@ std::vector<const WorkerEngine*> chosen(const std::vector<std::string>& names) {
 }
 
 void print(const CanonRow& row, const CanonAnswer& answer) {
-  fmt::print("{:<28} {:<8} {:<16} {:<12} {}\n", row.engine->name() + ":" + row.engine->solver(), row.settings,
-             answer.scene, answer.verdict, answer.reason);
+  fmt::print("{:<28} {:<8} {:<16} {:<12} {}\n", row.engine->full_name(), row.settings, answer.scene,
+             answer.verdict, answer.reason);
   std::fflush(stdout);
 }
 
@@ -54,8 +54,7 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
     for (const std::string& settings : sets) {
       CanonRow& row = rows.emplace_back(CanonRow{engine, settings, {}});
       for (const NamedScene& scene : suite.scenes) {
-        const std::string what =
-            fmt::format("{}:{} {} {}", engine->name(), engine->solver(), settings, scene.name);
+        const std::string what = fmt::format("{} {} {}", engine->full_name(), settings, scene.name);
         show({done++, total, "", what, {}});
         row.answers.push_back(kept_canon_answer(suite, scene, *engine, settings, arguments.out / "answers"));
         if (!follows_law(row.answers.back())) ++off;

@@ -20,10 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string full_name(const WorkerEngine& engine) {
-  return engine.name() + ":" + engine.solver();
-}
-
 /// What became of a check.
 struct Finding {
   std::string engine, settings, check;
@@ -41,8 +37,9 @@ Parameters parameters_of(const WorkerEngine& engine, const std::string& settings
 }
 
 /// `warnings` counts those of all runs.
-Adapter adapter_of(const WorkerEngine& engine, const Parameters& parameters, std::size_t& warnings) {
-  return {engine.capabilities(), parameters,
+Adapter adapter_of(const WorkerEngine& engine, const std::string& settings, std::size_t& warnings) {
+  const Capabilities& able = engine.capabilities;
+  return {able.single_precision, settings == "tuned" ? able.tuned_lead : able.lead, parameters_of(engine, settings),
           [&engine, &warnings](const Setup& setup, const Parameters& given) {
             Trajectory made = run(engine, setup, given, true, limits);
             warnings += made.warnings;
@@ -51,11 +48,10 @@ Adapter adapter_of(const WorkerEngine& engine, const Parameters& parameters, std
 }
 
 Finding judge(const WorkerEngine& engine, const std::string& settings, const Check& check) {
-  Finding finding{full_name(engine), settings, check.name, "no run", 0, 0, "", 0};
-  const std::string limit = known_limit(engine.name(), engine.solver(), settings, check.name);
+  Finding finding{engine.full_name(), settings, check.name, "no run", 0, 0, "", 0};
+  const std::string limit = known_limit(engine.name, engine.solver, settings, check.name);
   try {
-    const Judgement verdict =
-        check.judge(adapter_of(engine, parameters_of(engine, settings), finding.warnings));
+    const Judgement verdict = check.judge(adapter_of(engine, settings, finding.warnings));
     finding.verdict = verdict.holds() ? "holds" : limit.empty() ? "fails" : "known limit";
     finding.value = verdict.value;
     finding.limit = verdict.limit;
@@ -93,19 +89,20 @@ bool tells_contacts(const WorkerEngine& engine, const std::string& settings) {
 }
 
 Json capabilities_json(const WorkerEngine& engine, bool tells_contacts) {
-  const Capabilities& able = engine.capabilities();
-  Json json{{"engine", full_name(engine)},
-            {"version", engine.version()},
-            {"licence", engine.licence()},
-            {"worker", engine.program().string()},
+  const Capabilities& able = engine.capabilities;
+  Json json{{"engine", engine.full_name()},
+            {"version", engine.version},
+            {"licence", engine.licence},
+            {"worker", engine.program.string()},
             {"largest_friction", std::isfinite(able.largest_friction) ? Json(able.largest_friction) : Json()},
             {"single_precision", able.single_precision},
             {"planar", able.planar},
             {"lead", able.lead},
+            {"tuned_lead", able.tuned_lead},
             {"moves_ground", engine.default_parameters().count("shaking") != 0},
             {"tells_contacts", tells_contacts},
             {"settings", Json::array()}};
-  for (const Setting& setting : engine.settings()) {
+  for (const Setting& setting : engine.settings) {
     json["settings"].push_back({{"name", setting.name},
                                 {"unit", setting.unit},
                                 {"default", setting.standard},
@@ -152,10 +149,10 @@ std::vector<std::string> both_if_empty(const std::vector<std::string>& settings)
 std::vector<const WorkerEngine*> engines_named(const std::string& name) {
   std::vector<const WorkerEngine*> list = chosen_engines(name);
   if (name.find_first_of(":/") != std::string::npos) return list;
-  const std::string& engine_name = list.front()->name();
+  const std::string& engine_name = list.front()->name;
   list.clear();
   for (const WorkerEngine& engine : engines()) {
-    if (engine.name() == engine_name) list.push_back(&engine);
+    if (engine.name == engine_name) list.push_back(&engine);
   }
   return list;
 }
@@ -177,7 +174,7 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
     try {
       report["engines"].push_back(capabilities_json(*engine, tells_contacts(*engine, sets.front())));
     } catch (const std::exception& error) {
-      tell({full_name(*engine), sets.front(), "FirstRun", "no run", 0, 0, error.what(), 0});
+      tell({engine->full_name(), sets.front(), "FirstRun", "no run", 0, 0, error.what(), 0});
       continue;
     }
     if (talk) print_capabilities(report["engines"].back());

@@ -38,9 +38,9 @@ py::dict to_dict(const Setting& setting) {
 
 py::dict to_dict(const WorkerEngine& engine) {
   py::list settings;
-  for (const Setting& setting : engine.settings()) settings.append(to_dict(setting));
-  return py::dict(py::arg("name") = engine.name(), py::arg("solver") = engine.solver(),
-                  py::arg("version") = engine.version(), py::arg("licence") = engine.licence(),
+  for (const Setting& setting : engine.settings) settings.append(to_dict(setting));
+  return py::dict(py::arg("name") = engine.name, py::arg("solver") = engine.solver,
+                  py::arg("version") = engine.version, py::arg("licence") = engine.licence,
                   py::arg("settings") = settings);
 }
 

@@ -222,8 +222,7 @@ CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const
   const std::string identity = identity_of(suite, scene, make_series(engine, settings, {}));
   const fs::path file =
       folder /
-      (folder_name(fmt::format("{}-{}-{}-{}", engine.name(), engine.solver(), settings, scene.name)) +
-       ".json");
+      (folder_name(fmt::format("{}-{}-{}-{}", engine.name, engine.solver, settings, scene.name)) + ".json");
   if (auto kept = kept_answer(file, identity)) return *std::move(kept);
   CanonAnswer answer = answer_canon(suite, scene, engine, settings);
   fs::create_directories(folder);
@@ -249,9 +248,9 @@ std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, co
     engines.push_back(row.engine);
     Json answers = Json::array();
     for (const CanonAnswer& answer : row.answers) answers.push_back(json_of(answer));
-    json["rows"].push_back({{"engine", row.engine->name()},
-                            {"solver", row.engine->solver()},
-                            {"version", row.engine->version()},
+    json["rows"].push_back({{"engine", row.engine->name},
+                            {"solver", row.engine->solver},
+                            {"version", row.engine->version},
                             {"settings", row.settings},
                             {"answers", std::move(answers)}});
   }
@@ -264,7 +263,7 @@ std::string canon_csv(const std::vector<CanonRow>& rows) {
   csv.line("engine", "solver", "settings", "scene", "verdict", "reason", "dt", "steps_off", "amount", "unit");
   for (const CanonRow& row : rows) {
     const auto line = [&](const CanonAnswer& answer, const auto&... values) {
-      csv.line(row.engine->name(), row.engine->solver(), row.settings, answer.scene, answer.verdict,
+      csv.line(row.engine->name, row.engine->solver, row.settings, answer.scene, answer.verdict,
                answer.reason, values...);
     };
     for (const CanonAnswer& answer : row.answers) {

@@ -40,9 +40,14 @@ Reply full_reply() {
 }
 
 Reply full_description() {
-  EngineDescription engine{"ode", "step", "0.16", "BSD-3-Clause", {}, {}};
-  engine.capabilities = {.largest_friction = 10, .single_precision = true, .planar = true, .lead = 0};
-  engine.settings = {{"erp", 0.1, 0.2, 0, HUGE_VAL, true, {"soft", "hard"}, "m/s"}, {"cfm", 1, 2, 0, 3}};
+  const EngineDescription engine{
+      .name = "ode",
+      .solver = "step",
+      .version = "0.16",
+      .licence = "BSD-3-Clause",
+      .capabilities = {.largest_friction = 10, .single_precision = true, .planar = true, .lead = 0, .tuned_lead = 1},
+      .settings = {{.name = "erp", .unit = "m/s", .choices = {"soft", "hard"}, .standard = 0.1, .tuned = 0.2, .most = HUGE_VAL},
+                   {.name = "cfm", .standard = 1, .tuned = 2, .most = 3}}};
   return {{engine, engine}, {}};
 }
 

@@ -28,7 +28,7 @@ Scene one_block(double duration) {
 const WorkerEngine& faulty(const std::string& solver) {
   static const std::vector<WorkerEngine> engines = engines_of(FAULTY_WORKER);
   return *std::find_if(engines.begin(), engines.end(),
-                       [&](const WorkerEngine& engine) { return engine.solver() == solver; });
+                       [&](const WorkerEngine& engine) { return engine.solver == solver; });
 }
 
 WorkerRun run(const std::string& solver, const Limits& limits = {}) {
@@ -38,8 +38,8 @@ WorkerRun run(const std::string& solver, const Limits& limits = {}) {
 
 TEST(Workers, DescribeTheirEngines) {
   const WorkerEngine& engine = faulty("fine");
-  EXPECT_EQ(engine.name(), "faulty");
-  EXPECT_EQ(engine.version(), "1");
+  EXPECT_EQ(engine.name, "faulty");
+  EXPECT_EQ(engine.version, "1");
   EXPECT_EQ(engine.default_parameters(), (Parameters{{"strength", 1}}));
   EXPECT_EQ(engine.tuned_parameters(), (Parameters{{"strength", 2}}));
   EXPECT_EQ(engine.friction(1e3), 1e3);
@@ -214,14 +214,14 @@ TEST(Workers, GiveTheSameBitsAsTheEngineInThisProcess) {
   scene.initial.angles = {0.1};
   scene.horizontal = {0.1, {0, 1.5, -2.25, 0.3}, "", false, {}};
   for (const auto& engine : linked_engines()) {
-    const WorkerEngine& worker = find_engine(engine->name() + ":" + engine->solver());
+    const WorkerEngine& worker = find_engine(engine->full_name());
     const Parameters parameters = engine->tuned_parameters();
     EXPECT_EQ(worker.tuned_parameters(), parameters);
     const EngineRun here = simulate(*engine, scene, 1e-3, parameters);
     const EngineRun there = simulate(worker, scene, 1e-3, parameters);
     EXPECT_FALSE(there.bodies);
-    EXPECT_EQ(here.history.angles, there.history.angles) << engine->solver();
-    EXPECT_EQ(here.history.velocities, there.history.velocities) << engine->solver();
+    EXPECT_EQ(here.history.angles, there.history.angles) << engine->solver;
+    EXPECT_EQ(here.history.velocities, there.history.velocities) << engine->solver;
   }
 }
 
