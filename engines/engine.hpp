@@ -31,8 +31,8 @@ struct EngineDescription {
   std::string version = {};  ///< of the library in use, e.g. "3.24, double precision"
   std::string licence = {};  ///< of the library in use, by its SPDX name
   Capabilities capabilities = {};
-  /// Every setting, with its value in either set: `standard` is what a user gets who sets nothing but friction
-  /// and restitution, `tuned` suits this problem best; the adapter's head says why.
+  /// Every setting, with its value in either set: `standard` is what a user gets who sets nothing but
+  /// friction and restitution, `tuned` suits this problem best; the adapter's head says why.
   std::vector<Setting> settings = {};
 
   std::string full_name() const { return name + ":" + solver; }

@@ -33,7 +33,11 @@ std::string names_of(const std::vector<Setting>& settings) {
 }  // namespace
 
 Setting switch_setting(std::string name, bool standard, bool tuned) {
-  return {.name = std::move(name), .standard = standard ? 1.0 : 0.0, .tuned = tuned ? 1.0 : 0.0, .most = 1, .whole = true};
+  return {.name = std::move(name),
+          .standard = standard ? 1.0 : 0.0,
+          .tuned = tuned ? 1.0 : 0.0,
+          .most = 1,
+          .whole = true};
 }
 
 Setting shaking_setting() {

@@ -22,7 +22,8 @@ struct Setting {
   double standard = 0;
   double tuned = standard;
   double least = 0;
-  double most = choices.empty() ? std::numeric_limits<double>::infinity() : static_cast<double>(choices.size()) - 1;
+  double most =
+      choices.empty() ? std::numeric_limits<double>::infinity() : static_cast<double>(choices.size()) - 1;
   bool whole = !choices.empty();  ///< only whole numbers
 };
 

@@ -164,8 +164,8 @@ std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::
       for (const double dt : series.steps) {
         if (!runs.emplace(series.engine->name, series.engine->solver, series.settings, dt).second)
           throw InputError(fmt::format("{}: {}: must not name a run twice: {}:{}, {}, dt = {} s", table.place,
-                                       table.key, series.engine->name, series.engine->solver,
-                                       series.settings, dt));
+                                       table.key, series.engine->name, series.engine->solver, series.settings,
+                                       dt));
       }
       list.push_back(std::move(series));
     }

@@ -13,26 +13,28 @@
 namespace rockstack {
 
 std::vector<Engine> make_box2d() {
-  return {{{.name = "box2d",
-            .solver = "sequential-impulse",
-            .version = BOX2D_VERSION ", single precision",
-            .licence = "MIT",
-            .capabilities = {.single_precision = true, .planar = true},
-            .settings = {{.name = "velocityIterations",
-                          .standard = 8,
-                          .tuned = 50,
-                          .least = 1,
-                          .most = 1e6,
-                          .whole = true},
-                         {.name = "positionIterations", .standard = 3, .most = 1e6, .whole = true},
-                         switch_setting("warmStarting", true, true),
-                         switch_setting("continuousPhysics", true, false),
-                         {.name = "polygonRadius", .standard = b2_polygonRadius, .tuned = 0, .most = 1e3},
-                         {.name = "restitution", .most = 1},
-                         {.name = "restitutionThreshold", .standard = 1},
-                         {.name = "lengthUnit", .unit = "m", .standard = 1, .tuned = 0.02, .least = 1e-6, .most = 1e6},
-                         shaking_setting()}},
-           start_box2d}};
+  return {
+      {{.name = "box2d",
+        .solver = "sequential-impulse",
+        .version = BOX2D_VERSION ", single precision",
+        .licence = "MIT",
+        .capabilities = {.single_precision = true, .planar = true},
+        .settings =
+            {{.name = "velocityIterations",
+              .standard = 8,
+              .tuned = 50,
+              .least = 1,
+              .most = 1e6,
+              .whole = true},
+             {.name = "positionIterations", .standard = 3, .most = 1e6, .whole = true},
+             switch_setting("warmStarting", true, true),
+             switch_setting("continuousPhysics", true, false),
+             {.name = "polygonRadius", .standard = b2_polygonRadius, .tuned = 0, .most = 1e3},
+             {.name = "restitution", .most = 1},
+             {.name = "restitutionThreshold", .standard = 1},
+             {.name = "lengthUnit", .unit = "m", .standard = 1, .tuned = 0.02, .least = 1e-6, .most = 1e6},
+             shaking_setting()}},
+       start_box2d}};
 }
 
 }  // namespace rockstack

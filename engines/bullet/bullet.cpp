@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "engines/bullet/simulation.hpp"
+#include "engines/engine.hpp"
 
 namespace rockstack {
 namespace {
@@ -74,7 +75,11 @@ std::vector<Setting> settings_of(BulletSolver solver) {
       {.name = "globalCfm", .tuned = tuned.cfm},
       {.name = "sor", .standard = 1, .most = 2},
       switch_setting("splitImpulse", true, tuned.split),
-      {.name = "splitImpulsePenetrationThreshold", .unit = "m", .standard = -0.04F, .tuned = 0, .least = -endless},
+      {.name = "splitImpulsePenetrationThreshold",
+       .unit = "m",
+       .standard = -0.04F,
+       .tuned = 0,
+       .least = -endless},
       {.name = "splitImpulseTurnErp", .standard = 0.1F, .most = 1},
       {.name = "linearSlop", .unit = "m", .least = -1, .most = 1},
       {.name = "warmstartingFactor", .standard = 0.85, .tuned = tuned.warmstarting, .most = 1},
@@ -116,8 +121,8 @@ Engine with(BulletSolver solver, const char* name) {
 
 std::vector<Engine> make_bullet() {
   using enum BulletSolver;
-  return {with(sequential_impulse, "sequential-impulse"), with(nncg, "nncg"), with(mlcp_dantzig, "mlcp-dantzig"),
-          with(mlcp_lemke, "mlcp-lemke"), with(mlcp_pgs, "mlcp-pgs")};
+  return {with(sequential_impulse, "sequential-impulse"), with(nncg, "nncg"),
+          with(mlcp_dantzig, "mlcp-dantzig"), with(mlcp_lemke, "mlcp-lemke"), with(mlcp_pgs, "mlcp-pgs")};
 }
 
 }  // namespace rockstack

@@ -22,12 +22,13 @@ std::vector<Engine> make_chipmunk() {
             .version = fmt::format("{}, double precision", cpVersionString),
             .licence = "MIT",
             .capabilities = {.planar = true, .lead = -0.5},
-            .settings = {{.name = "iterations", .standard = 10, .tuned = 50, .least = 1, .most = 1e6, .whole = true},
-                         {.name = "collisionSlop", .unit = "m", .standard = 0.1F, .tuned = 1e-4},
-                         {.name = "collisionBias", .standard = bias, .most = 1},
-                         {.name = "collisionPersistence", .standard = 3, .least = 1, .most = 1e6, .whole = true},
-                         {.name = "elasticity", .most = 1},
-                         shaking_setting()}},
+            .settings =
+                {{.name = "iterations", .standard = 10, .tuned = 50, .least = 1, .most = 1e6, .whole = true},
+                 {.name = "collisionSlop", .unit = "m", .standard = 0.1F, .tuned = 1e-4},
+                 {.name = "collisionBias", .standard = bias, .most = 1},
+                 {.name = "collisionPersistence", .standard = 3, .least = 1, .most = 1e6, .whole = true},
+                 {.name = "elasticity", .most = 1},
+                 shaking_setting()}},
            start_chipmunk}};
 }
 

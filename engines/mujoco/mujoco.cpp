@@ -20,6 +20,7 @@
 
 #include <string>
 
+#include "engines/engine.hpp"
 #include "engines/mujoco/simulation.hpp"
 
 namespace rockstack {
@@ -39,7 +40,11 @@ std::vector<Setting> settings_of(MujocoSolver solver) {
        .tuned = 1e-3,
        .least = -stiffest,
        .most = stiffest},
-      {.name = "solref_dampratio", .standard = 1, .tuned = pgs ? 6.0 : 3.0, .least = -stiffest, .most = stiffest},
+      {.name = "solref_dampratio",
+       .standard = 1,
+       .tuned = pgs ? 6.0 : 3.0,
+       .least = -stiffest,
+       .most = stiffest},
       {.name = "solimp_d0", .standard = 0.9, .tuned = 0.995, .most = 1},
       {.name = "solimp_dwidth", .standard = 0.95, .tuned = 0.995, .most = 1},
       {.name = "solimp_width", .unit = "m", .standard = 1e-3},
@@ -48,7 +53,12 @@ std::vector<Setting> settings_of(MujocoSolver solver) {
       {.name = "margin", .unit = "m"},
       {.name = "gap", .unit = "m"},
       {.name = "impratio", .standard = 1, .least = 1e-6, .most = 1e6},
-      {.name = "iterations", .standard = 100, .tuned = pgs ? 300.0 : 100.0, .least = 1, .most = 1e6, .whole = true},
+      {.name = "iterations",
+       .standard = 100,
+       .tuned = pgs ? 300.0 : 100.0,
+       .least = 1,
+       .most = 1e6,
+       .whole = true},
       {.name = "tolerance", .standard = 1e-8, .tuned = 1e-12, .most = 1},
       {.name = "noslip_iterations", .most = 1e6, .whole = true},
       {.name = "noslip_tolerance", .standard = 1e-6, .most = 1},

@@ -44,8 +44,12 @@ std::vector<Setting> settings_of(OdeSolver solver) {
       shaking_setting(),
   };
   if (solver == OdeSolver::quickstep) {
-    settings.push_back(
-        {.name = "quickStepNumIterations", .standard = 20, .tuned = 100, .least = 1, .most = 1e6, .whole = true});
+    settings.push_back({.name = "quickStepNumIterations",
+                        .standard = 20,
+                        .tuned = 100,
+                        .least = 1,
+                        .most = 1e6,
+                        .whole = true});
     settings.push_back({.name = "quickStepW", .standard = 1.3, .most = 2});
     settings.push_back({.name = "randomSeed", .most = 4294967295.0, .whole = true});
   }

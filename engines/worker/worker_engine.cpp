@@ -95,8 +95,8 @@ Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
   try {
     return {read_run(end.reply, asked), end.processor_time};
   } catch (const std::exception& error) {
-    const std::string reason = fmt::format("{} gave a reply that cannot be read: {}",
-                                           engine.program.string(), heard(error.what()));
+    const std::string reason =
+        fmt::format("{} gave a reply that cannot be read: {}", engine.program.string(), heard(error.what()));
     return {{"failed", with_last_words(reason, end), {}, {}, 0}, end.processor_time};
   }
 }

@@ -73,8 +73,7 @@ std::vector<Parameters> more_settings(const WorkerEngine& engine) {
   if (engine.name == "siconos") return {{{"theta", 1}}, {{"gamma", 0}}};
   if (engine.name == "simbody")
     return {{{"integrator", 1}, {"transition_velocity", 0.1}, {"stiffness", 1e5}, {"dissipation", 1}}};
-  if (engine.name == "ode")
-    return {{{"contactStiffness", 1e8}, {"contactDamping", 1e5}}, {{"slip1", 1e-6}}};
+  if (engine.name == "ode") return {{{"contactStiffness", 1e8}, {"contactDamping", 1e5}}, {{"slip1", 1e-6}}};
   if (engine.name == "mujoco") {
     return {{{"cone", 0}},
             {{"gap", 1e-4}, {"margin", 2e-4}},
@@ -127,7 +126,7 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
 double tolerance(const WorkerEngine& engine) {
   if (engine.name == "ode") return 1e-9;
   return 2 * (engine.capabilities.single_precision ? std::numeric_limits<float>::epsilon()
-                                                     : std::numeric_limits<double>::epsilon());
+                                                   : std::numeric_limits<double>::epsilon());
 }
 
 class Bare : public testing::TestWithParam<Case> {};

@@ -15,7 +15,7 @@ namespace {
 std::vector<Engine> make_engines() {
   std::vector<Engine> list;
 #define ENGINE(name) \
-  for (Engine& engine : make_##name()) list.push_back(std::move(engine));
+  for (Engine & engine : make_##name()) list.push_back(std::move(engine));
   ROCKSTACK_LINKED_ENGINES
 #undef ENGINE
   return list;

@@ -104,7 +104,8 @@ Judgement judge(const Check& check, const Adapter& adapter) {
 
 /// The engine with its tuned set, as `mistake` has it, if any.
 Adapter adapter_of(const WorkerEngine& engine, const Mistake& mistake) {
-  return {engine.capabilities.single_precision, engine.capabilities.tuned_lead, engine.tuned_parameters(), [&](Setup setup, Parameters parameters) {
+  return {engine.capabilities.single_precision, engine.capabilities.tuned_lead, engine.tuned_parameters(),
+          [&](Setup setup, Parameters parameters) {
             if (mistake.question) mistake.question(setup);
             for (const auto& [name, value] : mistake.settings) {
               if (parameters.count(name) != 0) parameters[name] = value;

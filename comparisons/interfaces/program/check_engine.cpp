@@ -39,8 +39,8 @@ Parameters parameters_of(const WorkerEngine& engine, const std::string& settings
 /// `warnings` counts those of all runs.
 Adapter adapter_of(const WorkerEngine& engine, const std::string& settings, std::size_t& warnings) {
   const Capabilities& able = engine.capabilities;
-  return {able.single_precision, settings == "tuned" ? able.tuned_lead : able.lead, parameters_of(engine, settings),
-          [&engine, &warnings](const Setup& setup, const Parameters& given) {
+  return {able.single_precision, settings == "tuned" ? able.tuned_lead : able.lead,
+          parameters_of(engine, settings), [&engine, &warnings](const Setup& setup, const Parameters& given) {
             Trajectory made = run(engine, setup, given, true, limits);
             warnings += made.warnings;
             return made;

@@ -118,8 +118,8 @@ TEST(Suites, ParametersAreChangedOneSeriesEachCombination) {
   const WorkerEngine& engine = engines().front();
   const TemporaryFolder folder;
   folder.write("block.toml", block);
-  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n[[engines]]\nname = \"" +
-                           engine.name + "\"\nsettings = [\"tuned\"]\n[engines.parameters]\n";
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n[[engines]]\nname = \"" + engine.name +
+                           "\"\nsettings = [\"tuned\"]\n[engines.parameters]\n";
   const std::string name = engine.settings.front().name;
   const Suite suite = read_suite(folder.write("suite.toml", head + name + " = [2, 3]\n"), {});
   ASSERT_EQ(suite.series.size(), 2U);

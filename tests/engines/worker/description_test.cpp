@@ -127,13 +127,15 @@ TEST(Workers, WordsAreOneShortLineWhereverTheyAreTold) {
     is_fit(refusal(answers({{"rockstack", 1}, {"engines", json::array({wrong})}})), named);
   }
   is_fit(refusal(answers({{"rockstack", words}})), false);
-  const WorkerEngine other{{}, answers({{"rockstack", 1}, {"run", {{"status", "failed"}, {"reason", words}}}})};
+  const WorkerEngine other{{},
+                           answers({{"rockstack", 1}, {"run", {{"status", "failed"}, {"reason", words}}}})};
   is_fit(run_in_worker(other, one_block(), 0.125, {}, 0, {}).reason);
 }
 
 /// A worker's description with a change.
 std::string refusal_of(const std::function<void(EngineDescription&)>& change) {
-  EngineDescription engine{.name = "x", .solver = "y", .version = "1", .licence = "z", .settings = {shaking_setting()}};
+  EngineDescription engine{
+      .name = "x", .solver = "y", .version = "1", .licence = "z", .settings = {shaking_setting()}};
   change(engine);
   try {
     check_descriptions({engine});
