@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -31,6 +32,9 @@ struct EngineDescription {
   std::string version = {};  ///< of the library in use, e.g. "3.24, double precision"
   std::string licence = {};  ///< of the library in use, by its SPDX name
   Capabilities capabilities = {};
+  /// Steps that its runtime takes until they are as fast as they get; a worker takes so many before it times
+  /// any. 0: the first is no slower than the last.
+  std::size_t warm_up = 0;
   /// Every setting, with its value in either set: `standard` is what a user gets who sets nothing but
   /// friction and restitution, `tuned` suits this problem best; the adapter's head says why.
   std::vector<Setting> settings = {};

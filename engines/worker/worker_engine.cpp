@@ -55,6 +55,7 @@ std::uint64_t reply_limit(const RunRequest& asked) {
 RunRequest request(const WorkerEngine& engine, const Parameters& parameters, std::size_t repeats,
                    bool bodies) {
   RunRequest asked{engine.solver, {}, parameters, repeats, bodies};
+  if (repeats > 0) asked.warm_up = engine.warm_up;
   for (const Setting& setting : engine.settings) {
     if (setting.whole) asked.whole.insert(setting.name);
   }
@@ -141,6 +142,8 @@ WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double d
   result.processor_time = processor_time;
   result.peak_memory = run.peak_memory;
   if (result.status != "done") return result;
+  const std::size_t steps = run.trajectory.angles.size() / scene.blocks.size() - 1;
+  result.cold = run.warm_up.value_or(steps) < asked.warm_up;
   result.run = account_of(scene, asked.setup, std::move(run.trajectory), bodies);
   result.seconds = std::move(run.seconds);
   return result;

@@ -33,6 +33,7 @@ struct WorkerRun {
   std::string reason;           ///< why not done
   EngineRun run;                ///< where done
   std::vector<double> seconds;  ///< wall time of stepping alone, each timed run, s
+  bool cold = false;            ///< these are of a runtime that had not taken the steps to be warm
   double processor_time = 0;    ///< of the whole process, user and system, s
   double peak_memory = 0;       ///< likewise, bytes; 0 where the process did not come to say it
 };

@@ -56,6 +56,13 @@ const std::vector<Mistake>& mistakes() {
                     {"dissipation", 1},
                     // DART takes the product of both shapes' coefficients.
                     {"RestitutionCoeff", std::sqrt(0.2)}}},
+      // A block placed as before that ends a tenth of a millimetre above what it stands on.
+      {.name = "ContactsATenthOfAMillimetreLate",
+       .seen_by = "StackKeepsItsHeight",
+       .question =
+           [](Setup& setup) {
+             for (Placement& block : setup.blocks) block.height -= 2e-4;
+           }},
       {.name = "MarginOfFourCentimetres", .seen_by = "QuarterPeriodIsHousners", .question = fat},
       {.name = "MassWrongByOnePercent",
        .seen_by = "PairKeepsItsMomentum",
