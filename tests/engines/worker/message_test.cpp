@@ -26,6 +26,7 @@ Request full_request() {
                .steps = 2,
                .accelerations = {{1, -9}, {2, -8}},
                .ground = {{1, 2, 3, 4}, {5, 6, 7, 8}}};
+  run.warm_up = 4000;
   return {run};
 }
 
@@ -36,6 +37,7 @@ Reply full_reply() {
                     .bodies = {{.x = 1, .y = 2, .velocity_x = 3, .velocity_y = 4, .z = 5, .tilt = 6}, {}},
                     .contacts = ContactRecord{{0, 0.1}, 1, 2, 3e5, 40, {{0.05, 1, 0.3, -0.2}}},
                     .warnings = 4};
+  run.warm_up = 4002;
   return {{}, run};
 }
 
@@ -49,6 +51,7 @@ Reply full_description() {
                                                   .planar = true,
                                                   .lead = 0,
                                                   .tuned_lead = 1},
+                                 .warm_up = 4000,
                                  .settings = {{.name = "erp",
                                                .unit = "m/s",
                                                .choices = {"soft", "hard"},
@@ -99,6 +102,7 @@ TEST_P(Messages, HaveEveryFieldOfARequest) {
       [](RunRequest& run) { run.parameters["erp"] = 0.3; },
       [](RunRequest& run) { run.repeats = 4; },
       [](RunRequest& run) { run.bodies = false; },
+      [](RunRequest& run) { run.warm_up = 0; },
       [](RunRequest& run) { run.setup.dt = 2e-3; },
       [](RunRequest& run) { run.setup.steps = 7; },
       [](RunRequest& run) { run.setup.gravity.x = 7; },
@@ -141,6 +145,7 @@ TEST_P(Messages, HaveEveryFieldOfAReply) {
       [](RunReply& run) { run.reason = "because"; },
       [](RunReply& run) { run.seconds[1] = 7; },
       [](RunReply& run) { run.peak_memory = 7; },
+      [](RunReply& run) { run.warm_up.reset(); },
       [](RunReply& run) { run.trajectory.angles[0] = 7; },
       [](RunReply& run) { run.trajectory.velocities[0] = 7; },
       [](RunReply& run) { run.trajectory.warnings = 7; },

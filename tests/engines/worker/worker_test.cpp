@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "engines/worker/registry.hpp"
@@ -55,6 +56,15 @@ TEST(Workers, ReturnHistoryTimesAndWhatTheyTook) {
   EXPECT_GT(made.processor_time, 0);
   // No program with the C++ library fits into half a megabyte.
   EXPECT_GT(made.peak_memory, 5e5);
+}
+
+TEST(Workers, RuntimesWarmUpBeforeTheyAreTimed) {
+  WorkerEngine engine = faulty("fine");
+  engine.warm_up = 1000;
+  const WorkerRun made = run_in_worker(engine, one_block(0.5), 0.125, engine.tuned_parameters(), 2, {});
+  ASSERT_EQ(made.status, "done") << made.reason;
+  EXPECT_FALSE(made.cold);
+  EXPECT_EQ(made.seconds.size(), 2U);
 }
 
 TEST(Workers, MemoryIsTheirOwnNotThatOfWhoStartsThem) {
@@ -111,6 +121,23 @@ TEST(Workers, EndlessLoopMeetsTheTimeLimit) {
   const WorkerRun made = run("loop", limits);
   EXPECT_EQ(made.status, "time limit");
   EXPECT_EQ(made.reason, "not done after 0.3 s");
+}
+
+// Four threads to a processor get theirs in turn with it: by the clock it takes several times as long.
+TEST(Workers, WhatTheyWaitForABusyMachineIsNotOfTheirTime) {
+  std::vector<std::jthread> others;
+  const unsigned count = 4 * std::max(1U, std::thread::hardware_concurrency());
+  others.reserve(count);
+  for (unsigned i = 0; i < count; ++i) {
+    others.emplace_back([](const std::stop_token& enough) {
+      while (!enough.stop_requested()) continue;
+    });
+  }
+  Limits limits;
+  limits.time = 1;
+  const WorkerRun made = run("half-a-second", limits);
+  EXPECT_EQ(made.status, "done") << made.reason;
+  EXPECT_GE(made.processor_time, 0.5);
 }
 
 TEST(Workers, RunThatNobodyWantsAnyMoreIsStopped) {
