@@ -27,9 +27,9 @@ namespace rockstack {
 //   - Without a dashpot, a stretch beyond μN slips back to it at once, and is rubbed; one below it sticks.
 //   - Springs hold less than the depth of B stands for, k_t τ² + k δ² < k δ′². Then τ′ = 0, and the law
 //   itself
-//     jumps: the motion has gained the difference. As δ′ > δ for φ < 0 alone, where both ends press and φ is
-//     small, that is second order: with the slider at the end, τ = −a, it is less than ½kδ² sin²φ (k/k_t −
-//     1).
+//     jumps: the motion gains the difference. δ′ > δ for φ < 0 alone, where both ends press and φ is small.
+//     With the slider at the end, τ = −a, the gain ½k (δ′² − δ²) − ½k_t a² is largest for one a: it is at
+//     most ½k δ² sin²φ (1 − r)/(r − sin²φ), r = k_t/k > sin²φ. It counts as damped, with its sign.
 
 /// Puts a point that pushes on the corner of the other block at its end; `bodies` are where they are.
 template <class Real>

@@ -55,7 +55,7 @@ void pass(SlidingEnd& end) {
   pass_to_other_corner(end.stack, end.bodies, end.point);
 }
 
-// Depths and stretches round as places of a metre.
+// Depths round as places of a metre do, ten times, and stretches as what depths leave of them.
 TEST(CornerPass, CarriesDepthAndStretchOverWhereBothCornersAreAsFarInside) {
   for (const double angle : {-0.3, -1e-3, 1e-3, 0.3})
     for (const double tangential : {0.1, 1.0, 3.0}) {
@@ -63,7 +63,7 @@ TEST(CornerPass, CarriesDepthAndStretchOverWhereBothCornersAreAsFarInside) {
       pass(end);
       EXPECT_TRUE(end.point.corner_below);
       EXPECT_NEAR(end.rows().gap, -0.01, 1e-15);
-      EXPECT_NEAR(end.stretch(), 0.004, 1e-15);
+      EXPECT_NEAR(end.stretch(), 0.004, 1e-15 * (1 + 0.01 / (0.004 * tangential)));
     }
 }
 
@@ -103,7 +103,9 @@ TEST(CornerPass, KeepsWhatSpringsHoldOrGainsWhatTheLawSays) {
       ++gained;
       EXPECT_LT(angle, 0);
       EXPECT_NEAR(after, stiffness * other * other / 2, rounding);
-      EXPECT_LT(after - before, stiffness / 2 * std::pow(depth * std::sin(angle), 2) * (1 / tangential - 1));
+      const double square = std::pow(std::sin(angle), 2);
+      EXPECT_LE(after - before,
+                stiffness / 2 * depth * depth * square * (1 - tangential) / (tangential - square) + rounding);
     } else {
       EXPECT_NEAR(after, before, rounding);
     }
@@ -169,7 +171,7 @@ Scene sliding_scene(std::uint64_t seed) {
   }
   scene.initial.settled = draw.coin();
   scene.springs.tangential = std::pow(10, draw.between(-1, 0.7));
-  scene.inclination = draw.below(2) * draw.between(-0.15, 0.15);
+  scene.inclination = draw.below(2) * draw.between(-0.12, 0.12);
   return scene;
 }
 

@@ -68,10 +68,10 @@ Scene soft_scene(std::uint64_t seed, bool beds) {
   scene.duration = 0.3;
   if (!beds) return scene;
   put_on_beds(scene);
-  // What lies flat on a bed without load may not turn: it leans a little.
-  std::vector<double>& angles = scene.initial.angles;
+  // What lies flat on a bed without load may not turn.
+  auto& [angles, velocities, slips, settled] = scene.initial;
   for (std::size_t k = 0; k < angles.size(); ++k)
-    if (angles[k] == (k == 0 ? 0 : angles[k - 1])) angles[k] += draw.between(0.01, 0.05);
+    if (angles[k] == (k == 0 ? 0 : angles[k - 1])) velocities[k] = k == 0 ? 0 : velocities[k - 1];
   return scene;
 }
 
