@@ -67,10 +67,11 @@ void write_history(const fs::path& folder, const Sample& sample, double dt, doub
   }
 }
 
-/// One event of each kind that sliding and flight have, of two blocks.
-void write_sliding_events(std::ostream& events) {
-  for (const char* words : {"0.5,slip,2,R>C,R>C<", "1,lift-off,1,R>C<,-C<", "1.5,impact,1,-C<,LC<",
-                            "2,stick,2,LC<,LC", "2.5,corner,2,LC,LR", "3,fall,2,LR,L-"})
+/// One event of each kind that sliding and flight have, of two blocks; on springs corners part and touch.
+void write_sliding_events(std::ostream& events, bool springs) {
+  for (const char* words : {"0.5,slip,2,R>C,R>C<", springs ? "1,part,1,R>C<,-C<" : "1,lift-off,1,R>C<,-C<",
+                            springs ? "1.5,touch,1,-C<,LC<" : "1.5,impact,1,-C<,LC<", "2,stick,2,LC<,LC",
+                            "2.5,corner,2,LC,LR", "3,fall,2,LR,L-"})
     events << words << ",0,0,-1,1,0,0,consistent\n";
 }
 
@@ -80,7 +81,7 @@ void write_events(const fs::path& folder, const Sample& sample) {
   for (const char* stem : {"theta_", "omega_before_", "omega_after_"})
     write_header(events, stem, sample.blocks);
   events << ",consistency\n";
-  if (sample.slides) return write_sliding_events(events);
+  if (sample.slides) return write_sliding_events(events, sample.law == "compliant");
   for (int i = 1; i <= sample.impacts; ++i) {
     fmt::print(events, "{},impact,{},{},{}", i * period, 1 + i % sample.blocks, i % 2 == 1 ? "1a" : "2b",
                i % 2 == 1 ? "2b" : "1a");
@@ -159,7 +160,7 @@ void write_json(const fs::path& folder, const Sample& sample) {
       << R"({"title": "A sample <comparison>", "scenes": [{"name": "sample", "title": ")" << sample.title
       << R"(", "blocks": )" << sample.blocks << R"(, "stack": )" << stack_json(sample.blocks)
       << R"(, "gravity": 9.81, "chatter_speed": 0.01)"
-      << (sample.slides ? R"(, "law": "unilateral", "friction": [0.5, 0.5])" : "")
+      << (sample.slides ? R"(, "law": ")" + sample.law + R"(", "friction": [0.5, 0.5])" : "")
       << R"(, "toml": "duration = 5 # s & <b>not bold</b>\n")"
       << (sample.results.empty() ? "" : R"(, "results": )" + sample.results) << "}],"
       << (sample.distributions.empty() ? "" : R"("distributions": )" + sample.distributions + ",")

@@ -22,7 +22,8 @@ struct Sample {
   std::vector<double> steps{1e-2, 1e-3};  ///< s
   bool failed_row = false;
   bool shaken = false;             ///< whether the ground moves, along both axes
-  bool slides = false;             ///< whether its law is `unilateral`: blocks slip, fly and land
+  bool slides = false;             ///< whether blocks slip, fly and land
+  std::string law = "unilateral";  ///< of blocks that slide, or `compliant`
   std::string results = {};        ///< what was computed, as JSON; empty: the file does not say
   std::string distributions = {};  ///< over perturbed scenes, likewise
   std::string fits = {};           ///< of the errors over time steps, likewise
