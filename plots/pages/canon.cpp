@@ -1,4 +1,4 @@
-#include "plots/pages/canon.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <fmt/core.h>
 
@@ -10,7 +10,7 @@
 #include "plots/data/json_file.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
-#include "plots/pages/template.hpp"
+#include "plots/pages/templates.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -108,13 +108,8 @@ std::string content(const Json& canon) {
 
 }  // namespace
 
-bool has_canon(const fs::path& results) {
-  return fs::exists(results / "canon.json");
-}
-
 void write_canon_report(const fs::path& results) {
-  const fs::path file = results / "canon.json";
-  read_json(file, [&](const Json& canon) {
+  read_json(results / "canon.json", [&](const Json& canon) {
     write_file(results / "report.html", page({canon.at("title"), "report", content(canon)}));
   });
 }

@@ -11,8 +11,8 @@
 #include "comparisons/suites/shipped.hpp"
 #include "engines/worker/registry.hpp"
 #include "plots/pages/html.hpp"
-#include "plots/pages/player.hpp"
-#include "plots/pages/template.hpp"
+#include "plots/pages/player_data.hpp"
+#include "plots/pages/templates.hpp"
 
 namespace rockstack::live {
 namespace {

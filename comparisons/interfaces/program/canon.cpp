@@ -12,7 +12,7 @@
 #include "comparisons/suites/shipped.hpp"
 #include "engines/worker/registry.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/pages/canon.hpp"
+#include "plots/pages/show.hpp"
 #endif
 
 namespace rockstack {
@@ -68,7 +68,7 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
   write_file(arguments.out / "canon.json", json);
   if (common.json) fmt::print("{}", json);
 #ifdef ROCKSTACK_WITH_PLOTS
-  plots::write_canon_report(arguments.out);
+  plots::show(arguments.out);
   if (talk) fmt::print("report: {}\n", (arguments.out / "report.html").string());
 #endif
   if (talk)
