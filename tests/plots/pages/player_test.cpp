@@ -8,7 +8,7 @@ namespace rockstack::plots {
 namespace {
 
 /// What the player's script is given of a made-up motion whose blocks slip, fly and land under a law.
-Json data_under(const std::string& law) {
+Json data_under(Law law) {
   const std::filesystem::path folder = testing::fresh_folder();
   testing::write_sample(folder, {.engines = {}, .slides = true, .law = law});
   const Comparison comparison = read_comparison(folder);
@@ -24,8 +24,8 @@ std::vector<std::string> words(const Json& data) {
 }
 
 TEST(PlayerData, HasFrictionConesAndEveryEventInWordsUnderEachLawThatSlips) {
-  const Json rigid = data_under("unilateral");
-  const Json soft = data_under("compliant");
+  const Json rigid = data_under(Law::unilateral);
+  const Json soft = data_under(Law::compliant);
   EXPECT_EQ(rigid["friction"], Json({0.5, 0.5}));
   EXPECT_EQ(soft["friction"], Json({0.5, 0.5}));
   EXPECT_EQ(words(rigid),
