@@ -24,7 +24,8 @@ struct SolverRemarks {
   std::vector<Remark> list;
 };
 
-/// Solvers by the median over scenes of their errors, each over the least of its scene. Empty where has_scores() is false.
+/// Solvers by the median over scenes of their errors, each over the least of its scene. Empty where
+/// has_scores() is false.
 std::vector<SolverRemarks> remarks(const Comparison& comparison);
 
 /// The same as a section of a page; nothing where there is none.

@@ -82,10 +82,11 @@ void write_history(const fs::path& folder, const Sample& sample, double dt, doub
   }
 }
 
-/// One event of each kind that sliding and flight have, of two blocks.
-void write_sliding_events(std::ostream& events) {
-  for (const char* words : {"0.5,slip,2,R>C,R>C<", "1,lift-off,1,R>C<,-C<", "1.5,impact,1,-C<,LC<",
-                            "2,stick,2,LC<,LC", "2.5,corner,2,LC,LR", "3,fall,2,LR,L-"})
+/// One event of each kind that sliding and flight have, of two blocks; on springs corners part and touch.
+void write_sliding_events(std::ostream& events, bool springs) {
+  for (const char* words : {"0.5,slip,2,R>C,R>C<", springs ? "1,part,1,R>C<,-C<" : "1,lift-off,1,R>C<,-C<",
+                            springs ? "1.5,touch,1,-C<,LC<" : "1.5,impact,1,-C<,LC<", "2,stick,2,LC<,LC",
+                            "2.5,corner,2,LC,LR", "3,fall,2,LR,L-"})
     events << words << ",0,0,-1,1,0,0,consistent\n";
 }
 
@@ -95,7 +96,7 @@ void write_events(const fs::path& folder, const Sample& sample) {
   for (const char* stem : {"theta_", "omega_before_", "omega_after_"})
     write_header(events, stem, sample.blocks);
   events << ",consistency\n";
-  if (sample.slides) return write_sliding_events(events);
+  if (sample.slides) return write_sliding_events(events, sample.law == Law::compliant);
   for (int i = 1; i <= sample.impacts; ++i) {
     const std::string right = leaning(sample, Contact::right), left = leaning(sample, Contact::left);
     fmt::print(events, "{},impact,{},{},{}", i * period, 1 + i % sample.blocks, i % 2 == 1 ? right : left,
@@ -168,7 +169,7 @@ Scene scene_of(const Sample& sample) {
   Scene scene;
   scene.title = sample.title;
   scene.duration = duration;
-  if (sample.slides) scene.law = Law::unilateral;
+  if (sample.slides) scene.law = sample.law;
   scene.friction.assign(static_cast<std::size_t>(sample.blocks), 0.5);
   scene.blocks.assign(static_cast<std::size_t>(sample.blocks), {0.5, 1, 1000, 416.67});
   return scene;

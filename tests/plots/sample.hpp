@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "analytic/scene/scene.hpp"
+
 namespace rockstack::testing {
 
 /// One engine of a made-up comparison: it runs late by a little more at each impact, the more so at larger
@@ -23,7 +25,8 @@ struct Sample {
   bool failed_row = false;
   double predictable_time = 5;  ///< s, of 5
   bool shaken = false;          ///< whether the ground moves, along both axes
-  bool slides = false;          ///< whether its law is `unilateral`: blocks slip, fly and land
+  bool slides = false;          ///< whether blocks slip, fly and land
+  Law law = Law::unilateral;    ///< of blocks that slide, or `compliant`
   std::vector<std::string> results{"angles", "impacts", "patterns", "bodies",
                                    "histories"};  ///< what was computed
   std::string distributions = "[]";               ///< over perturbed scenes, as JSON

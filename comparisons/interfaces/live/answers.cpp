@@ -119,8 +119,7 @@ Json engine_answer(const LiveState& state, const WorkerRun& run, std::size_t str
   Json answer;
   answer["impacts"] = impacts_of(observed_impacts(history, chatter_speed(state.scene)));
   const WorkerEngine& engine = *state.series.engine;
-  Json track = plots::player_track(history, stride,
-                                   {engine.name() + ":" + engine.solver(), "#0072b2", "(8,3)", true, false});
+  Json track = plots::player_track(history, stride, {engine.full_name(), "#0072b2", "(8,3)", true, false});
   track["impacts"] = times_of(answer["impacts"]);
   answer["track"] = std::move(track);
   if (run.run.bodies) add_energies(answer, state.scene, history.times, run.run.bodies->energy, stride);

@@ -52,8 +52,8 @@ Json engine_list() {
   Json list = Json::array();
   for (const WorkerEngine& engine : engines()) {
     Json settings = Json::array();
-    for (const Setting& setting : engine.settings()) settings.push_back(setting_json(setting));
-    list.push_back({{"name", engine.name() + ":" + engine.solver()}, {"settings", settings}});
+    for (const Setting& setting : engine.settings) settings.push_back(setting_json(setting));
+    list.push_back({{"name", engine.full_name()}, {"settings", settings}});
   }
   return list;
 }
@@ -75,7 +75,7 @@ Json state_json(const PageStart& start, std::set<std::string>& records) {
              {"spread", 1e-3}};
   if (start.engine.empty()) return state;
   const WorkerEngine& engine = find_engine(start.engine);
-  state["engine"] = engine.name() + ":" + engine.solver();
+  state["engine"] = engine.full_name();
   return state;
 }
 

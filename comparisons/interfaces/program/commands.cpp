@@ -124,6 +124,15 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   return failed ? 1 : 0;
 }
 
+/// Which one it was where a name stands for several.
+void print_first_of(const std::vector<const WorkerEngine*>& engines, const Common& common) {
+  if (common.quiet || common.json) return;
+  std::vector<std::string> solvers;
+  solvers.reserve(engines.size());
+  for (const WorkerEngine* engine : engines) solvers.push_back(engine->solver);
+  fmt::print("engine: {}, the first of {}\n", engines.front()->full_name(), fmt::join(solvers, ", "));
+}
+
 }  // namespace
 
 NamedScene read_one_scene(const std::string& input, const Common& common) {
@@ -167,13 +176,15 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
 
 int simulate_command(const SimulateArguments& arguments, const Common& common) {
   require_positive_option("--dt", arguments.dt);
-  const WorkerEngine& engine = find_engine(arguments.engine);
+  const std::vector<const WorkerEngine*> named = engines_named(arguments.engine);
+  const WorkerEngine& engine = *named.front();
   const Parameters changes = read_parameters(arguments.parameters, engine);
   const auto scene = read_one_scene(arguments.scene, common);
   check_step(arguments.dt, scene.scene.duration);
   const ResultsFolder folder(arguments.out, Results::motion);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);
   const auto [history, support] = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
+  if (named.size() > 1) print_first_of(named, common);
   print_history(scene.scene, history, support, arguments.out, common);
   show_motion(arguments.out, arguments.plots, common);
   return 0;
