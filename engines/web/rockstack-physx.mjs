@@ -2,7 +2,7 @@
 // PhysX 5 beside the exact model. README.md in this folder says what is set in both sets and why.
 
 import { readFileSync } from 'node:fs';
-import { angles, neighbourMeans, onOff, serve, setting, turn, whole } from './worker.mjs';
+import { angles, groundReach, neighbourMeans, onOff, serve, setting, turn, whole } from './worker.mjs';
 
 const metres = { unit: 'm' };
 
@@ -18,11 +18,12 @@ const settings = (iterations) => [
   onOff('eENABLE_PCM', 1, 1),
   onOff('eENABLE_FRICTION_EVERY_ITERATION', 0, 0),
   onOff('eENABLE_STABILIZATION', 0, 0),
+  setting('ground', 0, 1, 0, 1, { whole: true, choices: ['plane', 'box'] }),
   setting('bounceThresholdVelocity', 2, 2, 1e-6, 1e3, { unit: 'm/s' }),
   setting('restitution', 0, 0, 0, 1),
 ];
 
-const gravityUp = turn(-Math.PI / 2);  // the library's plane has its normal along x
+const facingUp = turn(-Math.PI / 2);  // the library's plane has its normal along x
 
 /** The package's build knows browsers alone: it is to find one. */
 async function load() {
@@ -49,7 +50,7 @@ class Simulation {
     this.gravity = new px.PxVec3(0, 0, 0);
     this.scene = physics.createScene(this.describe(question.solver, dispatcher));
     const [ground, ...friction] = neighbourMeans(question.friction);
-    this.addGround(ground);
+    this.addGround(ground, groundReach(question.blocks));
     this.bodies = question.blocks.map((block, k) => this.addBlock(block, friction[k]));
   }
 
@@ -84,9 +85,12 @@ class Simulation {
     return new this.px.PxTransform(new this.px.PxVec3(x, y, 0), new this.px.PxQuat(qx, qy, qz, qw));
   }
 
-  addGround(friction) {
-    const ground = this.physics.createRigidStatic(this.pose(0, 0, gravityUp));
-    ground.attachShape(this.shape(new this.px.PxPlaneGeometry(), friction));
+  addGround(friction, reach) {
+    const box = this.given.ground !== 0;
+    const pose = box ? this.pose(0, -reach, turn(0)) : this.pose(0, 0, facingUp);
+    const ground = this.physics.createRigidStatic(pose);
+    const geometry = box ? new this.px.PxBoxGeometry(reach, reach, reach) : new this.px.PxPlaneGeometry();
+    ground.attachShape(this.shape(geometry, friction));
     this.scene.addActor(ground);
   }
 

@@ -5,7 +5,8 @@
 // `capabilities` and `solvers` are those of the description: each solver has its list of settings. `load()` gives the library.
 // `start(library, question)` gives a simulation: `step(pull)` takes one step under the body force `pull`, m/s²; `state(k)` is
 // block k's [x, y, angle, velocity_x, velocity_y, angular_velocity], angles clockwise, in space also z and the sine of the tilt.
-// Optional are `contacts()`, of the last step, and `end()`, which gives back what it holds.
+// Optional are `warnings()`, how many there were so far, `contacts()`, of the last step, and `end()`, which gives back what it
+// holds.
 
 import { readFileSync, writeSync } from 'node:fs';
 import { ContactWatch } from './contact_watch.mjs';
@@ -52,7 +53,8 @@ export function angles(x, y, z, w) {
   return { angle: -2 * Math.atan2(z, w) % (2 * Math.PI), tilt: 2 * Math.hypot(x, y) * Math.hypot(z, w) };
 }
 
-class NotFinite extends Error {}
+/** Of a motion whose numbers are none any more. */
+export class NotFinite extends Error {}
 
 function requireFinite(state, block, time) {
   if (state.every((value) => Math.abs(value) <= largestNumber)) return;
@@ -65,6 +67,7 @@ const columns = ['x', 'y', 'angles', 'velocity_x', 'velocity_y', 'velocities', '
 function record(simulation, question) {
   const lists = columns.map(() => []);
   const watch = question.bodies && simulation.contacts ? new ContactWatch(question) : undefined;
+  let warnings = 0;
   for (let step = 0; ; ++step) {
     const states = question.blocks.map((_, k) => simulation.state(k));
     states.forEach((state, k) => {
@@ -74,11 +77,13 @@ function record(simulation, question) {
     watch?.observe(step > 0 ? simulation.contacts() : [], states);
     const toppled = states.some((state, k) => Math.abs(state[2]) > question.toppling_angles[k]);
     if (step === question.steps || toppled) break;
+    const before = simulation.warnings?.();
     simulation.step(pullOf(question, step));
+    if (simulation.warnings?.() > before) ++warnings;
   }
   const filled = Object.fromEntries(columns.map((name, i) => [name, lists[i]]).filter(([, list]) => list.length > 0));
   const { angles: turned, velocities, ...bodies } = filled;
-  return { angles: turned, velocities, bodies, contacts: watch?.record() };
+  return { angles: turned, velocities, warnings, bodies, contacts: watch?.record() };
 }
 
 function pullOf(question, step) {

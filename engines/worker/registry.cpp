@@ -27,6 +27,12 @@ struct Known {
   bool built;
 };
 
+#ifdef ROCKSTACK_WITH_WEB
+constexpr bool web_built = true;
+#else
+constexpr bool web_built = false;
+#endif
+
 constexpr std::array known{
 #ifdef ROCKSTACK_WITH_BULLET
     Known{"bullet", true},
@@ -73,6 +79,13 @@ constexpr std::array known{
 #else
     Known{"simbody", false},
 #endif
+    Known{"jolt", web_built},
+    Known{"rapier", web_built},
+    Known{"physx", web_built},
+    Known{"mujoco-js", web_built},
+    Known{"planck", web_built},
+    Known{"cannon-es", web_built},
+    Known{"havok", web_built},
 };
 
 constexpr const char* prefix = "rockstack-";
