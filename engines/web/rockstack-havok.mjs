@@ -2,7 +2,7 @@
 // Havok beside the exact model. README.md in this folder says what is set and why.
 
 import { readFileSync } from 'node:fs';
-import { angles, groundReach, neighbourMeans, serve, setting, turn } from './worker.mjs';
+import { angles, groundReach, serve, setting, turn } from './worker.mjs';
 
 const settings = [setting('restitution', 0, 0, 0, 1)];
 
@@ -16,6 +16,19 @@ function require(result, havok) {
   if (result !== havok.Result.RESULT_OK) throw new Error('havok: a call of the library fails');
 }
 
+/**
+ * A coefficient for each body, from the ground up, so that the product of neighbours is that of their interface; the library
+ * takes none below 0. @throws where the third interface or a higher one rubs and the one below it does not.
+ */
+function factors(friction) {
+  const own = [friction[0], 1];
+  for (const wanted of friction.slice(1)) {
+    if (wanted > 0 && own.at(-1) === 0) throw new Error('havok: friction above an interface without any cannot be given');
+    own.push(wanted === 0 ? 0 : wanted / own.at(-1));
+  }
+  return own;
+}
+
 class Simulation {
   constructor(havok, question) {
     this.havok = havok;
@@ -24,7 +37,7 @@ class Simulation {
     this.owned = [];
     this.world = got(havok.HP_World_Create(), havok);
     require(havok.HP_World_SetIdealStepTime(this.world, this.dt), havok);
-    const [ground, ...friction] = neighbourMeans(question.friction);
+    const [ground, ...friction] = factors(question.friction);
     const reach = groundReach(question.blocks);
     this.add({ width: 2 * reach, height: 2 * reach, depth: 2 * reach, x: 0, y: -reach, angle: 0 }, ground,
       havok.MotionType.STATIC);
@@ -36,8 +49,9 @@ class Simulation {
     const shape = got(havok.HP_Shape_CreateBox([0, 0, 0], [0, 0, 0, 1], [block.width, block.height, block.depth]), havok);
     const body = got(havok.HP_Body_Create(), havok);
     this.owned.push([shape, body]);
-    const mean = havok.MaterialCombine.ARITHMETIC_MEAN;
-    require(havok.HP_Shape_SetMaterial(shape, [friction, friction, this.given.restitution, mean, mean]), havok);
+    const { ARITHMETIC_MEAN, MULTIPLY } = havok.MaterialCombine;
+    const material = [friction, friction, this.given.restitution, MULTIPLY, ARITHMETIC_MEAN];
+    require(havok.HP_Shape_SetMaterial(shape, material), havok);
     require(havok.HP_Body_SetShape(body, shape), havok);
     require(havok.HP_Body_SetMotionType(body, type), havok);
     require(havok.HP_Body_SetQTransform(body, [[block.x, block.y, 0], turn(block.angle)]), havok);

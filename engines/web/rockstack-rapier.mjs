@@ -4,7 +4,7 @@
 import { groundReach, neighbourMeans, serve, setting, whole } from './worker.mjs';
 
 const settings = [
-  setting('lengthUnit', 1, 0.01, 1e-6, 1e6, { unit: 'm' }),
+  setting('lengthUnit', 1, 0.05, 1e-6, 1e6, { unit: 'm' }),
   setting('numSolverIterations', 4, 4, 1, 1e4, whole),
   setting('numInternalPgsIterations', 1, 1, 1, 1e4, whole),
   setting('contact_natural_frequency', 30, 30, 0, 1e9, { unit: '1/s' }),

@@ -5,11 +5,9 @@
 // `capabilities` and `solvers` are those of the description: each solver has its list of settings. `load()` gives the library.
 // `start(library, question)` gives a simulation: `step(pull)` takes one step under the body force `pull`, m/s²; `state(k)` is
 // block k's [x, y, angle, velocity_x, velocity_y, angular_velocity], angles clockwise, in space also z and the sine of the tilt.
-// Optional are `warnings()`, how many there were so far, `contacts()`, of the last step, and `end()`, which gives back what it
-// holds.
+// Optional are `warnings()`, how many there were so far, and `end()`, which gives back what it holds.
 
 import { readFileSync, writeSync } from 'node:fs';
-import { ContactWatch } from './contact_watch.mjs';
 
 const replyDescriptor = 3;
 const largestNumber = 1e20;
@@ -66,7 +64,6 @@ const columns = ['x', 'y', 'angles', 'velocity_x', 'velocity_y', 'velocities', '
 /** All samples, the first at the start. Ends with the first in which a block has toppled. */
 function record(simulation, question) {
   const lists = columns.map(() => []);
-  const watch = question.bodies && simulation.contacts ? new ContactWatch(question) : undefined;
   let warnings = 0;
   for (let step = 0; ; ++step) {
     const states = question.blocks.map((_, k) => simulation.state(k));
@@ -74,7 +71,6 @@ function record(simulation, question) {
       requireFinite(state, k, step * question.dt);
       state.forEach((value, i) => lists[i].push(value));
     });
-    watch?.observe(step > 0 ? simulation.contacts() : [], states);
     const toppled = states.some((state, k) => Math.abs(state[2]) > question.toppling_angles[k]);
     if (step === question.steps || toppled) break;
     const before = simulation.warnings?.();
@@ -83,7 +79,7 @@ function record(simulation, question) {
   }
   const filled = Object.fromEntries(columns.map((name, i) => [name, lists[i]]).filter(([, list]) => list.length > 0));
   const { angles: turned, velocities, ...bodies } = filled;
-  return { angles: turned, velocities, warnings, bodies, contacts: watch?.record() };
+  return { angles: turned, velocities, warnings, bodies };
 }
 
 function pullOf(question, step) {
@@ -115,11 +111,11 @@ async function answer(engine, question) {
     }
   };
   try {
-    const { bodies, contacts, ...history } = simulate((simulation) => record(simulation, question));
+    const { bodies, ...history } = simulate((simulation) => record(simulation, question));
     const steps = history.angles.length / question.blocks.length - 1;
     const seconds = Array.from({ length: question.repeats },
       () => simulate((simulation) => timeOf(simulation, question, steps)));
-    const told = question.bodies ? { bodies, contacts } : {};
+    const told = question.bodies ? { bodies } : {};
     return { status: 'done', ...history, ...told, seconds, peak_memory: peakMemory() };
   } catch (failure) {
     if (!(failure instanceof NotFinite)) throw failure;

@@ -79,12 +79,9 @@ constexpr std::array known{
 #else
     Known{"simbody", false},
 #endif
-    Known{"jolt", web_built},
-    Known{"rapier", web_built},
-    Known{"physx", web_built},
-    Known{"mujoco-js", web_built},
-    Known{"planck", web_built},
-    Known{"cannon-es", web_built},
+    Known{"jolt", web_built},     Known{"rapier", web_built},
+    Known{"physx", web_built},    Known{"mujoco-js", web_built},
+    Known{"planck", web_built},   Known{"cannon-es", web_built},
     Known{"havok", web_built},
 };
 
