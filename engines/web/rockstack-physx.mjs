@@ -18,7 +18,7 @@ const settings = (iterations) => [
   onOff('eENABLE_PCM', 1, 1),
   onOff('eENABLE_FRICTION_EVERY_ITERATION', 0, 0),
   onOff('eENABLE_STABILIZATION', 0, 0),
-  setting('ground', 0, 1, 0, 1, { whole: true, choices: ['plane', 'box'] }),
+  setting('ground', 0, 0, 0, 1, { whole: true, choices: ['plane', 'box'] }),
   setting('bounceThresholdVelocity', 2, 2, 1e-6, 1e3, { unit: 'm/s' }),
   setting('restitution', 0, 0, 0, 1),
 ];
