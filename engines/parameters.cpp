@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace rockstack {
 namespace {
@@ -31,8 +32,16 @@ std::string names_of(const std::vector<Setting>& settings) {
 
 }  // namespace
 
+Setting switch_setting(std::string name, bool standard, bool tuned) {
+  return {.name = std::move(name),
+          .standard = standard ? 1.0 : 0.0,
+          .tuned = tuned ? 1.0 : 0.0,
+          .most = 1,
+          .whole = true};
+}
+
 Setting shaking_setting() {
-  return {"shaking", 0, 0, 0, 1, true, {"force", "ground"}};
+  return {.name = "shaking", .choices = {"force", "ground"}};
 }
 
 double choice_value(const std::string& engine, const Setting& setting, const std::string& choice) {

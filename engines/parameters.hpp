@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,15 +16,19 @@ using Parameters = std::map<std::string, double>;
 /// One setting of an engine: its own name for it, what the engine starts with, what suits rocking blocks
 /// best, and the range an adapter takes.
 struct Setting {
-  std::string name;
-  double standard = 0;
-  double tuned = 0;
-  double least = 0;
-  double most = 0;
-  bool whole = false;                     ///< only whole numbers
-  std::vector<std::string> choices = {};  ///< names of 0, 1, … where the number stands for a choice
+  std::string name = {};
   std::string unit = {};                  ///< as "N/m"; empty for a number alone
+  std::vector<std::string> choices = {};  ///< names of 0, 1, … where the number stands for a choice
+  double standard = 0;
+  double tuned = standard;
+  double least = 0;
+  double most =
+      choices.empty() ? std::numeric_limits<double>::infinity() : static_cast<double>(choices.size()) - 1;
+  bool whole = !choices.empty();  ///< only whole numbers
 };
+
+/// A setting that is off, 0, or on, 1.
+Setting switch_setting(std::string name, bool standard, bool tuned);
 
 /// How an engine is shaken: "force", the ground's acceleration as a body force in its own frame, or "ground",
 /// a ground that really moves and takes the blocks along.

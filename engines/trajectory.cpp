@@ -65,7 +65,7 @@ Trajectory run(const Engine& engine, const Setup& setup, const Parameters& param
   trajectory.angles.reserve((setup.steps + 1) * blocks);
   trajectory.velocities.reserve((setup.steps + 1) * blocks);
   std::optional<ContactWatch> contacts;
-  if (bodies && simulation->watch_contacts()) contacts.emplace(setup, engine.capabilities().largest_friction);
+  if (bodies && simulation->watch_contacts()) contacts.emplace(setup, engine.capabilities.largest_friction);
   const auto observe = [&] {
     append(trajectory, *simulation, blocks, bodies);
     if (!contacts) return;

@@ -154,7 +154,7 @@ void add_positions(const Scene& scene, const History& exact, const std::vector<d
   row.error = row.rms_angle_difference;
   if (!bodies) return;
   const Difference apart = position_difference(times, centres, bodies->centres, scene.blocks.size());
-  const double height = least_height(scene);
+  const double height = least_height(scene.blocks);
   row.largest_position_difference = largest(apart);
   row.rms_position_difference = root_mean_square(apart);
   row.relative_position_difference = largest(apart) / height;

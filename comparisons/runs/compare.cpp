@@ -120,7 +120,7 @@ void require_comparable(const std::vector<Suite>& suites) {
     }
     std::set<std::tuple<std::string, std::string, double>> runs;
     for (const EngineSeries& series : suite.series) {
-      const std::string engine = series.engine->name() + ":" + series.engine->solver();
+      const std::string engine = series.engine->full_name();
       for (const double dt : series.steps) {
         if (!runs.emplace(engine, series.settings, dt).second)
           throw InputError(

@@ -82,8 +82,8 @@ std::string identity(const Job& job) {
   std::string text = job.variant != nullptr ? job.variant->name() : "";
   if (job.series != nullptr) {
     const WorkerEngine& engine = *job.series->engine;
-    run.push_back({engine.solver(), fields_of(job.series->parameters)});
-    text = fmt::format("{:x}", file_checksum(engine.program()));
+    run.push_back({engine.solver, fields_of(job.series->parameters)});
+    text = fmt::format("{:x}", file_checksum(engine.program));
   }
   const Perturbations& around = job.suite.perturbations;
   const Draws& nearby = job.suite.draws;  // the horizon is theirs

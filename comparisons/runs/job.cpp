@@ -20,8 +20,8 @@ RunMetrics describe(const Job& job) {
   row.law = name((job.variant != nullptr ? job.variant->apply(job.scene.scene) : job.scene.scene).law);
   if (job.series != nullptr) {
     row.dt = job.dt;
-    row.engine = job.series->engine->name();
-    row.solver = job.series->engine->solver();
+    row.engine = job.series->engine->name;
+    row.solver = job.series->engine->solver;
     row.settings = job.series->settings;
     row.run =
         folder_name(fmt::format("{}.{}-{}-{}-{}", row.scene, row.engine, row.solver, row.settings, job.dt));

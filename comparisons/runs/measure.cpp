@@ -226,6 +226,7 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
                       !row.toppled.empty() || !row.fallen.empty(), bodies, acting_friction(series, scene)},
                      horizon_of(job), row, files);
   if (repeats > 0) set_time(stepping_time(made.seconds), history.times.back(), row);
+  if (made.cold) row.timed_cold = 1;
   return row;
 }
 

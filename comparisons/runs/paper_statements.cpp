@@ -253,8 +253,7 @@ std::vector<Answer> answers(const Suite& suite, const Scene& scene) {
     if (series.settings != "tuned") continue;
     const double step = *std::min_element(series.steps.begin(), series.steps.end());
     try {
-      list.push_back(
-          {series.engine->name(), simulate(*series.engine, scene, step, series.parameters).history});
+      list.push_back({series.engine->name, simulate(*series.engine, scene, step, series.parameters).history});
     } catch (const std::runtime_error&) {
       continue;  // the comparison's own row of this run says why
     }

@@ -56,10 +56,10 @@ const WorkerEngine& read_engine(const Node& table, const std::filesystem::path& 
 /// A parameter's value, which may be given by its name.
 double read_value(const Node& node, const std::string& name, const WorkerEngine& engine) {
   try {
-    const Setting& setting = find_setting(engine.name(), engine.settings(), name);
+    const Setting& setting = find_setting(engine.name, engine.settings, name);
     const bool named = node.kind == Node::Kind::text;
-    const double value = named ? choice_value(engine.name(), setting, node.text) : number(node);
-    check_value(engine.name(), engine.settings(), name, value);
+    const double value = named ? choice_value(engine.name, setting, node.text) : number(node);
+    check_value(engine.name, engine.settings, name, value);
     return value;
   } catch (const InputError&) {
     throw;
@@ -109,7 +109,7 @@ std::vector<EngineSeries> read_series(const Node& table, const std::filesystem::
 
 /// A value as a suite may give it.
 std::string value_text(const WorkerEngine& engine, const std::string& name, double value) {
-  for (const Setting& setting : engine.settings()) {
+  for (const Setting& setting : engine.settings) {
     if (setting.name == name && !setting.choices.empty())
       return setting.choices[static_cast<std::size_t>(value)];
   }
@@ -128,7 +128,7 @@ EngineSeries make_series(const WorkerEngine& engine, const std::string& settings
                       settings == "tuned" ? engine.tuned_parameters() : engine.default_parameters(),
                       std::move(steps)};
   for (const auto& [name, value] : changes) {
-    check_value(engine.name(), engine.settings(), name, value);
+    check_value(engine.name, engine.settings, name, value);
     series.parameters[name] = value;
     series.settings += fmt::format("+{}={}", name, value_text(engine, name, value));
   }
@@ -162,10 +162,10 @@ std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::
   for (const Node& table : entries(*engines, "an array of tables")) {
     for (EngineSeries& series : read_series(table, folder)) {
       for (const double dt : series.steps) {
-        if (!runs.emplace(series.engine->name(), series.engine->solver(), series.settings, dt).second)
+        if (!runs.emplace(series.engine->name, series.engine->solver, series.settings, dt).second)
           throw InputError(fmt::format("{}: {}: must not name a run twice: {}:{}, {}, dt = {} s", table.place,
-                                       table.key, series.engine->name(), series.engine->solver(),
-                                       series.settings, dt));
+                                       table.key, series.engine->name, series.engine->solver, series.settings,
+                                       dt));
       }
       list.push_back(std::move(series));
     }

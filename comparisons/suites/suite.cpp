@@ -104,7 +104,7 @@ std::vector<const WorkerEngine*> engines_of_choice(const std::vector<std::string
   if (!names.empty()) return list;
   for (const WorkerEngine& engine : engines()) {
     if (!is_usual(engine)) continue;
-    if (list.empty() || list.back()->name() != engine.name()) list.push_back(&engine);
+    if (list.empty() || list.back()->name != engine.name) list.push_back(&engine);
   }
   return list;
 }

@@ -8,21 +8,16 @@
 // its threshold. Bullet's erp and frictionCFM are not here: without joints they change no digit; frictionERP
 // acts with frictionAnchor = 1 alone.
 
-#include "engines/bullet/bullet.hpp"
-
 #include <LinearMath/btScalar.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 
 #include "engines/bullet/simulation.hpp"
-#include "engines/parameters.hpp"
+#include "engines/engine.hpp"
 
 namespace rockstack {
 namespace {
-
-constexpr double endless = std::numeric_limits<double>::infinity();
 
 constexpr bool single_precision = sizeof(btScalar) == sizeof(float);
 
@@ -37,7 +32,7 @@ struct Tuned {
   double iterations = 50;
   double erp2 = 0.2;
   double cfm = 0;
-  double split = 1;
+  bool split = true;
   double breaking = 0.02;
   double warmstarting = 0.85;
   double unit_mass = 0;
@@ -51,7 +46,7 @@ Tuned tuned_for(BulletSolver solver) {
     tuned.warmstarting = 0;
   }
   if (solver == BulletSolver::mlcp_dantzig || solver == BulletSolver::mlcp_lemke) {
-    tuned.split = 0;
+    tuned.split = false;
     tuned.unit_mass = 1;
   }
   if (solver == BulletSolver::mlcp_dantzig) {
@@ -68,86 +63,66 @@ Tuned tuned_for(BulletSolver solver) {
 
 std::vector<Setting> settings_of(BulletSolver solver) {
   const Tuned tuned = tuned_for(solver);
+  constexpr double endless = std::numeric_limits<double>::infinity();
   std::vector<Setting> settings{
-      {"numIterations", 10, tuned.iterations, 1, 1e6, true},
-      {"erp2", 0.2, tuned.erp2, 0, 1},
-      {"globalCfm", 0, tuned.cfm, 0, endless},
-      {"sor", 1, 1, 0, 2},
-      {"splitImpulse", 1, tuned.split, 0, 1, true},
-      {"splitImpulsePenetrationThreshold", -0.04F, 0, -endless, endless, false, {}, "m"},
-      {"splitImpulseTurnErp", 0.1F, 0.1F, 0, 1},
-      {"linearSlop", 0, 0, -1, 1, false, {}, "m"},
-      {"warmstartingFactor", 0.85, tuned.warmstarting, 0, 1},
-      {"solverMode", usual_mode, usual_mode, 0, 8191, true},
-      {"leastSquaresResidualThreshold", 0, 0, 0, endless},
-      {"contactBreakingThreshold", 0.02, tuned.breaking, 0, endless},
-      {"restitution", 0, 0, 0, 1},
-      {"restitutionVelocityThreshold", 0.2F, 0.2F, 0, endless, false, {}, "m/s"},
-      {"unitMass", 0, tuned.unit_mass, 0, 1e12, false, {}, "kg"},
-      {"ground", 0, 0, 0, 1, true, {"box", "plane"}},
-      {"shape", 0, 0, 0, 1, true, {"box", "hull"}},
-      {"contactStiffness", 0, 0, 0, stiffest, false, {}, "N/m"},
-      {"contactDamping", 0, 0, 0, stiffest, false, {}, "N s/m"},
-      {"frictionAnchor", 0, 0, 0, 1, true},
-      {"frictionERP", 0.2F, 0.2F, 0, 1},
+      {.name = "numIterations",
+       .standard = 10,
+       .tuned = tuned.iterations,
+       .least = 1,
+       .most = 1e6,
+       .whole = true},
+      {.name = "erp2", .standard = 0.2, .tuned = tuned.erp2, .most = 1},
+      {.name = "globalCfm", .tuned = tuned.cfm},
+      {.name = "sor", .standard = 1, .most = 2},
+      switch_setting("splitImpulse", true, tuned.split),
+      {.name = "splitImpulsePenetrationThreshold",
+       .unit = "m",
+       .standard = -0.04F,
+       .tuned = 0,
+       .least = -endless},
+      {.name = "splitImpulseTurnErp", .standard = 0.1F, .most = 1},
+      {.name = "linearSlop", .unit = "m", .least = -1, .most = 1},
+      {.name = "warmstartingFactor", .standard = 0.85, .tuned = tuned.warmstarting, .most = 1},
+      {.name = "solverMode", .standard = usual_mode, .most = 8191, .whole = true},
+      {.name = "leastSquaresResidualThreshold"},
+      {.name = "contactBreakingThreshold", .standard = 0.02, .tuned = tuned.breaking},
+      {.name = "restitution", .most = 1},
+      {.name = "restitutionVelocityThreshold", .unit = "m/s", .standard = 0.2F},
+      {.name = "unitMass", .unit = "kg", .tuned = tuned.unit_mass, .most = 1e12},
+      {.name = "ground", .choices = {"box", "plane"}},
+      {.name = "shape", .choices = {"box", "hull"}},
+      {.name = "contactStiffness", .unit = "N/m", .most = stiffest},
+      {.name = "contactDamping", .unit = "N s/m", .most = stiffest},
+      switch_setting("frictionAnchor", false, false),
+      {.name = "frictionERP", .standard = 0.2F, .most = 1},
       shaking_setting(),
   };
   if (solver == BulletSolver::mlcp_lemke) {
-    settings.push_back({"maxLoops", 1000, 1000, 1, 1e6, true});
-    settings.push_back({"maxValue", 100000, 100000, 0, endless});
+    settings.push_back({.name = "maxLoops", .standard = 1000, .least = 1, .most = 1e6, .whole = true});
+    settings.push_back({.name = "maxValue", .standard = 100000});
   }
   return settings;
 }
 
-const char* name_of(BulletSolver solver) {
-  switch (solver) {
-    case BulletSolver::sequential_impulse:
-      return "sequential-impulse";
-    case BulletSolver::nncg:
-      return "nncg";
-    case BulletSolver::mlcp_dantzig:
-      return "mlcp-dantzig";
-    case BulletSolver::mlcp_lemke:
-      return "mlcp-lemke";
-    case BulletSolver::mlcp_pgs:
-      return "mlcp-pgs";
-  }
-  return "";
+Engine with(BulletSolver solver, const char* name) {
+  return {{.name = single_precision ? "bullet-single" : "bullet",
+           .solver = name,
+           .version = fmt::format("{}.{:02}, {} precision", btGetVersion() / 100, btGetVersion() % 100,
+                                  single_precision ? "single" : "double"),
+           .licence = "Zlib",
+           .capabilities = {.largest_friction = friction_clamp, .single_precision = single_precision},
+           .settings = settings_of(solver)},
+          [solver](const Setup& setup, const Parameters& parameters) {
+            return start_bullet(solver, setup, parameters);
+          }};
 }
-
-class Bullet : public Engine {
- public:
-  explicit Bullet(BulletSolver solver) : solver_(solver) {}
-  std::string name() const override { return single_precision ? "bullet-single" : "bullet"; }
-  std::string solver() const override { return name_of(solver_); }
-  std::string version() const override {
-    return fmt::format("{}.{:02}, {} precision", btGetVersion() / 100, btGetVersion() % 100,
-                       single_precision ? "single" : "double");
-  }
-  std::string licence() const override { return "Zlib"; }
-  std::vector<Setting> settings() const override { return settings_of(solver_); }
-  Capabilities capabilities() const override {
-    return {.largest_friction = friction_clamp, .single_precision = single_precision};
-  }
-
- private:
-  std::unique_ptr<Simulation> build(const Setup& setup, const Parameters& parameters) const override {
-    return start_bullet(solver_, setup, parameters);
-  }
-
-  BulletSolver solver_;
-};
 
 }  // namespace
 
-std::vector<std::unique_ptr<Engine>> make_bullet() {
-  std::vector<std::unique_ptr<Engine>> engines;
-  for (const BulletSolver solver :
-       {BulletSolver::sequential_impulse, BulletSolver::nncg, BulletSolver::mlcp_dantzig,
-        BulletSolver::mlcp_lemke, BulletSolver::mlcp_pgs}) {
-    engines.push_back(std::make_unique<Bullet>(solver));
-  }
-  return engines;
+std::vector<Engine> make_bullet() {
+  using enum BulletSolver;
+  return {with(sequential_impulse, "sequential-impulse"), with(nncg, "nncg"),
+          with(mlcp_dantzig, "mlcp-dantzig"), with(mlcp_lemke, "mlcp-lemke"), with(mlcp_pgs, "mlcp-pgs")};
 }
 
 }  // namespace rockstack

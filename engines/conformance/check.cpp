@@ -13,6 +13,7 @@ const std::vector<Check>& checks() {
       {"FirstStepIsFreeFallOrAHinge", first_step_is_free_fall_or_a_hinge},
       {"BlockAtRestStays", block_at_rest_stays},
       {"StackAtRestStays", stack_at_rest_stays},
+      {"StackKeepsItsHeight", stack_keeps_its_height},
       {"PushedBlockDoesNotSlide", pushed_block_does_not_slide},
       {"SlidingBlockStops", sliding_block_stops},
       {"EachInterfaceHasItsFriction", each_interface_has_its_friction},

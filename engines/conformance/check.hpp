@@ -12,7 +12,8 @@ namespace rockstack {
 
 /// An engine, wherever it runs, with the parameters that it is to be judged by.
 struct Adapter {
-  Capabilities capabilities;
+  bool single_precision = false;
+  double lead = 0.5;  ///< as Capabilities have it, of these parameters
   Parameters parameters;
   /// Runs a scene and tells its bodies. @throws the engine's own error.
   std::function<Trajectory(const Setup&, const Parameters&)> run;
@@ -49,6 +50,7 @@ Judgement free_fall_is_the_schemes(const Adapter& adapter);
 Judgement first_step_is_free_fall_or_a_hinge(const Adapter& adapter);
 Judgement block_at_rest_stays(const Adapter& adapter);
 Judgement stack_at_rest_stays(const Adapter& adapter);
+Judgement stack_keeps_its_height(const Adapter& adapter);
 Judgement pushed_block_does_not_slide(const Adapter& adapter);
 Judgement sliding_block_stops(const Adapter& adapter);
 Judgement each_interface_has_its_friction(const Adapter& adapter);

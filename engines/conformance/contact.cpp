@@ -40,6 +40,24 @@ Judgement stack_at_rest_stays(const Adapter& adapter) {
   return quiet(adapter, at_rest(paper_scene(1).blocks, 1), dt, 2 * 9.81 * dt * dt);
 }
 
+/// A contact holds where faces meet, not a tenth of a millimetre later, and is found at most a step late, in
+/// which a block at rest falls by g dt²; as much again is for what an iterative solver leaves over.
+Judgement stack_keeps_its_height(const Adapter& adapter) {
+  const double dt = 1e-3;
+  const Scene scene = at_rest(paper_scene(1).blocks, 1);
+  const ObservedMotion motion = run(adapter, scene, dt);
+  double most = 0;
+  for (std::size_t n = 0; n < motion.history.size(); ++n) {
+    double below = 0;  // how far the face has moved on which a block stands
+    for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+      const double moved = motion.body(n, k).y - motion.body(0, k).y;
+      most = std::max(most, std::abs(moved - below));
+      below = moved;
+    }
+  }
+  return {most, 2 * scene.gravity * dt * dt, "largest change of the distance between faces that touch, m"};
+}
+
 /// A squat block under 0.8 g, which its width carries twice over, does not move along the ground: the
 /// friction asked for is far beyond 0.8. What it may creep is what an iterative solver leaves of each step's
 /// push.

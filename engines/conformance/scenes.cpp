@@ -48,8 +48,8 @@ Adapter by_force(Adapter adapter) {
 }
 
 double rounding(const Adapter& adapter) {
-  return adapter.capabilities.single_precision ? std::numeric_limits<float>::epsilon()
-                                               : std::numeric_limits<double>::epsilon();
+  return adapter.single_precision ? std::numeric_limits<float>::epsilon()
+                                  : std::numeric_limits<double>::epsilon();
 }
 
 double short_step(const Adapter& adapter) {

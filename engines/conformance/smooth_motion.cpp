@@ -15,13 +15,12 @@ Judgement free_fall_is_the_schemes(const Adapter& adapter) {
   Scene scene = at_rest({make_block(0.4, 2, 2500)}, 1);
   scene.vertical = constant(-scene.gravity - 2);
   const ObservedMotion motion = run(adapter, scene, dt);
-  const double lead = adapter.capabilities.lead;
   const int steps = 100;
   double apart = motion.history.size() == steps + 1 ? 0 : HUGE_VAL;
   for (std::size_t sample = 1; sample < motion.history.size(); ++sample) {
     const auto n = static_cast<double>(sample);
     const BodyState& body = motion.body(sample, 0);
-    apart = std::max({apart, std::abs(body.y - (1 + dt * dt * n * (n + 2 * lead))),
+    apart = std::max({apart, std::abs(body.y - (1 + dt * dt * n * (n + 2 * adapter.lead))),
                       std::abs(body.velocity_y - 2 * n * dt), std::abs(body.x)});
   }
   // Each step rounds gravity, velocity and place, which stay below 10, once or twice. What chooses steps by

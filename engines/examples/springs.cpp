@@ -1,6 +1,6 @@
 // A worker in C++, as an example of engines/README.md: springs, dashpots and sliders at the corners of
-// blocks, stepped by semi-implicit Euler in 64 parts of each step. Link rockstack::engine, implement Engine
-// and Simulation, serve.
+// blocks, stepped by semi-implicit Euler in 64 parts of each step. Link rockstack::engine, implement
+// Simulation, serve an Engine.
 
 #include <algorithm>
 #include <array>
@@ -134,27 +134,19 @@ class Springs : public Simulation {
   double damping_ = 0;        ///< N s/m
 };
 
-class SpringEngine : public Engine {
- public:
-  std::string name() const override { return "springs"; }
-  std::string solver() const override { return "euler"; }
-  std::string version() const override { return "1"; }
-  std::string licence() const override { return "same as rockstack"; }
-  Capabilities capabilities() const override { return {.planar = true, .lead = 0.5 / parts}; }
-  std::vector<Setting> settings() const override {
-    return {{"sinking", 1e-4, 1e-6, 1e-9, 1, false, {}, "m"}, {"dampingRatio", 0.5, 2, 0, 10}};
-  }
-
- private:
-  std::unique_ptr<Simulation> build(const Setup& setup, const Parameters& parameters) const override {
-    return std::make_unique<Springs>(setup, parameters);
-  }
-};
-
 }  // namespace
 
 int main() {
-  std::vector<std::unique_ptr<Engine>> engines;
-  engines.push_back(std::make_unique<SpringEngine>());
-  return serve(engines);
+  return serve(
+      {{{.name = "springs",
+         .solver = "euler",
+         .version = "1",
+         .licence = "same as rockstack",
+         .capabilities = {.planar = true, .lead = 0.5 / parts},
+         .settings =
+             {{.name = "sinking", .unit = "m", .standard = 1e-4, .tuned = 1e-6, .least = 1e-9, .most = 1},
+              {.name = "dampingRatio", .standard = 0.5, .tuned = 2, .most = 10}}},
+        [](const Setup& setup, const Parameters& parameters) {
+          return std::make_unique<Springs>(setup, parameters);
+        }}});
 }

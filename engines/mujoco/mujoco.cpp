@@ -16,91 +16,77 @@
 // coordinate stops being finite MuJoCo begins anew from its first state; here the run ends with an error.
 // What it warns of is counted and not printed.
 
-#include "engines/mujoco/mujoco.hpp"
-
 #include <mujoco/mujoco.h>
 
-#include <limits>
 #include <string>
 
+#include "engines/engine.hpp"
 #include "engines/mujoco/simulation.hpp"
-#include "engines/parameters.hpp"
 
 namespace rockstack {
 namespace {
-
-constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// Of solref, where a negative number is a stiffness or a damping.
 constexpr double stiffest = 1e18;
 
 std::vector<Setting> settings_of(MujocoSolver solver) {
+  const bool pgs = solver == MujocoSolver::pgs;
   return {
-      {"integrator", 0, 0, 0, 2, true, {"Euler", "RK4", "implicit"}},
-      {"cone", 1, 1, 0, 1, true, {"pyramidal", "elliptic"}},
-      {"solref_timeconst", 0.02, 1e-3, -stiffest, stiffest, false, {}, "s"},
-      {"solref_dampratio", 1, solver == MujocoSolver::pgs ? 6.0 : 3.0, -stiffest, stiffest},
-      {"solimp_d0", 0.9, 0.995, 0, 1},
-      {"solimp_dwidth", 0.95, 0.995, 0, 1},
-      {"solimp_width", 1e-3, 1e-3, 0, endless, false, {}, "m"},
-      {"solimp_midpoint", 0.5, 0.5, 0, 1},
-      {"solimp_power", 2, 2, 1, endless},
-      {"margin", 0, 0, 0, endless, false, {}, "m"},
-      {"gap", 0, 0, 0, endless, false, {}, "m"},
-      {"impratio", 1, 1, 1e-6, 1e6},
-      {"iterations", 100, solver == MujocoSolver::pgs ? 300.0 : 100.0, 1, 1e6, true},
-      {"tolerance", 1e-8, 1e-12, 0, 1},
-      {"noslip_iterations", 0, 0, 0, 1e6, true},
-      {"noslip_tolerance", 1e-6, 1e-6, 0, 1},
-      {"refsafe", 1, 1, 0, 1, true},
-      {"warmstart", 1, 1, 0, 1, true},
-      {"ground", 0, 0, 0, 1, true, {"plane", "box"}},
-      {"depth_ratio", 1, 0.9, 0.1, 10},
-      {"unitMass", 0, 1, 0, 1e12, false, {}, "kg"},
+      {.name = "integrator", .choices = {"Euler", "RK4", "implicit"}},
+      {.name = "cone", .choices = {"pyramidal", "elliptic"}, .standard = 1},
+      {.name = "solref_timeconst",
+       .unit = "s",
+       .standard = 0.02,
+       .tuned = 1e-3,
+       .least = -stiffest,
+       .most = stiffest},
+      {.name = "solref_dampratio",
+       .standard = 1,
+       .tuned = pgs ? 6.0 : 3.0,
+       .least = -stiffest,
+       .most = stiffest},
+      {.name = "solimp_d0", .standard = 0.9, .tuned = 0.995, .most = 1},
+      {.name = "solimp_dwidth", .standard = 0.95, .tuned = 0.995, .most = 1},
+      {.name = "solimp_width", .unit = "m", .standard = 1e-3},
+      {.name = "solimp_midpoint", .standard = 0.5, .most = 1},
+      {.name = "solimp_power", .standard = 2, .least = 1},
+      {.name = "margin", .unit = "m"},
+      {.name = "gap", .unit = "m"},
+      {.name = "impratio", .standard = 1, .least = 1e-6, .most = 1e6},
+      {.name = "iterations",
+       .standard = 100,
+       .tuned = pgs ? 300.0 : 100.0,
+       .least = 1,
+       .most = 1e6,
+       .whole = true},
+      {.name = "tolerance", .standard = 1e-8, .tuned = 1e-12, .most = 1},
+      {.name = "noslip_iterations", .most = 1e6, .whole = true},
+      {.name = "noslip_tolerance", .standard = 1e-6, .most = 1},
+      switch_setting("refsafe", true, true),
+      switch_setting("warmstart", true, true),
+      {.name = "ground", .choices = {"plane", "box"}},
+      {.name = "depth_ratio", .standard = 1, .tuned = 0.9, .least = 0.1, .most = 10},
+      {.name = "unitMass", .unit = "kg", .tuned = 1, .most = 1e12},
       shaking_setting(),
   };
 }
 
-class Mujoco : public Engine {
- public:
-  explicit Mujoco(MujocoSolver solver) : solver_(solver) {}
-  std::string name() const override { return "mujoco"; }
-  std::string solver() const override {
-    switch (solver_) {
-      case MujocoSolver::pgs:
-        return "pgs";
-      case MujocoSolver::cg:
-        return "cg";
-      case MujocoSolver::newton:
-        return "newton";
-    }
-    return "";
-  }
-  std::string version() const override { return std::string(mj_versionString()) + ", double precision"; }
-  std::string licence() const override { return "Apache-2.0"; }
-  Capabilities capabilities() const override {
-    Capabilities able;
-    able.planar = true;
-    return able;
-  }
-  std::vector<Setting> settings() const override { return settings_of(solver_); }
-
- private:
-  std::unique_ptr<Simulation> build(const Setup& setup, const Parameters& parameters) const override {
-    return start_mujoco(solver_, setup, parameters);
-  }
-
-  MujocoSolver solver_;
-};
+Engine with(MujocoSolver solver, const char* name) {
+  return {{.name = "mujoco",
+           .solver = name,
+           .version = std::string(mj_versionString()) + ", double precision",
+           .licence = "Apache-2.0",
+           .capabilities = {.planar = true},
+           .settings = settings_of(solver)},
+          [solver](const Setup& setup, const Parameters& parameters) {
+            return start_mujoco(solver, setup, parameters);
+          }};
+}
 
 }  // namespace
 
-std::vector<std::unique_ptr<Engine>> make_mujoco() {
-  std::vector<std::unique_ptr<Engine>> engines;
-  for (const MujocoSolver solver : {MujocoSolver::newton, MujocoSolver::cg, MujocoSolver::pgs}) {
-    engines.push_back(std::make_unique<Mujoco>(solver));
-  }
-  return engines;
+std::vector<Engine> make_mujoco() {
+  return {with(MujocoSolver::newton, "newton"), with(MujocoSolver::cg, "cg"), with(MujocoSolver::pgs, "pgs")};
 }
 
 }  // namespace rockstack

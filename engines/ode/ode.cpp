@@ -9,8 +9,6 @@
 // throws from the call; a message (the solver's "s <= 0": it goes on with a step half solved) is counted as a
 // warning, and the run goes on as it does for a user, who sees it printed.
 
-#include "engines/ode/ode.hpp"
-
 #include <ode/ode.h>
 
 #include <limits>
@@ -21,64 +19,58 @@
 namespace rockstack {
 namespace {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
-
 /// N/m and N s/m: far beyond what a step resolves, and finite, as quotients of stiffness and damping are
 /// taken.
 constexpr double stiffest = 1e18;
 
 std::vector<Setting> settings_of(OdeSolver solver) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
   std::vector<Setting> settings{
-      {"erp", 0.2, 0.01, 0, 1},
-      {"cfm", 1e-10, 1e-6, 0, endless, false, {}, "s/kg"},
-      {"contactSurfaceLayer", 0, 0, 0, endless, false, {}, "m"},
-      {"contactMaxCorrectingVel", endless, endless, 0, endless, false, {}, "m/s"},
-      {"maxContacts", 8, 8, 1, 64, true},
-      {"contactApprox1", 1, 1, 0, 1, true},
-      {"contactMu2", 0, 1, 0, 1, true},
-      {"finiteRotationMode", 0, 0, 0, 1, true},
-      {"bounce", 0, 0, 0, 1},
-      {"bounce_vel", 0, 0, 0, endless, false, {}, "m/s"},
-      {"contactStiffness", 0, 0, 0, stiffest, false, {}, "N/m"},
-      {"contactDamping", 0, 0, 0, stiffest, false, {}, "N s/m"},
-      {"slip1", 0, 0, 0, endless, false, {}, "m/(N s)"},
-      {"unitMass", 0, 1, 0, 1e12, false, {}, "kg"},
-      {"realign", 1, 1, 0, 1, true},
+      {.name = "erp", .standard = 0.2, .tuned = 0.01, .most = 1},
+      {.name = "cfm", .unit = "s/kg", .standard = 1e-10, .tuned = 1e-6},
+      {.name = "contactSurfaceLayer", .unit = "m"},
+      {.name = "contactMaxCorrectingVel", .unit = "m/s", .standard = endless},
+      {.name = "maxContacts", .standard = 8, .least = 1, .most = 64, .whole = true},
+      switch_setting("contactApprox1", true, true),
+      switch_setting("contactMu2", false, true),
+      switch_setting("finiteRotationMode", false, false),
+      {.name = "bounce", .most = 1},
+      {.name = "bounce_vel", .unit = "m/s"},
+      {.name = "contactStiffness", .unit = "N/m", .most = stiffest},
+      {.name = "contactDamping", .unit = "N s/m", .most = stiffest},
+      {.name = "slip1", .unit = "m/(N s)"},
+      {.name = "unitMass", .unit = "kg", .tuned = 1, .most = 1e12},
+      switch_setting("realign", true, true),
       shaking_setting(),
   };
   if (solver == OdeSolver::quickstep) {
-    settings.push_back({"quickStepNumIterations", 20, 100, 1, 1e6, true});
-    settings.push_back({"quickStepW", 1.3, 1.3, 0, 2});
-    settings.push_back({"randomSeed", 0, 0, 0, 4294967295.0, true});
+    settings.push_back({.name = "quickStepNumIterations",
+                        .standard = 20,
+                        .tuned = 100,
+                        .least = 1,
+                        .most = 1e6,
+                        .whole = true});
+    settings.push_back({.name = "quickStepW", .standard = 1.3, .most = 2});
+    settings.push_back({.name = "randomSeed", .most = 4294967295.0, .whole = true});
   }
   return settings;
 }
 
-class Ode : public Engine {
- public:
-  explicit Ode(OdeSolver solver) : solver_(solver) {}
-  std::string name() const override { return "ode"; }
-  std::string solver() const override { return solver_ == OdeSolver::step ? "step" : "quickstep"; }
-  std::string version() const override { return dODE_VERSION ", double precision"; }
-  std::string licence() const override { return "BSD-3-Clause OR LGPL-2.1-or-later"; }
-  std::vector<Setting> settings() const override { return settings_of(solver_); }
-
- private:
-  std::unique_ptr<Simulation> build(const Setup& setup, const Parameters& parameters) const override {
-    return start_ode(solver_, setup, parameters);
-  }
-
-  OdeSolver solver_;
-};
+Engine with(OdeSolver solver) {
+  return {{.name = "ode",
+           .solver = solver == OdeSolver::step ? "step" : "quickstep",
+           .version = dODE_VERSION ", double precision",
+           .licence = "BSD-3-Clause OR LGPL-2.1-or-later",
+           .settings = settings_of(solver)},
+          [solver](const Setup& setup, const Parameters& parameters) {
+            return start_ode(solver, setup, parameters);
+          }};
+}
 
 }  // namespace
 
-std::vector<std::unique_ptr<Engine>> make_ode() {
-  std::vector<std::unique_ptr<Engine>> engines;
-  for (const OdeSolver solver : {OdeSolver::step, OdeSolver::quickstep}) {
-    engines.push_back(std::make_unique<Ode>(solver));
-  }
-  return engines;
+std::vector<Engine> make_ode() {
+  return {with(OdeSolver::step), with(OdeSolver::quickstep)};
 }
 
 }  // namespace rockstack

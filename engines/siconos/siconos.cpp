@@ -8,17 +8,12 @@
 // after one turn: Jacobians are those of the step's start. A ground that really moves is the part of a gap
 // that depends on time alone (LagrangianRheonomousR), with the velocity of the step under way.
 
-#include "engines/siconos/siconos.hpp"
-
-#include <limits>
-
-#include "engines/parameters.hpp"
+#include "engines/engine.hpp"
+#include "engines/shaking.hpp"
 #include "engines/siconos/stack.hpp"
 
 namespace rockstack {
 namespace {
-
-constexpr double endless = std::numeric_limits<double>::infinity();
 
 class SiconosSimulation : public Simulation {
  public:
@@ -57,45 +52,31 @@ class SiconosSimulation : public Simulation {
   SiconosStack stack_;
 };
 
-class Siconos : public Engine {
- public:
-  std::string name() const override { return "siconos"; }
-  std::string solver() const override { return "nsgs"; }
-  /// Its headers do not tell; this is Debian 12's.
-  std::string version() const override { return "4.4.0, double precision"; }
-  std::string licence() const override { return "Apache-2.0"; }
-  std::vector<Setting> settings() const override {
-    return {
-        {"theta", 0.5, 0.5, 0, 1},
-        {"gamma", 0.5, 0.5, 0, 1},
-        {"constraintActivationThreshold", 0, 1e-9, 0, endless, false, {}, "m"},
-        {"SICONOS_DPARAM_TOL", 1e-4, 1e-12, 0, 1},
-        {"SICONOS_IPARAM_MAX_ITER", 1000, 10000, 1, 1e9, true},
-        {"keepLambdaAndYState", 1, 1, 0, 1, true},
-        {"en", 0, 0, 0, 1},
-        {"unitMass", 0, 1, 0, 1e12, false, {}, "kg"},
-        shaking_setting(),
-    };
-  }
-  Capabilities capabilities() const override {
-    Capabilities own;
-    own.planar = true;
-    own.lead = 0;
-    return own;
-  }
-
- private:
-  std::unique_ptr<Simulation> build(const Setup& setup, const Parameters& parameters) const override {
-    return std::make_unique<SiconosSimulation>(setup, parameters);
-  }
-};
-
 }  // namespace
 
-std::vector<std::unique_ptr<Engine>> make_siconos() {
-  std::vector<std::unique_ptr<Engine>> engines;
-  engines.push_back(std::make_unique<Siconos>());
-  return engines;
+std::vector<Engine> make_siconos() {
+  return {{{.name = "siconos",
+            .solver = "nsgs",
+            .version = "4.4.0, double precision",  // of Debian 12: its headers do not tell
+            .licence = "Apache-2.0",
+            .capabilities = {.planar = true, .lead = 0},
+            .settings = {{.name = "theta", .standard = 0.5, .most = 1},
+                         {.name = "gamma", .standard = 0.5, .most = 1},
+                         {.name = "constraintActivationThreshold", .unit = "m", .tuned = 1e-9},
+                         {.name = "SICONOS_DPARAM_TOL", .standard = 1e-4, .tuned = 1e-12, .most = 1},
+                         {.name = "SICONOS_IPARAM_MAX_ITER",
+                          .standard = 1000,
+                          .tuned = 10000,
+                          .least = 1,
+                          .most = 1e9,
+                          .whole = true},
+                         switch_setting("keepLambdaAndYState", true, true),
+                         {.name = "en", .most = 1},
+                         {.name = "unitMass", .unit = "kg", .tuned = 1, .most = 1e12},
+                         shaking_setting()}},
+           [](const Setup& setup, const Parameters& parameters) {
+             return std::make_unique<SiconosSimulation>(setup, parameters);
+           }}};
 }
 
 }  // namespace rockstack

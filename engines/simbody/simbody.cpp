@@ -7,18 +7,12 @@
 // interface the narrower block is the brick. k and k c x are told of each contact. The ground's motion is a
 // body force: a moving ground's velocity jumps from step to step, on which CPodes gives up.
 
-#include "engines/simbody/simbody.hpp"
-
-#include <limits>
-
-#include "engines/parameters.hpp"
+#include "engines/engine.hpp"
 #include "engines/shaking.hpp"
 #include "engines/simbody/world.hpp"
 
 namespace rockstack {
 namespace {
-
-constexpr double endless = std::numeric_limits<double>::infinity();
 
 class SimbodySimulation : public Simulation {
  public:
@@ -53,41 +47,25 @@ class SimbodySimulation : public Simulation {
   SimbodyWorld world_;
 };
 
-class Simbody : public Engine {
- public:
-  std::string name() const override { return "simbody"; }
-  std::string solver() const override { return "compliant"; }
-  std::string version() const override { return SIMBODY_VERSION ", double precision"; }
-  std::string licence() const override { return "Apache-2.0"; }
-  Capabilities capabilities() const override {
-    Capabilities able;
-    able.planar = true;
-    able.lead = 0;
-    return able;
-  }
-  std::vector<Setting> settings() const override {
-    return {
-        {"integrator", 0, 0, 0, 3, true, {"CPodes", "RungeKuttaMerson", "RungeKutta3", "Verlet"}},
-        {"accuracy", 1e-3, 1e-7, 1e-12, 0.1},
-        {"stiffness", 1e8, 1e8, 1e-18, 1e18, false, {}, "N/m"},
-        {"dissipation", 1, 5e4, 0, endless, false, {}, "s/m"},
-        {"transition_velocity", 0.01, 1e-4, 1e-12, endless, false, {}, "m/s"},
-        {"unitMass", 0, 1, 0, 1e12, false, {}, "kg"},
-    };
-  }
-
- private:
-  std::unique_ptr<Simulation> build(const Setup& setup, const Parameters& parameters) const override {
-    return std::make_unique<SimbodySimulation>(setup, parameters);
-  }
-};
-
 }  // namespace
 
-std::vector<std::unique_ptr<Engine>> make_simbody() {
-  std::vector<std::unique_ptr<Engine>> engines;
-  engines.push_back(std::make_unique<Simbody>());
-  return engines;
+std::vector<Engine> make_simbody() {
+  return {
+      {{.name = "simbody",
+        .solver = "compliant",
+        .version = SIMBODY_VERSION ", double precision",
+        .licence = "Apache-2.0",
+        .capabilities = {.planar = true, .lead = 0},
+        .settings =
+            {{.name = "integrator", .choices = {"CPodes", "RungeKuttaMerson", "RungeKutta3", "Verlet"}},
+             {.name = "accuracy", .standard = 1e-3, .tuned = 1e-7, .least = 1e-12, .most = 0.1},
+             {.name = "stiffness", .unit = "N/m", .standard = 1e8, .least = 1e-18, .most = 1e18},
+             {.name = "dissipation", .unit = "s/m", .standard = 1, .tuned = 5e4},
+             {.name = "transition_velocity", .unit = "m/s", .standard = 0.01, .tuned = 1e-4, .least = 1e-12},
+             {.name = "unitMass", .unit = "kg", .tuned = 1, .most = 1e12}}},
+       [](const Setup& setup, const Parameters& parameters) {
+         return std::make_unique<SimbodySimulation>(setup, parameters);
+       }}};
 }
 
 }  // namespace rockstack

@@ -81,7 +81,8 @@ void check_descriptions(const std::vector<EngineDescription>& engines) {
     const Capabilities& able = engine.capabilities;
     require(able.largest_friction >= 0, "largest_friction", fmt::format("{}", able.largest_friction),
             "a number ≥ 0");
-    require(std::abs(able.lead) <= 1, "lead", fmt::format("{}", able.lead), "a number from -1 to 1");
+    for (const double lead : {able.lead, able.tuned_lead})
+      require(std::abs(lead) <= 1, "lead", fmt::format("{}", lead), "a number from -1 to 1");
     std::set<std::string> settings;
     for (const Setting& setting : engine.settings) {
       check_setting(setting);

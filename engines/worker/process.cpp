@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -138,26 +139,66 @@ void require_started(const std::string& path, const Descriptor& failure) {
                   error == ENOENT && there ? ", the interpreter that its first line names" : ""));
 }
 
+/// Calls `use` with each process of a session.
+template <class Use>
+void each_process_of(pid_t session, const Use& use) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
+    const pid_t process = std::atoi(entry.path().filename().c_str());
+    if (process > 0 && getsid(process) == session) use(process);
+  }
+}
+
+/// What the operating system's scheduler has given to the threads of a process that are there, s.
+struct Scheduled {
+  double run = 0;     ///< with a processor
+  double waited = 0;  ///< ready for one, while others had it
+};
+
+void add_scheduled(pid_t process, Scheduled& sum) {
+  constexpr double nanosecond = 1e-9;
+  std::error_code gone;
+  std::filesystem::directory_iterator threads(fmt::format("/proc/{}/task", process), gone);
+  for (; !gone && threads != std::filesystem::directory_iterator(); threads.increment(gone)) {
+    std::ifstream stream(threads->path() / "schedstat");
+    double run = 0, waited = 0;
+    if (!(stream >> run >> waited)) continue;
+    sum.run += nanosecond * run;
+    sum.waited += nanosecond * waited;
+  }
+}
+
 /// The time that a child may take. Little passes while this process is stopped.
 class Allowance {
  public:
-  explicit Allowance(const Limits& limits) : left_(limits.time), asked_(limits.unwanted) {}
+  Allowance(pid_t child, const Limits& limits)
+      : child_(child), limit_(limits.time), asked_(limits.unwanted) {}
 
   bool unwanted() const { return unwanted_; }
 
-  /// Takes off the time since the last call, in which this process meant to wait for `wait` at most.
+  /// Counts the time since the last call, in which this process meant to wait for `wait` at most.
   /// @return whether any is left, for what is still wanted.
   bool lasts(std::chrono::microseconds wait) {
     const auto now = Clock::now();
     const auto passed = std::min<Clock::duration>(now - std::exchange(last_, now), 10 * wait);
-    left_ -= std::chrono::duration<double>(passed).count();
+    clock_ += std::chrono::duration<double>(passed).count();
     unwanted_ = asked_ != nullptr && (*asked_)();
-    return left_ > 0 && !unwanted_;
+    return !unwanted_ && (clock_ < limit_ || used() < limit_);
   }
 
  private:
-  double left_;
+  /// The clock's time but for that in which the session waited for processors that others had; no less than
+  /// that in which it had them.
+  double used() const {
+    Scheduled sum;
+    each_process_of(child_, [&](pid_t process) { add_scheduled(process, sum); });
+    return std::max(clock_ - sum.waited, std::min(clock_, sum.run));
+  }
+
+  pid_t child_;
+  double limit_;
   const std::function<bool()>* asked_;
+  double clock_ = 0;
   bool unwanted_ = false;
   Clock::time_point last_ = Clock::now();
 };
@@ -173,11 +214,7 @@ bool is(int state, pid_t child) {
 /// waited for, so that its number is still that of its session.
 void kill_session(pid_t child) {
   kill(-child, SIGKILL);
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
-    const pid_t process = std::atoi(entry.path().filename().c_str());
-    if (process > 0 && getsid(process) == child) kill(process, SIGKILL);
-  }
+  each_process_of(child, [](pid_t process) { kill(process, SIGKILL); });
 }
 
 /// Waits until the last writer of the pipe is gone, which is when the child ends, but for what it has
@@ -199,7 +236,7 @@ double seconds(const timeval& time) {
 
 /// Collects the child, and kills it where it is not done in time.
 ProcessEnd collect(pid_t child, const Descriptor& pipe, const Limits& limits) {
-  Allowance time(limits);
+  Allowance time(child, limits);
   ProcessEnd end;
   bool gone = wait_for_end(child, pipe, time, std::chrono::milliseconds(limits.unwanted != nullptr ? 5 : 50));
   // A child that has closed its standard error may live on.

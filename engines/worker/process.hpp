@@ -12,8 +12,9 @@ namespace rockstack {
 /// (RLIMIT_DATA), not on the addresses that it reserves; a program with address sanitizer runs without it,
 /// because that claims terabytes.
 struct Limits {
-  double time =
-      600;  ///< wall time while this process runs, also where the worker is stopped, s; may be infinite
+  /// While this process runs, s: by the clock, also where the worker sleeps or is stopped, less what it
+  /// waited for processors that others had; may be infinite.
+  double time = 600;
   std::uint64_t memory = std::uint64_t{4} << 30;    ///< bytes
   std::uint64_t reply = std::uint64_t{16} << 20;    ///< bytes of its reply, as of any file that it writes
   const std::function<bool()>* unwanted = nullptr;  ///< asked every few ms: true ends the run; null: none

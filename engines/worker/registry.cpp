@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <deque>
 #include <filesystem>
@@ -22,69 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Known {
-  const char* engine;
-  bool built;
-};
-
-#ifdef ROCKSTACK_WITH_WEB
-constexpr bool web_built = true;
-#else
-constexpr bool web_built = false;
-#endif
-
-constexpr std::array known{
-#ifdef ROCKSTACK_WITH_BULLET
-    Known{"bullet", true},
-#else
-    Known{"bullet", false},
-#endif
-#ifdef ROCKSTACK_WITH_ODE
-    Known{"ode", true},
-#else
-    Known{"ode", false},
-#endif
-#ifdef ROCKSTACK_WITH_BULLET
-    Known{"bullet-single", true},
-#else
-    Known{"bullet-single", false},
-#endif
-#ifdef ROCKSTACK_WITH_BOX2D
-    Known{"box2d", true},
-#else
-    Known{"box2d", false},
-#endif
-#ifdef ROCKSTACK_WITH_CHIPMUNK
-    Known{"chipmunk", true},
-#else
-    Known{"chipmunk", false},
-#endif
-#ifdef ROCKSTACK_WITH_MUJOCO
-    Known{"mujoco", true},
-#else
-    Known{"mujoco", false},
-#endif
-#ifdef ROCKSTACK_WITH_DART
-    Known{"dart", true},
-#else
-    Known{"dart", false},
-#endif
-#ifdef ROCKSTACK_WITH_SICONOS
-    Known{"siconos", true},
-#else
-    Known{"siconos", false},
-#endif
-#ifdef ROCKSTACK_WITH_SIMBODY
-    Known{"simbody", true},
-#else
-    Known{"simbody", false},
-#endif
-    Known{"jolt", web_built},     Known{"rapier", web_built},
-    Known{"physx", web_built},    Known{"mujoco-js", web_built},
-    Known{"planck", web_built},   Known{"cannon-es", web_built},
-    Known{"havok", web_built},
-};
-
 constexpr const char* prefix = "rockstack-";
 
 fs::path find_worker(const std::string& name) {
@@ -94,13 +30,14 @@ fs::path find_worker(const std::string& name) {
   throw std::runtime_error(fmt::format("{}: must be there, it came with this program", file.string()));
 }
 
-std::vector<std::string> folders_of(const std::string& given) {
-  std::vector<std::string> folders;
-  std::istringstream stream(given);
-  for (std::string folder; std::getline(stream, folder, ':');) {
-    if (!folder.empty()) folders.push_back(folder);
+/// Words with ':' between them.
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, ':');) {
+    if (!word.empty()) words.push_back(word);
   }
-  return folders;
+  return words;
 }
 
 /// Programs in the folders of workers_variable, in order of folders and then of names.
@@ -109,7 +46,7 @@ std::vector<fs::path> found_workers() {
   const char* given = std::getenv(workers_variable);
   if (given == nullptr) return {};
   require_folders(workers_variable, given);
-  for (const std::string& folder : folders_of(given)) {
+  for (const std::string& folder : split(given)) {
     std::vector<fs::path> here;
     for (const auto& entry : fs::directory_iterator(folder)) {
       const auto permissions = entry.status().permissions();
@@ -128,20 +65,16 @@ struct Registry {
   std::vector<BrokenWorker> broken;
 };
 
-std::string full_name(const WorkerEngine& engine) {
-  return engine.name() + ":" + engine.solver();
-}
-
 void add_found(const fs::path& program, Registry& registry) {
   try {
     std::vector<WorkerEngine> list = engines_of(program);
     for (const WorkerEngine& engine : list) {
       const auto other =
           std::find_if(registry.engines.begin(), registry.engines.end(),
-                       [&](const WorkerEngine& one) { return full_name(one) == full_name(engine); });
+                       [&](const WorkerEngine& one) { return one.full_name() == engine.full_name(); });
       if (other != registry.engines.end())
-        throw std::runtime_error(fmt::format("{}: another program has this engine, {}", full_name(engine),
-                                             other->program().string()));
+        throw std::runtime_error(fmt::format("{}: another program has this engine, {}", engine.full_name(),
+                                             other->program.string()));
     }
     for (WorkerEngine& engine : list) registry.engines.push_back(std::move(engine));
   } catch (const std::exception& error) {
@@ -151,9 +84,8 @@ void add_found(const fs::path& program, Registry& registry) {
 
 Registry ask_workers() {
   Registry registry;
-  for (const Known& one : known) {
-    if (!one.built) continue;
-    for (WorkerEngine& engine : engines_of(find_worker(prefix + std::string(one.engine))))
+  for (const std::string& name : split(ROCKSTACK_BUILT_ENGINES)) {
+    for (WorkerEngine& engine : engines_of(find_worker(prefix + name)))
       registry.engines.push_back(std::move(engine));
   }
   for (const fs::path& program : found_workers()) add_found(program, registry);
@@ -183,7 +115,7 @@ const std::deque<WorkerEngine>& engines_at(const fs::path& program) {
 }  // namespace
 
 void require_folders(const std::string& name, const std::string& given) {
-  for (const std::string& folder : folders_of(given)) {
+  for (const std::string& folder : split(given)) {
     std::error_code error;
     const fs::directory_iterator entries(folder, error);
     if (error)
@@ -202,16 +134,16 @@ const std::vector<BrokenWorker>& broken_workers() {
 
 std::vector<std::string> engines_left_out() {
   std::vector<std::string> names;
-  for (const Known& one : known) {
+  for (const std::string& name : split(ROCKSTACK_KNOWN_ENGINES)) {
     const bool there = std::any_of(engines().begin(), engines().end(),
-                                   [&](const WorkerEngine& engine) { return engine.name() == one.engine; });
-    if (!there) names.emplace_back(one.engine);
+                                   [&](const WorkerEngine& engine) { return engine.name == name; });
+    if (!there) names.push_back(name);
   }
   return names;
 }
 
 bool is_usual(const WorkerEngine& engine) {
-  return engine.name() == "bullet" || engine.name() == "ode" || engine.name() == "bullet-single";
+  return engine.name == "bullet" || engine.name == "ode" || engine.name == "bullet-single";
 }
 
 std::vector<const WorkerEngine*> all_engines_at(const fs::path& program) {
@@ -228,9 +160,9 @@ std::vector<const WorkerEngine*> all_engines_at(const fs::path& program) {
 const WorkerEngine& find_engine_at(const fs::path& program, const std::string& name) {
   std::vector<std::string> there;
   for (const WorkerEngine* engine : all_engines_at(program)) {
-    if (name.empty() || name == engine->name() || name == full_name(*engine) || name == engine->solver())
+    if (name.empty() || name == engine->name || name == engine->full_name() || name == engine->solver)
       return *engine;
-    there.push_back(full_name(*engine));
+    there.push_back(engine->full_name());
   }
   throw InputError(fmt::format("{}: name = {}: must be one of: {}", program.string(), name, joined(there)));
 }
@@ -252,8 +184,8 @@ const WorkerEngine& find_engine(const std::string& name) {
   std::vector<std::string> there;
   there.reserve(engines().size());
   for (const WorkerEngine& engine : engines()) {
-    if (name == engine.name() || name == full_name(engine)) return engine;
-    there.push_back(full_name(engine));
+    if (name == engine.name || name == engine.full_name()) return engine;
+    there.push_back(engine.full_name());
   }
   for (const BrokenWorker& broken : broken_workers())
     there.push_back(fmt::format("({}: no worker: {})", broken.program, broken.reason));

@@ -131,6 +131,7 @@ json fields_of(const RunRequest& run, Form form) {
   for (const Placement& block : setup.blocks) object["blocks"].push_back(object_of(block, placement_fields));
   for (const auto& [name, value] : run.parameters)
     object["parameters"][name] = parameter_field(run, name, value);
+  if (run.warm_up > 0) object["warm_up"] = run.warm_up;
   if (!setup.accelerations.empty())
     write_columns(object["accelerations"], setup.accelerations, acceleration_fields, form);
   if (!setup.ground.empty()) write_columns(object["ground"], setup.ground, ground_fields, form);
@@ -149,6 +150,7 @@ RunRequest read_run_request(const json& object) {
   setup.toppling_angles = numbers_field(object, "toppling_angles");
   run.repeats = count_field(object, "repeats");
   run.bodies = flag_field(object, "bodies");
+  if (has_field(object, "warm_up")) run.warm_up = count_field(object, "warm_up");
   setup.blocks =
       read_list(object, "blocks", [](const json& block) { return read_object(block, placement_fields); });
   for (const auto& [name, value] : field(object, "parameters").items()) {
@@ -170,7 +172,9 @@ json fields_of(const EngineDescription& engine) {
               {"single_precision", engine.capabilities.single_precision},
               {"planar", engine.capabilities.planar},
               {"lead", engine.capabilities.lead},
+              {"tuned_lead", engine.capabilities.tuned_lead},
               {"settings", json::array()}};
+  if (engine.warm_up > 0) object["warm_up"] = engine.warm_up;
   for (const Setting& setting : engine.settings) {
     json one = object_of(setting, setting_fields);
     one["name"] = setting.name;
@@ -196,17 +200,18 @@ Setting read_setting(const json& object) {
 }
 
 EngineDescription read_engine(const json& object) {
-  EngineDescription engine{text_field(object, "name"),
-                           text_field(object, "solver"),
-                           text_field(object, "version"),
-                           text_field(object, "licence"),
-                           {},
-                           {}};
+  EngineDescription engine;
+  engine.name = text_field(object, "name");
+  engine.solver = text_field(object, "solver");
+  engine.version = text_field(object, "version");
+  engine.licence = text_field(object, "licence");
   Capabilities& able = engine.capabilities;
   if (has_field(object, "largest_friction")) able.largest_friction = number_field(object, "largest_friction");
   if (has_field(object, "single_precision")) able.single_precision = flag_field(object, "single_precision");
   if (has_field(object, "planar")) able.planar = flag_field(object, "planar");
   if (has_field(object, "lead")) able.lead = number_field(object, "lead");
+  able.tuned_lead = has_field(object, "tuned_lead") ? number_field(object, "tuned_lead") : able.lead;
+  if (has_field(object, "warm_up")) engine.warm_up = count_field(object, "warm_up");
   engine.settings = read_list(object, "settings", read_setting);
   return engine;
 }
@@ -251,6 +256,7 @@ json fields_of(const RunReply& run, Form form) {
   object["angles"] = to_field(made.angles, form);
   object["velocities"] = to_field(made.velocities, form);
   object["seconds"] = to_field(run.seconds, form);
+  if (run.warm_up) object["warm_up"] = *run.warm_up;
   object["warnings"] = made.warnings;
   if (!made.bodies.empty()) {
     write_columns(object["bodies"], made.bodies, body_fields, form);
@@ -277,6 +283,7 @@ RunReply read_run_reply(const json& object) {
   made.angles = numbers_field(object, "angles");
   made.velocities = numbers_field(object, "velocities");
   if (has_field(object, "seconds")) run.seconds = numbers_field(object, "seconds");
+  if (has_field(object, "warm_up")) run.warm_up = count_field(object, "warm_up");
   if (has_field(object, "warnings")) made.warnings = count_field(object, "warnings");
   if (has_field(object, "bodies"))
     made.bodies = within("bodies", [&] { return read_bodies(object["bodies"]); });

@@ -13,20 +13,14 @@
 
 namespace rockstack {
 
-/// What a worker program says of an engine with one of its solvers.
-struct EngineDescription {
-  std::string name, solver, version, licence;
-  Capabilities capabilities;
-  std::vector<Setting> settings;
-};
-
 /// One run that a worker is asked for.
 struct RunRequest {
   std::string solver;
   Setup setup;
   Parameters parameters;
-  std::size_t repeats = 0;           ///< timed runs after the one that gives the trajectory
-  bool bodies = false;               ///< whether the trajectory is to tell bodies and contacts
+  std::size_t repeats = 0;  ///< timed runs after the one that gives the trajectory
+  bool bodies = false;      ///< whether the trajectory is to tell bodies and contacts
+  std::size_t warm_up = 0;  ///< steps to take before the first timed run, the trajectory's among them
   std::set<std::string> whole = {};  ///< names of parameters that are written as whole numbers
 };
 
@@ -42,6 +36,8 @@ struct RunReply {
   Trajectory trajectory;
   std::vector<double> seconds;  ///< wall time of stepping alone in each timed run, s
   double peak_memory = 0;       ///< of the worker, bytes; 0 where it does not say
+  /// Steps that it took before the first timed run; empty where it does not say: those of the trajectory.
+  std::optional<std::size_t> warm_up = {};
 };
 
 struct Reply {

@@ -29,16 +29,19 @@ double peak_memory() {
   return 0;
 }
 
-EngineDescription describe(const Engine& engine) {
-  return {engine.name(),    engine.solver(),       engine.version(),
-          engine.licence(), engine.capabilities(), engine.settings()};
-}
-
-const Engine& find(const std::vector<std::unique_ptr<Engine>>& engines, const std::string& solver) {
-  for (const auto& engine : engines) {
-    if (engine->solver() == solver) return *engine;
+const Engine& find(const std::vector<Engine>& engines, const std::string& solver) {
+  for (const Engine& engine : engines) {
+    if (engine.solver == solver) return engine;
   }
   throw std::runtime_error("no such solver: " + solver);
+}
+
+/// Runs until as many steps as the request wants have been taken, those of the trajectory among them.
+void warm_up(const Engine& engine, const RunRequest& request, std::size_t steps, RunReply& reply) {
+  if (request.warm_up <= steps) return;
+  const std::size_t runs = (request.warm_up - 1) / steps;
+  time_stepping(engine, request.setup, request.parameters, steps, static_cast<int>(runs));
+  reply.warm_up = (runs + 1) * steps;
 }
 
 RunReply answer_run(const Engine& engine, const RunRequest& request) {
@@ -46,6 +49,7 @@ RunReply answer_run(const Engine& engine, const RunRequest& request) {
   try {
     reply.trajectory = run(engine, request.setup, request.parameters, request.bodies);
     const std::size_t steps = reply.trajectory.angles.size() / request.setup.blocks.size() - 1;
+    warm_up(engine, request, steps, reply);
     reply.seconds =
         time_stepping(engine, request.setup, request.parameters, steps, static_cast<int>(request.repeats));
   } catch (const NotFinite& failure) {
@@ -68,19 +72,19 @@ void write_all(int descriptor, std::string_view bytes) {
 }
 
 /// @throws std::runtime_error where no engine has the solver.
-Reply answer(const std::vector<std::unique_ptr<Engine>>& engines, const Request& request) {
+Reply answer(const std::vector<Engine>& engines, const Request& request) {
   Reply reply;
   if (request.run) {
     reply.run = answer_run(find(engines, request.run->solver), *request.run);
   } else {
-    for (const auto& engine : engines) reply.engines.push_back(describe(*engine));
+    reply.engines.assign(engines.begin(), engines.end());
   }
   return reply;
 }
 
 }  // namespace
 
-int serve(const std::vector<std::unique_ptr<Engine>>& engines) {
+int serve(const std::vector<Engine>& engines) {
   try {
     const std::string bytes{std::istreambuf_iterator<char>(std::cin), {}};
     const Request request = read_request(read_message(bytes));

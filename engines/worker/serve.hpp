@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "engines/engine.hpp"
@@ -13,6 +12,6 @@ inline constexpr int reply_descriptor = 3;
 /// The main function of a worker program: reads one request from standard input, answers it on
 /// reply_descriptor; an engine's failure is part of the reply. @return the exit code: 0, or 2 where there was
 /// no request to be read.
-int serve(const std::vector<std::unique_ptr<Engine>>& engines);
+int serve(const std::vector<Engine>& engines);
 
 }  // namespace rockstack

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <csignal>
 #include <cstring>
 #include <stdexcept>
@@ -55,8 +54,9 @@ std::uint64_t reply_limit(const RunRequest& asked) {
 
 RunRequest request(const WorkerEngine& engine, const Parameters& parameters, std::size_t repeats,
                    bool bodies) {
-  RunRequest asked{engine.solver(), {}, parameters, repeats, bodies};
-  for (const Setting& setting : engine.settings()) {
+  RunRequest asked{engine.solver, {}, parameters, repeats, bodies};
+  if (repeats > 0) asked.warm_up = engine.warm_up;
+  for (const Setting& setting : engine.settings) {
     if (setting.whole) asked.whole.insert(setting.name);
   }
   return asked;
@@ -90,26 +90,19 @@ RunReply read_run(const std::string& bytes, const RunRequest& asked) {
 
 Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
   limits.reply = reply_limit(asked);
-  const ProcessEnd end = run_process(engine.program(), to_bytes(Request{asked}, engine.form()), limits);
+  const ProcessEnd end = run_process(engine.program, to_bytes(Request{asked}, engine.form), limits);
   if (end.unwanted || end.timed_out || end.signal != 0 || end.exit_code != 0)
     return {explain(end, limits), end.processor_time};
   try {
     return {read_run(end.reply, asked), end.processor_time};
   } catch (const std::exception& error) {
-    const std::string reason = fmt::format("{} gave a reply that cannot be read: {}",
-                                           engine.program().string(), heard(error.what()));
+    const std::string reason =
+        fmt::format("{} gave a reply that cannot be read: {}", engine.program.string(), heard(error.what()));
     return {{"failed", with_last_words(reason, end), {}, {}, 0}, end.processor_time};
   }
 }
 
 }  // namespace
-
-WorkerEngine::WorkerEngine(std::filesystem::path program, EngineDescription description, Form form)
-    : program_(std::move(program)), description_(std::move(description)), form_(form) {}
-
-double WorkerEngine::friction(double asked) const {
-  return std::min(asked, capabilities().largest_friction);
-}
 
 std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, double answering_time) {
   const Limits limits{.time = answering_time};
@@ -124,7 +117,7 @@ std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, doubl
     const Message message = read_answer(end.reply);
     const Reply reply = read_reply(message);
     check_descriptions(reply.engines);
-    for (const EngineDescription& engine : reply.engines) engines.emplace_back(program, engine, message.form);
+    for (const EngineDescription& engine : reply.engines) engines.push_back({engine, program, message.form});
     return engines;
   } catch (const std::exception& error) {
     throw refuse(with_last_words(": " + heard(error.what()), end));
@@ -149,6 +142,8 @@ WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double d
   result.processor_time = processor_time;
   result.peak_memory = run.peak_memory;
   if (result.status != "done") return result;
+  const std::size_t steps = run.trajectory.angles.size() / scene.blocks.size() - 1;
+  result.cold = run.warm_up.value_or(steps) < asked.warm_up;
   result.run = account_of(scene, asked.setup, std::move(run.trajectory), bodies);
   result.seconds = std::move(run.seconds);
   return result;

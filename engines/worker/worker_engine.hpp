@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,28 +14,12 @@ namespace rockstack {
 
 /// An engine with one of its solvers, run by a worker program: each run in a process of its own, so that
 /// whatever the engine does ends that run and nothing else.
-class WorkerEngine {
- public:
-  /// `form`: in which the program described its engines and is asked for runs.
-  WorkerEngine(std::filesystem::path program, EngineDescription description, Form form);
+struct WorkerEngine : EngineDescription {
+  std::filesystem::path program;
+  Form form = Form::json;  ///< in which it described its engines and is asked for runs
 
-  const std::string& name() const { return description_.name; }        ///< "bullet", "bullet-single", "ode"
-  const std::string& solver() const { return description_.solver; }    ///< "step", …
-  const std::string& version() const { return description_.version; }  ///< of the library in use
-  const std::string& licence() const { return description_.licence; }
-  const Capabilities& capabilities() const { return description_.capabilities; }
-  const std::vector<Setting>& settings() const { return description_.settings; }
-  Parameters default_parameters() const { return standard_values(settings()); }
-  Parameters tuned_parameters() const { return tuned_values(settings()); }
   /// The coefficient of friction that acts where a scene asks for `asked`.
-  double friction(double asked) const;
-  const std::filesystem::path& program() const { return program_; }
-  Form form() const { return form_; }
-
- private:
-  std::filesystem::path program_;
-  EngineDescription description_;
-  Form form_;
+  double friction(double asked) const { return std::min(asked, capabilities.largest_friction); }
 };
 
 /// All engines of a worker program, in its order. @throws std::runtime_error naming the program where it does
@@ -48,6 +33,7 @@ struct WorkerRun {
   std::string reason;           ///< why not done
   EngineRun run;                ///< where done
   std::vector<double> seconds;  ///< wall time of stepping alone, each timed run, s
+  bool cold = false;            ///< these are of a runtime that had not taken the steps to be warm
   double processor_time = 0;    ///< of the whole process, user and system, s
   double peak_memory = 0;       ///< likewise, bytes; 0 where the process did not come to say it
 };

@@ -17,6 +17,6 @@ struct ImpactLoss {
 /// The losses at a run's matched impacts, by time, from its impacts.csv and energy.csv; those are left out
 /// whose halfway times do not rise in both. Meaningful where the ground does not move.
 /// @throws InputError naming the file and what is wrong in it.
-std::vector<ImpactLoss> read_impact_losses(const Run& run);
+std::vector<ImpactLoss> impact_losses(const Run& run);
 
 }  // namespace rockstack::plots

@@ -56,16 +56,7 @@ std::vector<LawTally> tallies_by(const std::vector<LawRun>& runs,
                                  const std::function<std::string(const LawRun&)>& name) {
   std::vector<LawTally> list;
   for (const LawRun& one : runs) add(entry_of(list, name(one)), one);
-  for (LawTally& tally : list) {
-    std::sort(tally.from_paper.begin(), tally.from_paper.end());
-    std::sort(tally.from_consistent.begin(), tally.from_consistent.end());
-  }
   return list;
-}
-
-double median_of(const std::vector<double>& rising) {
-  const std::size_t half = rising.size() / 2;
-  return rising.size() % 2 == 1 ? rising[half] : (rising[half - 1] + rising[half]) / 2;
 }
 
 }  // namespace rockstack::plots

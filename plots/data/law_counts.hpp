@@ -29,7 +29,7 @@ std::string mass_ratio_range(const LawCell& cell);
 struct LawTally {
   std::string of;  ///< what they have in common
   int consistent = 0, paper = 0, neither = 0, failed = 0;
-  std::vector<double> from_paper, from_consistent;  ///< rising, of those that did not fail
+  std::vector<double> from_paper, from_consistent;  ///< of those that did not fail
   const LawRun* farthest = nullptr;                 ///< from law consistent, null where all failed
 
   int runs() const { return consistent + paper + neither + failed; }
@@ -38,8 +38,5 @@ struct LawTally {
 /// Runs together that have the same name, in order of appearance. Points into `runs`.
 std::vector<LawTally> tallies_by(const std::vector<LawRun>& runs,
                                  const std::function<std::string(const LawRun&)>& name);
-
-/// The middle of rising values. Precondition: there are some.
-double median_of(const std::vector<double>& rising);
 
 }  // namespace rockstack::plots

@@ -20,6 +20,7 @@ class Row {
   std::string text(const char* name) const { return table_.rows[index_][column(table_, name, file_)]; }
   double value(const char* name) const { return number(text(name), place(), name); }
   int blocks() const { return whole_number(text("blocks"), place(), "blocks", 1, max_blocks); }
+  RunStatus named_status() const { return text("status") == "done" ? RunStatus::done : RunStatus::failed; }
 
  private:
   std::string place() const { return fmt::format("{}:{}", file_.string(), index_ + 2); }
@@ -50,10 +51,10 @@ void read_runs(const fs::path& file, LawResults& results) {
     one.run.engine = row.text("engine");
     one.run.solver = row.text("solver");
     one.run.settings = row.text("settings");
-    one.run.status = row.text("status");
+    one.run.status = row.named_status();
     one.run.reason = row.text("reason");
     one.run.dt = row.value("dt");
-    one.run.cells = table.rows[i];
+    one.cells = table.rows[i];
     one.follows = row.text("follows");
     one.from_paper = row.value("from_paper");
     one.from_consistent = row.value("from_consistent");

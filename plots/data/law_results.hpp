@@ -38,6 +38,7 @@ struct LawRun {
   Run run;                                     ///< its scene is the state's name
   std::string follows;                         ///< "consistent", "paper" or "neither"; empty where it failed
   double from_paper = 0, from_consistent = 0;  ///< of its velocities, over the largest relative rate before
+  std::vector<std::string> cells;              ///< the whole row as text, for LawResults::columns
 };
 
 /// What `rockstack compare` has written of a study of impact laws.

@@ -6,37 +6,41 @@
 #include <map>
 #include <set>
 
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "plots/data/selection.hpp"
 
 namespace rockstack::plots {
 namespace {
 
 bool is_compared(const Run& run) {
-  return run.done() && !is_variant(run) && !run.exact() && !std::isnan(run.dt) &&
-         !std::isnan(run.rms_angle_difference);
+  return run.done() && !is_variant(run) && !run.exact() && run.dt && run.rms_angle_difference;
 }
 
-template <double Run::*field>
-double value_of(const Comparison&, const Run& run) {
-  return run.*field;
+template <auto field>
+double cell(const Comparison&, const Run& run) {
+  return value_of(run.*field);
 }
 
 bool same_series(const Run& a, const Run& b) {
   return a.scene == b.scene && solver_name(a) == solver_name(b) && a.settings == b.settings;
 }
 
+/// Its error over the least that any set has in its scene at its step; none where the scene is at rest.
+double times_the_least(const Comparison& comparison, const Run& run) {
+  if (!run.error || run.motion.value_or(0) <= rest_extent) return std::nan("");
+  double least = *run.error;
+  for (const Run& other : comparison.runs)
+    if (is_compared(other) && other.scene == run.scene && other.dt == run.dt && other.error)
+      least = std::min(least, *other.error);
+  return std::max(*run.error, least_error) / std::max(least, least_error);
+}
+
 /// What the smallest step leaves of the error at the largest, where that is more than rounding.
 double left_of_error(const Comparison& comparison, const Run& run) {
   const auto [coarsest, finest] = step_ends(comparison, run);
   return coarsest->dt > finest->dt && coarsest->rms_angle_difference > least_error
-             ? finest->rms_angle_difference / coarsest->rms_angle_difference
+             ? *finest->rms_angle_difference / *coarsest->rms_angle_difference
              : std::nan("");
-}
-
-double middle(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
 }  // namespace
@@ -53,20 +57,24 @@ StepEnds step_ends(const Comparison& comparison, const Run& run) {
 
 const std::vector<SolverQuestion>& solver_questions() {
   static const std::vector<SolverQuestion> questions{
-      {"accuracy", "Which is nearest to the exact motion?", "RMS angle difference (rad)", "",
-       value_of<&Run::rms_angle_difference>},
+      {"accuracy", "Which is nearest to the exact motion, scene by scene?",
+       "error over the least of its scene", "", times_the_least},
       {"convergence", "What does a smaller step leave of the error?", "share of the error that is left",
        "from the largest step to the smallest", left_of_error},
       {"first-impact", "Does the first impact come in time?", "first impact off by (steps)", "",
-       [](const Comparison&, const Run& run) { return std::abs(run.first_impact_time_difference) / run.dt; }},
+       [](const Comparison&, const Run& run) {
+         return std::abs(value_of(run.first_impact_time_difference)) / *run.dt;
+       }},
       {"energy", "Do contacts make energy?", "energy gained (share of weight times height)", "",
-       value_of<&Run::energy_gain>},
+       cell<&Run::energy_gain>},
       {"overlap", "How deep do blocks sink into each other?", "largest overlap (m)", "",
-       value_of<&Run::penetration>},
+       cell<&Run::penetration>},
       {"rest", "Is what rests at rest?", "RMS angular velocity where the exact one is zero (rad/s)", "",
-       value_of<&Run::residual_motion>},
+       cell<&Run::residual_motion>},
       {"cost", "What does a step cost?", "time of one step (s)", "",
-       [](const Comparison&, const Run& run) { return run.stepping_time / run.steps; }},
+       [](const Comparison&, const Run& run) {
+         return value_of(run.stepping_time_minimum) / value_of(run.steps);
+       }},
   };
   return questions;
 }
@@ -78,7 +86,7 @@ const Run& Score::worst() const {
 double common_step(const Comparison& comparison) {
   std::map<double, std::size_t> counts;
   for (const Run& run : comparison.runs)
-    if (is_compared(run)) ++counts[run.dt];
+    if (is_compared(run)) ++counts[*run.dt];
   if (counts.empty()) return std::nan("");
   return std::max_element(counts.begin(), counts.end(),
                           [](const auto& a, const auto& b) { return a.second < b.second; })
@@ -98,13 +106,21 @@ std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& qu
   }
   std::vector<Score> list;
   for (auto& [label, score] : groups) {
-    score.median = middle(score.values);
+    score.median = median(score.values);
     list.push_back(std::move(score));
   }
   std::stable_sort(list.begin(), list.end(), [](const Score& a, const Score& b) {
     return a.runs.size() != b.runs.size() ? a.runs.size() > b.runs.size() : a.median < b.median;
   });
   return list;
+}
+
+std::string first_of_all(const Comparison& comparison) {
+  const std::vector<RankedSet>& ranking = comparison.verdict.ranking;
+  std::vector<std::string> first;
+  for (const RankedSet& set : ranking)
+    if (set.rank == 1) first.push_back(set_name(set.engine, set.solver, set.settings));
+  return nearest_phrase(first, ranking.size());
 }
 
 bool has_scores(const Comparison& comparison) {

@@ -45,6 +45,10 @@ StepEnds step_ends(const Comparison& comparison, const Run& run);
 /// steps, s; NaN where there are none.
 double common_step(const Comparison& comparison);
 
+/// The sets that share the first rank of the comparison's verdict, in words that say whether replicates tell
+/// them apart.
+std::string first_of_all(const Comparison& comparison);
+
 /// Whether several solvers stand beside each other in several scenes, so that scores say something.
 bool has_scores(const Comparison& comparison);
 

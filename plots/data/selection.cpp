@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <utility>
+
+#include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -79,15 +82,28 @@ bool varies_iterations(const StepLine& line) {
   return line.size() > 1 && line.front().dt == line.back().dt && iterations_of(line.front()) > 0;
 }
 
+std::vector<StepLine> shown_lines(const Comparison& comparison, const std::string& scene) {
+  const std::vector<StepLine> lines = step_lines(comparison, scene);
+  std::vector<StepLine> shown;
+  for (const StepLine& line : lines)
+    if (line.front().settings != "default" || !has_tuned(lines, line.front())) shown.push_back(line);
+  return shown;
+}
+
 Shown shown_runs(const Comparison& comparison, const std::string& scene) {
   Shown shown;
   for (const Run& run : done_runs(comparison, scene))
     if (run.exact() && shown.exact.empty()) shown.exact.push_back(run);
-  const std::vector<StepLine> lines = step_lines(comparison, scene);
-  for (const StepLine& line : lines)
-    if (line.front().settings != "default" || !has_tuned(lines, line.front()))
-      shown.engines.push_back(line.front());
+  for (const StepLine& line : shown_lines(comparison, scene)) shown.engines.push_back(line.front());
   return shown;
+}
+
+std::vector<double> chosen_steps(const std::vector<Run>& runs) {
+  std::set<double> all;
+  for (const Run& run : runs) all.insert(value_of(run.dt));
+  std::vector<double> steps(all.rbegin(), all.rend());
+  if (steps.size() > 3) steps = {steps.front(), steps[steps.size() / 2], steps.back()};
+  return steps;
 }
 
 std::vector<Run> perturbed_runs(const Comparison& comparison, const std::string& scene) {
@@ -122,17 +138,17 @@ std::string line_label(const StepLine& line) {
   return line_label(run);
 }
 
-const Fit* fit_of(const Comparison& comparison, const StepLine& line, const std::string& quantity) {
+const StepFit* fit_of(const Comparison& comparison, const StepLine& line, const std::string& quantity) {
   const Run& run = line.front();
-  const auto found = std::find_if(comparison.fits.begin(), comparison.fits.end(), [&](const Fit& fit) {
+  const auto found = std::find_if(comparison.fits.begin(), comparison.fits.end(), [&](const SeriesFit& fit) {
     return fit.scene == run.scene && fit.engine == run.engine && fit.solver == run.solver &&
            fit.settings == run.settings && fit.quantity == quantity;
   });
-  return found == comparison.fits.end() ? nullptr : &*found;
+  return found == comparison.fits.end() ? nullptr : &found->fit;
 }
 
 std::string run_label(const Run& run) {
-  return run.exact() || std::isnan(run.dt) ? line_label(run) : line_label(run) + ", " + duration_text(run.dt);
+  return run.exact() || !run.dt ? line_label(run) : line_label(run) + ", " + duration_text(*run.dt);
 }
 
 std::string run_phrase(const Run& run) {
@@ -144,6 +160,16 @@ std::string run_phrase(const Run& run) {
 std::string off_by(double error) {
   return error > least_error ? fmt::format("off by {:.2g} rad", error)
                              : fmt::format("off by less than {:g} rad", least_error);
+}
+
+std::string nearest_phrase(const std::vector<std::string>& first, std::size_t all) {
+  constexpr std::size_t told = 3;
+  if (first.size() == all) return all == 1 ? first.front() : "none can be told apart";
+  return joined_up_to(told, first) + (first.size() > 1 ? ", which cannot be told apart" : "");
+}
+
+std::string span_text(const std::string& low, const std::string& high) {
+  return low == high ? low : low + " to " + high;
 }
 
 std::string duration_text(double seconds) {
@@ -161,14 +187,10 @@ std::string rounded_duration(double seconds) {
   return duration_text(std::round(seconds / unit) * unit);
 }
 
-double quartile_or(double quartile, double value) {
-  return std::isnan(quartile) ? value : quartile;
-}
-
 std::string draws_note(const Comparison& comparison, const std::string& scene) {
-  double draws = 1;
+  int draws = 1;
   for (const Run& run : comparison.runs)
-    if (run.scene == scene && run.draws > draws) draws = run.draws;
+    if (run.scene == scene) draws = std::max(draws, run.draws.value_or(1));
   return draws > 1 ? fmt::format("marks: medians of {} replicates at nearby steps; bars: quartiles", draws)
                    : "";
 }

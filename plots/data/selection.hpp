@@ -20,11 +20,17 @@ Shown shown_runs(const Comparison& comparison, const std::string& scene);
 /// too, by falling iterations.
 using StepLine = std::vector<Run>;
 
+/// Of each engine, solver and settings one line; default settings only where there are no tuned ones.
+std::vector<StepLine> shown_lines(const Comparison& comparison, const std::string& scene);
+
 /// Whether the runs of a line differ in their iterations, at one step.
 bool varies_iterations(const StepLine& line);
 
 /// All engine runs of a scene that are done, line by line in the order of the file.
 std::vector<StepLine> step_lines(const Comparison& comparison, const std::string& scene);
+
+/// The largest, the middle and the smallest of the time steps of some runs; or all, where there are fewer.
+std::vector<double> chosen_steps(const std::vector<Run>& runs);
 
 /// The runs of a scene that have answers over perturbed scenes, the exact one first.
 std::vector<Run> perturbed_runs(const Comparison& comparison, const std::string& scene);
@@ -39,7 +45,7 @@ std::string line_label(const Run& run);
 std::string line_label(const StepLine& line);
 
 /// The fit of a line's errors in a column, null where there is none.
-const Fit* fit_of(const Comparison& comparison, const StepLine& line, const std::string& quantity);
+const StepFit* fit_of(const Comparison& comparison, const StepLine& line, const std::string& quantity);
 
 /// The same with its time step, "bullet sequential-impulse, tuned, 0.1 ms".
 std::string run_label(const Run& run);
@@ -53,12 +59,15 @@ inline constexpr double least_error = 1e-12;
 /// "off by 0.0015 rad".
 std::string off_by(double error);
 
-/// A quartile, or the value itself where there are no draws.
-double quartile_or(double quartile, double value);
+/// Those that share a first rank of `all`, in words: which they are, and whether they can be told apart.
+std::string nearest_phrase(const std::vector<std::string>& first, std::size_t all);
 
 /// What the marks of a scene's figures stand for: "marks: medians of 21 replicates; bars: quartiles"; empty
 /// where its rows are single runs.
 std::string draws_note(const Comparison& comparison, const std::string& scene);
+
+/// "low to high", or once where both are said alike.
+std::string span_text(const std::string& low, const std::string& high);
 
 /// A duration with a unit that suits it: "0.1 ms", "12 µs", "3.5 s".
 std::string duration_text(double seconds);

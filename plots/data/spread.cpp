@@ -8,18 +8,6 @@
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack::plots {
-namespace {
-
-/// One of Wilson's bounds, `side` standard errors of 95 % from the middle.
-double wilson(double share, double count, double side) {
-  constexpr double normal = 1.959964;  // quantile of 97.5 %
-  const double square = normal * normal / count;
-  return (share + square / 2 + side * normal * std::sqrt(share * (1 - share) / count + square / 4 / count)) /
-         (1 + square);
-}
-
-}  // namespace
-
 std::vector<double> draws_of(const Run& run, const std::string& quantity) {
   const auto file = run.folder / "draws.csv";
   if (!std::filesystem::exists(file)) return {};
@@ -46,27 +34,13 @@ std::map<std::string, SpreadRange> ranges_of(const std::filesystem::path& result
   return ranges;
 }
 
-double Share::lower() const {
-  return wilson(value(), of, -1);
-}
-
-double Share::upper() const {
-  return wilson(value(), of, 1);
-}
-
-Share toppled_share(const Run& run, const Run& exact) {
-  const auto answers = read_columns(run.folder / "perturbed.csv", {"run", "toppled"});
-  const auto truth = read_columns(exact.folder / "perturbed.csv", {"run", "toppled"});
-  std::map<double, double> exact_answer;
-  for (std::size_t i = 0; i < truth[0].size(); ++i) exact_answer[truth[0][i]] = truth[1][i];
+Share toppled_share(const std::vector<MotionTally>& tallies, const std::vector<MotionTally>& exact) {
   Share share;
-  for (std::size_t i = 0; i < answers[0].size(); ++i) {
-    if (std::isnan(answers[1][i])) continue;
+  for (std::size_t i = 0; i < tallies.size(); ++i) {
+    if (tallies[i].failed()) continue;
     ++share.of;
-    share.toppled += answers[1][i] > 0 ? 1 : 0;
-    const auto found = exact_answer.find(answers[0][i]);
-    if (found != exact_answer.end() && !std::isnan(found->second))
-      share.agree += (answers[1][i] > 0) == (found->second > 0) ? 1 : 0;
+    if (tallies[i].topples) ++share.toppled;
+    if (i < exact.size() && !exact[i].failed() && exact[i].topples == tallies[i].topples) ++share.agree;
   }
   return share;
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/measures/statistics/fragility.hpp"
+#include "comparisons/measures/statistics/tally.hpp"
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {
@@ -24,18 +26,16 @@ std::map<std::string, SpreadRange> ranges_of(const std::filesystem::path& result
 
 /// How many perturbed scenes of a run end one way.
 struct Share {
-  int of = 0;       ///< scenes that were solved
-  int toppled = 0;  ///< of these
-  int agree = 0;    ///< whose answer is that of the exact solution, of those that both solved
+  std::size_t of = 0;       ///< scenes that were solved
+  std::size_t toppled = 0;  ///< of these
+  std::size_t agree = 0;    ///< whose answer is that of the exact solution, of those that both solved
 
-  double value() const { return static_cast<double>(toppled) / of; }
-  /// Bounds of the share with 95 % confidence (Wilson 1927).
-  double lower() const;
-  double upper() const;
+  double value() const { return static_cast<double>(toppled) / static_cast<double>(of); }
+  /// With 95 % confidence.
+  Bounds bounds() const { return wilson_bounds(toppled, of); }
 };
 
-/// How many of a run's perturbed scenes topple, and agree with the exact ones, from their perturbed.csv.
-/// @throws InputError likewise.
-Share toppled_share(const Run& run, const Run& exact);
+/// How many perturbed scenes of a run topple, and agree with the exact ones, which are the same.
+Share toppled_share(const std::vector<MotionTally>& tallies, const std::vector<MotionTally>& exact);
 
 }  // namespace rockstack::plots

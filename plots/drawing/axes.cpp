@@ -84,6 +84,16 @@ std::string linear_tics(const std::string& axis, double low, double high, double
   return fmt::format("set {}tics {}\n", axis, plain(step));
 }
 
+std::string linear_range(const std::string& axis, double low, double high, double pixels) {
+  return fmt::format("set {}range [{}:{}]\n", axis, plain(low), plain(high)) +
+         linear_tics(axis, low, high, pixels);
+}
+
+std::string logarithmic_range(const std::string& axis, double low, double high, double pixels) {
+  return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n", axis, plain(low), plain(high)) +
+         logarithmic_tics(axis, low, high, pixels);
+}
+
 double SignedLog::place(double value) const {
   const double size = std::abs(value) / std::pow(10, first);
   const double height = size <= 1 ? size : 1 + std::log10(size);

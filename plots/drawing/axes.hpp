@@ -27,4 +27,8 @@ std::string logarithmic_tics(const std::string& axis, double low, double high, d
 /// Numbers along a linear axis, "x" or "y", of that many pixels: as many round ones as there is room for.
 std::string linear_tics(const std::string& axis, double low, double high, double pixels);
 
+/// The range of an axis with its numbers, of either kind.
+std::string linear_range(const std::string& axis, double low, double high, double pixels);
+std::string logarithmic_range(const std::string& axis, double low, double high, double pixels);
+
 }  // namespace rockstack::plots

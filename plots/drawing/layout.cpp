@@ -242,7 +242,8 @@ Drawing empty_sheet(const std::string& title, const std::string& text) {
 void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std::vector<std::string>& context,
                    const std::string& settings, const std::string& across, const std::string& up,
                    double left) {
-  constexpr std::size_t columns = 3;
+  constexpr std::size_t most_columns = 3;
+  const std::size_t columns = std::min(most_columns, series.size());
   constexpr double line = 16, gap = 34, before = 92;
   std::size_t most_lines = 1;
   for (const Multiple& one : series) most_lines = std::max(most_lines, lines_of(one.words).size());

@@ -86,8 +86,8 @@ inline constexpr std::size_t most_series = 6;
 /// The size of their panels, pixels.
 inline constexpr double multiple_width = 328, multiple_height = 160;
 
-/// Adds a panel for each series, three in a row from `left` on, over `context`, which all of them show.
-/// `settings` are of every panel, `across` and `up` the words of the axes.
+/// Adds a panel for each series, three in a row or as many as there are from `left` on, over `context`, which
+/// all of them show. `settings` are of every panel, `across` and `up` the words of the axes.
 void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std::vector<std::string>& context,
                    const std::string& settings, const std::string& across, const std::string& up,
                    double left = left_edge);

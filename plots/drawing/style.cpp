@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
@@ -107,6 +108,16 @@ Style style_of(const Run& run) {
   return style;
 }
 
+std::string paler(const std::string& colour, double strength) {
+  constexpr int white = 255, base = 16;
+  std::string text = "#";
+  for (const std::size_t at : {1U, 3U, 5U}) {
+    const int own = std::stoi(colour.substr(at, 2), nullptr, base);
+    text += fmt::format("{:02X}", static_cast<int>(std::lround(white + (own - white) * strength)));
+  }
+  return text;
+}
+
 std::string pattern_tint(std::size_t index) {
   return std::string(tints[index % tints.size()]);
 }
@@ -123,9 +134,9 @@ std::string mark_style(const Run& run, double size) {
   return fmt::format("with points lw 2 lc rgb '{}' pt {} ps {:.2f}*mark", style.colour, style.mark, size);
 }
 
-std::string floor_plot(const Fit& fit, const std::string& colour) {
-  return fmt::format("{} with lines lw 1.5 dt {} lc rgb '{}' notitle", fit.model_error,
-                     fit.model_error_low > 0 ? "(8,8)" : "(1,9)", colour);
+std::string floor_plot(const StepFit& fit, const std::string& colour) {
+  return fmt::format("{} with lines lw 1.5 dt {} lc rgb '{}' notitle", fit.model_error.value,
+                     fit.model_error.low > 0 ? "(8,8)" : "(1,9)", colour);
 }
 
 }  // namespace rockstack::plots

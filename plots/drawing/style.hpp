@@ -17,6 +17,9 @@ struct Style {
 /// The style of a run's series; its time step does not count.
 Style style_of(const Run& run);
 
+/// A colour, #rrggbb, of which white takes a part: 1 is the colour itself, 0 white.
+std::string paler(const std::string& colour, double strength);
+
 /// A tint for the band of patterns, pale enough for black letters; repeats after a while.
 std::string pattern_tint(std::size_t index);
 
@@ -41,6 +44,6 @@ std::string mark_style(const Run& run, double size);
 
 /// The model error of a fit as a plot, a line across the panel: dashed where the bounds tell it from none,
 /// dotted where they do not.
-std::string floor_plot(const Fit& fit, const std::string& colour);
+std::string floor_plot(const StepFit& fit, const std::string& colour);
 
 }  // namespace rockstack::plots

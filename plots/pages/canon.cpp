@@ -1,4 +1,4 @@
-#include "plots/pages/canon.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <fmt/core.h>
 
@@ -10,7 +10,7 @@
 #include "plots/data/json_file.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
-#include "plots/pages/template.hpp"
+#include "plots/pages/templates.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -19,8 +19,11 @@ namespace fs = std::filesystem;
 
 /// A verdict as a class of the style sheet.
 std::string class_of(const std::string& verdict) {
-  static const std::map<std::string, std::string> classes{
-      {"agrees", "agrees"}, {"converges", "converges"}, {"another law", "another-law"}, {"no run", "no-run"}};
+  static const std::map<std::string, std::string> classes{{"agrees", "agrees"},
+                                                          {"converges", "converges"},
+                                                          {"another law", "another-law"},
+                                                          {"cannot tell", "cannot-tell"},
+                                                          {"no run", "no-run"}};
   const auto found = classes.find(verdict);
   return found == classes.end() ? "" : found->second;
 }
@@ -33,13 +36,12 @@ std::string steps_text(double steps) {
 
 std::string cell_of(const Json& answer) {
   const std::string verdict = answer.at("verdict");
-  if (verdict == "no run")
-    return element(
-        "td", "no run",
-        fmt::format(" class=\"no-run\" title=\"{}\"", escaped(answer.at("reason").get<std::string>())));
-  const double coarse = answer.at("steps_off_coarse"), fine = answer.at("steps_off_fine");
-  return element("td", fmt::format("{}<br>{} → {}", escaped(verdict), steps_text(coarse), steps_text(fine)),
-                 fmt::format(" class=\"{}\" data-value=\"{}\"", class_of(verdict), fine));
+  const std::string reason = escaped(answer.at("reason").get<std::string>());
+  std::string text = escaped(verdict);
+  if (verdict != "no run")
+    text += fmt::format("<br>{} → {}", steps_text(answer.at("steps_off").front()),
+                        steps_text(answer.at("steps_off").back()));
+  return element("td", text, fmt::format(" class=\"{}\" title=\"{}\"", class_of(verdict), reason));
 }
 
 std::string rows_of(const Json& canon) {
@@ -95,10 +97,10 @@ std::string content(const Json& canon) {
   return filled_in(canon_html,
                    {{"title", escaped(canon.at("title").get<std::string>())},
                     {"answer", answer_box(answer_of(canon))},
-                    {"coarse", fmt::format("{:g}", 1000 * canon.at("steps").at("coarse").get<double>())},
-                    {"fine", fmt::format("{:g}", 1000 * canon.at("steps").at("fine").get<double>())},
+                    {"coarse", fmt::format("{:g}", 1000 * canon.at("steps").front().get<double>())},
+                    {"fine", fmt::format("{:g}", 1000 * canon.at("steps").back().get<double>())},
                     {"agreement", fmt::format("{:g}", canon.at("agreement").get<double>())},
-                    {"draws", fmt::format("{}", canon.at("draws").get<int>())},
+                    {"replicates", fmt::format("{}", canon.at("replicates").get<int>())},
                     {"table", table(columns, rows_of(canon))},
                     {"scenes", scenes_of(canon)},
                     {"command", escaped(canon.at("command").get<std::string>())}});
@@ -106,13 +108,8 @@ std::string content(const Json& canon) {
 
 }  // namespace
 
-bool has_canon(const fs::path& results) {
-  return fs::exists(results / "canon.json");
-}
-
 void write_canon_report(const fs::path& results) {
-  const fs::path file = results / "canon.json";
-  read_json(file, [&](const Json& canon) {
+  read_json(results / "canon.json", [&](const Json& canon) {
     write_file(results / "report.html", page({canon.at("title"), "report", content(canon)}));
   });
 }

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "plots/data/law_counts.hpp"
 #include "plots/data/selection.hpp"
 
@@ -102,7 +103,7 @@ void add_patterns(const LawResults& results, const LawTally& all, std::vector<st
       all.neither, all.failed));
   std::vector<std::string> steps;
   for (const LawTally& step :
-       tallies_by(results.runs, [](const LawRun& one) { return duration_text(one.run.dt); }))
+       tallies_by(results.runs, [](const LawRun& one) { return duration_text(value_of(one.run.dt)); }))
     steps.push_back(fmt::format("{} of {} with steps of {}", step.consistent, step.runs(), step.of));
   sentences.push_back(fmt::format("Law consistent's pattern by time step: {}.", joined(steps)));
   const auto solvers = ranked(tallies_by(results.runs, name_of_solver), [](const LawTally& tally) {
@@ -126,8 +127,8 @@ void add_velocities(const LawResults& results, const LawTally& all, std::vector<
       "The angular velocities after the impact are nearer to law consistent's in {} of {} that came to their "
       "end. Half of them are within {:.2g} of the largest relative one before the impact from law "
       "consistent's, and within {:.2g} from law paper's.",
-      nearer, counted(all.from_consistent.size(), "run"), median_of(all.from_consistent),
-      median_of(all.from_paper)));
+      nearer, counted(all.from_consistent.size(), "run"), median(all.from_consistent),
+      median(all.from_paper)));
   sentences.push_back(fmt::format("Farthest from law consistent is {}, by {:.3g} times that velocity, in {}.",
                                   run_phrase(all.farthest->run), all.farthest->from_consistent,
                                   all.farthest->run.scene));

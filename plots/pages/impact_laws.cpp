@@ -1,4 +1,4 @@
-#include "plots/pages/impact_laws.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <fmt/core.h>
 
@@ -8,13 +8,14 @@
 #include <sstream>
 
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "plots/data/law_counts.hpp"
 #include "plots/data/law_results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/impact_law_summary.hpp"
 #include "plots/pages/page_parts.hpp"
-#include "plots/pages/template.hpp"
+#include "plots/pages/templates.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -94,8 +95,8 @@ Cells with_tally(Cells names, const LawTally& tally) {
   for (const int count : {tally.runs(), tally.consistent, tally.paper, tally.neither, tally.failed})
     names.push_back(std::to_string(count));
   const bool any = tally.farthest != nullptr;
-  names.push_back(any ? fmt::format("{}", median_of(tally.from_consistent)) : "");
-  names.push_back(any ? fmt::format("{}", median_of(tally.from_paper)) : "");
+  names.push_back(any ? fmt::format("{}", median(tally.from_consistent)) : "");
+  names.push_back(any ? fmt::format("{}", median(tally.from_paper)) : "");
   names.push_back(any ? fmt::format("{}", tally.farthest->from_consistent) : "");
   return names;
 }
@@ -108,8 +109,9 @@ Cells followed_by(Cells columns, const Cells& others) {
 std::string solvers_table(const std::vector<LawRun>& runs) {
   const Cells columns = followed_by({"solver", "time step (s)"}, tally_columns);
   std::string rows;
-  for (const LawTally& tally : tallies_by(
-           runs, [](const LawRun& one) { return fmt::format("{};{}", line_label(one.run), one.run.dt); })) {
+  for (const LawTally& tally : tallies_by(runs, [](const LawRun& one) {
+         return fmt::format("{};{}", line_label(one.run), value_of(one.run.dt));
+       })) {
     const std::size_t end = tally.of.find(';');
     rows += table_row(columns, with_tally({tally.of.substr(0, end), tally.of.substr(end + 1)}, tally));
   }
@@ -161,7 +163,7 @@ std::string runs_table(const LawResults& results) {
   for (const LawRun& one : results.runs) {
     Cells cells;
     for (const std::size_t i : order)
-      cells.push_back(lists.contains(results.columns[i]) ? rounded(one.run.cells[i]) : one.run.cells[i]);
+      cells.push_back(lists.contains(results.columns[i]) ? rounded(one.cells[i]) : one.cells[i]);
     rows += table_row(columns, cells, one.run.done() ? "" : " class=\"failed\"");
   }
   return table(columns, rows);
@@ -171,16 +173,9 @@ std::string maps(const fs::path& results, const std::vector<LawCell>& cells) {
   std::set<int> blocks;
   for (const LawCell& cell : cells) blocks.insert(cell.blocks);
   std::string text;
-  for (const int count : blocks) {
-    const std::string name = fmt::format("impact-laws.{}-blocks", count);
-    text +=
-        drawn_figure(results / "figures" / (name + ".svg"), fmt::format("laws-{}-", count),
-                     fmt::format("Where the laws differ for {} blocks", count),
-                     "Each map is one kind of impact. Across: height over width of the top block; up: its "
-                     "mass over that of the block below; darker: a larger share of the impacts. Kinds with a "
-                     "share below one in a hundred are left out; grey squares have no impact that was "
-                     "judged.");
-  }
+  for (const int count : blocks)
+    text += drawn_figure(results, fmt::format("impact-laws.{}-blocks", count), fmt::format("laws-{}-", count),
+                         fmt::format("Where the laws differ for {} blocks", count));
   return text;
 }
 
@@ -199,31 +194,25 @@ std::string definitions_of(const LawResults& results) {
 }
 
 std::string content(const fs::path& folder, const LawResults& results) {
-  return filled_in(
-      impact_laws_html,
-      {{"title", escaped(results.title)},
-       {"answer", answer_box(law_answer(results))},
-       {"law_summary", sentence_list(law_summary(results))},
-       {"engine_summary", sentence_list(engine_summary(results))},
-       {"maps", maps(folder, results.cells)},
-       {"kinds", kinds_table(results.cells)},
-       {"stacks", stacks_table(results.cells)},
-       {"pairs", pairs_table(results.pairs)},
-       {"engine_figure",
-        drawn_figure(
-            folder / "figures" / "impact-laws.engines.svg", "laws-engines-",
-            "How far every engine run is from either law",
-            "Each mark is a run: across, how far its velocities after the impact are from those of law "
-            "paper; up, from those of law consistent, on logarithmic axes. Under the dashed line it is "
-            "nearer to law consistent. Small marks are runs at longer time steps.")},
-       {"solvers", solvers_table(results.runs)},
-       {"states", states_table(results)},
-       {"runs", runs_table(results)},
-       {"suite", escaped(results.suite_file)},
-       {"parameters", details_of(results.engines)},
-       {"definitions", definitions_of(results)},
-       {"command", escaped(results.command)},
-       {"environment", definition_list(results.environment)}});
+  return filled_in(impact_laws_html,
+                   {{"title", escaped(results.title)},
+                    {"answer", answer_box(law_answer(results))},
+                    {"law_summary", sentence_list(law_summary(results))},
+                    {"engine_summary", sentence_list(engine_summary(results))},
+                    {"maps", maps(folder, results.cells)},
+                    {"kinds", kinds_table(results.cells)},
+                    {"stacks", stacks_table(results.cells)},
+                    {"pairs", pairs_table(results.pairs)},
+                    {"engine_figure", drawn_figure(folder, "impact-laws.engines", "laws-engines-",
+                                                   "How far every engine run is from either law")},
+                    {"solvers", solvers_table(results.runs)},
+                    {"states", states_table(results)},
+                    {"runs", runs_table(results)},
+                    {"suite", escaped(results.suite_file)},
+                    {"parameters", details_of(results.engines)},
+                    {"definitions", definitions_of(results)},
+                    {"command", escaped(results.command)},
+                    {"environment", definition_list(results.environment)}});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "plots/pages/motion.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 #include "plots/data/selection.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
-#include "plots/pages/runs_table.hpp"
+#include "plots/pages/sections.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -22,18 +22,10 @@ std::string details(const std::string& title, const std::string& content) {
   return element("details", element("summary", title) + content) + "\n";
 }
 
-std::string figures(const fs::path& results, const ComparedScene& scene) {
-  std::string text =
-      drawn_figure(results / "figures" / "histories.svg", "histories-", "Angles over time",
-                   "Angles of the blocks, clockwise positive. Where events are known, ticks along "
-                   "the upper edge are impacts under that block, and the band names the pattern.");
-  if (scene.slips)
-    text += drawn_figure(results / "figures" / "slip.svg", "slip-", "Slip and gap",
-                         "How far each block has slipped to the right along what is below it, and its "
-                         "distance from it where there ever is one.");
-  if (!scene.ground_motion.empty())
-    text += drawn_figure(results / "figures" / "ground-motion.svg", "ground-", "Ground acceleration",
-                         "What shakes the blocks, to the right and upwards positive.");
+std::string drawn(const fs::path& results, const Comparison& comparison) {
+  std::string text;
+  for (const Figure* figure : figures_of(comparison.scenes.front()))
+    text += scene_figure(results, comparison, 0, *figure);
   return text;
 }
 
@@ -54,14 +46,13 @@ std::string content(const fs::path& results, const Motion& motion) {
                             element("p", "The tables as files: " + file_links(results));
   return element("header", header) + "\n" +
          element("main", "\n" + section("The motion", ground + player_part(comparison, 0)) +
-                             contact_section(comparison) + section("Figures", figures(results, scene)) +
+                             contact_section(comparison) + section("Figures", drawn(results, comparison)) +
                              section("To run it again", again));
 }
 
 }  // namespace
 
-void write_motion_report(const fs::path& results) {
-  const Motion motion = read_motion(results);
+void write_report(const fs::path& results, const Motion& motion) {
   write_file(results / "report.html", page({motion.comparison.title, "report", content(results, motion)}));
 }
 

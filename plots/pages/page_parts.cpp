@@ -2,15 +2,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <stdexcept>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/player.hpp"
-#include "plots/pages/template.hpp"
+#include "plots/pages/templates.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -37,16 +39,6 @@ std::string class_attribute(const std::string& classes) {
 }
 
 }  // namespace
-
-std::optional<double> number_in(const std::string& cell) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(cell, &used);
-    return used == cell.size() ? std::optional(value) : std::nullopt;
-  } catch (const std::logic_error&) {
-    return std::nullopt;
-  }
-}
 
 std::string page(const PageParts& parts) {
   return filled_in(page_html,
@@ -108,28 +100,36 @@ std::string heading(std::string column, const std::string& kind) {
                  " scope=\"col\"" + class_attribute(kind));
 }
 
-std::string drawn_figure(const fs::path& file, const std::string& prefix, const std::string& label,
-                         const std::string& explanation) {
-  return element("figure",
-                 inline_svg(contents_of(file), prefix, label) + element("figcaption", escaped(explanation)));
+std::string drawn_figure(const fs::path& results, const std::string& stem, const std::string& prefix,
+                         const std::string& label) {
+  const Figure* figure = figure_in(stem);
+  const std::string words = figure == nullptr ? "" : figure->question + " " + figure->explanation;
+  return element("figure", inline_svg(contents_of(results / "figures" / (stem + ".svg")), prefix, label) +
+                               element("figcaption", escaped(words)));
 }
 
-std::string figures_in(const fs::path& folder, const std::set<std::string>& known,
-                       const std::map<std::string, std::string>& explanations) {
+std::string drawn_figures(const fs::path& results, const std::set<std::string>& known) {
   std::string text;
-  for (const std::string& name : names_in(folder, {".svg"})) {
+  for (const std::string& name : names_in(results / "figures", {".svg"})) {
     const std::string stem = fs::path(name).stem();
     if (known.contains(stem)) continue;
-    const auto explained = explanations.find(stem.substr(0, stem.find('.')));
+    const Figure* figure = figure_in(stem);
     std::string title = stem;
-    for (char& c : title)
-      if (c == '.' || c == '-') c = ' ';
-    text += element("h3", escaped(title)) +
-            drawn_figure(folder / name, escaped(stem) + "-", title,
-                         explained == explanations.end() ? "" : explained->second) +
-            "\n";
+    std::replace_if(
+        title.begin(), title.end(), [](char c) { return c == '.' || c == '-'; }, ' ');
+    if (figure != nullptr)
+      title = figure->title + (stem == figure->name ? "" : ": " + stem.substr(figure->name.size() + 1));
+    text += element("h3", escaped(title)) + drawn_figure(results, stem, escaped(stem) + "-", title) + "\n";
   }
   return text;
+}
+
+std::string scene_figure(const fs::path& results, const Comparison& comparison, std::size_t scene,
+                         const Figure& figure) {
+  const ComparedScene& compared = comparison.scenes[scene];
+  return drawn_figure(results, figure_stem("", compared, figure).filename(),
+                      fmt::format("s{}-{}-", scene + 1, figure.name),
+                      fmt::format("{}: {}", figure.title, compared.title));
 }
 
 std::string file_links(const fs::path& results) {
@@ -138,14 +138,6 @@ std::string file_links(const fs::path& results) {
     text +=
         (text.empty() ? "" : ", ") + element("a", escaped(name), fmt::format(" href=\"{}\"", escaped(name)));
   return text;
-}
-
-std::string figure_part(const fs::path& results, const Comparison& comparison, std::size_t scene,
-                        const FigureKind& kind) {
-  const ComparedScene& compared = comparison.scenes[scene];
-  return drawn_figure(fs::path(figure_stem(results, compared.name, kind.name)).concat(".svg"),
-                      fmt::format("s{}-{}-", scene + 1, kind.name),
-                      fmt::format("{}: {}", kind.title, compared.title), kind.explanation);
 }
 
 std::string player_anchor(std::size_t scene) {

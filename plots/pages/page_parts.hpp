@@ -1,15 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "plots/data/json_file.hpp"
 #include "plots/data/results.hpp"
-#include "plots/figures/comparison/figures.hpp"
+#include "plots/figures/table.hpp"
 
 namespace rockstack::plots {
 
@@ -42,9 +40,6 @@ std::string table_row(const std::vector<std::string>& columns, const std::vector
 /// Names and texts, one under the other.
 std::string definition_list(const Facts& facts);
 
-/// The number in a cell, or nothing where it is text.
-std::optional<double> number_in(const std::string& cell);
-
 /// A cell of a table, of a class where one is named. Counts stand as they are, other numbers with
 /// `significant` digits; the whole number is kept for sorting and as a tooltip.
 std::string table_cell(const std::string& column, const std::string& cell, const std::string& kind = "",
@@ -53,23 +48,21 @@ std::string table_cell(const std::string& column, const std::string& cell, const
 /// A column's heading, which sorts when chosen: "rms_angle_difference" as words that may break into lines.
 std::string heading(std::string column, const std::string& kind = "");
 
-/// A figure that has been drawn as an SVG file, with how to read it; every id in it begins with `prefix`.
+/// A figure results/figures/STEM.svg that has been drawn, with its question and how to read it; every id in
+/// it begins with `prefix`, and `label` is for those who do not see it.
 /// @throws InputError naming the file that is missing.
-std::string drawn_figure(const std::filesystem::path& file, const std::string& prefix,
-                         const std::string& label, const std::string& explanation);
+std::string drawn_figure(const std::filesystem::path& results, const std::string& stem,
+                         const std::string& prefix, const std::string& label);
 
-/// All figures of a folder as SVG files, by name, without those that are `known`. A figure is explained by
-/// the entry of `explanations` whose name it has, or begins with before a point; else by nothing.
-std::string figures_in(const std::filesystem::path& folder, const std::set<std::string>& known,
-                       const std::map<std::string, std::string>& explanations = {});
+/// All figures that have been drawn without those that are `known`, each under its title.
+std::string drawn_figures(const std::filesystem::path& results, const std::set<std::string>& known = {});
+
+/// The figure of a scene, likewise.
+std::string scene_figure(const std::filesystem::path& results, const Comparison& comparison,
+                         std::size_t scene, const Figure& figure);
 
 /// Links to the tables and descriptions of a folder, CSV and JSON, that stand beside its page.
 std::string file_links(const std::filesystem::path& results);
-
-/// The figure of a scene, likewise.
-/// @throws InputError naming the file that is missing.
-std::string figure_part(const std::filesystem::path& results, const Comparison& comparison, std::size_t scene,
-                        const FigureKind& kind);
 
 /// The id of the picture in a scene's player, which takes keys.
 std::string player_anchor(std::size_t scene);

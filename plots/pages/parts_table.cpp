@@ -1,4 +1,4 @@
-#include "plots/pages/parts_table.hpp"
+#include "plots/pages/sections.hpp"
 
 #include <fmt/core.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
@@ -18,34 +19,29 @@ double percent_of(double share) {
   return std::round(100 * share) + 0.0;
 }
 
-std::string size_and_share(double size, double share) {
-  return std::isnan(share) ? fmt::format("{:.2g}", size)
-                           : fmt::format("{:.2g} ({:.0f} %)", size, percent_of(share));
+std::string size_and_share(const std::optional<double>& size, const std::optional<double>& share) {
+  const std::string text = fmt::format("{:.2g}", value_of(size));
+  return share ? fmt::format("{} ({:.0f} %)", text, percent_of(*share)) : text;
 }
 
-double median_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[(values.size() - 1) / 2];
-}
-
-std::string cell_of(double value) {
-  return std::isnan(value) ? "" : fmt::format("{:.2g}", value);
+std::string cell_of(const std::optional<double>& value) {
+  return value ? fmt::format("{:.2g}", *value) : "";
 }
 
 std::string sentence(const std::vector<Run>& runs) {
   std::vector<double> model, softness, step;
   for (const Run& run : runs) {
-    if (std::isnan(run.step_share)) continue;
-    model.push_back(run.model_share);
-    softness.push_back(run.softness_share);
-    step.push_back(run.step_share);
+    if (!run.step_share) continue;
+    model.push_back(value_of(run.model_share));
+    softness.push_back(value_of(run.softness_share));
+    step.push_back(*run.step_share);
   }
   if (step.empty()) return "";
   return element(
       "p", fmt::format("In the median of {} runs the contact model makes {:.0f} % of the difference, contact "
                        "softness {:.0f} % and the time step {:.0f} %.",
-                       step.size(), percent_of(median_of(model)), percent_of(median_of(softness)),
-                       percent_of(median_of(step))));
+                       step.size(), percent_of(median(model)), percent_of(median(softness)),
+                       percent_of(median(step))));
 }
 
 }  // namespace
@@ -61,11 +57,11 @@ std::string parts_table(const Comparison& comparison, const std::string& scene) 
                                          "restitution",
                                          "spring softer by, then extrapolated"};
   std::vector<Run> runs = done_runs(comparison, scene);
-  std::erase_if(runs, [](const Run& run) { return std::isnan(run.step_difference); });
+  std::erase_if(runs, [](const Run& run) { return !run.step_difference; });
   if (runs.empty()) return "";
   std::string rows;
   for (const Run& run : runs)
-    rows += table_row(columns, {run_label(run), fmt::format("{:.2g}", run.rms_angle_difference),
+    rows += table_row(columns, {run_label(run), fmt::format("{:.2g}", value_of(run.rms_angle_difference)),
                                 size_and_share(run.model_difference, run.model_share),
                                 size_and_share(run.softness_difference, run.softness_share),
                                 size_and_share(run.step_difference, run.step_share),

@@ -1,10 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
-#include <vector>
 
-#include "plots/data/events.hpp"
-#include "plots/data/json_file.hpp"
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {
@@ -16,13 +14,5 @@ namespace rockstack::plots {
 /// @throws InputError naming the file that is missing or malformed.
 std::string player(const Comparison& comparison, const ComparedScene& scene, std::size_t players,
                    const std::string& id, const Json& start = {});
-
-/// The pattern band and the events of an exact motion, as the player's script reads them: "spans" and
-/// "stops". Impacts slower than `chatter_speed`, rad/s, are chatter.
-Json player_events(const std::vector<PatternSpan>& spans, const std::vector<PatternChange>& changes,
-                   double chatter_speed, int blocks);
-
-/// Text that ends no element, whatever it holds.
-std::string for_script(const Json& data);
 
 }  // namespace rockstack::plots

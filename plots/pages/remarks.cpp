@@ -1,4 +1,4 @@
-#include "plots/pages/remarks.hpp"
+#include "plots/pages/sections.hpp"
 
 #include <fmt/format.h>
 
@@ -31,18 +31,16 @@ std::string command(const Comparison& comparison, const Run& run, const std::vec
   std::vector<std::string> words;
   words.reserve(steps.size());
   for (const double dt : steps) words.push_back(fmt::format("{}", dt));
-  const double duration = scene_of(comparison, run).duration;
-  return fmt::format("rockstack compare {} --engine {} --dt {}{} --out DIR", run.scene, solver_name(run),
-                     fmt::join(words, ","),
-                     std::isnan(duration) ? "" : fmt::format(" --set duration={}", duration));
+  return fmt::format("rockstack compare {} --engine {} --dt {} --set duration={} --out DIR", run.scene,
+                     solver_name(run), fmt::join(words, ","), scene_of(comparison, run).duration);
 }
 
 /// All steps of a run's series, the largest first.
 std::vector<double> steps_of(const Comparison& comparison, const Run& run) {
   std::set<double> steps;
   for (const Run& other : comparison.runs)
-    if (other.scene == run.scene && solver_name(other) == solver_name(run) && !std::isnan(other.dt))
-      steps.insert(other.dt);
+    if (other.scene == run.scene && solver_name(other) == solver_name(run) && other.dt)
+      steps.insert(*other.dt);
   return {steps.rbegin(), steps.rend()};
 }
 
@@ -76,11 +74,6 @@ class Ranking {
       return solver_name(run) == solver && run.settings == "default";
     });
     return found == all_.end() ? nullptr : &*found;
-  }
-
-  /// Counted from one. Precondition: of(solver).
-  std::size_t rank(const std::string& solver) const {
-    return static_cast<std::size_t>(std::find(best_.begin(), best_.end(), of(solver)) - best_.begin()) + 1;
   }
 
  private:
@@ -126,17 +119,25 @@ class Writer {
   }
 
  private:
-  std::string again(const Run& run) const { return command(comparison_, run, {run.dt}); }
+  std::string again(const Run& run) const { return command(comparison_, run, {value_of(run.dt)}); }
 
   void add_accuracy(const std::string& solver, std::vector<Remark>& list) const {
     const Score& score = *accuracy_.of(solver);
     const Run& worst = score.worst();
+    const std::vector<RankedSet>& ranking = comparison_.verdict.ranking;
+    const auto set = std::find_if(ranking.begin(), ranking.end(), [&](const RankedSet& one) {
+      return set_name(one.engine, one.solver, one.settings) == set_name(worst);
+    });
+    if (set == ranking.end()) return;
+    const auto sharing = std::count_if(ranking.begin(), ranking.end(),
+                                       [&](const RankedSet& one) { return one.rank == set->rank; });
     list.push_back(
-        {fmt::format(
-             "Rank {} of {}: with its {} set, at a step of {}, it is off by {:.2g} rad RMS in the median of "
-             "{} scenes, most in {} ({:.2g} rad).",
-             accuracy_.rank(solver), accuracy_.best().size(), worst.settings, duration_text(worst.dt),
-             score.median, score.runs.size(), worst.scene, worst.rms_angle_difference),
+        {fmt::format("Rank {} of {}{}: with its {} set its error is {:.2g} times the least, in the "
+                     "geometric mean of {} of scene and step; at {} most in {} ({:.2g}).",
+                     set->rank, counted(ranking.size(), "set"),
+                     sharing > 1 ? fmt::format(", which {} share", sharing) : "", worst.settings,
+                     counted(static_cast<std::size_t>(set->cells), "pair"), duration_text(value_of(worst.dt)),
+                     worst.scene, value_of(worst.error)),
          again(worst)});
   }
 
@@ -145,21 +146,20 @@ class Writer {
     const Score* defaults = accuracy_.with_defaults(solver);
     if (defaults == nullptr || defaults->median < told_ratio * tuned.median) return;
     const std::vector<std::string> changes = changed_parameters(defaults->runs.front(), tuned.runs.front());
-    list.push_back(
-        {fmt::format("Its defaults are off by {:.2g} rad, {:.1f} times as far. The tuned set differs by: {}.",
-                     defaults->median, defaults->median / tuned.median,
-                     changes.empty() ? "nothing that is told" : joined(changes)),
-         again(defaults->worst())});
+    list.push_back({fmt::format("Its defaults are {:.1f} times as far off. The tuned set differs by: {}.",
+                                defaults->median / tuned.median,
+                                changes.empty() ? "nothing that is told" : joined(changes)),
+                    again(defaults->worst())});
   }
 
   void add_convergence(const std::string& solver, std::vector<Remark>& list) const {
     for (const Run& run : accuracy_.of(solver)->runs) {
-      const Fit* const fit = fit_of(comparison_, {run}, "rms_angle_difference");
-      if (fit != nullptr && fit->holds && fit->model_error_low > 0)
+      const StepFit* const fit = fit_of(comparison_, {run}, "rms_angle_difference");
+      if (fit != nullptr && fit->holds() && fit->model_error.low > 0)
         list.push_back(
             {fmt::format("In {} an error of {:.2g} rad [{:.2g}, {:.2g}] is left however small the step: what "
                          "contacts do there is another law, or a parameter that no step changes.",
-                         run.scene, fit->model_error, fit->model_error_low, fit->model_error_high),
+                         run.scene, fit->model_error.value, fit->model_error.low, fit->model_error.high),
              command(comparison_, run, steps_of(comparison_, run))});
     }
     const Score* score = convergence_.of(solver);
@@ -168,8 +168,8 @@ class Writer {
     list.push_back(
         {fmt::format("From a step of {} to {} its error falls to {:.2g} of what it was, in the median of {} "
                      "scenes; order one would leave {:.2g}.",
-                     duration_text(coarsest->dt), duration_text(finest->dt), score->median,
-                     score->runs.size(), finest->dt / coarsest->dt),
+                     duration_text(value_of(coarsest->dt)), duration_text(value_of(finest->dt)),
+                     score->median, score->runs.size(), value_of(finest->dt) / value_of(coarsest->dt)),
          command(comparison_, *finest, steps_of(comparison_, *finest))});
   }
 
@@ -215,7 +215,7 @@ class Writer {
     }
     if (last != nullptr)
       list.push_back({fmt::format("{} of {} failed, at last {}: {}.", failed, counted(runs, "run"),
-                                  last->scene, last->reason.empty() ? last->status : last->reason),
+                                  last->scene, last->reason.empty() ? name(last->status) : last->reason),
                       again(*last)});
   }
 
@@ -234,8 +234,8 @@ std::string remarks_section(const Comparison& comparison) {
   if (list.empty()) return "";
   std::string text = element("h2", "What each solver's author can act on") +
                      element("p",
-                             "Medians over scenes; the figures above have the scenes. Ranks of medians "
-                             "that are closer than the scenes are to each other are not told apart.",
+                             "Medians over scenes; the figures above have the scenes. Ranks are those of the "
+                             "comparison's verdict: sets that replicates do not tell apart share one.",
                              " class=\"hint\"") +
                      "\n";
   for (const SolverRemarks& solver : list) {

@@ -1,9 +1,8 @@
-#include "plots/pages/report.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 
@@ -11,13 +10,10 @@
 #include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
-#include "plots/figures/comparison/figures.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
-#include "plots/pages/parts_table.hpp"
-#include "plots/pages/remarks.hpp"
-#include "plots/pages/runs_table.hpp"
-#include "plots/pages/template.hpp"
+#include "plots/pages/sections.hpp"
+#include "plots/pages/templates.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -25,9 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Matched, missed and extra impacts.
-std::string counts(double matched, double missed, double extra) {
-  if (std::isnan(matched)) return "";
-  return fmt::format("{} / {} / {}", matched, missed, extra);
+std::string counts(const std::optional<int>& matched, const std::optional<int>& missed,
+                   const std::optional<int>& extra) {
+  return fmt::format("{} / {} / {}", matched.value_or(0), missed.value_or(0), extra.value_or(0));
 }
 
 /// The impacts that each engine run has, beside the sampling limit (the exact motion read from samples at the
@@ -38,13 +34,12 @@ std::string impacts_table(const Comparison& comparison, const std::string& scene
                                          "chance level: random times", "chance level: shifted"};
   std::string rows;
   for (const Run& run : done_runs(comparison, scene)) {
-    if (std::isnan(run.impacts_matched) || std::isnan(run.impacts_matched_null) || std::isnan(run.dt))
-      continue;
-    rows += table_row(
-        columns,
-        {run_label(run), counts(run.impacts_matched, run.impacts_missed, run.impacts_extra),
-         counts(run.impacts_matched_null, run.impacts_missed_null, run.impacts_extra_null),
-         fmt::format("{}", run.impacts_matched_random), fmt::format("{}", run.impacts_matched_shifted)});
+    if (!run.impacts_matched || !run.impacts_matched_null || !run.dt) continue;
+    rows += table_row(columns,
+                      {run_label(run), counts(run.impacts_matched, run.impacts_missed, run.impacts_extra),
+                       counts(run.impacts_matched_null, run.impacts_missed_null, run.impacts_extra_null),
+                       fmt::format("{}", run.impacts_matched_random.value_or(0)),
+                       fmt::format("{}", run.impacts_matched_shifted.value_or(0))});
   }
   if (rows.empty()) return "";
   return element("h3", "Impacts, and what reading and chance alone would give") +
@@ -76,9 +71,8 @@ std::string scene_section(const fs::path& results, const Comparison& comparison,
     body += element("p", escaped("The ground moves by: " + compared.ground)) + "\n";
   if (has_motion(comparison, compared))
     body += element("h3", "The motion to look at") + player_part(comparison, scene) + "\n";
-  for (const FigureKind& kind : figure_kinds())
-    if (has_figure(compared, kind))
-      body += element("h3", escaped(kind.title)) + figure_part(results, comparison, scene, kind) + "\n";
+  for (const Figure* figure : figures_of(compared))
+    body += element("h3", escaped(figure->title)) + scene_figure(results, comparison, scene, *figure) + "\n";
   body += parts_table(comparison, compared.name);
   body += impacts_table(comparison, compared.name);
   body += element("details", element("summary", fmt::format("The scene file of {}", escaped(compared.name))) +
@@ -100,10 +94,10 @@ std::string contents_list(const Comparison& comparison) {
   if (const std::optional<std::size_t> first = first_player(comparison))
     items += element("li", fmt::format("<a href=\"#{}\">Player</a>", player_anchor(*first)));
   items += item("summary", "Summary");
-  if (!comparison.statements.empty()) items += item("statements", "What the paper says");
-  items += item("runs", "All runs");
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i)
     items += item(scene_anchor(i), comparison.scenes[i].title);
+  if (!comparison.statements.empty()) items += item("statements", "What the paper says");
+  items += item("runs", "All runs");
   items += item("parameters", "Parameters") + item("columns", "Columns") + item("again", "To run it again");
   return element("ul", items);
 }
@@ -124,22 +118,27 @@ std::string whole_summary(const Comparison& comparison) {
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
     const ComparedScene& scene = comparison.scenes[i];
     text += element("h3", fmt::format("<a href=\"#{}\">{}</a>", scene_anchor(i), escaped(scene.title))) +
-            sentence_list(scene.sentences);
+            sentence_list(comparison.verdict.scenes[i]);
   }
   return text;
 }
 
-/// Figures of the folder that belong to no scene, and those of a scene that figure_kinds() does not list.
+/// What a page begins with.
+constexpr auto first_figure = "agreement";
+
+std::string agreement_figure(const fs::path& results) {
+  const std::string stem = first_figure;
+  return fs::exists(results / "figures" / (stem + ".svg"))
+             ? drawn_figure(results, stem, stem + "-", figure_in(stem)->title)
+             : "";
+}
+
+/// Figures of the folder that belong to no scene, and those of a scene that nobody draws.
 std::string further_figures(const fs::path& results, const Comparison& comparison) {
-  std::set<std::string> known;
+  std::set<std::string> known{first_figure};
   for (const ComparedScene& scene : comparison.scenes)
-    for (const FigureKind& kind : figure_kinds())
-      if (has_figure(scene, kind)) known.insert(figure_stem("", scene.name, kind.name).filename());
-  return figures_in(
-      results / "figures", known,
-      {{"solvers",
-        "A row a solver and set, those first that answer for all scenes; a small cross a scene, a large "
-        "mark the median of all. Rows whose scenes lie among each other cannot be told apart."}});
+    for (const Figure* figure : figures_of(scene)) known.insert(figure_stem("", scene, *figure).filename());
+  return drawn_figures(results, known);
 }
 
 std::string content(const fs::path& results, const Comparison& comparison) {
@@ -147,7 +146,8 @@ std::string content(const fs::path& results, const Comparison& comparison) {
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) scenes += scene_section(results, comparison, i);
   return filled_in(report_html, {{"title", escaped(comparison.title)},
                                  {"contents", contents_list(comparison)},
-                                 {"answer", answer_box(comparison.headline)},
+                                 {"answer", answer_box(comparison.verdict.headline)},
+                                 {"first", agreement_figure(results)},
                                  {"figures", further_figures(results, comparison)},
                                  {"summary", whole_summary(comparison)},
                                  {"statements", statements_section(comparison)},
@@ -164,8 +164,7 @@ std::string content(const fs::path& results, const Comparison& comparison) {
 
 }  // namespace
 
-void write_report(const std::filesystem::path& results) {
-  const Comparison comparison = read_comparison(results);
+void write_report(const fs::path& results, const Comparison& comparison) {
   write_file(results / "report.html", page({comparison.title, "report", content(results, comparison)}));
 }
 

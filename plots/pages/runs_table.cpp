@@ -1,4 +1,4 @@
-#include "plots/pages/runs_table.hpp"
+#include "plots/pages/sections.hpp"
 
 #include <fmt/core.h>
 
@@ -6,7 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "plots/data/contacts.hpp"
+#include "comparisons/measures/results/tables.hpp"
+#include "plots/data/events.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
@@ -33,28 +34,33 @@ constexpr std::array wanted{"rms_angle_difference",
                             "rms_angle_difference_upper",
                             "steps"};
 
-/// Columns of the file in the order of the page; the first `shown` of them without the switch.
+/// Columns in the order of the page; the first `shown` of them without the switch.
 struct Order {
   std::vector<std::size_t> columns;
   std::size_t shown = 0;
 };
 
+std::string text_of(const Run& run, std::size_t column) {
+  return cell_text(columns()[column].cell(run));
+}
+
 bool any_value(const Comparison& comparison, std::size_t column) {
   return std::any_of(comparison.runs.begin(), comparison.runs.end(),
-                     [&](const Run& run) { return !run.cells[column].empty(); });
+                     [&](const Run& run) { return !text_of(run, column).empty(); });
 }
 
 Order order_of(const Comparison& comparison) {
   Order order{{0}};
   for (const char* name : wanted) {
-    const auto found = std::find(comparison.columns.begin(), comparison.columns.end(), name);
-    const auto column = static_cast<std::size_t>(found - comparison.columns.begin());
-    if (found != comparison.columns.end() && order.columns.size() < shown_columns &&
-        any_value(comparison, column))
+    const auto found = std::find_if(columns().begin(), columns().end(), [&](const Column& column) {
+      return std::string_view(column.name) == name;
+    });
+    const auto column = static_cast<std::size_t>(found - columns().begin());
+    if (order.columns.size() < shown_columns && any_value(comparison, column))
       order.columns.push_back(column);
   }
   order.shown = order.columns.size();
-  for (std::size_t i = 0; i < comparison.columns.size(); ++i)
+  for (std::size_t i = 0; i < columns().size(); ++i)
     if (std::find(order.columns.begin(), order.columns.end(), i) == order.columns.end())
       order.columns.push_back(i);
   return order;
@@ -62,12 +68,12 @@ Order order_of(const Comparison& comparison) {
 
 std::string run_row(const Comparison& comparison, const Order& order, std::size_t index) {
   const Run& run = comparison.runs[index];
-  std::string name = element("a", escaped(run.name), fmt::format(" href=\"#{}\"", run_anchor(index)));
-  if (!run.done()) name += " " + escaped(run.status);
-  std::string cells = element("th", name, fmt::format(" scope=\"row\" data-value=\"{}\"", escaped(run.name)));
+  std::string name = element("a", escaped(run.run), fmt::format(" href=\"#{}\"", run_anchor(index)));
+  if (!run.done()) name += " " + escaped(rockstack::name(run.status));
+  std::string cells = element("th", name, fmt::format(" scope=\"row\" data-value=\"{}\"", escaped(run.run)));
   for (std::size_t i = 1; i < order.columns.size(); ++i) {
     const std::size_t column = order.columns[i];
-    cells += table_cell(comparison.columns[column], run.cells[column], i < order.shown ? "" : "more");
+    cells += table_cell(columns()[column].name, text_of(run, column), i < order.shown ? "" : "more");
   }
   const std::string kind = run.exact() ? " class=\"exact\"" : run.done() ? "" : " class=\"failed\"";
   return element("tr", cells, kind) + "\n";
@@ -97,27 +103,27 @@ std::string details_of(const Comparison& comparison, std::size_t index) {
   if (!run.done()) text += element("p", fmt::format("Failed: {}", escaped(run.reason)));
   if (const std::string version = version_of(comparison, run); !version.empty())
     text += element("p", escaped("Version: " + version));
-  const std::string files = links(run.folder, fmt::format("runs/{}/", run.name),
+  const std::string files = links(run.folder, fmt::format("runs/{}/", run.run),
                                   {"history.csv", "difference.csv", "events.csv", "impacts.csv", "parts.csv",
                                    "draws.csv", "summary.json"});
   if (!files.empty()) text += element("p", "Files beside this page: " + files);
   if (fs::exists(run.folder / "summary.json")) text += definition_list(read_summary(run));
-  return element("details", element("summary", escaped(run.name)) + text,
+  return element("details", element("summary", escaped(run.run)) + text,
                  fmt::format(" id=\"{}\"", run_anchor(index))) +
          "\n";
 }
 
 const std::vector<std::string>& contact_columns() {
-  static const std::vector<std::string> columns{
+  static const std::vector<std::string> list{
       "run",           "interface",        "slip left (m)",  "largest slip (m)",
       "times it slid", "highest lift (m)", "times it lifted"};
-  return columns;
+  return list;
 }
 
 std::string rows_of(const Run& run, const ContactSummary& summary, const std::string& label) {
   std::string rows;
   for (std::size_t k = 0; k < summary.interfaces.size(); ++k) {
-    const InterfaceSlip& one = summary.interfaces[k];
+    const InterfaceSummary& one = summary.interfaces[k];
     rows += table_row(contact_columns(),
                       {label, fmt::format("{}", k + 1), fmt::format("{}", one.final_slip),
                        fmt::format("{}", one.largest_slip), fmt::format("{}", one.slips),
@@ -137,7 +143,7 @@ std::string runs_table(const Comparison& comparison) {
   const Order order = order_of(comparison);
   std::string headings, rows;
   for (std::size_t i = 0; i < order.columns.size(); ++i)
-    headings += heading(comparison.columns[order.columns[i]], i < order.shown ? "" : "more");
+    headings += heading(columns()[order.columns[i]].name, i < order.shown ? "" : "more");
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) rows += run_row(comparison, order, i);
   return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows),
                  " class=\"rows\"");

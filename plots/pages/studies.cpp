@@ -1,4 +1,4 @@
-#include "plots/pages/studies.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <fmt/core.h>
 
@@ -14,45 +14,16 @@
 #include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/data/selection.hpp"
-#include "plots/figures/sweep/drawings.hpp"
+#include "plots/figures/studies/sweep_facts.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
-#include "plots/pages/template.hpp"
+#include "plots/pages/templates.hpp"
 
 namespace rockstack::plots {
 namespace {
 
 namespace fs = std::filesystem;
 using Sentences = std::vector<std::string>;
-
-/// What figures show, by the name of their file up to its first point.
-const std::map<std::string, std::string>& explanations() {
-  static const std::map<std::string, std::string> texts{
-      {"fragility",
-       "Marks: the share of runs that topple at each intensity, with its confidence bounds. Line: the "
-       "fitted lognormal curve, where there is one."},
-      {"incremental",
-       "Marks: runs, each motion at each intensity. Lines: the angle over the slenderness that half of the "
-       "motions, and 16 and 84 % of them, stay within up to an intensity; they never turn back, unlike those "
-       "in the table, which are of each intensity by itself. Blocks that "
-       "topple stand at the right."},
-      {"overturning",
-       "What becomes of the block at each frequency and intensity of the pulse: it stays at rest, rocks, "
-       "topples after an impact, or topples without one."},
-      {"modes",
-       "What the stack does at each friction and intensity: on the left the mode in which motion begins, on "
-       "the "
-       "right all of it. Black lines, where there are some, are Shenton's boundaries of a single block under "
-       "a "
-       "rectangular pulse."},
-      {"stability",
-       "Each square is a run: across, the value that the study varies; up, the time step. Under the "
-       "black line steps are stable."},
-      {"record",
-       "Acceleration, velocity and displacement with their peaks; the shaded span is the significant "
-       "duration. Below, the growth of the Arias intensity and the response spectrum."}};
-  return texts;
-}
 
 /// What the pages differ in.
 struct Study {
@@ -79,14 +50,13 @@ void write_study(const fs::path& results, const Study& study) {
     if (fs::exists(results / name)) tables += table_of(results / name);
   if (!study.command.empty())
     command = element("h2", "To run it again") + element("pre", element("code", escaped(study.command)));
-  const std::string content =
-      filled_in(study_html, {{"title", escaped(study.title)},
-                             {"answer", answer_box(study.answers)},
-                             {"figures", figures_in(results / "figures", {}, explanations())},
-                             {"files", file_links(results)},
-                             {"tables", tables},
-                             {"command", command},
-                             {"facts", definition_list(study.facts)}});
+  const std::string content = filled_in(study_html, {{"title", escaped(study.title)},
+                                                     {"answer", answer_box(study.answers)},
+                                                     {"figures", drawn_figures(results)},
+                                                     {"files", file_links(results)},
+                                                     {"tables", tables},
+                                                     {"command", command},
+                                                     {"facts", definition_list(study.facts)}});
   write_file(results / "report.html", page({study.title, "report", content}));
 }
 

@@ -79,7 +79,7 @@ Contender stepped(const std::string& method, double setting, const ChatterEnd& e
 
 Contender stepped_by(const Engine& engine, double dt) {
   const auto steps = [dt](double time) { return static_cast<std::size_t>(std::lround(time / dt)); };
-  return {engine.name(), dt,
+  return {engine.name, dt,
           [&engine, dt, steps](const Scene& scene, const std::vector<double>& samples) {
             const History history = simulate(engine, scene, dt, engine.tuned_parameters()).history;
             std::vector<double> angles;
@@ -119,7 +119,7 @@ std::vector<Contender> contenders() {
   add_each<Cvode>("CVODE Adams", all);
 #endif
   for (const auto& engine : linked_engines()) {
-    if (engine->solver() != "sequential-impulse" && engine->solver() != "step") continue;
+    if (engine->solver != "sequential-impulse" && engine->solver != "step") continue;
     for (const double dt : {1e-4, 1e-3, 1e-2}) all.push_back(stepped_by(*engine, dt));
   }
   return all;
@@ -175,7 +175,7 @@ std::vector<Measurement> measure(const Scene& scene) {
 /// The solver beside engines, or beside other integrators.
 std::vector<Measurement> chosen(const std::vector<Measurement>& all, bool engines) {
   std::vector<std::string> names;
-  for (const auto& engine : linked_engines()) names.push_back(engine->name());
+  for (const auto& engine : linked_engines()) names.push_back(engine->name);
   std::vector<Measurement> result;
   std::copy_if(all.begin(), all.end(), std::back_inserter(result), [&](const Measurement& m) {
     const bool is_engine = std::find(names.begin(), names.end(), m.method) != names.end();

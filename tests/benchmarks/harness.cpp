@@ -36,13 +36,13 @@ const bool harness_registered = [] {
   for (const auto& engine : linked_engines()) {
     double (*bare)(double, int) = nullptr;
 #ifdef ROCKSTACK_WITH_BULLET
-    if (engine->name() == "bullet" && engine->solver() == "sequential-impulse") bare = bare_bullet_seconds;
+    if (engine->name == "bullet" && engine->solver == "sequential-impulse") bare = bare_bullet_seconds;
 #endif
 #ifdef ROCKSTACK_WITH_ODE
-    if (engine->solver() == "step") bare = bare_ode_seconds;
+    if (engine->solver == "step") bare = bare_ode_seconds;
 #endif
     if (bare == nullptr) continue;
-    benchmark::RegisterBenchmark(("harness/" + engine->name()).c_str(), over_bare_loop, std::cref(*engine),
+    benchmark::RegisterBenchmark(("harness/" + engine->name).c_str(), over_bare_loop, std::cref(*engine),
                                  bare)
         ->Iterations(50)
         ->Unit(benchmark::kMillisecond);

@@ -33,8 +33,7 @@ void stepping(benchmark::State& state, const Engine& engine) {
 
 const bool registered = [] {
   for (const auto& engine : linked_engines()) {
-    benchmark::RegisterBenchmark((engine->name() + ":" + engine->solver()).c_str(), stepping,
-                                 std::cref(*engine))
+    benchmark::RegisterBenchmark((engine->full_name()).c_str(), stepping, std::cref(*engine))
         ->Arg(1000)
         ->Unit(benchmark::kMillisecond);
   }

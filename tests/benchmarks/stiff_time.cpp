@@ -79,13 +79,13 @@ Parameters springs_of(const Engine& engine, const Scene& scene) {
   Parameters parameters = engine.default_parameters();
   parameters["contactStiffness"] = scene.springs.stiffness.front() / points_a_corner;
   parameters["contactDamping"] = scene.springs.damping.front() / points_a_corner;
-  if (engine.name() == "bullet") parameters["splitImpulse"] = 0;
+  if (engine.name == "bullet") parameters["splitImpulse"] = 0;
   return parameters;
 }
 
 Contender stepped_by(const Engine& engine, double dt) {
   char name[48];
-  std::snprintf(name, sizeof name, "%s, %g s", engine.name().c_str(), dt);
+  std::snprintf(name, sizeof name, "%s, %g s", engine.name.c_str(), dt);
   const auto as_rigid = [](Scene scene) {
     scene.law = Law::unilateral;
     scene.springs = {};
@@ -113,7 +113,7 @@ std::vector<Contender> contenders() {
   std::vector<Contender> all{ours()};
   for (const double tolerance : {1e-6, 1e-9, 1e-12}) all.push_back(bdf(tolerance));
   for (const auto& engine : linked_engines()) {
-    const std::string solver = engine->name() + ':' + engine->solver();
+    const std::string solver = engine->name + ':' + engine->solver;
     if (solver != "bullet:sequential-impulse" && solver != "ode:step") continue;
     for (const double dt : {1e-3, 1e-4}) all.push_back(stepped_by(*engine, dt));
   }

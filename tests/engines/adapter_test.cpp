@@ -24,18 +24,18 @@ struct Judged {
 std::vector<Judged> setups() {
   std::vector<Judged> list;
   for (const auto& engine : linked_engines()) {
-    list.push_back({engine.get(), false});
-    list.push_back({engine.get(), true});
+    list.push_back({engine, false});
+    list.push_back({engine, true});
   }
   return list;
 }
 
 void PrintTo(const Judged& setup, std::ostream* out) {
-  *out << setup.engine->name() << (setup.tuned ? " tuned" : " default");
+  *out << setup.engine->name << (setup.tuned ? " tuned" : " default");
 }
 
 std::string name_of(const testing::TestParamInfo<Judged>& info) {
-  std::string name = info.param.engine->name() + "_" + info.param.engine->solver();
+  std::string name = info.param.engine->name + "_" + info.param.engine->solver;
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
   return name + (info.param.tuned ? "_tuned" : "_default");

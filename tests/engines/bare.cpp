@@ -23,15 +23,15 @@ std::string bare_question(const WorkerEngine& engine, const Scene& scene, double
   double reach = scene.engine.depth;
   for (const Block& block : scene.blocks) reach += 2 * (block.half_width + block.half_height);
   const double steps = std::floor(scene.duration / step + 1e-9);
-  std::string text = fmt::format("solver {} gravity {} friction {} dt {} steps {}\n", engine.solver(),
+  std::string text = fmt::format("solver {} gravity {} friction {} dt {} steps {}\n", engine.solver,
                                  scene.gravity, scene.engine.friction, step, steps);
-  if (engine.name() != "ode") text += fmt::format("reach {}\n", 10 * reach);
+  if (engine.name != "ode") text += fmt::format("reach {}\n", 10 * reach);
   for (const Placement& block : setup.blocks) {
     text += fmt::format("block {} {} {} {} {} {} {} {} {} {}\n", block.width, block.height, block.depth,
                         mass * block.mass, mass * block.inertia_about_x, mass * block.inertia_about_y,
                         mass * block.inertia, block.x, block.y, block.angle);
   }
-  for (const Setting& setting : engine.settings()) {
+  for (const Setting& setting : engine.settings) {
     double value = parameters.at(setting.name);
     if (value == setting.standard || setting.name == "unitMass") continue;
     if (setting.name == "contactStiffness" || setting.name == "contactDamping") value *= mass;

@@ -69,13 +69,12 @@ struct Case {
 
 /// Settings that neither set has, each by itself.
 std::vector<Parameters> more_settings(const WorkerEngine& engine) {
-  if (engine.name() == "dart") return {{{"ErrorReductionParameter", 0.2}, {"MaxErrorReductionVelocity", 1}}};
-  if (engine.name() == "siconos") return {{{"theta", 1}}, {{"gamma", 0}}};
-  if (engine.name() == "simbody")
+  if (engine.name == "dart") return {{{"ErrorReductionParameter", 0.2}, {"MaxErrorReductionVelocity", 1}}};
+  if (engine.name == "siconos") return {{{"theta", 1}}, {{"gamma", 0}}};
+  if (engine.name == "simbody")
     return {{{"integrator", 1}, {"transition_velocity", 0.1}, {"stiffness", 1e5}, {"dissipation", 1}}};
-  if (engine.name() == "ode")
-    return {{{"contactStiffness", 1e8}, {"contactDamping", 1e5}}, {{"slip1", 1e-6}}};
-  if (engine.name() == "mujoco") {
+  if (engine.name == "ode") return {{{"contactStiffness", 1e8}, {"contactDamping", 1e5}}, {{"slip1", 1e-6}}};
+  if (engine.name == "mujoco") {
     return {{{"cone", 0}},
             {{"gap", 1e-4}, {"margin", 2e-4}},
             {{"ground", 1}},
@@ -86,11 +85,11 @@ std::vector<Parameters> more_settings(const WorkerEngine& engine) {
             {{"solimp_midpoint", 0.3}, {"solimp_dwidth", 0.999}, {"solimp_power", 3}, {"solimp_width", 1e-4}},
             {{"iterations", 5}, {"warmstart", 0}}};
   }
-  if (engine.name() == "box2d")
+  if (engine.name == "box2d")
     return {{{"positionIterations", 10}, {"lengthUnit", 0.5}},
             {{"warmStarting", 0}},
             {{"restitution", 0.2}, {"restitutionThreshold", 0}}};
-  if (engine.name() == "chipmunk")
+  if (engine.name == "chipmunk")
     return {{{"collisionPersistence", 1}, {"collisionSlop", 1e-3}}, {{"elasticity", 0.2}}};
   return {{{"ground", 1}},
           {{"shape", 1}},
@@ -101,7 +100,7 @@ std::vector<Parameters> more_settings(const WorkerEngine& engine) {
 std::vector<Case> cases() {
   std::vector<Case> list;
   for (const WorkerEngine& engine : engines()) {
-    const std::string solver = engine.name() + ":" + engine.solver() + ":";
+    const std::string solver = engine.full_name() + ":";
     list.push_back({&engine, solver + "default", engine.default_parameters()});
     list.push_back({&engine, solver + "tuned", engine.tuned_parameters()});
     for (const Parameters& more : more_settings(engine)) {
@@ -125,9 +124,9 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
 }
 
 double tolerance(const WorkerEngine& engine) {
-  if (engine.name() == "ode") return 1e-9;
-  return 2 * (engine.capabilities().single_precision ? std::numeric_limits<float>::epsilon()
-                                                     : std::numeric_limits<double>::epsilon());
+  if (engine.name == "ode") return 1e-9;
+  return 2 * (engine.capabilities.single_precision ? std::numeric_limits<float>::epsilon()
+                                                   : std::numeric_limits<double>::epsilon());
 }
 
 class Bare : public testing::TestWithParam<Case> {};
@@ -137,7 +136,7 @@ TEST_P(Bare, ProgramGivesTheAdaptersHistory) {
   for (const Scene& scene : scenes()) {
     const History history = simulate(engine, scene, step, GetParam().parameters).history;
     const std::vector<double> bare =
-        bare_angles(engine.name(), bare_question(engine, scene, step, GetParam().parameters));
+        bare_angles(engine.name, bare_question(engine, scene, step, GetParam().parameters));
     ASSERT_GE(bare.size(), history.angles.size());
     for (std::size_t i = 0; i < history.angles.size(); ++i) {
       // An angle past a turn is printed without it.

@@ -199,8 +199,8 @@ TEST(BodyRecords, WorkOfTheGroundIsTheEnergyOfABlockThatDoesNotHitHoweverItIsSha
     for (const double shaking : {0.0, 1.0}) {
       const double coarse = imbalance(*engine, 2e-3, shaking), fine = imbalance(*engine, 5e-4, shaking);
       // Engines step at first order: a quarter of the step leaves about a quarter.
-      EXPECT_LT(fine, 0.5 * coarse) << engine->solver() << " " << shaking;
-      EXPECT_LT(fine, 0.02) << engine->solver() << " " << shaking;
+      EXPECT_LT(fine, 0.5 * coarse) << engine->solver << " " << shaking;
+      EXPECT_LT(fine, 0.02) << engine->solver << " " << shaking;
     }
   }
 }

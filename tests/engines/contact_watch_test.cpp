@@ -58,7 +58,7 @@ TEST(Contacts, TheirImpulsesAreTheMomentumOfWhatTheyBear) {
     for (const Parameters& parameters : {engine->default_parameters(), engine->tuned_parameters()}) {
       const Scene scene = stack(2, 1);
       const auto simulation = start(*engine, scene, dt, parameters);
-      ASSERT_TRUE(simulation->watch_contacts()) << engine->solver();
+      ASSERT_TRUE(simulation->watch_contacts()) << engine->solver;
       EXPECT_TRUE(simulation->contacts().empty()) << "none before the first step";
       const auto sums = impulses(*simulation, steps);
       for (std::size_t k = 0; k < 2; ++k) {
@@ -70,11 +70,11 @@ TEST(Contacts, TheirImpulsesAreTheMomentumOfWhatTheyBear) {
         expected += weight * steps * dt;
         // What impulses do to velocities is rounded in each step.
         double share =
-            engine->capabilities().single_precision ? steps * std::numeric_limits<float>::epsilon() : 1e-12;
+            engine->capabilities.single_precision ? steps * std::numeric_limits<float>::epsilon() : 1e-12;
         // Conjugate gradients stop where the cost, a square, falls by 1e-12.
-        if (engine->solver() == "cg") share = 1e-6;
+        if (engine->solver == "cg") share = 1e-6;
         EXPECT_NEAR(sums[k].normal, expected, sums[k].tilted + share * expected)
-            << engine->solver() << " interface " << k;
+            << engine->solver << " interface " << k;
       }
     }
   }
@@ -82,19 +82,19 @@ TEST(Contacts, TheirImpulsesAreTheMomentumOfWhatTheyBear) {
 
 TEST(Contacts, AreNotToldUnlessWatched) {
   for (const auto& engine : linked_engines()) {
-    if (engine->name() != "ode") continue;
+    if (engine->name != "ode") continue;
     const auto simulation = start(*engine, stack(1, 1), 1e-3, engine->tuned_parameters());
     simulation->step();
-    EXPECT_TRUE(simulation->contacts().empty()) << engine->solver();
+    EXPECT_TRUE(simulation->contacts().empty()) << engine->solver;
   }
 }
 
 TEST(Contacts, BulletTellsNoneWithoutAWarmStart) {
   for (const auto& engine : linked_engines()) {
-    if (engine->name() != "bullet") continue;
+    if (engine->name != "bullet") continue;
     Parameters parameters = engine->tuned_parameters();
     parameters["solverMode"] = 256;
-    EXPECT_FALSE(start(*engine, stack(1, 1), 1e-3, parameters)->watch_contacts()) << engine->solver();
+    EXPECT_FALSE(start(*engine, stack(1, 1), 1e-3, parameters)->watch_contacts()) << engine->solver;
     EXPECT_FALSE(simulate(*engine, stack(1, 0.01), 1e-3, parameters, true).bodies->contacts);
   }
 }
@@ -102,11 +102,11 @@ TEST(Contacts, BulletTellsNoneWithoutAWarmStart) {
 /// A set in which contacts are springs of erp/(dt·cfm) N/m; nothing where the solver knows none.
 std::optional<Parameters> soft(const Engine& engine) {
   Parameters parameters = engine.default_parameters();
-  if (engine.name() == "ode") {
+  if (engine.name == "ode") {
     parameters["cfm"] = 1e-4;
     return parameters;
   }
-  if (engine.name() != "bullet" || engine.solver() != "sequential-impulse") return {};
+  if (engine.name != "bullet" || engine.solver != "sequential-impulse") return {};
   parameters["globalCfm"] = 1e-4;
   parameters["splitImpulse"] = 0;
   parameters["numIterations"] = 200;
@@ -126,15 +126,15 @@ TEST(Contacts, OfABlockAtRestOnSpringsHoldTheEnergyThatItsWeightPutsIn) {
     const auto points = simulation->contacts();
     const double stiffness = static_cast<double>(points.size()) * 0.2 / (dt * 1e-4);
     const double weight = scene.blocks[0].mass * scene.gravity;
-    ASSERT_EQ(points.size(), 4U) << engine->solver();
+    ASSERT_EQ(points.size(), 4U) << engine->solver;
     // Swinging on them has died down by exp(−6.4/s · 4 s) by then.
     constexpr double left = 1e-6;
     for (const ContactPoint& point : points)
       EXPECT_NEAR(point.gap, -weight / stiffness, left * weight / stiffness);
     const BodyRecord record = simulate(*engine, scene, dt, *parameters, true).bodies.value();
     const double expected = 0.5 * weight * weight / stiffness;
-    EXPECT_NEAR(elastic_energy(record).back(), expected, 2 * left * expected) << engine->solver();
-    EXPECT_NEAR(record.penetration.back(), weight / stiffness, left * weight / stiffness) << engine->solver();
+    EXPECT_NEAR(elastic_energy(record).back(), expected, 2 * left * expected) << engine->solver;
+    EXPECT_NEAR(record.penetration.back(), weight / stiffness, left * weight / stiffness) << engine->solver;
   }
 }
 
@@ -144,8 +144,8 @@ TEST(Contacts, OfABlockAtRestOnSpringsHoldTheEnergyThatItsWeightPutsIn) {
 TEST(Contacts, OfBulletAreAsStiffAsTheyTellWhereTheyAreGivenASpring) {
   constexpr double dt = 1e-3, stiffness = 1e7, damping = 2e5;
   for (const auto& engine : linked_engines()) {
-    const std::string solver = engine->solver();
-    if (engine->name() != "bullet" || (solver != "sequential-impulse" && solver != "mlcp-pgs")) continue;
+    const std::string solver = engine->solver;
+    if (engine->name != "bullet" || (solver != "sequential-impulse" && solver != "mlcp-pgs")) continue;
     Parameters parameters = engine->default_parameters();
     parameters["splitImpulse"] = 0;
     parameters["contactStiffness"] = stiffness;
@@ -180,17 +180,17 @@ TEST(Contacts, ShowFrictionAboveItsCone) {
   scene.horizontal.pulse = Pulse{PulseShape::rectangle, push * scene.gravity, 1, 0, 1, 0};
   for (const auto& engine : linked_engines()) {
     Parameters parameters = engine->tuned_parameters();
-    if (engine->name() == "ode") {
+    if (engine->name == "ode") {
       parameters["contactApprox1"] = 0;
       const BodyRecord held = simulate(*engine, scene, 1e-3, parameters, true).bodies.value();
-      EXPECT_GT(held.contacts->friction_excess, (push - friction) * (1 - 1e-3)) << engine->solver();
+      EXPECT_GT(held.contacts->friction_excess, (push - friction) * (1 - 1e-3)) << engine->solver;
       EXPECT_LT(held.slip, 1e-4);
       parameters["contactApprox1"] = 1;
     }
-    if (engine->solver() == "step" || engine->solver().starts_with("mlcp")) continue;
+    if (engine->solver == "step" || engine->solver.starts_with("mlcp")) continue;
     const BodyRecord slid = simulate(*engine, scene, 1e-3, parameters, true).bodies.value();
-    EXPECT_LT(slid.contacts->friction_excess, 1e-3) << engine->solver();
-    EXPECT_GT(slid.slip, 1e-3) << engine->solver();
+    EXPECT_LT(slid.contacts->friction_excess, 1e-3) << engine->solver;
+    EXPECT_GT(slid.slip, 1e-3) << engine->solver;
   }
 }
 

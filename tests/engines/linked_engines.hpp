@@ -10,7 +10,7 @@
 namespace rockstack {
 
 /// Every engine with every solver that is linked into this test program.
-const std::vector<std::unique_ptr<Engine>>& linked_engines();
+const std::vector<const Engine*>& linked_engines();
 
 /// A scene inside an engine of this process; dt in s.
 std::unique_ptr<Simulation> start(const Engine& engine, const Scene& scene, double dt,

@@ -67,14 +67,14 @@ TEST_P(MujocoSoftness, PyramidIsSofterTheMoreFrictionItHas) {
 std::vector<const Engine*> mujocos() {
   std::vector<const Engine*> list;
   for (const auto& engine : linked_engines()) {
-    if (engine->name() == "mujoco" && engine->solver() == "newton") list.push_back(engine.get());
+    if (engine->name == "mujoco" && engine->solver == "newton") list.push_back(engine);
   }
   return list;
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(MujocoSoftness);
 INSTANTIATE_TEST_SUITE_P(Engines, MujocoSoftness, testing::ValuesIn(mujocos()),
-                         [](const auto& engine) { return engine.param->solver(); });
+                         [](const auto& engine) { return engine.param->solver; });
 
 }  // namespace
 }  // namespace rockstack

@@ -57,6 +57,13 @@ const std::vector<Mistake>& mistakes() {
                     {"dissipation", 1},
                     // DART takes the product of both shapes' coefficients.
                     {"RestitutionCoeff", std::sqrt(0.2)}}},
+      // A block placed as before that ends a tenth of a millimetre above what it stands on.
+      {.name = "ContactsATenthOfAMillimetreLate",
+       .seen_by = "StackKeepsItsHeight",
+       .question =
+           [](Setup& setup) {
+             for (Placement& block : setup.blocks) block.height -= 2e-4;
+           }},
       {.name = "MarginOfFourCentimetres", .seen_by = "QuarterPeriodIsHousners", .question = fat},
       {.name = "MassWrongByOnePercent",
        .seen_by = "PairKeepsItsMomentum",
@@ -111,7 +118,8 @@ Judgement judge(const Check& check, const Adapter& adapter) {
 
 /// The engine with its tuned set, as `mistake` has it, if any.
 Adapter adapter_of(const WorkerEngine& engine, const Mistake& mistake) {
-  return {engine.capabilities(), engine.tuned_parameters(), [&](Setup setup, Parameters parameters) {
+  return {engine.capabilities.single_precision, engine.capabilities.tuned_lead, engine.tuned_parameters(),
+          [&](Setup setup, Parameters parameters) {
             if (mistake.question) mistake.question(setup);
             for (const auto& [name, value] : mistake.settings) {
               if (parameters.count(name) != 0) parameters[name] = value;
@@ -133,7 +141,7 @@ bool may_be_made(const Mistake& mistake, const WorkerEngine& engine) {
   const bool has_it = std::any_of(mistake.settings.begin(), mistake.settings.end(),
                                   [&](const auto& setting) { return parameters.count(setting.first) != 0; });
   return (mistake.settings.empty() || has_it) &&
-         known_limit(engine.name(), engine.solver(), "tuned", mistake.seen_by).empty();
+         known_limit(engine.name, engine.solver, "tuned", mistake.seen_by).empty();
 }
 
 TEST(Mutants, AreSeen) {
@@ -143,7 +151,7 @@ TEST(Mutants, AreSeen) {
   for (const WorkerEngine& engine : engines_of(worker)) {
     for (const Mistake& mistake : mistakes()) {
       if (!is_asked_for(mistake) || !may_be_made(mistake, engine)) continue;
-      SCOPED_TRACE(engine.name() + ":" + engine.solver() + " " + mistake.name);
+      SCOPED_TRACE(engine.full_name() + " " + mistake.name);
       const Check& check = find_check(mistake.seen_by);
       const Judgement before = check.judge(adapter_of(engine, none));
       EXPECT_TRUE(before.holds()) << before.value << " against " << before.limit << ", " << before.what;

@@ -28,7 +28,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST(Registry, EveryEngineIsThereOrNamedAsLeftOut) {
   std::set<std::string> names;
   for (const std::string& name : engines_left_out()) names.insert(name);
-  for (const WorkerEngine& engine : engines()) names.insert(engine.name());
+  for (const WorkerEngine& engine : engines()) names.insert(engine.name);
   EXPECT_EQ(names, (std::set<std::string>{"box2d", "bullet", "bullet-single", "cannon-es", "chipmunk", "dart",
                                           "havok", "jolt", "mujoco", "mujoco-js", "ode", "physx", "planck",
                                           "rapier", "siconos", "simbody"}));
@@ -36,8 +36,8 @@ TEST(Registry, EveryEngineIsThereOrNamedAsLeftOut) {
 
 TEST(Registry, EngineIsFoundByNameAndBySolver) {
   for (const WorkerEngine& engine : engines()) {
-    EXPECT_EQ(&find_engine(engine.name() + ":" + engine.solver()), &engine);
-    EXPECT_EQ(find_engine(engine.name()).name(), engine.name());
+    EXPECT_EQ(&find_engine(engine.full_name()), &engine);
+    EXPECT_EQ(find_engine(engine.name).name, engine.name);
   }
 }
 
@@ -45,7 +45,7 @@ TEST(Registry, UnknownEngineIsNamedBesideThoseThatAreThere) {
   const std::string message = message_of_finding("newton");
   EXPECT_TRUE(contains(message, "newton")) << message;
   for (const WorkerEngine& engine : engines()) {
-    EXPECT_TRUE(contains(message, engine.name() + ":" + engine.solver())) << message;
+    EXPECT_TRUE(contains(message, engine.full_name())) << message;
   }
   for (const std::string& name : engines_left_out()) EXPECT_TRUE(contains(message, name)) << message;
 }

@@ -66,13 +66,13 @@ TEST_P(Shaking, BothWaysAgreeAtFirstOrderInTheStep) {
 
 std::vector<const Engine*> all() {
   std::vector<const Engine*> list;
-  for (const auto& engine : linked_engines()) list.push_back(engine.get());
+  for (const auto& engine : linked_engines()) list.push_back(engine);
   return list;
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Shaking);
 INSTANTIATE_TEST_SUITE_P(Engines, Shaking, testing::ValuesIn(all()), [](const auto& engine) {
-  std::string name = engine.param->name() + "_" + engine.param->solver();
+  std::string name = engine.param->name + "_" + engine.param->solver;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });

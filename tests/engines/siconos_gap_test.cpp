@@ -22,7 +22,7 @@ TEST(SiconosGap, IsThatOfTheStepThatLands) {
   scene.vertical.interval = 0.2;
   scene.vertical.samples = {-scene.gravity - 2, -scene.gravity - 2, 0};
   for (const WorkerEngine& engine : engines()) {
-    if (engine.name() != "siconos") continue;
+    if (engine.name != "siconos") continue;
     for (const double gamma : {0.0, 0.5, 1.0}) {
       Parameters parameters = engine.tuned_parameters();
       parameters["gamma"] = gamma;

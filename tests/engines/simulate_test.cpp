@@ -37,23 +37,12 @@ class CountingSimulation : public Simulation {
   int own_steps_ = 0;
 };
 
-class CountingEngine : public Engine {
- public:
-  explicit CountingEngine(Counts& counts) : counts_(counts) {}
-  std::string name() const override { return "counting"; }
-  std::string solver() const override { return "none"; }
-  std::string version() const override { return "0"; }
-  std::vector<Setting> settings() const override { return {}; }
-  std::string licence() const override { return "none"; }
-
- private:
-  std::unique_ptr<Simulation> build(const Setup&, const Parameters&) const override {
-    ++counts_.started;
-    return std::make_unique<CountingSimulation>(counts_);
-  }
-
-  Counts& counts_;
-};
+Engine counting_engine(Counts& counts) {
+  return {{.name = "counting", .solver = "none"}, [&counts](const Setup&, const Parameters&) {
+            ++counts.started;
+            return std::make_unique<CountingSimulation>(counts);
+          }};
+}
 
 Scene one_block(double duration) {
   Scene scene;
@@ -65,7 +54,7 @@ Scene one_block(double duration) {
 
 TEST(Engines, StepsThatOdeCouldNotSolveAreCounted) {
   for (const auto& engine : linked_engines()) {
-    if (engine->name() != "ode" || engine->solver() != "step") continue;
+    if (engine->name != "ode" || engine->solver != "step") continue;
     Scene scene = one_block(0.1);
     scene.blocks.push_back(scene.blocks[0]);
     scene.initial = {{0.15, 0.15}, {0, 0}};
@@ -81,7 +70,7 @@ TEST(Simulate, SampleTimesAreWholeMultiplesOfTheStep) {
   Counts counts;
   const double dt = 0.1;
   // 0.3 / 0.1 is a little less than 3 in binary and still three steps.
-  const History history = simulate(CountingEngine(counts), one_block(0.3), dt, {}).history;
+  const History history = simulate(counting_engine(counts), one_block(0.3), dt, {}).history;
   ASSERT_EQ(history.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(history.times[i], static_cast<double>(i) * dt);
 }
@@ -90,7 +79,7 @@ TEST(Simulate, LostAngleIsReportedWithBlockAndTime) {
   Counts counts;
   counts.lost_at = 2;
   try {
-    simulate(CountingEngine(counts), one_block(1), 0.25, {});
+    simulate(counting_engine(counts), one_block(1), 0.25, {});
     FAIL() << "no error";
   } catch (const NotFinite& error) {
     EXPECT_STREQ(error.what(), "angle of block 1 is not finite at t = 0.5 s");
@@ -99,7 +88,7 @@ TEST(Simulate, LostAngleIsReportedWithBlockAndTime) {
 
 TEST(TimeStepping, EveryRunStartsAnewAndTakesTheStepsAskedFor) {
   Counts counts;
-  const auto seconds = time_stepping(CountingEngine(counts), set_up(one_block(0.5), 0.1, {}), {}, 5, 3);
+  const auto seconds = time_stepping(counting_engine(counts), set_up(one_block(0.5), 0.1, {}), {}, 5, 3);
   EXPECT_EQ(counts.started, 3);
   EXPECT_EQ(counts.steps, 3 * 5);
   ASSERT_EQ(seconds.size(), 3U);

@@ -8,12 +8,19 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <numbers>
+
+#include "comparisons/measures/results/run_metrics.hpp"
+#include "comparisons/measures/results/scene_json.hpp"
+#include "comparisons/measures/results/tables.hpp"
+#include "comparisons/measures/verdict/verdict.hpp"
 
 namespace rockstack::testing {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 constexpr double duration = 5, period = 0.5;
 
@@ -44,6 +51,13 @@ void write_slide(std::ostream& out, const Sample& sample, double t) {
   for (int k = 1; k <= sample.blocks; ++k) fmt::print(out, ",{},{}", 0.1 * k * t, 2 * k - 1 + lift);
 }
 
+/// The name of a pattern in which the lowest block pivots about one side and all others about their right.
+std::string leaning(const Sample& sample, Contact lowest) {
+  Pattern pattern = closed_pattern(sample.blocks);
+  for (int k = 0; k < sample.blocks; ++k) pattern[k] = k == 0 ? lowest : Contact::right;
+  return name(pattern);
+}
+
 /// A motion that lags by `lag` s for every second that passes.
 void write_history(const fs::path& folder, const Sample& sample, double dt, double lag, bool exact) {
   std::ofstream history = create(folder / "history.csv");
@@ -61,16 +75,18 @@ void write_history(const fs::path& folder, const Sample& sample, double dt, doub
     fmt::print(history, "{}", t);
     for (int k = 1; k <= sample.blocks; ++k) fmt::print(history, ",{}", swing(t * (1 - lag), k));
     for (int k = 1; k <= sample.blocks; ++k) fmt::print(history, ",{}", swing_rate(t * (1 - lag), k));
-    if (exact) history << (sample.slides ? ",R>C" : t < period ? ",1a" : ",2b");
+    if (exact)
+      history << "," + (sample.slides ? "R>C" : leaning(sample, t < period ? Contact::right : Contact::left));
     if (sample.slides) write_slide(history, sample, t);
     history << "\n";
   }
 }
 
-/// One event of each kind that sliding and flight have, of two blocks.
-void write_sliding_events(std::ostream& events) {
-  for (const char* words : {"0.5,slip,2,R>C,R>C<", "1,lift-off,1,R>C<,-C<", "1.5,impact,1,-C<,LC<",
-                            "2,stick,2,LC<,LC", "2.5,corner,2,LC,LR", "3,fall,2,LR,L-"})
+/// One event of each kind that sliding and flight have, of two blocks; on springs corners part and touch.
+void write_sliding_events(std::ostream& events, bool springs) {
+  for (const char* words : {"0.5,slip,2,R>C,R>C<", springs ? "1,part,1,R>C<,-C<" : "1,lift-off,1,R>C<,-C<",
+                            springs ? "1.5,touch,1,-C<,LC<" : "1.5,impact,1,-C<,LC<", "2,stick,2,LC<,LC",
+                            "2.5,corner,2,LC,LR", "3,fall,2,LR,L-"})
     events << words << ",0,0,-1,1,0,0,consistent\n";
 }
 
@@ -80,10 +96,11 @@ void write_events(const fs::path& folder, const Sample& sample) {
   for (const char* stem : {"theta_", "omega_before_", "omega_after_"})
     write_header(events, stem, sample.blocks);
   events << ",consistency\n";
-  if (sample.slides) return write_sliding_events(events);
+  if (sample.slides) return write_sliding_events(events, sample.law == Law::compliant);
   for (int i = 1; i <= sample.impacts; ++i) {
-    fmt::print(events, "{},impact,{},{},{}", i * period, 1 + i % sample.blocks, i % 2 == 1 ? "1a" : "2b",
-               i % 2 == 1 ? "2b" : "1a");
+    const std::string right = leaning(sample, Contact::right), left = leaning(sample, Contact::left);
+    fmt::print(events, "{},impact,{},{},{}", i * period, 1 + i % sample.blocks, i % 2 == 1 ? right : left,
+               i % 2 == 1 ? left : right);
     for (int k = 0; k < sample.blocks; ++k) events << ",0";
     for (int k = 0; k < sample.blocks; ++k) events << (k % 2 == 0 ? ",-1" : ",1");
     for (int k = 0; k < sample.blocks; ++k) events << ",0";
@@ -148,25 +165,36 @@ void write_reactions(const fs::path& folder, const Sample& sample) {
   reactions << "\n";
 }
 
-std::string stack_json(int blocks) {
-  std::string text;
-  for (int k = 0; k < blocks; ++k) text += R"(, {"width": 1, "height": 2, "mass": 1000, "inertia": 416.67})";
-  return "[" + text.substr(2) + "]";
+Scene scene_of(const Sample& sample) {
+  Scene scene;
+  scene.title = sample.title;
+  scene.duration = duration;
+  if (sample.slides) scene.law = sample.law;
+  scene.friction.assign(static_cast<std::size_t>(sample.blocks), 0.5);
+  scene.blocks.assign(static_cast<std::size_t>(sample.blocks), {0.5, 1, 1000, 416.67});
+  return scene;
 }
 
-void write_json(const fs::path& folder, const Sample& sample) {
-  create(folder / "comparison.json")
-      << R"({"title": "A sample <comparison>", "scenes": [{"name": "sample", "title": ")" << sample.title
-      << R"(", "blocks": )" << sample.blocks << R"(, "stack": )" << stack_json(sample.blocks)
-      << R"(, "gravity": 9.81, "chatter_speed": 0.01)"
-      << (sample.slides ? R"(, "law": "unilateral", "friction": [0.5, 0.5])" : "")
-      << R"(, "toml": "duration = 5 # s & <b>not bold</b>\n")"
-      << (sample.results.empty() ? "" : R"(, "results": )" + sample.results) << "}],"
-      << (sample.distributions.empty() ? "" : R"("distributions": )" + sample.distributions + ",")
-      << (sample.fits.empty() ? "" : R"("fits": )" + sample.fits + ",")
-      << R"("definitions": {"run": "name of the run", "rms_angle_difference": "root mean square, rad"},)"
-      << R"("tolerance_rad": 0.01, "left_out": ["ode"], "environment": {"rockstack": "0.1.0", "eigen": "3.4.0"},)"
-      << R"("command": "rockstack compare sample.toml --out DIR", "rows": []})";
+void write_json(const fs::path& folder, const Sample& sample, const std::vector<RunMetrics>& rows) {
+  Json scene{{"name", "sample"}};
+  scene.update(scene_json(scene_of(sample)));
+  scene["chatter_speed"] = 0.01;
+  scene["predictable_time"] = sample.predictable_time;
+  scene["toml"] = "duration = 5 # s & <b>not bold</b>\n";
+  scene["results"] = sample.results;
+  Json json{{"title", "A sample <comparison>"}, {"scenes", Json::array({scene})}};
+  json["distributions"] = Json::parse(sample.distributions);
+  json["fits"] = Json::parse(sample.fits);
+  json["statements"] = Json::array();
+  json["verdict"] = verdict_json({{"What <it> comes to."}, {{"What it <shows>."}}, {}}, {{"sample", {}}});
+  json["definitions"] = {{"run", "name of the run"}, {"rms_angle_difference", "root mean square, rad"}};
+  json["tolerance_rad"] = 0.01;
+  json["left_out"] = {"ode"};
+  json["environment"] = {{"rockstack", "0.1.0"}, {"eigen", "3.4.0"}};
+  json["command"] = "rockstack compare sample.toml --out DIR";
+  for (const RunMetrics& row : rows) json["rows"].push_back(metrics_json(row));
+  create(folder / "comparison.json") << json.dump(1);
+  create(folder / "comparison.csv") << comparison_csv(rows);
 }
 
 void write_ground(const fs::path& folder) {
@@ -190,7 +218,7 @@ void write_summary(const fs::path& folder, const std::string& run, double dt, bo
 
 /// What twenty perturbed scenes came to, one of which failed.
 void write_perturbed(const fs::path& folder, const Sample& sample, double lag) {
-  if (sample.distributions.empty()) return;
+  if (sample.distributions == "[]") return;
   std::ofstream out = create(folder / "perturbed.csv");
   out << "run";
   write_header(out, "peak_", sample.blocks);
@@ -202,8 +230,18 @@ void write_perturbed(const fs::path& folder, const Sample& sample, double lag) {
   }
 }
 
-void write_engine(const fs::path& folder, std::ostream& rows, const Sample& sample,
-                  const SampleEngine& engine, double dt) {
+RunMetrics row_of(const Sample& sample, const std::string& run, const SampleEngine& engine) {
+  RunMetrics row;
+  row.run = run;
+  row.scene = "sample";
+  row.law = name(scene_of(sample).law);
+  row.engine = engine.engine;
+  row.solver = engine.solver;
+  row.settings = engine.settings;
+  return row;
+}
+
+RunMetrics write_engine(const fs::path& folder, const Sample& sample, const SampleEngine& engine, double dt) {
   const std::string run =
       fmt::format("sample.{}.{}.{}.{:g}", engine.engine, engine.solver, engine.settings, dt);
   const double lag = engine.lateness * dt * 1e3;
@@ -215,34 +253,42 @@ void write_engine(const fs::path& folder, std::ostream& rows, const Sample& samp
   write_patterns(place);
   write_summary(place, run, dt, false);
   write_perturbed(place, sample, lag);
-  fmt::print(rows, "{},sample,{},{},{},{:g},done,,{},{},{},5,{},{},{},{},{},{},{},\n", run, engine.engine,
-             engine.solver, engine.settings, dt, duration / dt, 2e-5 / dt, 2.1e-5 / dt, 3 * lag, lag,
-             sample.impacts > 0 ? fmt::format("{}", period * lag) : "", sample.impacts, 1, 1,
-             std::min(duration, 0.02 / lag));
+  RunMetrics row = row_of(sample, run, engine);
+  row.dt = dt;
+  row.steps = static_cast<int>(duration / dt);
+  row.stepping_time_minimum = 2e-5 / dt;
+  row.largest_angle_difference = 3 * lag;
+  row.error = row.rms_angle_difference = lag;
+  row.motion = 0.15;
+  row.rank = 1;
+  if (sample.impacts > 0) row.first_impact_time_difference = period * lag;
+  row.impacts_matched = sample.impacts;
+  row.impacts_missed = row.impacts_extra = 1;
+  row.agreement_time = std::min(duration, 0.02 / lag);
+  return row;
 }
 
 }  // namespace
 
 void write_sample(const fs::path& folder, const Sample& sample) {
-  write_json(folder, sample);
   if (sample.shaken) write_ground(folder);
-  std::ofstream rows = create(folder / "comparison.csv");
-  rows
-      << "run,scene,engine,solver,settings,dt,status,reason,steps,stepping_time_minimum,stepping_time_median,"
-         "repeats,largest_angle_difference,rms_angle_difference,first_impact_time_difference,impacts_matched,"
-         "impacts_missed,impacts_extra,agreement_time,toppled\n";
-  rows << "sample.exact,sample,exact,rk4,,,done,,5000,0.004,0.0041,5,,,,,,,,\n";
   const fs::path exact = folder / "runs" / "sample.exact";
   write_history(exact, sample, 1e-3, 0, true);
   write_events(exact, sample);
   write_reactions(exact, sample);
   write_summary(exact, "sample.exact", 1e-3, sample.slides);
   write_perturbed(exact, sample, 1e-4);
+  std::vector<RunMetrics> rows{row_of(sample, "sample.exact", {"exact", "rk4", "", 0})};
+  rows.front().stepping_time_minimum = 0.004;
   for (const SampleEngine& engine : sample.engines)
-    for (const double dt : sample.steps) write_engine(folder, rows, sample, engine, dt);
-  if (sample.failed_row)
-    rows << "sample.bad,sample,ode,step,default,0.1,failed,\"angle not finite, at t = 0.3 s "
-            "<nan>\",,,,,,,,,,,,\n";
+    for (const double dt : sample.steps) rows.push_back(write_engine(folder, sample, engine, dt));
+  if (sample.failed_row) {
+    rows.push_back(row_of(sample, "sample.bad", {"ode", "step", "default", 0}));
+    rows.back().dt = 0.1;
+    rows.back().status = RunStatus::failed;
+    rows.back().reason = "angle not finite, at t = 0.3 s <nan>";
+  }
+  write_json(folder, sample, rows);
 }
 
 fs::path fresh_folder() {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "analytic/scene/scene.hpp"
+
 namespace rockstack::testing {
 
 /// One engine of a made-up comparison: it runs late by a little more at each impact, the more so at larger
@@ -21,11 +23,14 @@ struct Sample {
   std::vector<SampleEngine> engines{{"bullet", "sequential-impulse", "tuned", 2e-3}};
   std::vector<double> steps{1e-2, 1e-3};  ///< s
   bool failed_row = false;
-  bool shaken = false;             ///< whether the ground moves, along both axes
-  bool slides = false;             ///< whether its law is `unilateral`: blocks slip, fly and land
-  std::string results = {};        ///< what was computed, as JSON; empty: the file does not say
-  std::string distributions = {};  ///< over perturbed scenes, likewise
-  std::string fits = {};           ///< of the errors over time steps, likewise
+  double predictable_time = 5;  ///< s, of 5
+  bool shaken = false;          ///< whether the ground moves, along both axes
+  bool slides = false;          ///< whether blocks slip, fly and land
+  Law law = Law::unilateral;    ///< of blocks that slide, or `compliant`
+  std::vector<std::string> results{"angles", "impacts", "patterns", "bodies",
+                                   "histories"};  ///< what was computed
+  std::string distributions = "[]";               ///< over perturbed scenes, as JSON
+  std::string fits = "[]";                        ///< of the errors over time steps, likewise
 };
 
 /// Writes the sample as `rockstack compare` would, scene name "sample".

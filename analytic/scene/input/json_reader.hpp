@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -27,13 +28,18 @@ nlohmann::ordered_json read_json(const std::filesystem::path& file);
 /// The error that something in a file is missing or of another kind.
 InputError wrong_json(const std::filesystem::path& file, const nlohmann::json::exception& error);
 
-/// What `read` makes of a file. @throws InputError as read_json(), and wrong_json().
+/// What `read` makes of a file. @throws InputError as read_json(), and wrong_json(); of a value that `read`
+/// finds wrong, naming the file.
 template <class Read>
 auto read_json(const std::filesystem::path& file, const Read& read) {
   try {
     return read(read_json(file));
   } catch (const nlohmann::json::exception& error) {
     throw wrong_json(file, error);
+  } catch (const InputError&) {  // which names its place itself
+    throw;
+  } catch (const std::invalid_argument& error) {
+    throw InputError(file.string() + ": " + error.what());
   }
 }
 

@@ -109,6 +109,12 @@ EngineSurface read_engine(const Node& root) {
   const Node* table = find(root, "engine");
   if (table == nullptr) return surface;
   require_table(*table, surface_keys);
+  const Node* contact = find(root, "contact");
+  const Node* friction = find(*table, "friction");
+  const Node* of_contacts = contact == nullptr ? nullptr : find(*contact, "friction");
+  if (friction != nullptr && of_contacts != nullptr)
+    throw wrong_value(*friction, "left out where contact.friction is given (" + of_contacts->place +
+                                     "), which engines take too");
   surface.friction = number_or(*table, "friction", surface.friction);
   surface.depth = number_or(*table, "depth", surface.depth);
   return surface;

@@ -137,7 +137,8 @@ inline constexpr KeyTable synthetic_keys{
 inline constexpr KeyTable surface_keys{
     "[engine]",
     "what engines need and the exact solver does not",
-    {{"friction", "1000.0", "", "> 0", "1000", "coefficient between any two surfaces"},
+    {{"friction", "1000.0", "", "> 0", "1000",
+      "coefficient between any two surfaces; not beside contact.friction"},
      {"depth", "1.0", "m", "> 0", "1", "of the blocks, out of the plane"}}};
 
 /// All tables of a scene file, in the order of a file; those of [ground.horizontal] are alternatives.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analytic/scene/spring_checks.hpp"
+#include "analytic/unilateral/springs/corner_pass.hpp"
 #include "analytic/unilateral/springs/settle.hpp"
 #include "analytic/unilateral/springs/spring_courses.hpp"
 #include "analytic/unilateral/springs/spring_energy.hpp"
@@ -101,12 +102,13 @@ class SpringContacts {
         point.slide = 0;
         break;
       case SpringChange::pass:
-        pass(point);
+        pass_to_other_corner(stack_, bodies, point);
         break;
       default:
         break;
     }
     losses(point).damped += held - elastic_energy(stack_, point, bodies);
+    if (course.change == SpringChange::pass) losses(point).rubbed += slip_at_once(stack_, bodies, point);
   }
 
   /// Tells how soft interfaces touch now.
@@ -240,14 +242,6 @@ class SpringContacts {
     point.press = Press::pushing;
     point.slide = 0;
     point.slider = rows_of(stack_.blocks, bodies, corner_of(stack_.blocks, point)).slip;
-  }
-
-  /// The corner of the other block takes over, its slider at the end of its face.
-  void pass(SpringPoint<Real>& point) const {
-    point.corner_below = !point.corner_below;
-    const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
-    const int outward = point.side * corner.upward;
-    point.slider = outward * half_width_of<Real>(stack_.blocks, corner.face);
   }
 
   const BasicFrictionStack<Real>& stack_;

@@ -16,7 +16,7 @@ enum class SpringChange : std::uint8_t {
   leave,         ///< off the face, after it has left the spring behind
   slide,         ///< the slider starts to move
   grip,          ///< the slider stops
-  pass,          ///< the slider passes the end of the face
+  pass,          ///< the corner of the other block comes to be farther inside its face
   fall,          ///< nothing is left of the face
   bed_depth,     ///< an end of a bed passes its surface
   bed_pressure,  ///< kδ + cδ̇ changes its sign there
@@ -48,16 +48,15 @@ struct FirstSpringChange {
   /// Takes a course into account, whose values round by `rounding`.
   void consider(SpringCourse<Real> course, const Real& rounding) {
     const std::optional<Real> crossing = told_crossing(course.series, rounding);
+    if (crossing && course.within.terms > 0 &&
+        std::min(value(course.within, *crossing), value(course.within_other, *crossing)) < -rounding)
+      return;
     note(std::move(course), crossing);
   }
 
   /// One that ends at `crossing`, if at all.
   void note(SpringCourse<Real> course, const std::optional<Real>& crossing) {
     if (!crossing || *crossing > s) return;
-    if (course.change == SpringChange::touch && course.within.terms > 0) {
-      const Real slack = -tolerance<Real>(1e-12) * (course.within[0] + course.within_other[0]);
-      if (value(course.within, *crossing) < slack || value(course.within_other, *crossing) < slack) return;
-    }
     if (*crossing < s) courses.clear();
     s = *crossing;
     courses.push_back(std::move(course));
@@ -127,8 +126,22 @@ class SpringCourses {
     const int outward = spring.start.side * corner.upward;
     const int way = spring.start.slide * outward;  // zero where there is no friction, and no way it must go
     if (way >= 0)
-      found_.consider({line(end, -outward, slider), SpringChange::pass, spring.index}, rounding_.place);
+      found_.consider({sum(inside_of(spring.start), times(-1, inside_of(other_corner(spring.start)))),
+                       SpringChange::pass, spring.index},
+                      rounding_.place);
     if (way <= 0) found_.consider({line(end, outward, slider), SpringChange::fall, spring.index}, 0);
+  }
+
+  /// How far a point's corner is inside the end of its face, m.
+  Polynomial<Real> inside_of(const SpringPoint<Real>& point) const {
+    const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
+    return line(half_width_of<Real>(stack_.blocks, corner.face), -point.side,
+                corner_series(stack_.blocks, motion_, corner).along);
+  }
+
+  static SpringPoint<Real> other_corner(SpringPoint<Real> point) {
+    point.corner_below = !point.corner_below;
+    return point;
   }
 
   /// A bed holds as long as its middle is over the other face.

@@ -10,7 +10,7 @@ namespace rockstack::live {
 
 // What a page is told of a motion: a track as the player's script reads it, energies as parts of
 // energy_scale() at "energy_times", impacts as [time, interface, side], a verdict. Lists of numbers are as
-// plots::base64().
+// plots::packed().
 
 /// The exact motion at multiples of `interval`, s, with what the player draws it by. A motion that cannot be
 /// followed to its end is told up to there, with "failure".

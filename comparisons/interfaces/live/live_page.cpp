@@ -11,8 +11,8 @@
 #include "comparisons/suites/shipped.hpp"
 #include "engines/worker/registry.hpp"
 #include "plots/pages/html.hpp"
-#include "plots/pages/player.hpp"
-#include "plots/pages/template.hpp"
+#include "plots/pages/player_data.hpp"
+#include "plots/pages/templates.hpp"
 
 namespace rockstack::live {
 namespace {
@@ -52,8 +52,8 @@ Json engine_list() {
   Json list = Json::array();
   for (const WorkerEngine& engine : engines()) {
     Json settings = Json::array();
-    for (const Setting& setting : engine.settings()) settings.push_back(setting_json(setting));
-    list.push_back({{"name", engine.name() + ":" + engine.solver()}, {"settings", settings}});
+    for (const Setting& setting : engine.settings) settings.push_back(setting_json(setting));
+    list.push_back({{"name", engine.full_name()}, {"settings", settings}});
   }
   return list;
 }
@@ -75,7 +75,7 @@ Json state_json(const PageStart& start, std::set<std::string>& records) {
              {"spread", 1e-3}};
   if (start.engine.empty()) return state;
   const WorkerEngine& engine = find_engine(start.engine);
-  state["engine"] = engine.name() + ":" + engine.solver();
+  state["engine"] = engine.full_name();
   return state;
 }
 

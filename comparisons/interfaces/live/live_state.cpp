@@ -133,8 +133,8 @@ std::string state_suite_text(const Json& json, const LiveState& state, const std
       toml_text(state.scene.title), name);
   if (state.series.engine != nullptr) {
     const WorkerEngine& engine = *state.series.engine;
-    text += fmt::format("\n[[engines]]\nname = \"{}:{}\"\nsettings = [\"{}\"]\ndt = [{}]\n", engine.name(),
-                        engine.solver(), json.value("settings", "tuned"), number_text(state.dt));
+    text += fmt::format("\n[[engines]]\nname = \"{}:{}\"\nsettings = [\"{}\"]\ndt = [{}]\n", engine.name,
+                        engine.solver, json.value("settings", "tuned"), number_text(state.dt));
     const Json parameters = json.value("parameters", Json::object());
     std::string changes;
     for (const auto& [key, value] : parameters.items())

@@ -33,12 +33,12 @@ void print_trials(const Advice& advice, const Wish& wish) {
                remark);
   }
   fmt::print(
-      "within: replicates within {} rad, of steps up to {:.0f} % longer and shorter and scenes that differ "
-      "in "
-      "the sixth digit; {:.0f} of 100 must be. The difference is their median. Confirmed: replicates of "
-      "steps up "
-      "to "
-      "{:.0f} % longer and shorter, as many of which must be.\n",
+      "within: replicates within {} rad, and within that share of the least height by centres, of steps up "
+      "to\n"
+      "{:.0f} % longer and shorter and scenes that differ in the sixth digit; {:.0f} of 100 must be. The\n"
+      "difference is their median. Confirmed: replicates of steps up to {:.0f} % longer and shorter, as many "
+      "of\n"
+      "which must be.\n",
       wish.error, 100 * wish.draws.steps, 100 * passing_share, 100 * wish.confirming.steps);
 }
 
@@ -55,12 +55,34 @@ void print_beyond(const Advice& advice, double duration) {
                one.apart.p_value < 0.05 ? "another distribution" : "not to be told apart");
 }
 
+/// Those that are named, or those that are usual.
+std::vector<const WorkerEngine*> wished_engines(const std::vector<std::string>& names) {
+  std::vector<const WorkerEngine*> list;
+  for (const std::string& name : names) {
+    for (const WorkerEngine* engine : engines_named(name)) list.push_back(engine);
+  }
+  if (!names.empty()) return list;
+  for (const WorkerEngine& engine : engines()) {
+    if (is_usual(engine)) list.push_back(&engine);
+  }
+  return list;
+}
+
+/// What more time would try.
+void print_untried(const Advice& advice, double within) {
+  if (advice.untried.empty()) return;
+  std::string list;
+  for (const Untried& one : advice.untried)
+    list += fmt::format("{}{} below {} s", list.empty() ? "" : ", ", one.engine->full_name(), one.below);
+  fmt::print("Not tried, as {} s would not do (--within): {}.\n", within, list);
+}
+
 void print_advice(const Advice& advice, const AdviseArguments& arguments, const Wish& wish, double duration,
                   const Common& common) {
   print_trials(advice, wish);
+  print_untried(advice, wish.within);
   if (advice.pick < 0) {
-    fmt::print("No solver holds to {} rad at a step down to {} s.\n", arguments.error,
-               advised_steps().back());
+    fmt::print("No solver holds to {} rad at a step that was tried.\n", arguments.error);
     return;
   }
   print_beyond(advice, duration);
@@ -75,10 +97,12 @@ void print_advice(const Advice& advice, const AdviseArguments& arguments, const 
 
 int advise_command(const AdviseArguments& arguments, const Common& common) {
   require_positive_option("--error", arguments.error);
+  require_positive_option("--within", arguments.within);
   require_positive_option("--time-limit", arguments.time_limit);
   const NamedScene scene = read_one_scene(arguments.scene, common);
   const ResultsFolder folder(arguments.out, Results::advice);
-  Wish wish{.error = arguments.error};
+  Wish wish{
+      .error = arguments.error, .within = arguments.within, .engines = wished_engines(arguments.engines)};
   wish.limits.time = arguments.time_limit;
   const Advice advice = advise(scene, wish, arguments.out, common.command);
   if (common.json) {
@@ -92,6 +116,10 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
       json["pick"]["confirming_draws_tried"] = pick.confirming;
       json["pick"]["confirming_draws_within"] = pick.confirmed;
     }
+    json["untried"] = nlohmann::ordered_json::array();
+    for (const Untried& one : advice.untried)
+      json["untried"].push_back(
+          {{"engine", one.engine->name}, {"solver", one.engine->solver}, {"below", one.below}});
     json["beyond"] = distributions_json(advice.beyond);
     fmt::print("{}\n", json.dump(2));
   } else if (!common.quiet) {

@@ -82,8 +82,10 @@ struct PlotArguments {
 struct AdviseArguments {
   std::string scene;
   std::filesystem::path out;
-  double error = 1e-3;     ///< rad
+  double error = 1e-3;     ///< rad, and of the least block height
+  double within = 60;      ///< of the whole search, s
   double time_limit = 60;  ///< of each run, s
+  std::vector<std::string> engines = {};
 };
 
 struct RecordArguments {

@@ -12,7 +12,7 @@
 #include "comparisons/suites/shipped.hpp"
 #include "engines/worker/registry.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/pages/canon.hpp"
+#include "plots/pages/show.hpp"
 #endif
 
 namespace rockstack {
@@ -30,13 +30,8 @@ std::vector<const WorkerEngine*> chosen(const std::vector<std::string>& names) {
 }
 
 void print(const CanonRow& row, const CanonAnswer& answer) {
-  fmt::print("{:<28} {:<8} {:<16} {:<12}", row.engine->name() + ":" + row.engine->solver(), row.settings,
-             answer.scene, answer.verdict);
-  if (answer.verdict == "no run") {
-    fmt::print(" {}\n", answer.reason);
-  } else {
-    fmt::print(" {:>8.3g} {:>8.3g}\n", answer.coarse.steps, answer.fine.steps);
-  }
+  fmt::print("{:<28} {:<8} {:<16} {:<12} {}\n", row.engine->full_name(), row.settings, answer.scene,
+             answer.verdict, answer.reason);
   std::fflush(stdout);
 }
 
@@ -49,21 +44,23 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
   const ResultsFolder folder(arguments.out, Results::canon);
   const bool talk = !common.quiet && !common.json;
   if (talk)
-    fmt::print("{:<28} {:<8} {:<16} {:<12} steps off at {} and {} s\n", "engine", "set", "scene", "verdict",
-               canon_steps().coarse, canon_steps().fine);
+    fmt::print("{:<28} {:<8} {:<16} {:<12} by a fit over steps of {:g} to {:g} ms\n", "engine", "set",
+               "scene", "verdict", 1e3 * canon_steps.front(), 1e3 * canon_steps.back());
   const auto show = progress(common);
   const std::size_t total = engines.size() * sets.size() * suite.scenes.size();
   std::size_t done = 0, off = 0;
   std::vector<CanonRow> rows;
   for (const WorkerEngine* engine : engines) {
     for (const std::string& settings : sets) {
-      const CanonRow head{engine, settings, {}};
-      rows.push_back(make_canon_row(suite, *engine, settings, [&](const CanonAnswer& answer) {
-        if (answer.verdict != "agrees" && answer.verdict != "converges") ++off;
+      CanonRow& row = rows.emplace_back(CanonRow{engine, settings, {}});
+      for (const NamedScene& scene : suite.scenes) {
+        const std::string what = fmt::format("{} {} {}", engine->full_name(), settings, scene.name);
+        show({done++, total, "", what, {}});
+        row.answers.push_back(kept_canon_answer(suite, scene, *engine, settings, arguments.out / "answers"));
+        if (!follows_law(row.answers.back())) ++off;
         clear_progress(common);
-        if (talk) print(head, answer);
-        show({++done, total, fmt::format("{} {} {}", engine->name(), settings, answer.scene), {}, {}});
-      }));
+        if (talk) print(row, row.answers.back());
+      }
     }
   }
   const std::string json = canon_json(suite, rows, common.command);
@@ -71,7 +68,7 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
   write_file(arguments.out / "canon.json", json);
   if (common.json) fmt::print("{}", json);
 #ifdef ROCKSTACK_WITH_PLOTS
-  plots::write_canon_report(arguments.out);
+  plots::show(arguments.out);
   if (talk) fmt::print("report: {}\n", (arguments.out / "report.html").string());
 #endif
   if (talk)

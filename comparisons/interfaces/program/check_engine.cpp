@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/quantity_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "engines/conformance/check.hpp"
 #include "engines/conformance/known_limits.hpp"
@@ -19,10 +21,6 @@ namespace rockstack {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string full_name(const WorkerEngine& engine) {
-  return engine.name() + ":" + engine.solver();
-}
 
 /// What became of a check.
 struct Finding {
@@ -41,9 +39,10 @@ Parameters parameters_of(const WorkerEngine& engine, const std::string& settings
 }
 
 /// `warnings` counts those of all runs.
-Adapter adapter_of(const WorkerEngine& engine, const Parameters& parameters, std::size_t& warnings) {
-  return {engine.capabilities(), parameters,
-          [&engine, &warnings](const Setup& setup, const Parameters& given) {
+Adapter adapter_of(const WorkerEngine& engine, const std::string& settings, std::size_t& warnings) {
+  const Capabilities& able = engine.capabilities;
+  return {able.single_precision, settings == "tuned" ? able.tuned_lead : able.lead,
+          parameters_of(engine, settings), [&engine, &warnings](const Setup& setup, const Parameters& given) {
             Trajectory made = run(engine, setup, given, true, limits);
             warnings += made.warnings;
             return made;
@@ -51,11 +50,10 @@ Adapter adapter_of(const WorkerEngine& engine, const Parameters& parameters, std
 }
 
 Finding judge(const WorkerEngine& engine, const std::string& settings, const Check& check) {
-  Finding finding{full_name(engine), settings, check.name, "no run", 0, 0, "", 0};
-  const std::string limit = known_limit(engine.name(), engine.solver(), settings, check.name);
+  Finding finding{engine.full_name(), settings, check.name, "no run", 0, 0, "", 0};
+  const std::string limit = known_limit(engine.name, engine.solver, settings, check.name);
   try {
-    const Judgement verdict =
-        check.judge(adapter_of(engine, parameters_of(engine, settings), finding.warnings));
+    const Judgement verdict = check.judge(adapter_of(engine, settings, finding.warnings));
     finding.verdict = verdict.holds() ? "holds" : limit.empty() ? "fails" : "known limit";
     finding.value = verdict.value;
     finding.limit = verdict.limit;
@@ -84,28 +82,49 @@ std::vector<Check> checks_named(const std::vector<std::string>& names) {
   return list;
 }
 
-/// A run of a resting block that is asked for everything that an answer may have.
-/// @return whether its contacts are told. @throws std::runtime_error where it is not done.
-bool tells_contacts(const WorkerEngine& engine, const std::string& settings) {
-  const Scene scene = at_rest({make_block(1, 1, 2500)}, 1e-2);
-  const Parameters parameters = parameters_of(engine, settings);
-  return run(engine, set_up(scene, 1e-3, parameters), parameters, true, limits, 1).contacts.has_value();
+/// What a run of a resting block tells that is asked for everything that an answer may have.
+struct FirstRun {
+  bool tells_contacts = false;
+  double step_time = 0;       ///< wall time of a step, s
+  double processor_time = 0;  ///< of the whole worker for a hundred steps and as many timed ones, s
+};
+
+/// @throws std::runtime_error where it is not done.
+FirstRun first_run(const WorkerEngine& engine, const std::string& settings) {
+  const Scene scene = at_rest({make_block(1, 1, 2500)}, 0.1);
+  const WorkerRun made = run_in_worker(engine, scene, 1e-3, parameters_of(engine, settings), 1, limits, true);
+  if (made.status != "done") throw std::runtime_error(made.status + ": " + made.reason);
+  return {made.run.bodies->contacts.has_value(),
+          made.seconds.front() / static_cast<double>(made.run.history.size() - 1), made.processor_time};
 }
 
-Json capabilities_json(const WorkerEngine& engine, bool tells_contacts) {
-  const Capabilities& able = engine.capabilities();
-  Json json{{"engine", full_name(engine)},
-            {"version", engine.version()},
-            {"licence", engine.licence()},
-            {"worker", engine.program().string()},
+/// The finest step and the longest scene that come with the program: 0.1 ms and 25 s.
+constexpr double most_steps = 250000;
+
+/// Empty, or what the user of a slow worker meets.
+std::string slowness(double step_time) {
+  if (most_steps * step_time < limits.time) return "";
+  return fmt::format("; slow: 25 s of motion at 0.1 ms a step take {:.0f} s, more than a run's {:.0f} s",
+                     most_steps * step_time, limits.time);
+}
+
+Json capabilities_json(const WorkerEngine& engine, const FirstRun& first) {
+  const Capabilities& able = engine.capabilities;
+  Json json{{"engine", engine.full_name()},
+            {"version", engine.version},
+            {"licence", engine.licence},
+            {"worker", engine.program.string()},
             {"largest_friction", std::isfinite(able.largest_friction) ? Json(able.largest_friction) : Json()},
             {"single_precision", able.single_precision},
             {"planar", able.planar},
             {"lead", able.lead},
+            {"tuned_lead", able.tuned_lead},
             {"moves_ground", engine.default_parameters().count("shaking") != 0},
-            {"tells_contacts", tells_contacts},
+            {"tells_contacts", first.tells_contacts},
+            {"step_time", first.step_time},
+            {"processor_time", first.processor_time},
             {"settings", Json::array()}};
-  for (const Setting& setting : engine.settings()) {
+  for (const Setting& setting : engine.settings) {
     json["settings"].push_back({{"name", setting.name},
                                 {"unit", setting.unit},
                                 {"default", setting.standard},
@@ -121,11 +140,15 @@ void print_capabilities(const Json& able) {
   fmt::print("{}  {}\n", able["engine"].get<std::string>(), able["version"].get<std::string>());
   fmt::print(
       "  friction up to {}; {} precision; planar {}; places lead by {} steps; really moves the ground: {}; "
-      "tells contacts: {}; {} settings\n",
+      "tells contacts: {}; {} settings\n  a step takes {}, the whole worker for two hundred {}{}\n",
       able["largest_friction"].is_null() ? "any" : able["largest_friction"].dump(),
       able["single_precision"].get<bool>() ? "single" : "double",
-      able["planar"].get<bool>() ? "by nature" : "by constraint", able["lead"].dump(), yes("moves_ground"),
-      yes("tells_contacts"), able["settings"].size());
+      able["planar"].get<bool>() ? "by nature" : "by constraint",
+      able["lead"] == able["tuned_lead"] ? able["lead"].dump()
+                                         : able["lead"].dump() + ", tuned " + able["tuned_lead"].dump(),
+      yes("moves_ground"), yes("tells_contacts"), able["settings"].size(),
+      quantity_text(able["step_time"].get<double>(), "s"),
+      quantity_text(able["processor_time"].get<double>(), "s"), slowness(able["step_time"].get<double>()));
 }
 
 void print(const Finding& finding) {
@@ -152,10 +175,10 @@ std::vector<std::string> both_if_empty(const std::vector<std::string>& settings)
 std::vector<const WorkerEngine*> engines_named(const std::string& name) {
   std::vector<const WorkerEngine*> list = chosen_engines(name);
   if (name.find_first_of(":/") != std::string::npos) return list;
-  const std::string& engine_name = list.front()->name();
+  const std::string& engine_name = list.front()->name;
   list.clear();
   for (const WorkerEngine& engine : engines()) {
-    if (engine.name() == engine_name) list.push_back(&engine);
+    if (engine.name == engine_name) list.push_back(&engine);
   }
   return list;
 }
@@ -175,9 +198,9 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
   };
   for (const WorkerEngine* engine : engines_named(arguments.engine)) {
     try {
-      report["engines"].push_back(capabilities_json(*engine, tells_contacts(*engine, sets.front())));
+      report["engines"].push_back(capabilities_json(*engine, first_run(*engine, sets.front())));
     } catch (const std::exception& error) {
-      tell({full_name(*engine), sets.front(), "FirstRun", "no run", 0, 0, error.what(), 0});
+      tell({engine->full_name(), sets.front(), "FirstRun", "no run", 0, 0, error.what(), 0});
       continue;
     }
     if (talk) print_capabilities(report["engines"].back());

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/input_error.hpp"
@@ -23,21 +22,8 @@
 #include "engines/parameters.hpp"
 #include "engines/scene_setup.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/data/motion.hpp"
-#include "plots/figures/animation.hpp"
-#include "plots/figures/comparison/figures.hpp"
-#include "plots/figures/impact_laws/maps.hpp"
-#include "plots/figures/motion.hpp"
-#include "plots/figures/record.hpp"
-#include "plots/figures/stability.hpp"
-#include "plots/figures/sweep/sweep.hpp"
-#include "plots/pages/canon.hpp"
-#include "plots/pages/course/course.hpp"
-#include "plots/pages/course/lesson.hpp"
-#include "plots/pages/impact_laws.hpp"
-#include "plots/pages/motion.hpp"
-#include "plots/pages/report.hpp"
-#include "plots/pages/studies.hpp"
+#include "plots/figures/motions/animation.hpp"
+#include "plots/pages/show.hpp"
 #endif
 
 namespace rockstack {
@@ -94,49 +80,6 @@ void announce_disk_use(const std::vector<Suite>& suites, const std::filesystem::
 }
 
 #ifdef ROCKSTACK_WITH_PLOTS
-/// How results of a kind are shown.
-struct Picture {
-  bool (*is_there)(const std::filesystem::path&);
-  void (*draw)(const std::filesystem::path&);
-  void (*write_page)(const std::filesystem::path&);
-};
-
-bool has_record(const std::filesystem::path& results) {
-  return std::filesystem::exists(results / "record.json");
-}
-
-bool has_runs(const std::filesystem::path& results) {
-  return std::filesystem::exists(results / "comparison.json");
-}
-
-/// The first that is there holds: a study has runs too.
-constexpr Picture pictures[]{
-    {plots::has_course, [](const std::filesystem::path&) {}, plots::write_course},
-    {has_record, plots::draw_record, plots::write_record_report},
-    {plots::has_canon, [](const std::filesystem::path&) {}, plots::write_canon_report},
-    {plots::has_stability, plots::draw_stability, plots::write_stability_report},
-    {plots::has_sweep, plots::draw_sweep, plots::write_sweep_report},
-    {plots::has_one_motion, plots::draw_motion, plots::write_motion_report},
-    {plots::has_impact_laws, plots::draw_impact_laws, plots::write_impact_law_report},
-    {has_runs, plots::draw_figures, plots::write_report}};
-
-const Picture& picture_of(const std::filesystem::path& results) {
-  const auto* found = std::find_if(std::begin(pictures), std::end(pictures),
-                                   [&](const Picture& picture) { return picture.is_there(results); });
-  if (found == std::end(pictures))
-    throw InputError(
-        fmt::format("{}: cannot be read: must be a folder with results that have figures", results.string()));
-  return *found;
-}
-
-void draw(const std::filesystem::path& results) {
-  const Picture& picture = picture_of(results);
-  picture.draw(results);
-  picture.write_page(results);
-}
-#endif
-
-#ifdef ROCKSTACK_WITH_PLOTS
 void print_animations(const std::vector<std::filesystem::path>& files, const Common& common) {
   if (common.quiet || common.json) return;
   for (const auto& file : files) fmt::print("film: {}\n", file.string());
@@ -147,7 +90,7 @@ void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& res
   constexpr std::size_t most = 100;
   std::size_t scenes = 0;
   for (const Suite& suite : suites) scenes += suite.scenes.size();
-  if (scenes <= most) return draw(results);
+  if (scenes <= most) return plots::show(results);
   if (!common.quiet)
     fmt::print(stderr, "{} scenes: figures and report are drawn by `rockstack plot {}`\n", scenes,
                results.string());
@@ -158,7 +101,7 @@ void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& res
 void show_motion(const std::filesystem::path& out, bool plots, const Common& common) {
   if (!plots) return;
 #ifdef ROCKSTACK_WITH_PLOTS
-  draw(out);
+  plots::show(out);
 #endif
   print_report(out, common);
 }
@@ -171,7 +114,7 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   write_results(study, results, out, common.command);
   print_impact_laws(results, out, common);
 #ifdef ROCKSTACK_WITH_PLOTS
-  draw(out);
+  plots::show(out);
 #endif
   print_report(out, common);
   const bool failed = std::any_of(results.cases.begin(), results.cases.end(), [](const AskedCase& asked) {
@@ -179,6 +122,15 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
                        [](const EngineVerdict& verdict) { return !verdict.failure.empty(); });
   });
   return failed ? 1 : 0;
+}
+
+/// Which one it was where a name stands for several.
+void print_first_of(const std::vector<const WorkerEngine*>& engines, const Common& common) {
+  if (common.quiet || common.json) return;
+  std::vector<std::string> solvers;
+  solvers.reserve(engines.size());
+  for (const WorkerEngine* engine : engines) solvers.push_back(engine->solver);
+  fmt::print("engine: {}, the first of {}\n", engines.front()->full_name(), fmt::join(solvers, ", "));
 }
 
 }  // namespace
@@ -224,13 +176,15 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
 
 int simulate_command(const SimulateArguments& arguments, const Common& common) {
   require_positive_option("--dt", arguments.dt);
-  const WorkerEngine& engine = find_engine(arguments.engine);
+  const std::vector<const WorkerEngine*> named = engines_named(arguments.engine);
+  const WorkerEngine& engine = *named.front();
   const Parameters changes = read_parameters(arguments.parameters, engine);
   const auto scene = read_one_scene(arguments.scene, common);
   check_step(arguments.dt, scene.scene.duration);
   const ResultsFolder folder(arguments.out, Results::motion);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);
   const auto [history, support] = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
+  if (named.size() > 1) print_first_of(named, common);
   print_history(scene.scene, history, support, arguments.out, common);
   show_motion(arguments.out, arguments.plots, common);
   return 0;
@@ -282,11 +236,10 @@ int plot_command(const PlotArguments& arguments, const Common& common) {
   const std::filesystem::path& results = arguments.results;
   const FolderLock lock(results);
 #ifdef ROCKSTACK_WITH_PLOTS
-  if (arguments.animate && picture_of(results).is_there != has_runs)
+  if (arguments.animate && !plots::has_runs(results))
     throw InputError(fmt::format("plot {} --animate: must be a folder of `rockstack compare` or `teach`",
                                  results.string()));
-  draw(results);
-  if (plots::has_lesson(results)) plots::write_lesson(results);
+  plots::show(results);
   print_report(results, common);
   if (arguments.animate) print_animations(plots::draw_animations(results), common);
   return 0;

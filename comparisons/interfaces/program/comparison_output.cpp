@@ -52,8 +52,8 @@ void print_engine_rows(const std::vector<RunMetrics>& rows) {
   for (const RunMetrics& row : rows)
     fmt::print(line_format, shown_or_blank(row.dt), told && row.rank == 1 ? "*" : "", set_name(row),
                angles(row), shown_or_blank(row.rms_position_difference),
-               signed_or_blank(row.first_impact_time_difference), shown_or_blank(row.stepping_time_minimum),
-               row.outcome);
+               signed_or_blank(row.first_impact_time_difference),
+               shown_or_blank(row.stepping_time_minimum) + (row.timed_cold ? " cold" : ""), row.outcome);
 }
 
 /// What there is to know of a scene before its engines.
@@ -91,7 +91,8 @@ void print_legend(const std::vector<Suite>& suites, const Common& common) {
   for (const Suite& suite : suites) replicates = std::max(replicates, suite.draws.runs);
   fmt::print(
       "angles, centres: RMS differences from the exact motion up to the horizon{}\n"
-      "impact: the first one, engine less exact; time: the shortest wall time of stepping\n"
+      "impact: the first one, engine less exact; time: the shortest wall time of stepping (cold: before the "
+      "engine's runtime was warm)\n"
       "*: nearest of its scene and step; those that share it cannot be told apart, and none has it where no "
       "row can\n",
       replicates > 1 ? fmt::format(", medians of {} replicates (quartiles)", replicates) : "");

@@ -37,9 +37,8 @@ std::vector<Listed> listed_lessons() {
 std::vector<Listed> listed_engines() {
   std::vector<Listed> list;
   for (const WorkerEngine& engine : engines())
-    list.push_back(
-        {engine.name() + ":" + engine.solver(),
-         fmt::format("{}; {}; {}", engine.version(), engine.licence(), engine.program().string())});
+    list.push_back({engine.full_name(),
+                    fmt::format("{}; {}; {}", engine.version, engine.licence, engine.program.string())});
   for (const BrokenWorker& broken : broken_workers())
     list.push_back({broken.program, "no worker: " + one_line(broken.reason)});
   for (const std::string& name : engines_left_out()) list.push_back({name, "left out of this build"});

@@ -26,7 +26,7 @@ namespace {
 /// The first engine that is usual where nobody names one, if it is there.
 std::string usual_engine() {
   const auto usual = std::find_if(engines().begin(), engines().end(), is_usual);
-  return usual == engines().end() ? "" : usual->name();
+  return usual == engines().end() ? "" : usual->name;
 }
 
 /// The scene of a lesson's suite.

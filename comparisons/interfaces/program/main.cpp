@@ -156,8 +156,13 @@ Command add_advise(CLI::App& app, const Common& common) {
   CLI::App* command =
       app.add_subcommand("advise", "find the cheapest engine, solver and step for a scene within an error");
   command->add_option("scene", arguments->scene, scene_help)->required();
-  command->add_option("--error", arguments->error, "largest angle difference from the exact solution, rad")
+  command
+      ->add_option(
+          "--error", arguments->error,
+          "largest difference from the exact motion: of angles, rad, and of centres, in least heights")
       ->capture_default_str();
+  command->add_option("--within", arguments->within, "of the whole search, s")->capture_default_str();
+  command->add_option("--engine", arguments->engines, "engine, or engine:solver; more than one may be given");
   command->add_option("--time-limit", arguments->time_limit, "of each run, s")->capture_default_str();
   command->add_option("--out", arguments->out, out_help)->required();
   return {command, [arguments, &common] { return advise_command(*arguments, common); }};

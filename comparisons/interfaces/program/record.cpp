@@ -15,8 +15,7 @@
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/results_folder.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/figures/record.hpp"
-#include "plots/pages/studies.hpp"
+#include "plots/pages/show.hpp"
 #endif
 
 namespace rockstack {
@@ -153,10 +152,7 @@ int record_command(const RecordArguments& arguments, const Common& common) {
     if (!arguments.out.empty()) fmt::print("{:<22}{}\n", "results", arguments.out.string());
   }
 #ifdef ROCKSTACK_WITH_PLOTS
-  if (!arguments.out.empty()) {
-    plots::draw_record(arguments.out);
-    plots::write_record_report(arguments.out);
-  }
+  if (!arguments.out.empty()) plots::show(arguments.out);
 #endif
   if (!arguments.out.empty()) print_report(arguments.out, common);
   return 0;

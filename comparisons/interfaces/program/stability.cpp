@@ -10,8 +10,7 @@
 #include "comparisons/interfaces/program/output.hpp"
 #include "comparisons/measures/results/results_folder.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/figures/stability.hpp"
-#include "plots/pages/studies.hpp"
+#include "plots/pages/show.hpp"
 #endif
 
 namespace rockstack {
@@ -45,8 +44,7 @@ int stability_command(const std::filesystem::path& file, const std::filesystem::
       run_stability(study, out, executor, {.command = common.command, .progress = progress(common)});
   print_verdicts(rows, out, common);
 #ifdef ROCKSTACK_WITH_PLOTS
-  plots::draw_stability(out);
-  plots::write_stability_report(out);
+  plots::show(out);
 #endif
   print_report(out, common);
   return std::any_of(rows.begin(), rows.end(),

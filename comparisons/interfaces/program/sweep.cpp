@@ -10,8 +10,7 @@
 #include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/shipped.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/figures/sweep/sweep.hpp"
-#include "plots/pages/studies.hpp"
+#include "plots/pages/show.hpp"
 #endif
 
 namespace rockstack {
@@ -59,8 +58,7 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
   }
   print_sweep(result, arguments.out, common);
 #ifdef ROCKSTACK_WITH_PLOTS
-  plots::draw_sweep(arguments.out);
-  plots::write_sweep_report(arguments.out);
+  plots::show(arguments.out);
 #endif
   print_report(arguments.out, common);
   return result.failed > 0 ? 1 : 0;

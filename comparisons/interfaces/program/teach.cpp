@@ -10,12 +10,8 @@
 #include "comparisons/studies/lessons/course/run_lesson.hpp"
 #include "comparisons/studies/lessons/course/sheet.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/figures/comparison/figures.hpp"
-#include "plots/pages/course/course.hpp"
-#include "plots/pages/course/lesson.hpp"
-#include "plots/pages/course/pdf.hpp"
-#include "plots/pages/course/sheet.hpp"
-#include "plots/pages/report.hpp"
+#include "plots/pages/pages.hpp"
+#include "plots/pages/show.hpp"
 #endif
 
 namespace rockstack {
@@ -53,9 +49,7 @@ std::vector<const Lesson*> lessons_named(const std::string& name) {
 /// The pages of a results folder with a lesson, and slides as PDF where they are asked for.
 Json write_pages(const fs::path& out, bool pdf) {
 #ifdef ROCKSTACK_WITH_PLOTS
-  plots::draw_figures(out);
-  plots::write_report(out);
-  plots::write_lesson(out);
+  plots::show(out);
   const fs::path slides = out / "slides.html";
   Json paths{{"lesson", (out / "lesson.html").string()}, {"slides", slides.string()}};
   if (!pdf) return paths;

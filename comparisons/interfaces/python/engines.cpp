@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -37,9 +38,9 @@ py::dict to_dict(const Setting& setting) {
 
 py::dict to_dict(const WorkerEngine& engine) {
   py::list settings;
-  for (const Setting& setting : engine.settings()) settings.append(to_dict(setting));
-  return py::dict(py::arg("name") = engine.name(), py::arg("solver") = engine.solver(),
-                  py::arg("version") = engine.version(), py::arg("licence") = engine.licence(),
+  for (const Setting& setting : engine.settings) settings.append(to_dict(setting));
+  return py::dict(py::arg("name") = engine.name, py::arg("solver") = engine.solver,
+                  py::arg("version") = engine.version, py::arg("licence") = engine.licence,
                   py::arg("settings") = settings);
 }
 
@@ -105,19 +106,24 @@ py::list canon(const std::string& engine_name, const std::string& settings,
     }
     suite.scenes = std::move(chosen);
   }
-  CanonRow row;
+  std::vector<CanonAnswer> list;
   beside_interpreter([&](const std::atomic<bool>& stop) {
-    row = make_canon_row(suite, engine, settings, [&](const CanonAnswer&) {
+    for (const NamedScene& scene : suite.scenes) {
       if (stop) throw Unwanted();
-    });
+      list.push_back(answer_canon(suite, scene, engine, settings));
+    }
   });
   py::list answers;
-  for (const CanonAnswer& answer : row.answers)
+  for (const CanonAnswer& answer : list) {
+    std::vector<double> amounts(canon_steps.size(), std::nan("")), steps_off = amounts;
+    for (std::size_t i = 0; i < answer.deviations.size(); ++i) {
+      amounts[i] = answer.deviations[i].amount();
+      steps_off[i] = answer.deviations[i].time / canon_steps[i];
+    }
     answers.append(py::dict(py::arg("scene") = answer.scene, py::arg("verdict") = answer.verdict,
-                            py::arg("steps_coarse") = answer.coarse.steps,
-                            py::arg("steps_fine") = answer.fine.steps,
-                            py::arg("amount_coarse") = answer.coarse.amount,
-                            py::arg("amount_fine") = answer.fine.amount, py::arg("reason") = answer.reason));
+                            py::arg("reason") = answer.reason, py::arg("amounts") = amounts,
+                            py::arg("steps_off") = steps_off));
+  }
   return answers;
 }
 

@@ -49,12 +49,12 @@ double extent_of_motion(const Scene& scene, const History& history, const std::v
   for (std::size_t i = 0; i < 2 * history.angles.size(); i += 2)
     way = std::max(way, std::hypot(centres[i] - centres[i % (2 * blocks)],
                                    centres[i + 1] - centres[i % (2 * blocks) + 1]));
-  return std::max(turn, way / least_height(scene));
+  return std::max(turn, way / least_height(scene.blocks));
 }
 
-double least_height(const Scene& scene) {
+double least_height(const std::vector<Block>& blocks) {
   double height = std::numeric_limits<double>::infinity();
-  for (const Block& block : scene.blocks) height = std::min(height, 2 * block.half_height);
+  for (const Block& block : blocks) height = std::min(height, 2 * block.half_height);
   return height;
 }
 

@@ -29,7 +29,7 @@ Difference position_difference(const std::vector<double>& times, const std::vect
 double extent_of_motion(const Scene& scene, const History& history, const std::vector<double>& centres);
 
 /// The least height of a block, m: what positions are held against.
-double least_height(const Scene& scene);
+double least_height(const std::vector<Block>& blocks);
 
 /// How deep a block must have sunk in for that to be told, as a share of the least block height.
 inline constexpr double told_sinking = 1e-3;

@@ -115,7 +115,7 @@ std::string freedom(const History& history) {
 
 /// "sinks by 86 mm", or nothing.
 std::string sinking(const Scene& scene, const Support& support) {
-  return support.sinking > told_sinking * least_height(scene)
+  return support.sinking > told_sinking * least_height(scene.blocks)
              ? "sinks by " + quantity_text(support.sinking, "m", 2)
              : "";
 }

@@ -29,7 +29,7 @@ std::map<std::string, std::string> environment(const std::vector<const WorkerEng
       {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
       {"processor", processor()},
   };
-  for (const WorkerEngine* engine : engines) facts[engine->name()] = engine->version();
+  for (const WorkerEngine* engine : engines) facts[engine->name] = engine->version;
   return facts;
 }
 

@@ -145,6 +145,10 @@ std::vector<Column> cost_columns() {
           "how many runs of the comparison shared the machine while this one was "
           "timed; only with 1 are times to "
           "be compared"),
+      measured<&RunMetrics::timed_cold>("timed_cold",
+                                        "1 where the engine's runtime had taken fewer steps, before the "
+                                        "first timed run, than it says that it "
+                                        "needs to be warm; such times are not to be compared"),
       measured<&RunMetrics::real_time_factor>(
           "real_time_factor", "seconds of motion for one second of the least wall time of stepping"),
       measured<&RunMetrics::exact_sampled_time>(

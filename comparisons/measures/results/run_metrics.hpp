@@ -28,7 +28,7 @@ struct RunMetrics {
   std::string reason;
   std::optional<int> steps;
   std::optional<double> stepping_time_minimum, stepping_time_median, stepping_time_spread;
-  std::optional<int> repeats, runs_at_a_time;
+  std::optional<int> repeats, runs_at_a_time, timed_cold;
   std::optional<double> real_time_factor, exact_sampled_time, processor_time, peak_memory;
   std::optional<int> draws, draws_failed, draws_other_verdict;
   std::optional<double> horizon;

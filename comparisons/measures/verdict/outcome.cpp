@@ -49,7 +49,7 @@ std::string at_rest(const RunMetrics& row, const SceneScale& scale, const std::s
 }  // namespace
 
 SceneScale scale_of(const Scene& scene, double tolerance) {
-  return {least_height(scene), scene.duration, tolerance};
+  return {least_height(scene.blocks), scene.duration, tolerance};
 }
 
 bool is_engine(const RunMetrics& row) {

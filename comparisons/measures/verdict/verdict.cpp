@@ -98,6 +98,18 @@ std::string ranking_definition() {
       100 * separation_level);
 }
 
+ComparisonVerdict verdict_from(const Json& json) {
+  ComparisonVerdict verdict{json.at("headline").get<std::vector<std::string>>(), {}, {}};
+  for (const Json& scene : json.at("scenes"))
+    verdict.scenes.push_back(scene.at("sentences").get<std::vector<std::string>>());
+  for (const Json& set : json.at("ranking"))
+    verdict.ranking.push_back({set.at("engine").get<std::string>(), set.at("solver").get<std::string>(),
+                               set.at("settings").get<std::string>(), set.at("rank").get<int>(),
+                               set.at("score").get<double>(), set.at("worst").get<double>(),
+                               set.at("cells").get<int>(), set.at("failed").get<int>()});
+  return verdict;
+}
+
 Json verdict_json(const ComparisonVerdict& verdict, const std::vector<JudgedScene>& scenes) {
   Json json{{"headline", verdict.headline}, {"scenes", Json::array()}, {"ranking", Json::array()}};
   for (std::size_t i = 0; i < scenes.size(); ++i)

@@ -35,6 +35,9 @@ ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vect
 /// How rows are ranked and told apart.
 std::string ranking_definition();
 
+/// The verdict that verdict_json() has told, scenes in the order of the list.
+ComparisonVerdict verdict_from(const nlohmann::ordered_json& json);
+
 nlohmann::ordered_json verdict_json(const ComparisonVerdict& verdict, const std::vector<JudgedScene>& scenes);
 
 }  // namespace rockstack

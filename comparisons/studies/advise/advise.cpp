@@ -1,6 +1,7 @@
 #include "comparisons/studies/advise/advise.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -20,13 +21,12 @@ Suite suite_of(const NamedScene& scene, const Wish& wish) {
   Suite suite;
   suite.title = scene.scene.title;
   suite.scenes = {scene};
-  suite.wanted = {.angles = true, .impacts = false, .patterns = false, .bodies = false, .histories = false};
+  suite.wanted = {.angles = true, .impacts = false, .patterns = false, .bodies = true, .histories = false};
   suite.repeats = wish.repeats;
   suite.limits = wish.limits;
   suite.draws = wish.draws;
-  for (const WorkerEngine& engine : engines()) {
-    if (is_usual(engine)) suite.series.push_back(make_series(engine, "tuned", advised_steps()));
-  }
+  for (const WorkerEngine* engine : wish.engines)
+    suite.series.push_back(make_series(*engine, "tuned", advised_steps()));
   return suite;
 }
 
@@ -110,7 +110,8 @@ std::vector<double> advised_steps() {
 
 bool meets(const RunMetrics& row, double error) {
   return row.status == RunStatus::done && row.largest_angle_difference &&
-         *row.largest_angle_difference <= error && !differ(row.toppling_verdict);
+         *row.largest_angle_difference <= error && row.relative_position_difference.value_or(0) <= error &&
+         !differ(row.toppling_verdict);
 }
 
 int cheapest(const std::vector<Trial>& trials) {
@@ -132,20 +133,37 @@ Advice advise(const NamedScene& scene, const Wish& wish, const std::filesystem::
   NamedScene predictable = scene;
   predictable.scene.duration = advice.predictable_time;
   const Suite suite = suite_of(predictable, wish);
-  std::vector<bool> given_up(suite.series.size(), false);
+  struct Search {
+    bool over = false;
+    double step = 0, took = 0;  ///< of the last trial, s
+  };
+  std::vector<Search> searches(suite.series.size());
+  const auto start = std::chrono::steady_clock::now();
+  const auto elapsed = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
   const EngineSeries* picked = nullptr;
   for (const double dt : advised_steps()) {
     for (std::size_t i = 0; i < suite.series.size(); ++i) {
-      if (given_up[i]) continue;
+      Search& search = searches[i];
+      if (search.over) continue;
+      const double begin = elapsed();
+      if (search.step > 0 && begin + search.took * search.step / dt > wish.within) {
+        search.over = true;
+        advice.untried.push_back({suite.series[i].engine, search.step});
+        continue;
+      }
       const Job job{suite, suite.scenes.front(), dt, &suite.series[i]};
       advice.trials.push_back(try_out(job, wish, folder, command));
+      search.step = dt;
+      search.took = elapsed() - begin;
       const Trial& trial = advice.trials.back();
       const int pick = cheapest(advice.trials);
       if (pick != advice.pick) picked = &suite.series[i];
       advice.pick = pick;
       const double best = pick < 0 ? std::numeric_limits<double>::infinity()
                                    : *advice.trials[static_cast<std::size_t>(pick)].row.stepping_time_minimum;
-      given_up[i] = trial.passes() || trial.row.status == RunStatus::time_limit ||
+      search.over = trial.passes() || trial.row.status == RunStatus::time_limit ||
                     trial.row.stepping_time_minimum.value_or(0) > best;
     }
   }

@@ -13,9 +13,13 @@ namespace rockstack {
 
 /// What is wanted of an engine.
 struct Wish {
-  double error = 1e-3;  ///< largest difference of any angle from the exact one, rad, > 0
-  Limits limits = {};   ///< of each run
-  int repeats = 3;      ///< timed runs
+  /// Largest difference from the exact motion: of any angle, rad, and of any centre, as a share of the least
+  /// block height; > 0.
+  double error = 1e-3;
+  double within = 60;  ///< for the whole search, s of wall time, > 0
+  std::vector<const WorkerEngine*> engines = {};
+  Limits limits = {};  ///< of each run
+  int repeats = 3;     ///< timed runs
   /// What must come within the error, nine draws of ten each: at steps up to a quarter longer and shorter,
   /// and again about the step itself, so that none is taken for the luck of being tried often.
   Draws draws = {.runs = 21, .steps = 0.25};
@@ -36,10 +40,17 @@ struct Trial {
   bool passes() const { return within >= passing_share * draws && confirmed >= passing_share * confirming; }
 };
 
+/// A solver whose finer steps were not tried: they would have taken longer than was left.
+struct Untried {
+  const WorkerEngine* engine = nullptr;
+  double below = 0;  ///< the finest step that was tried, s
+};
+
 /// The answer: all trials, in their order, and the one to take.
 struct Advice {
   std::vector<Trial> trials;
   int pick = -1;  ///< of trials; −1: none passes
+  std::vector<Untried> untried;
   /// Until when histories can be compared at all, s (predictability.hpp). Trials end there.
   double predictable_time = 0;
   /// Of the pick's draws over the whole scene, where it lasts longer than it can be predicted; else empty.
@@ -49,16 +60,19 @@ struct Advice {
 /// The steps that are tried, from large to small, s.
 std::vector<double> advised_steps();
 
-/// True where a run is done, topples as the exact solution does, and stays within the error.
+/// True where a run is done, topples as the exact solution does, and stays within the error by angles and
+/// centres.
 bool meets(const RunMetrics& row, double error);
 
 /// The trial that passes with the least time of stepping; −1 where there is none.
 int cheapest(const std::vector<Trial>& trials);
 
-/// Tries every solver with its tuned parameters from large to small steps until it passes, or takes longer
-/// than the cheapest that did. Writes FOLDER/runs/ and FOLDER/advice.csv, the columns of comparison.csv and
+/// Tries every solver with its tuned parameters from large to small steps until it passes, takes longer than
+/// the cheapest that did, or would take longer than the time that is left: a step of half the length twice as
+/// long as the one before. Writes FOLDER/runs/ and FOLDER/advice.csv, the columns of comparison.csv and
 /// how many draws came within the error.
-/// @throws std::runtime_error where a file cannot be written or the scene has no exact solution.
+/// @throws std::runtime_error where a file cannot be written or
+/// the scene has no exact solution.
 Advice advise(const NamedScene& scene, const Wish& wish, const std::filesystem::path& folder,
               const std::string& command);
 

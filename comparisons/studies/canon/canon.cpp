@@ -1,22 +1,39 @@
 #include "comparisons/studies/canon/canon.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include "analytic/scene/input/json_reader.hpp"
+#include "analytic/scene/messages/number_text.hpp"
+#include "analytic/scene/messages/quantity_text.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/results/csv_writer.hpp"
 #include "comparisons/measures/results/environment.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/step_fit.hpp"
 #include "comparisons/runs/execution/executor.hpp"
+#include "comparisons/runs/identity.hpp"
 
 namespace rockstack {
 namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr double usual_step = 1e-3;  ///< s
 
 double largest_magnitude(const std::vector<double>& values) {
   double most = 0;
@@ -24,94 +41,203 @@ double largest_magnitude(const std::vector<double>& values) {
   return most;
 }
 
-/// Of each block's slip over a step, m/s.
-double largest_slip_speed(const History& history, double dt) {
+/// Of each block's slip between samples, m/s.
+double largest_slip_speed(const History& history) {
   const auto blocks = static_cast<std::size_t>(history.blocks);
   double most = 0;
-  for (std::size_t i = blocks; i < history.slips.size(); ++i)
-    most = std::max(most, std::abs(history.slips[i] - history.slips[i - blocks]) / dt);
+  for (std::size_t i = blocks; i < history.slips.size(); ++i) {
+    const double interval = history.times[i / blocks] - history.times[i / blocks - 1];
+    most = std::max(most, std::abs(history.slips[i] - history.slips[i - blocks]) / interval);
+  }
   return most;
 }
 
 /// Of the flattest turn: a corner falls freely for one step, rad/s.
-double slowest_turn(const Scene& scene, double dt) {
+double slowest_turn(const Scene& scene) {
   double widest = 0;
   for (const Block& block : scene.blocks) widest = std::max(widest, 2 * block.half_width);
-  return scene.gravity * dt / widest;
+  return scene.gravity * usual_step / widest;
 }
 
 /// @throws whatever kept the engine from answering.
 Deviation answer_once(const Suite& suite, const NamedScene& scene, const EngineSeries& series, double dt,
-                      int draw) {
-  const Scene drawn = drawn_scene(scene.scene, suite.draws, draw);
-  const double step = drawn_step(dt, suite.draws, draw);
+                      int replicate) {
+  const Scene drawn = drawn_scene(scene.scene, suite.draws, replicate);
+  const double step = drawn_step(dt, suite.draws, replicate);
   const History engine = simulate(*series.engine, drawn, step, series.parameters, suite.limits).history;
-  return deviation_in_steps(drawn, solve(drawn, {.sample_times = engine.times}), engine, step);
+  return deviation(drawn, solve(drawn, {.sample_times = engine.times}), engine);
 }
 
-/// That of the middle draw; draws use all cores. @throws whatever kept the engine from answering.
-Deviation median_answer(const Suite& suite, const NamedScene& scene, const EngineSeries& series, double dt) {
-  std::vector<Deviation> list(static_cast<std::size_t>(suite.draws.runs));
-  std::vector<std::size_t> draws(list.size());
-  std::iota(draws.begin(), draws.end(), 0);
-  const auto compute = [&](std::size_t draw) {
-    list[draw] = answer_once(suite, scene, series, dt, static_cast<int>(draw));
+/// Replicates use all cores. @throws whatever kept the engine from answering.
+CanonErrors errors_at(const Suite& suite, const NamedScene& scene, const EngineSeries& series, double dt) {
+  CanonErrors errors{dt, std::vector<Deviation>(static_cast<std::size_t>(suite.draws.runs))};
+  std::vector<std::size_t> replicates(errors.replicates.size());
+  std::iota(replicates.begin(), replicates.end(), 0);
+  const auto compute = [&](std::size_t replicate) {
+    errors.replicates[replicate] = answer_once(suite, scene, series, dt, static_cast<int>(replicate));
     return std::string();
   };
-  const auto nothing = [](std::size_t /*draw*/, const std::string& /*text*/) {};
-  make_threads(std::max(1U, std::thread::hardware_concurrency()))->run(draws, {compute, nothing, [] {
-                                                                                 return false;
-                                                                               }});
-  std::sort(list.begin(), list.end(),
-            [](const Deviation& one, const Deviation& other) { return one.steps < other.steps; });
-  return list[(list.size() - 1) / 2];
+  const auto nothing = [](std::size_t /*replicate*/, const std::string& /*text*/) {};
+  const auto never = [] { return false; };
+  make_threads(std::max(1U, std::thread::hardware_concurrency()))->run(replicates, {compute, nothing, never});
+  return errors;
+}
+
+/// The replicate in the middle.
+Deviation middle_of(std::vector<Deviation> replicates) {
+  const auto middle = replicates.begin() + static_cast<std::ptrdiff_t>((replicates.size() - 1) / 2);
+  std::nth_element(replicates.begin(), middle, replicates.end(),
+                   [](const Deviation& one, const Deviation& other) { return one.time < other.time; });
+  return *middle;
+}
+
+std::string amount_text(double time, const Deviation& kind) {
+  return quantity_text(time * kind.speed, kind.slips ? "m" : "rad", 2);
+}
+
+/// The least and the largest by time of the three finest steps, which differ by four: under any order from a
+/// half on, the error falls by a factor of two or more between them.
+std::pair<double, double> range_of_finest(const std::vector<Deviation>& deviations) {
+  const auto by_time = [](const Deviation& one, const Deviation& other) { return one.time < other.time; };
+  const auto [least, most] = std::minmax_element(deviations.end() - 3, deviations.end(), by_time);
+  return {least->time, most->time};
+}
+
+/// Verdict and reason, from the fit and what the medians are.
+void judge(CanonAnswer& answer, const StepFit& fit) {
+  const Deviation& finest = answer.deviations.back();
+  const auto counts = [](const Deviation& one) { return one.time > canon_resolution; };
+  if (std::none_of(answer.deviations.begin(), answer.deviations.end(), counts)) {
+    answer.verdict = "agrees";
+    answer.reason = "off by less than a tenth of a step of 1 ms at every step";
+    return;
+  }
+  const Bounded& left = fit.model_error;
+  const auto [least, most] = range_of_finest(answer.deviations);
+  const bool falls = finest.time <= 0.5 * answer.deviations.front().time;
+  if (least > canon_resolution && most <= std::sqrt(2) * least) {
+    answer.verdict = "another law";
+    answer.reason =
+        fmt::format("{} to {} whatever the step", amount_text(least, finest), amount_text(most, finest));
+  } else if (left.low > canon_resolution) {
+    answer.verdict = "another law";
+    answer.reason = fmt::format("{} is left at any step ({} to {})", amount_text(left.value, finest),
+                                amount_text(left.low, finest), amount_text(left.high, finest));
+  } else if (!falls || fit.scatter > std::log(3)) {
+    answer.verdict = "cannot tell";
+    answer.reason = falls ? fit.reason : "the errors do not fall with the step";
+  } else if (left.high > canon_agreement * usual_step) {
+    answer.verdict = "cannot tell";
+    answer.reason = fmt::format("up to {} may be left at any step", amount_text(left.high, finest));
+  } else {
+    const bool explained = finest.time <= canon_agreement * canon_steps.back();
+    answer.verdict = explained ? "agrees" : "converges";
+    answer.reason = fmt::format("falls with order {:.2g} ({:.2g} to {:.2g})", fit.order.value, fit.order.low,
+                                fit.order.high);
+  }
+}
+
+Json json_of(const CanonAnswer& answer) {
+  Json json{{"scene", answer.scene}, {"verdict", answer.verdict}, {"reason", answer.reason}};
+  for (const char* list : {"steps_off", "amounts"}) json[list] = Json::array();
+  if (answer.deviations.empty()) return json;
+  json["unit"] = answer.deviations.back().slips ? "m" : "rad";
+  for (std::size_t i = 0; i < answer.deviations.size(); ++i) {
+    json["steps_off"].push_back(answer.deviations[i].time / canon_steps[i]);
+    json["amounts"].push_back(answer.deviations[i].amount());
+  }
+  return json;
+}
+
+/// What json_of() leaves out.
+Json whole_json_of(const CanonAnswer& answer, const std::string& identity) {
+  Json json{{"identity", identity}, {"answer", json_of(answer)}, {"deviations", Json::array()}};
+  for (const Deviation& one : answer.deviations)
+    json["deviations"].push_back({one.time, one.speed, one.slips});
+  return json;
+}
+
+/// The answer of that identity in a file, or none.
+std::optional<CanonAnswer> kept_answer(const fs::path& file, const std::string& identity) {
+  const auto whole = [&](const Json& json) -> std::optional<CanonAnswer> {
+    const Json& told = json.at("answer");
+    if (json.at("identity") != identity) return {};
+    CanonAnswer answer{told.at("scene"), {}, told.at("verdict"), told.at("reason")};
+    for (const Json& one : json.at("deviations"))
+      answer.deviations.push_back({one.at(0), one.at(1), one.at(2)});
+    return answer;
+  };
+  try {
+    return read_json(file, whole);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+/// Of the answer to all steps.
+std::string identity_of(const Suite& suite, const NamedScene& scene, const EngineSeries& series) {
+  std::string text;
+  for (const double step : canon_steps) text += draws_identity({suite, scene, step, &series});
+  return fmt::format("{:016x}", checksum(text));
 }
 
 }  // namespace
 
-Deviation deviation_in_steps(const Scene& scene, const History& exact, const History& engine, double dt) {
-  const double turn = std::max(largest_magnitude(exact.velocities), slowest_turn(scene, dt));
-  const double angle = largest(difference(exact, engine));
-  const Deviation angles{angle / (turn * dt), angle};
+Deviation deviation(const Scene& scene, const History& exact, const History& engine) {
+  const double turn = std::max(largest_magnitude(exact.velocities), slowest_turn(scene));
+  const Deviation angles{largest(difference(exact, engine)) / turn, turn, false};
   const auto slips = slip_difference(exact, engine);
   if (!slips) return angles;
-  const double speed = std::max(largest_slip_speed(exact, dt), scene.gravity * dt);
-  const Deviation slip{slips->largest / (speed * dt), slips->largest};
-  return slip.steps > angles.steps ? slip : angles;
+  const double speed = std::max(largest_slip_speed(exact), scene.gravity * usual_step);
+  const Deviation slip{slips->largest / speed, speed, true};
+  return slip.time > angles.time ? slip : angles;
 }
 
-std::string canon_verdict(const Deviation& coarse, const Deviation& fine) {
-  if (fine.steps <= canon_agreement) return "agrees";
-  return fine.amount <= 0.5 * coarse.amount ? "converges" : "another law";
-}
-
-CanonRow make_canon_row(const Suite& suite, const WorkerEngine& engine, const std::string& settings,
-                        const std::function<void(const CanonAnswer&)>& done) {
-  const EngineSeries series = make_series(engine, settings, {});
-  CanonRow row{&engine, settings, {}};
-  for (const NamedScene& scene : suite.scenes) {
-    CanonAnswer answer{scene.name, {}, {}, "no run", ""};
-    try {
-      answer.coarse = median_answer(suite, scene, series, canon_steps().coarse);
-      answer.fine = median_answer(suite, scene, series, canon_steps().fine);
-      answer.verdict = canon_verdict(answer.coarse, answer.fine);
-    } catch (const std::exception& error) {
-      answer.reason = error.what();
-    }
-    done(answer);
-    row.answers.push_back(std::move(answer));
+CanonAnswer judge_canon(const std::string& scene, const std::vector<CanonErrors>& errors) {
+  CanonAnswer answer{scene, {}, "", ""};
+  std::vector<StepError> medians;
+  for (const CanonErrors& at : errors) {
+    answer.deviations.push_back(middle_of(at.replicates));
+    medians.push_back({at.step, answer.deviations.back().time});
   }
-  return row;
+  judge(answer, fit_steps(medians));
+  return answer;
+}
+
+CanonAnswer answer_canon(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
+                         const std::string& settings) {
+  const EngineSeries series = make_series(engine, settings, {});
+  try {
+    std::vector<CanonErrors> errors;
+    errors.reserve(canon_steps.size());
+    for (const double step : canon_steps) errors.push_back(errors_at(suite, scene, series, step));
+    return judge_canon(scene.name, errors);
+  } catch (const std::exception& error) {
+    return {.scene = scene.name, .deviations = {}, .reason = error.what()};
+  }
+}
+
+CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
+                              const std::string& settings, const fs::path& folder) {
+  const std::string identity = identity_of(suite, scene, make_series(engine, settings, {}));
+  const fs::path file =
+      folder /
+      (folder_name(fmt::format("{}-{}-{}-{}", engine.name, engine.solver, settings, scene.name)) + ".json");
+  if (auto kept = kept_answer(file, identity)) return *std::move(kept);
+  CanonAnswer answer = answer_canon(suite, scene, engine, settings);
+  fs::create_directories(folder);
+  write_file(file, whole_json_of(answer, identity).dump(2) + "\n");
+  return answer;
+}
+
+bool follows_law(const CanonAnswer& answer) {
+  return answer.verdict == "agrees" || answer.verdict == "converges";
 }
 
 std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, const std::string& command) {
-  using Json = nlohmann::ordered_json;
-  Json json{{"title", suite.title},
-            {"command", command},
-            {"steps", {{"coarse", canon_steps().coarse}, {"fine", canon_steps().fine}}},
-            {"agreement", canon_agreement},
-            {"draws", suite.draws.runs},
-            {"scenes", Json::array()},
+  Json json{{"title", suite.title},           {"command", command},
+            {"steps", canon_steps},           {"agreement", canon_agreement},
+            {"replicates", suite.draws.runs}, {"scenes", Json::array()},
             {"rows", Json::array()}};
   for (const NamedScene& scene : suite.scenes)
     json["scenes"].push_back(
@@ -121,17 +247,10 @@ std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, co
   for (const CanonRow& row : rows) {
     engines.push_back(row.engine);
     Json answers = Json::array();
-    for (const CanonAnswer& answer : row.answers) {
-      const bool ran = answer.verdict != "no run";
-      answers.push_back({{"scene", answer.scene},
-                         {"verdict", answer.verdict},
-                         {"steps_off_coarse", ran ? Json(answer.coarse.steps) : Json()},
-                         {"steps_off_fine", ran ? Json(answer.fine.steps) : Json()},
-                         {"reason", answer.reason}});
-    }
-    json["rows"].push_back({{"engine", row.engine->name()},
-                            {"solver", row.engine->solver()},
-                            {"version", row.engine->version()},
+    for (const CanonAnswer& answer : row.answers) answers.push_back(json_of(answer));
+    json["rows"].push_back({{"engine", row.engine->name},
+                            {"solver", row.engine->solver},
+                            {"version", row.engine->version},
                             {"settings", row.settings},
                             {"answers", std::move(answers)}});
   }
@@ -141,12 +260,19 @@ std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, co
 
 std::string canon_csv(const std::vector<CanonRow>& rows) {
   CsvWriter csv;
-  csv.line("engine", "solver", "settings", "scene", "verdict", "steps_off_coarse", "steps_off_fine",
-           "reason");
+  csv.line("engine", "solver", "settings", "scene", "verdict", "reason", "dt", "steps_off", "amount", "unit");
   for (const CanonRow& row : rows) {
-    for (const CanonAnswer& answer : row.answers)
-      csv.line(row.engine->name(), row.engine->solver(), row.settings, answer.scene, answer.verdict,
-               answer.coarse.steps, answer.fine.steps, answer.reason);
+    const auto line = [&](const CanonAnswer& answer, const auto&... values) {
+      csv.line(row.engine->name, row.engine->solver, row.settings, answer.scene, answer.verdict,
+               answer.reason, values...);
+    };
+    for (const CanonAnswer& answer : row.answers) {
+      for (std::size_t i = 0; i < answer.deviations.size(); ++i) {
+        const Deviation& one = answer.deviations[i];
+        line(answer, canon_steps[i], one.time / canon_steps[i], one.amount(), one.slips ? "m" : "rad");
+      }
+      if (answer.deviations.empty()) line(answer, "", "", "", "");
+    }
   }
   return csv.text();
 }

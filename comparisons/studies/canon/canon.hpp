@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -8,23 +10,35 @@
 
 namespace rockstack {
 
-// A canon of contact: small scenes with closed forms, answered by any engine. What is off is told in steps: a
-// deviation from the exact solution over what the fastest motion of that kind does in one time step. An
-// engine that follows Coulomb's law, rigid contact and impacts without bounce is a few steps off, whatever
-// the step.
+// A canon of contact: small scenes with closed forms, answered by any engine at several time steps. An engine
+// that follows Coulomb's law, rigid contact and impacts without bounce is off by what steps explain, which
+// falls with the step; one that follows another law is off by some amount at any step.
 
-/// How far an engine is off.
+/// The time steps of each answer, s: from a coarse one to one finer than is usual.
+inline constexpr std::array canon_steps{8e-3, 4e-3, 2e-3, 1e-3, 5e-4};
+
+/// A contact is met a step late at most and smooth motion is half a step ahead: so many steps explain, with
+/// as much again for what one makes of the other. The laws that a scene tells apart differ by more, at 1 ms.
+inline constexpr double canon_agreement = 3;
+
+/// A deviation that is left at any step counts from here, s of the fastest motion: a tenth of a step of 1 ms.
+inline constexpr double canon_resolution = 1e-4;
+
+/// How far an engine is off at most: an angle or a slip, over the fastest motion of its kind.
 struct Deviation {
-  double steps = 0;   ///< over what the fastest motion of its kind does in a step
-  double amount = 0;  ///< rad or m
+  double time = 0;     ///< what it is off by, over the speed, s
+  double speed = 1;    ///< rad/s or m/s
+  bool slips = false;  ///< whether it is of a slip
+
+  double amount() const { return time * speed; }  ///< rad or m
 };
 
 /// What an engine makes of a scene of the canon.
 struct CanonAnswer {
-  std::string scene;       ///< its name
-  Deviation coarse, fine;  ///< at canon_steps(), of the median draw
-  std::string verdict;     ///< "agrees", "converges", "another law" or "no run"
-  std::string reason;      ///< why there is no run
+  std::string scene;                  ///< its name
+  std::vector<Deviation> deviations;  ///< at canon_steps, of the median replicate; none: no run
+  std::string verdict = "no run";     ///< or "agrees", "converges", "another law", "cannot tell"
+  std::string reason;                 ///< what the verdict rests on, or why there is no run
 };
 
 /// An engine with one of its parameter sets on all scenes.
@@ -34,30 +48,34 @@ struct CanonRow {
   std::vector<CanonAnswer> answers;
 };
 
-struct CanonSteps {
-  double coarse = 4e-3, fine = 1e-3;  ///< s
+/// The larger of both, by time, over all samples: angles that differ, over the largest angular velocity;
+/// slips that differ where blocks touch, over the largest speed of a slip. A motion that is slower than what
+/// gravity gives a block in 1 ms counts as that fast. Both histories have the same times.
+Deviation deviation(const Scene& scene, const History& exact, const History& engine);
+
+/// Replicates at a step of canon_steps.
+struct CanonErrors {
+  double step = 0;                    ///< s
+  std::vector<Deviation> replicates;  ///< one or more
 };
-constexpr CanonSteps canon_steps() {
-  return {};
-}
 
-/// A contact is met a step late at most and smooth motion is half a step ahead: what a step explains, with as
-/// much again for what one makes of the other.
-inline constexpr double canon_agreement = 3;
+/// Verdict and reason by a fit of the medians over the steps (fit_steps()), in this order: "agrees" where
+/// the median is below canon_resolution at every step; "another law" where it is above and hardly changes
+/// over the three finest steps, or where the fit leaves a deviation above canon_resolution at any step;
+/// "cannot tell" where errors scatter, do not fall, or leave room for one of canon_agreement steps of 1 ms;
+/// "agrees" where it is off by canon_agreement steps at most at the finest; else "converges".
+CanonAnswer judge_canon(const std::string& scene, const std::vector<CanonErrors>& errors);
 
-/// The larger of both, by steps, over all samples: angles that differ, over the largest angular velocity ×
-/// dt; slips that differ where blocks touch, over the largest speed of a slip × dt. A motion that is slower
-/// than what gravity gives a block in one step counts as that fast. Both histories have the same times; dt in
-/// s.
-Deviation deviation_in_steps(const Scene& scene, const History& exact, const History& engine, double dt);
+/// Runs a scene at all steps, each with the suite's replicates.
+CanonAnswer answer_canon(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
+                         const std::string& settings);
 
-/// "agrees" within canon_agreement at the fine step; "converges" where the amount falls to half or less from
-/// the coarse to the fine step, a quarter of it; else "another law".
-std::string canon_verdict(const Deviation& coarse, const Deviation& fine);
+/// The same, kept in a folder: an answer of the same scene, engine and program that is there is read back.
+CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
+                              const std::string& settings, const std::filesystem::path& folder);
 
-/// Runs all scenes of a suite, each with its draws. `done` is told each answer.
-CanonRow make_canon_row(const Suite& suite, const WorkerEngine& engine, const std::string& settings,
-                        const std::function<void(const CanonAnswer&)>& done);
+/// Whether an engine follows the law: it agrees or converges.
+bool follows_law(const CanonAnswer& answer);
 
 /// canon.json and canon.csv.
 std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, const std::string& command);

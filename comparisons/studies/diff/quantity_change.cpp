@@ -85,7 +85,8 @@ std::optional<QuantityChange> change_of(const TellingQuantity& quantity, const R
 
 std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeFactors& factors) {
   for (const RecordedRun* run : {pair.old_run, pair.new_run})
-    if (!run->row.stepping_time_minimum || run->row.runs_at_a_time.value_or(1) != 1) return {};
+    if (!run->row.stepping_time_minimum || run->row.runs_at_a_time.value_or(1) != 1 || run->row.timed_cold)
+      return {};
   QuantityChange change{"step_time", step_time(pair.old_run->row), step_time(pair.new_run->row), {}, {},
                         Turn::none};
   const bool overlap = change.old_values.upper >= change.new_values.lower &&

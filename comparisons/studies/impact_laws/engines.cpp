@@ -124,7 +124,7 @@ std::string name(Follows follows) {
 
 EngineVerdict ask_engine(const ImpactCase& question, const EngineSeries& series, double dt) {
   EngineVerdict verdict{
-      series.engine->name(), series.engine->solver(), series.settings, dt, {}, {}, {}, {}, 0, 0};
+      series.engine->name, series.engine->solver, series.settings, dt, {}, {}, {}, {}, 0, 0};
   try {
     const History history = simulate(*series.engine, question.scene, dt, series.parameters).history;
     const std::size_t last = history.size() - 1;

@@ -171,8 +171,8 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
   for (const AskedCase& asked : results.cases) json["cases"].push_back(case_json(asked));
   json["engines"] = Json::array();
   for (const EngineSeries& series : study.series) {
-    json["engines"].push_back({{"engine", series.engine->name()},
-                               {"solver", series.engine->solver()},
+    json["engines"].push_back({{"engine", series.engine->name},
+                               {"solver", series.engine->solver},
                                {"settings", series.settings},
                                {"parameters", series.parameters}});
   }

@@ -19,7 +19,7 @@ History with_demands(const Scene& scene) {
 
 /// How far an engine on a floor of that friction is from the exact motion, which does not slip; RMS, rad.
 double slip_error(Scene scene, const char* engine, double friction, double dt) {
-  scene.engine.friction = friction;
+  scene.friction = {friction};
   const History history = answer(engine, "tuned", scene, dt);
   return root_mean_square(difference(solve(scene, {.sample_times = history.times}), history));
 }
@@ -79,7 +79,7 @@ LessonValues limits_values(const Suite& suite, const std::vector<RunMetrics>& ro
       {"least_normal", fixed(force.least_normal, 0)},
       {"least_share", percent(force.least_normal / weight, 1)},
       {"weight", fixed(weight, 0)},
-      {"slippery", fixed(scene.engine.friction, 2)},
+      {"slippery", fixed(scene.friction.front(), 2)},
       {"bullet_until", fixed(*find_run(rows, "bullet", "tuned", sample_step).agreement_time, 2)},
       {"ode_until", fixed(*find_run(rows, "ode", "tuned", sample_step).agreement_time, 2)},
       {"bullet_rough", fixed(slip_error(scene, "bullet", 0.5, sample_step), 4)},

@@ -108,7 +108,7 @@ double place(const StabilityStudy& study, const RunMetrics& row) {
     return 0;
   }
   for (const EngineSeries& series : study.suite.series) {
-    if (series.engine->name() == row.engine && series.engine->solver() == row.solver &&
+    if (series.engine->name == row.engine && series.engine->solver == row.solver &&
         series.settings == row.settings)
       return series.parameters.at(study.axis.parameter);
   }
@@ -200,7 +200,7 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
   if (const Node* limit = find(root, "time_limit")) study.suite.limits.time = number_above_zero(*limit);
   for (const EngineSeries& series : study.suite.series) {
     if (!study.axis.parameter.empty() && !series.parameters.contains(study.axis.parameter))
-      throw wrong_value(axis, fmt::format("about a parameter that {} has", series.engine->name()));
+      throw wrong_value(axis, fmt::format("about a parameter that {} has", series.engine->name));
   }
   return study;
 }

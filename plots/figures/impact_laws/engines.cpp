@@ -4,11 +4,13 @@
 #include <cmath>
 #include <map>
 
+#include "comparisons/measures/statistics/quantile.hpp"
+#include "plots/data/law_results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
-#include "plots/figures/impact_laws/engines.hpp"
+#include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -40,8 +42,8 @@ std::vector<Marks> marks_of(const std::vector<LawRun>& runs) {
 std::map<std::string, double> shortest_steps(const std::vector<Marks>& list) {
   std::map<std::string, double> steps;
   for (const Marks& marks : list) {
-    const auto [at, added] = steps.emplace(line_label(marks.run), marks.run.dt);
-    if (!added) at->second = std::min(at->second, marks.run.dt);
+    const auto [at, added] = steps.emplace(line_label(marks.run), value_of(marks.run.dt));
+    if (!added) at->second = std::min(at->second, value_of(marks.run.dt));
   }
   return steps;
 }
@@ -52,12 +54,12 @@ struct Reach {
 
 /// Where values lie but for those far away, which must not press the rest together: on a logarithmic axis all
 /// within one and a half times the middle half's extent beyond it (Tukey 1977), with room.
-Reach reach_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const double lower = values[values.size() / 4], upper = values[3 * values.size() / 4];
+Reach reach_of(const std::vector<double>& values) {
+  const double lower = quantile(values, 0.25), upper = quantile(values, 0.75);
   const double beyond = std::pow(upper / lower, 1.5);
   constexpr double room = 1.6;
-  return {std::max(values.front(), lower / beyond) / room, std::min(values.back(), upper * beyond) * room};
+  return {std::max(quantile(values, 0), lower / beyond) / room,
+          std::min(quantile(values, 1), upper * beyond) * room};
 }
 
 struct LawFrame {
@@ -94,15 +96,14 @@ std::string settings_of(const LawFrame& frame, double across, double up) {
          logarithmic_tics("y", frame.up.low, frame.up.high, up);
 }
 
-std::string question(const LawResults& results) {
+std::string answer(const LawResults& results) {
   int consistent = 0, paper = 0, all = 0;
   for (const LawRun& run : results.runs) {
     all += run.follows.empty() ? 0 : 1;
     consistent += run.follows == "consistent" ? 1 : 0;
     paper += run.follows == "paper" ? 1 : 0;
   }
-  return fmt::format("Whose side do engines take? Of {} runs {} end as law consistent says, {} as law paper",
-                     all, consistent, paper);
+  return fmt::format("Of {} runs {} end as law consistent says, {} as law paper", all, consistent, paper);
 }
 
 constexpr auto border_style = "with lines lw 2 dt (8,8) lc rgb '#606060'";
@@ -136,16 +137,18 @@ LawPlots plots_of(const std::vector<Marks>& list) {
 
 }  // namespace
 
-Drawing law_engines(const LawResults& results) {
+/// Every engine run by the distances of its velocities from law paper's and from law consistent's.
+Drawings law_engines(const FolderSubject& subject) {
+  const LawResults results = read_law_results(subject.folder);
   const std::vector<Marks> list = marks_of(results.runs);
   const std::string title = "Velocities after an impact: engines beside both laws";
-  if (list.empty()) return empty_sheet(title, "No engine run that came to its end.");
+  if (list.empty()) return {{"", empty_sheet(title, "No engine run that came to its end.")}};
   const LawFrame frame = frame_of(list);
   LawPlots plots = plots_of(list);
   const bool many = plots.solvers.size() > most_series;
   if (many) plots.legend.clear();
   plots.legend.emplace_back(border_style, "as far from either law");
-  Sheet sheet(title, plots.legend, question(results));
+  Sheet sheet = subject.sheet(title, plots.legend, answer(results));
   for (std::size_t i = 0; i < list.size(); ++i) sheet.data(data_of(list[i], i, frame));
   const std::string border = fmt::format("x {} notitle", border_style);
   if (many) {
@@ -167,7 +170,7 @@ Drawing law_engines(const LawResults& results) {
   sheet.note("small marks: longer steps", "#000000");
   if (frame.beyond > 0)
     sheet.note(fmt::format("marks on the edge: {} that lie beyond it", frame.beyond), "#000000");
-  return sheet.finish();
+  return {{"", sheet.finish()}};
 }
 
 }  // namespace rockstack::plots

@@ -1,5 +1,3 @@
-#include "plots/figures/impact_laws/maps.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,7 +10,7 @@
 #include "plots/data/law_results.hpp"
 #include "plots/drawing/gnuplot.hpp"
 #include "plots/drawing/layout.hpp"
-#include "plots/figures/impact_laws/engines.hpp"
+#include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -150,7 +148,7 @@ std::string words_under_title(int label, const std::string& words, double below,
       in_quotes(words), plain(1 - below / height));
 }
 
-Drawing drawing(int blocks, const std::vector<Map>& maps) {
+Drawing drawing(const std::string& question, int blocks, const std::vector<Map>& maps) {
   const Grid grid(maps.size());
   Drawing result{width, static_cast<int>(grid.height()), {}, {}};
   result.commands = fmt::format(
@@ -164,7 +162,7 @@ Drawing drawing(int blocks, const std::vector<Map>& maps) {
       plain(grid.side / grid.height()),
       in_quotes(fmt::format("Which pattern follows an impact of {} blocks", blocks)),
       plain(1 - 22 / grid.height()));
-  result.commands += words_under_title(7, "Where do the laws differ?", 56, grid.height()) +
+  result.commands += words_under_title(7, question, 56, grid.height()) +
                      words_under_title(8, answer_of(maps), 78, grid.height());
   for (std::size_t i = 0; i < maps.size(); ++i) {
     result.data += data_of(maps[i], i);
@@ -177,23 +175,20 @@ Drawing drawing(int blocks, const std::vector<Map>& maps) {
 
 }  // namespace
 
-bool has_impact_laws(const std::filesystem::path& results) {
-  return std::filesystem::exists(results / "impact-laws.csv");
-}
-
-void draw_impact_laws(const std::filesystem::path& results) {
-  std::filesystem::create_directories(results / "figures");
-  const LawResults read = read_law_results(results);
+/// A figure a number of blocks: a panel a kind of impact, of the share in which the laws differ and of that
+/// in which no pattern is consistent.
+Drawings law_maps(const FolderSubject& subject) {
   std::map<int, std::vector<LawCell>> by_blocks;
-  for (const LawCell& cell : read.cells) by_blocks[cell.blocks].push_back(cell);
+  for (const LawCell& cell : read_law_results(subject.folder).cells) by_blocks[cell.blocks].push_back(cell);
+  Drawings drawings;
   for (const auto& [blocks, cells] : by_blocks) {
-    const std::string title = fmt::format("impact-laws.{}-blocks", blocks);
+    const std::string part = fmt::format("{}-blocks", blocks);
     const std::vector<Map> maps = maps_of(cells);
-    draw(maps.empty() ? empty_sheet(title, "Both laws give the same pattern everywhere.")
-                      : drawing(blocks, maps),
-         results / "figures" / title);
+    drawings[part] = maps.empty()
+                         ? empty_sheet("impact-laws." + part, "Both laws give the same pattern everywhere.")
+                         : drawing(subject.figure.question, blocks, maps);
   }
-  draw(law_engines(read), results / "figures" / "impact-laws.engines");
+  return drawings;
 }
 
 }  // namespace rockstack::plots

@@ -1,12 +1,12 @@
-#include "plots/pages/course/course.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <fmt/format.h>
 
 #include "comparisons/measures/results/files.hpp"
 #include "plots/data/json_file.hpp"
-#include "plots/pages/course/templates.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
+#include "plots/pages/templates.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -42,13 +42,9 @@ std::string course_page(const Json& course) {
 
 }  // namespace
 
-bool has_course(const std::filesystem::path& results) {
-  return std::filesystem::exists(results / "course.json");
-}
-
 void write_course(const std::filesystem::path& results) {
-  const std::filesystem::path file = results / "course.json";
-  read_json(file, [&](const Json& course) { write_file(results / "index.html", course_page(course)); });
+  read_json(results / "course.json",
+            [&](const Json& course) { write_file(results / "index.html", course_page(course)); });
 }
 
 }  // namespace rockstack::plots

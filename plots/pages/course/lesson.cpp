@@ -1,17 +1,18 @@
-#include "plots/pages/course/lesson.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <fmt/core.h>
 
 #include <map>
 #include <set>
 
+#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "plots/data/json_file.hpp"
 #include "plots/pages/course/predictions.hpp"
-#include "plots/pages/course/templates.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
 #include "plots/pages/player.hpp"
+#include "plots/pages/templates.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -54,10 +55,9 @@ void add_parts(const fs::path& results, const Comparison& comparison, const Json
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
     const ComparedScene& scene = comparison.scenes[i];
     if (has_motion(comparison, scene)) values["player:" + scene.name] = player_part(comparison, i, start);
-    for (const FigureKind& kind : figure_kinds())
-      if (has_figure(scene, kind))
-        values[fmt::format("figure:{}.{}", scene.name, kind.name)] =
-            figure_part(results, comparison, i, kind);
+    for (const Figure* figure : figures_of(scene))
+      values[fmt::format("figure:{}.{}", scene.name, figure->name)] =
+          scene_figure(results, comparison, i, *figure);
   }
 }
 
@@ -105,16 +105,15 @@ std::string titles_after(const Json& lesson) {
 /// The first scene's motion, where the text does not show it anyway.
 std::string picture(const fs::path& results, const Comparison& comparison, const std::string& text) {
   const ComparedScene& scene = comparison.scenes.front();
-  for (const FigureKind& kind : figure_kinds())
-    if (std::string_view(kind.name) == "histories" && has_figure(scene, kind) &&
+  for (const Figure* figure : figures_of(scene))
+    if (figure->name == "histories" &&
         text.find(fmt::format("{{{{figure:{}.histories}}}}", scene.name)) == std::string::npos)
-      return figure_part(results, comparison, 0, kind);
+      return scene_figure(results, comparison, 0, *figure);
   return "";
 }
 
 /// What a lesson's page and its slides share.
-Values lesson_values(const fs::path& results, const Json& lesson) {
-  const Comparison comparison = read_comparison(results);
+Values lesson_values(const fs::path& results, const Comparison& comparison, const Json& lesson) {
   const auto words = [&](const char* key) { return escaped(lesson.at(key).get<std::string>()); };
   const auto text = lesson.at("text").get<std::string>();
   return {{"title", words("title")},
@@ -141,14 +140,9 @@ std::string page_of(const std::string& title, Values values, const char* kind, s
 
 }  // namespace
 
-bool has_lesson(const std::filesystem::path& results) {
-  return std::filesystem::exists(results / "lesson.json");
-}
-
-void write_lesson(const std::filesystem::path& results) {
-  const std::filesystem::path file = results / "lesson.json";
-  read_json(file, [&](const Json& lesson) {
-    const Values values = lesson_values(results, lesson);
+void write_lesson(const std::filesystem::path& results, const Comparison& comparison) {
+  read_json(results / "lesson.json", [&](const Json& lesson) {
+    const Values values = lesson_values(results, comparison, lesson);
     const auto title = lesson.at("title").get<std::string>();
     const std::string slides = page_of(title, values, "slides", slides_html, slides_css, slides_js);
     write_file(results / "lesson.html", page_of(title, values, "lesson", lesson_html, "", lesson_js));

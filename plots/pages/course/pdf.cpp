@@ -1,4 +1,4 @@
-#include "plots/pages/course/pdf.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,12 +1,12 @@
-#include "plots/pages/course/sheet.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <fmt/format.h>
 
 #include "comparisons/measures/results/files.hpp"
 #include "plots/data/json_file.hpp"
-#include "plots/pages/course/templates.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
+#include "plots/pages/templates.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -164,7 +164,7 @@ TEST(CornerSprings, RestitutionIsThatOfADampedSpringThatOnlyPushes) {
 TEST(AddParts, OnFixedSpringsOdesStepIsOfOrderOne) {
   const auto& all = engines();
   const auto ode = std::find_if(all.begin(), all.end(), [](const WorkerEngine& one) {
-    return one.name() == "ode" && one.solver() == "step";
+    return one.name == "ode" && one.solver == "step";
   });
   if (ode == all.end()) GTEST_SKIP() << "this build has no ODE";
   Scene scene = let_go();

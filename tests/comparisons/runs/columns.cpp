@@ -141,8 +141,8 @@ TEST_P(ColumnsInEngine, EightShakenDrumsAreNearerToLawConsistent) {
 std::vector<const WorkerEngine*> first_solvers() {
   std::vector<const WorkerEngine*> list;
   for (const WorkerEngine& engine : engines()) {
-    if (engine.name() == "simbody") continue;
-    if (list.empty() || list.back()->name() != engine.name()) list.push_back(&engine);
+    if (engine.name == "simbody") continue;
+    if (list.empty() || list.back()->name != engine.name) list.push_back(&engine);
   }
   return list;
 }
@@ -150,7 +150,7 @@ std::vector<const WorkerEngine*> first_solvers() {
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ColumnsInEngine);
 INSTANTIATE_TEST_SUITE_P(Engines, ColumnsInEngine, testing::ValuesIn(first_solvers()),
                          [](const auto& engine) {
-                           std::string name = engine.param->name();
+                           std::string name = engine.param->name;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });

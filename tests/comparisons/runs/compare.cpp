@@ -34,7 +34,7 @@ TEST(Compare, AFailingRunCostsItsOwnRow) {
       {"fine", "done"},     {"throw", "failed"},          {"abort", "signal"},
       {"killed", "signal"}, {"not-finite", "not finite"}, {"loop", "time limit"}};
   for (const WorkerEngine& engine : faulty) {
-    if (expected.count(engine.solver()) == 0) continue;
+    if (expected.count(engine.solver) == 0) continue;
     suite.series.insert(suite.series.begin(), make_series(engine, "default", {1e-2}));
   }
   const auto rows = compare({suite}, folder.path(), {}).rows;
@@ -225,7 +225,7 @@ TEST(Compare, AnEngineIsInAComparisonOnce) {
     FAIL() << "no error";
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()),
-              "engine " + series.engine->name() + ":" + series.engine->solver() +
+              "engine " + series.engine->full_name() +
                   ": must be in a comparison once; its results would share a folder");
   }
 }

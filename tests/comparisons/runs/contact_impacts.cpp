@@ -58,20 +58,20 @@ TEST(ContactImpacts, OfARockingBlockAreThoseOfTheExactMotionButForTheLead) {
   const double pull = interval * scene.gravity / (2 * scene.blocks[0].half_height);
   for (const WorkerEngine& engine : engines()) {
     // Its pivots are ahead by an eighth of a step, as Jacobians are those of the step's start.
-    if (engine.name() == "siconos") continue;
-    if (engine.capabilities().single_precision) continue;
-    if (engine.name() == "mujoco" || engine.name() == "simbody") continue;
+    if (engine.name == "siconos") continue;
+    if (engine.capabilities.single_precision) continue;
+    if (engine.name == "mujoco" || engine.name == "simbody") continue;
     const EngineRun run = run_of(engine, scene);
     const RunMetrics row = compared(scene, run);
-    EXPECT_EQ(row.contact_impacts_matched, expected) << engine.name() << ":" << engine.solver();
-    EXPECT_EQ(row.contact_impacts_extra, 0) << engine.name() << ":" << engine.solver();
-    EXPECT_EQ(row.impact_readings_differ, 0) << engine.name() << ":" << engine.solver();
+    EXPECT_EQ(row.contact_impacts_matched, expected) << engine.name << ":" << engine.solver;
+    EXPECT_EQ(row.contact_impacts_extra, 0) << engine.name << ":" << engine.solver;
+    EXPECT_EQ(row.impact_readings_differ, 0) << engine.name << ":" << engine.solver;
     const ContactImpact& first = run.bodies->contacts->impacts.at(0);
-    EXPECT_NEAR((first.time - event.time) / interval, -engine.capabilities().lead, 0.02)
-        << engine.name() << ":" << engine.solver();
+    EXPECT_NEAR((first.time - event.time) / interval, -engine.capabilities.lead, 0.02)
+        << engine.name << ":" << engine.solver;
     EXPECT_EQ(first.interface, event.interface);
-    EXPECT_NEAR(first.speed, std::abs(event.before[0]), pull) << engine.name() << ":" << engine.solver();
-    EXPECT_NEAR(first.after, event.after[0], pull) << engine.name() << ":" << engine.solver();
+    EXPECT_NEAR(first.speed, std::abs(event.before[0]), pull) << engine.name << ":" << engine.solver;
+    EXPECT_NEAR(first.after, event.after[0], pull) << engine.name << ":" << engine.solver;
   }
 }
 

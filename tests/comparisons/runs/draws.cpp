@@ -106,7 +106,7 @@ TEST(Draws, StandBehindARowAndAreNotMadeAgain) {
 
 TEST(Draws, ThatFailAreCountedAndOneThatRunsOutOfTimeEndsTheSet) {
   for (const WorkerEngine& engine : engines_of(FAULTY_WORKER)) {
-    if (engine.solver() != "throw" && engine.solver() != "loop") continue;
+    if (engine.solver != "throw" && engine.solver != "loop") continue;
     const TemporaryFolder folder;
     Suite suite = suite_of(folder, engine);
     suite.limits.time = 1;
@@ -114,9 +114,9 @@ TEST(Draws, ThatFailAreCountedAndOneThatRunsOutOfTimeEndsTheSet) {
     const auto draws = make_draws(job, 1);
     ASSERT_EQ(draws.size(), 4U);
     for (const RunMetrics& row : draws)
-      EXPECT_EQ(row.status, engine.solver() == "loop" ? RunStatus::time_limit : RunStatus::failed);
+      EXPECT_EQ(row.status, engine.solver == "loop" ? RunStatus::time_limit : RunStatus::failed);
     const std::string names = draws[0].run + " " + draws[1].run;
-    EXPECT_EQ(draws[0].run == draws[1].run, engine.solver() == "loop") << names;
+    EXPECT_EQ(draws[0].run == draws[1].run, engine.solver == "loop") << names;
   }
 }
 

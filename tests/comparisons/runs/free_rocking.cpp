@@ -51,15 +51,15 @@ TEST_P(FreeRocking, FollowsTheExactSolutionToTheSecondPeak) {
 std::vector<const WorkerEngine*> first_in_double_precision() {
   std::vector<const WorkerEngine*> list;
   for (const WorkerEngine& engine : engines()) {
-    const bool single = engine.version().ends_with("single precision");
-    if (!single && (list.empty() || list.back()->name() != engine.name())) list.push_back(&engine);
+    const bool single = engine.version.ends_with("single precision");
+    if (!single && (list.empty() || list.back()->name != engine.name)) list.push_back(&engine);
   }
   return list;
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(FreeRocking);
 INSTANTIATE_TEST_SUITE_P(Engines, FreeRocking, testing::ValuesIn(first_in_double_precision()),
-                         [](const auto& engine) { return engine.param->name(); });
+                         [](const auto& engine) { return engine.param->name; });
 
 }  // namespace
 }  // namespace rockstack

@@ -118,9 +118,9 @@ TEST(Suites, ParametersAreChangedOneSeriesEachCombination) {
   const WorkerEngine& engine = engines().front();
   const TemporaryFolder folder;
   folder.write("block.toml", block);
-  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n[[engines]]\nname = \"" +
-                           engine.name() + "\"\nsettings = [\"tuned\"]\n[engines.parameters]\n";
-  const std::string name = engine.settings().front().name;
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n[[engines]]\nname = \"" + engine.name +
+                           "\"\nsettings = [\"tuned\"]\n[engines.parameters]\n";
+  const std::string name = engine.settings.front().name;
   const Suite suite = read_suite(folder.write("suite.toml", head + name + " = [2, 3]\n"), {});
   ASSERT_EQ(suite.series.size(), 2U);
   Parameters expected = engine.tuned_parameters();
@@ -128,9 +128,9 @@ TEST(Suites, ParametersAreChangedOneSeriesEachCombination) {
   EXPECT_EQ(suite.series[1].parameters, expected);
   EXPECT_EQ(suite.series[1].settings, "tuned+" + name + "=3");
   EXPECT_TRUE(error_of(head + "wishes = 1\n")
-                  .starts_with("suite.toml:7: " + engine.name() + ": wishes: no such parameter"));
+                  .starts_with("suite.toml:7: " + engine.name + ": wishes: no such parameter"));
   EXPECT_TRUE(error_of(head + name + " = -1\n")
-                  .starts_with("suite.toml:7: " + engine.name() + ": " + name + " = -1: must be"));
+                  .starts_with("suite.toml:7: " + engine.name + ": " + name + " = -1: must be"));
 }
 
 TEST(Suites, PerturbationsAreRead) {

@@ -114,7 +114,7 @@ TEST(Contacts, EnergyThatSoftContactGainsStoodInItsSprings) {
 /// The median over draws of the largest angle between a run with a coefficient of restitution of one half and
 /// one without, rad.
 double effect_of_restitution(const Engine& engine, const Scene& scene) {
-  const bool ode = engine.name() == "ode";
+  const bool ode = engine.name == "ode";
   Parameters without = gentle(engine);
   if (!ode) without["restitutionVelocityThreshold"] = 0;
   const Parameters half = with(without, {{ode ? "bounce" : "restitution", 0.5}});
@@ -172,7 +172,7 @@ TEST(Contacts, LandingBouncesByErpTimesOverlapOverStep) {
        {"ode:step", "ode:quickstep", "bullet:sequential-impulse", "bullet:nncg", "bullet:mlcp-pgs"}) {
     const Engine* engine = linked(name);
     if (engine == nullptr) continue;
-    const std::string key = engine->name() == "ode" ? "erp" : "erp2";
+    const std::string key = engine->name == "ode" ? "erp" : "erp2";
     for (const double erp : {0.1, 0.2, 0.4}) {
       std::vector<double> bounces;
       for (int run = 0; run < 21; ++run) {

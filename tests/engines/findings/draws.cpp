@@ -28,7 +28,7 @@ Quartiles quartiles(const std::vector<double>& values) {
 
 const Engine* linked(const std::string& name) {
   for (const auto& engine : linked_engines()) {
-    if (engine->name() + ":" + engine->solver() == name) return engine.get();
+    if (engine->full_name() == name) return engine;
   }
   return nullptr;
 }

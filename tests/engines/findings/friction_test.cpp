@@ -45,7 +45,7 @@ constexpr std::array<std::pair<const char*, ImpactLaw>, 6> impact_laws{
 /// As rigid and as exactly solved as each solver can be.
 Parameters for_one_impact(const Engine& engine) {
   Parameters parameters = gentle(engine);
-  if (engine.solver() == "mlcp-dantzig") {
+  if (engine.solver == "mlcp-dantzig") {
     // Without softness its problem is singular, and Bullet takes sequential impulse in its place.
     parameters = with(parameters, {{"splitImpulse", 0}, {"globalCfm", 1e-10}, {"unitMass", 1}});
   }

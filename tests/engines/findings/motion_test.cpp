@@ -71,7 +71,7 @@ TEST(Motion, LandsHalfAStepEarlyUnlessItStartsHalfAStepBack) {
 /// plane, or started anew each step, or in double precision, none.
 TEST(Motion, SinglePrecisionSuffersFromWarmStartingOnABoxAlone) {
   const auto& built = engines();
-  const auto is_single = [](const WorkerEngine& engine) { return engine.name() == "bullet-single"; };
+  const auto is_single = [](const WorkerEngine& engine) { return engine.name == "bullet-single"; };
   if (std::none_of(built.begin(), built.end(), is_single)) GTEST_SKIP() << "built without Bullet";
   const auto thrown_off = [&](const std::string& precision, double ground, double warm) {
     const WorkerEngine& engine = find_engine(precision + ":sequential-impulse");

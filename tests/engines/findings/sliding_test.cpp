@@ -17,10 +17,10 @@ namespace {
 Parameters rigid(const Engine& engine) {
   Parameters parameters = gentle(engine);
   Parameters changes{{"cfm", 1e-8}, {"numIterations", 300}, {"quickStepNumIterations", 300}};
-  if (engine.name() == "ode") changes["unitMass"] = 1;
-  if (engine.solver() == "nncg") changes["unitMass"] = 1e6;
+  if (engine.name == "ode") changes["unitMass"] = 1;
+  if (engine.solver == "nncg") changes["unitMass"] = 1e6;
   // Without softness its problem is singular, and Bullet takes sequential impulse in its place.
-  if (engine.solver() == "mlcp-dantzig")
+  if (engine.solver == "mlcp-dantzig")
     changes.merge(Parameters{{"splitImpulse", 0}, {"erp2", 0.005}, {"globalCfm", 1e-10}, {"unitMass", 1}});
   for (const auto& [name, value] : changes) {
     if (parameters.count(name) != 0) parameters[name] = value;
@@ -43,8 +43,8 @@ Scene block(double r, double friction, double duration) {
 std::vector<const Engine*> with_coefficients() {
   std::vector<const Engine*> list;
   for (const auto& engine : linked_engines()) {
-    const bool meant = engine->name() == "bullet" || engine->name() == "ode";
-    if (meant && engine->solver() != "mlcp-lemke") list.push_back(engine.get());
+    const bool meant = engine->name == "bullet" || engine->name == "ode";
+    if (meant && engine->solver != "mlcp-lemke") list.push_back(engine);
   }
   return list;
 }
@@ -62,7 +62,7 @@ TEST(Sliding, StopsWhereSemiImplicitEulerDoes) {
       // What contacts give way by, and what 300 sweeps leave.
       EXPECT_NEAR(simulate(*engine, scene, dt, rigid(*engine)).history.slips.back(),
                   dt * ((steps - 1) * 0.5 - loss * (steps - 1) * steps / 2), 1e-8)
-          << engine->solver() << ", friction " << friction;
+          << engine->solver << ", friction " << friction;
     }
   }
 }
@@ -93,7 +93,7 @@ Onset onset_by_frictionless(double r, double friction) {
 TEST(Sliding, BlocksRockAndSlideByCoulombsLawOrByNormalsFoundWithoutFriction) {
   const double duration = 0.03, dt = 2e-5;
   for (const Engine* engine : with_coefficients()) {
-    const bool direct = engine->solver() == "step" || engine->solver() == "mlcp-dantzig";
+    const bool direct = engine->solver == "step" || engine->solver == "mlcp-dantzig";
     for (const double r : {1.5, 2.0, 3.0}) {
       for (const double above : {0.1, 0.2, 0.4, 0.7}) {
         Scene scene = block(r, 1 / r + above, duration);
@@ -102,9 +102,9 @@ TEST(Sliding, BlocksRockAndSlideByCoulombsLawOrByNormalsFoundWithoutFriction) {
         const double unit = 0.5 * scene.gravity * duration * duration;
         const Onset expected = (direct ? onset_by_frictionless : onset_by_coulomb)(r, scene.friction[0]);
         EXPECT_NEAR(-history.angles.back() / unit, expected.rocking, 0.003)
-            << engine->solver() << ", r = " << r << ", friction " << scene.friction[0];
+            << engine->solver << ", r = " << r << ", friction " << scene.friction[0];
         EXPECT_NEAR(-history.slips.back() / unit, expected.slipping, 0.01)
-            << engine->solver() << ", r = " << r << ", friction " << scene.friction[0];
+            << engine->solver << ", r = " << r << ", friction " << scene.friction[0];
       }
     }
   }
@@ -136,16 +136,16 @@ ErrorsByStep errors_by_step(const Engine& engine) {
 TEST(Sliding, GapsToCoulombsLawCloseInProportionToTheStepOrNotAtAll) {
   for (const Engine* engine : with_coefficients()) {
     const auto [exact, errors] = errors_by_step(*engine);
-    if (engine->solver() == "step" || engine->solver() == "mlcp-dantzig") {
+    if (engine->solver == "step" || engine->solver == "mlcp-dantzig") {
       // It does not rock.
-      for (const StepError& at : errors) EXPECT_NEAR(at.error / std::abs(exact), 1, 0.05) << engine->solver();
+      for (const StepError& at : errors) EXPECT_NEAR(at.error / std::abs(exact), 1, 0.05) << engine->solver;
       continue;
     }
     const StepFit fit = fit_steps(errors);
-    EXPECT_TRUE(fit.holds()) << engine->solver() << ": " << fit.reason;
-    EXPECT_LT(fit.order.low, 1.02) << engine->solver();
-    EXPECT_GT(fit.order.high, 0.98) << engine->solver();
-    EXPECT_LT(fit.model_error.high, 1e-3 * std::abs(exact)) << engine->solver();
+    EXPECT_TRUE(fit.holds()) << engine->solver << ": " << fit.reason;
+    EXPECT_LT(fit.order.low, 1.02) << engine->solver;
+    EXPECT_GT(fit.order.high, 0.98) << engine->solver;
+    EXPECT_LT(fit.model_error.high, 1e-3 * std::abs(exact)) << engine->solver;
   }
 }
 
@@ -171,7 +171,7 @@ double braking(const Engine& engine, const Parameters& parameters, double dt) {
 /// Bullet passes over the friction of a point that nothing presses, and what a warm start gave it stays.
 TEST(Sliding, AWarmStartBrakesABlockOnceMoreAfterItsLanding) {
   for (const Engine* engine : with_coefficients()) {
-    const bool sequential = engine->solver() == "sequential-impulse" || engine->solver() == "nncg";
+    const bool sequential = engine->solver == "sequential-impulse" || engine->solver == "nncg";
     for (const double warm : {0.85, 0.0}) {
       Parameters parameters = rigid(*engine);
       if (parameters.count("warmstartingFactor") != 0) parameters["warmstartingFactor"] = warm;
@@ -181,11 +181,11 @@ TEST(Sliding, AWarmStartBrakesABlockOnceMoreAfterItsLanding) {
         list.push_back(braking(*engine, parameters, 1e-3 * (1 + 0.003 * (run - 10))));
       const Quartiles found = quartiles(list);
       if (sequential && warm > 0) {
-        EXPECT_GT(found.lower, 1.15) << engine->solver();
+        EXPECT_GT(found.lower, 1.15) << engine->solver;
       } else {
         // What pushes the overlap out, a hundredth of it a step, presses as well.
-        EXPECT_NEAR(found.lower, 1, 0.01) << engine->solver() << " " << warm;
-        EXPECT_NEAR(found.upper, 1, 0.01) << engine->solver() << " " << warm;
+        EXPECT_NEAR(found.lower, 1, 0.01) << engine->solver << " " << warm;
+        EXPECT_NEAR(found.upper, 1, 0.01) << engine->solver << " " << warm;
       }
     }
   }

@@ -55,7 +55,7 @@ std::vector<Solver> solvers() {
 /// Null where this build leaves it out.
 const WorkerEngine* built(const std::string& name) {
   for (const WorkerEngine& engine : engines()) {
-    if (engine.name() + ":" + engine.solver() == name) return &engine;
+    if (engine.full_name() == name) return &engine;
   }
   return nullptr;
 }
@@ -139,13 +139,13 @@ double hop(const WorkerEngine& engine, double speed, double friction, double up)
 /// Its first impulse N takes μN off the speed v and gives N upwards, where N = μ(v − μN).
 TEST(WorkerFriction, ASlidingBlockHopsOffAConvexCone) {
   for (const WorkerEngine& engine : engines()) {
-    if (engine.name() != "mujoco") continue;
+    if (engine.name != "mujoco") continue;
     for (const double speed : {1.0, 2.0, 4.0}) {
       for (const double friction : {0.2, 0.4, 0.8}) {
         const double up = friction * speed / (1 + friction * friction);
         // It goes on by a step's way, as it starts within one.
         EXPECT_NEAR(hop(engine, speed, friction, up), up * up / (2 * 9.81), 2e-3 * up)
-            << engine.solver() << ", " << speed << " m/s, friction " << friction;
+            << engine.solver << ", " << speed << " m/s, friction " << friction;
       }
     }
   }

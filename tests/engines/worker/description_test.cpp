@@ -127,14 +127,34 @@ TEST(Workers, WordsAreOneShortLineWhereverTheyAreTold) {
     is_fit(refusal(answers({{"rockstack", 1}, {"engines", json::array({wrong})}})), named);
   }
   is_fit(refusal(answers({{"rockstack", words}})), false);
-  const WorkerEngine other(answers({{"rockstack", 1}, {"run", {{"status", "failed"}, {"reason", words}}}}),
-                           {"x", "y", "1", "z", {}, {}}, Form::json);
+  const WorkerEngine other{{},
+                           answers({{"rockstack", 1}, {"run", {{"status", "failed"}, {"reason", words}}}})};
   is_fit(run_in_worker(other, one_block(), 0.125, {}, 0, {}).reason);
+}
+
+// Of five samples; the fourth step is not the thousandth.
+TEST(Workers, TimesOfARuntimeThatHasNotWarmedUpAreCold) {
+  const TemporaryFolder folder;
+  const auto is_cold = [&](const json& more) {
+    json answer{
+        {"status", "done"}, {"angles", {0, 0, 0, 0, 0}}, {"velocities", {0, 0, 0, 0, 0}}, {"seconds", {1}}};
+    answer.update(more);
+    const std::string reply = folder.write("reply", json{{"rockstack", 1}, {"run", answer}}.dump()).string();
+    WorkerEngine engine{{}, script(folder, "#!/bin/sh\ncat " + reply + " >&3\n")};
+    engine.warm_up = 1000;
+    const WorkerRun made = run_in_worker(engine, one_block(), 0.125, {}, 1, {});
+    EXPECT_EQ(made.status, "done") << made.reason;
+    return made.cold;
+  };
+  EXPECT_TRUE(is_cold(json::object()));
+  EXPECT_TRUE(is_cold({{"warm_up", 999}}));
+  EXPECT_FALSE(is_cold({{"warm_up", 1000}}));
 }
 
 /// A worker's description with a change.
 std::string refusal_of(const std::function<void(EngineDescription&)>& change) {
-  EngineDescription engine{"x", "y", "1", "z", {}, {shaking_setting()}};
+  EngineDescription engine{
+      .name = "x", .solver = "y", .version = "1", .licence = "z", .settings = {shaking_setting()}};
   change(engine);
   try {
     check_descriptions({engine});

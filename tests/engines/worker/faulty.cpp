@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <stdexcept>
 #include <utility>
@@ -44,24 +45,6 @@ class FaultySimulation : public Simulation {
   Fault fault_;
   Placement start_;
   double dt_, angle_, velocity_;
-};
-
-class Faulty : public Engine {
- public:
-  Faulty(std::string solver, Fault fault) : solver_(std::move(solver)), fault_(std::move(fault)) {}
-  std::string name() const override { return "faulty"; }
-  std::string solver() const override { return solver_; }
-  std::string version() const override { return "1"; }
-  std::vector<Setting> settings() const override { return {{"strength", 1, 2, 0, 3}}; }
-  std::string licence() const override { return "none"; }
-
- private:
-  std::unique_ptr<Simulation> build(const Setup& setup, const Parameters&) const override {
-    return std::make_unique<FaultySimulation>(fault_, setup);
-  }
-
-  std::string solver_;
-  Fault fault_;
 };
 
 [[noreturn]] void loop(double&) {
@@ -113,7 +96,7 @@ void ask_the_terminal(double&) {
   std::fgetc(terminal);
 }
 
-std::vector<std::unique_ptr<Engine>> make_faulty() {
+std::vector<Engine> make_faulty() {
   const std::vector<std::pair<const char*, Fault>> faults{
       {"fine", [](double&) {}},
       {"throw", [](double&) { throw std::runtime_error("broken on purpose"); }},
@@ -123,6 +106,10 @@ std::vector<std::unique_ptr<Engine>> make_faulty() {
       {"killed", [](double&) { std::raise(SIGKILL); }},
       {"exit", [](double&) { std::_Exit(7); }},
       {"loop", loop},
+      {"half-a-second",
+       [](double&) {
+         while (std::clock() < CLOCKS_PER_SEC / 2) continue;
+       }},
       {"memory", eat_memory},
       {"reserves", reserve_memory},
       {"talk", talk},
@@ -139,9 +126,17 @@ std::vector<std::unique_ptr<Engine>> make_faulty() {
          [[maybe_unused]] const auto written = write(reply_descriptor, "half", 4);
          std::_Exit(0);
        }}};
-  std::vector<std::unique_ptr<Engine>> engines;
-  engines.reserve(faults.size());
-  for (const auto& [name, fault] : faults) engines.push_back(std::make_unique<Faulty>(name, fault));
+  std::vector<Engine> engines;
+  for (const auto& [name, fault] : faults) {
+    engines.push_back({{.name = "faulty",
+                        .solver = name,
+                        .version = "1",
+                        .licence = "none",
+                        .settings = {{.name = "strength", .standard = 1, .tuned = 2, .most = 3}}},
+                       [fault = fault](const Setup& setup, const Parameters&) {
+                         return std::make_unique<FaultySimulation>(fault, setup);
+                       }});
+  }
   return engines;
 }
 

@@ -26,6 +26,7 @@ Request full_request() {
                .steps = 2,
                .accelerations = {{1, -9}, {2, -8}},
                .ground = {{1, 2, 3, 4}, {5, 6, 7, 8}}};
+  run.warm_up = 4000;
   return {run};
 }
 
@@ -36,13 +37,28 @@ Reply full_reply() {
                     .bodies = {{.x = 1, .y = 2, .velocity_x = 3, .velocity_y = 4, .z = 5, .tilt = 6}, {}},
                     .contacts = ContactRecord{{0, 0.1}, 1, 2, 3e5, 40, {{0.05, 1, 0.3, -0.2}}},
                     .warnings = 4};
+  run.warm_up = 4002;
   return {{}, run};
 }
 
 Reply full_description() {
-  EngineDescription engine{"ode", "step", "0.16", "BSD-3-Clause", {}, {}};
-  engine.capabilities = {.largest_friction = 10, .single_precision = true, .planar = true, .lead = 0};
-  engine.settings = {{"erp", 0.1, 0.2, 0, HUGE_VAL, true, {"soft", "hard"}, "m/s"}, {"cfm", 1, 2, 0, 3}};
+  const EngineDescription engine{.name = "ode",
+                                 .solver = "step",
+                                 .version = "0.16",
+                                 .licence = "BSD-3-Clause",
+                                 .capabilities = {.largest_friction = 10,
+                                                  .single_precision = true,
+                                                  .planar = true,
+                                                  .lead = 0,
+                                                  .tuned_lead = 1},
+                                 .warm_up = 4000,
+                                 .settings = {{.name = "erp",
+                                               .unit = "m/s",
+                                               .choices = {"soft", "hard"},
+                                               .standard = 0.1,
+                                               .tuned = 0.2,
+                                               .most = HUGE_VAL},
+                                              {.name = "cfm", .standard = 1, .tuned = 2, .most = 3}}};
   return {{engine, engine}, {}};
 }
 
@@ -86,6 +102,7 @@ TEST_P(Messages, HaveEveryFieldOfARequest) {
       [](RunRequest& run) { run.parameters["erp"] = 0.3; },
       [](RunRequest& run) { run.repeats = 4; },
       [](RunRequest& run) { run.bodies = false; },
+      [](RunRequest& run) { run.warm_up = 0; },
       [](RunRequest& run) { run.setup.dt = 2e-3; },
       [](RunRequest& run) { run.setup.steps = 7; },
       [](RunRequest& run) { run.setup.gravity.x = 7; },
@@ -128,6 +145,7 @@ TEST_P(Messages, HaveEveryFieldOfAReply) {
       [](RunReply& run) { run.reason = "because"; },
       [](RunReply& run) { run.seconds[1] = 7; },
       [](RunReply& run) { run.peak_memory = 7; },
+      [](RunReply& run) { run.warm_up.reset(); },
       [](RunReply& run) { run.trajectory.angles[0] = 7; },
       [](RunReply& run) { run.trajectory.velocities[0] = 7; },
       [](RunReply& run) { run.trajectory.warnings = 7; },

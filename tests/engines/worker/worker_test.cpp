@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "engines/worker/registry.hpp"
@@ -28,7 +29,7 @@ Scene one_block(double duration) {
 const WorkerEngine& faulty(const std::string& solver) {
   static const std::vector<WorkerEngine> engines = engines_of(FAULTY_WORKER);
   return *std::find_if(engines.begin(), engines.end(),
-                       [&](const WorkerEngine& engine) { return engine.solver() == solver; });
+                       [&](const WorkerEngine& engine) { return engine.solver == solver; });
 }
 
 WorkerRun run(const std::string& solver, const Limits& limits = {}) {
@@ -38,8 +39,8 @@ WorkerRun run(const std::string& solver, const Limits& limits = {}) {
 
 TEST(Workers, DescribeTheirEngines) {
   const WorkerEngine& engine = faulty("fine");
-  EXPECT_EQ(engine.name(), "faulty");
-  EXPECT_EQ(engine.version(), "1");
+  EXPECT_EQ(engine.name, "faulty");
+  EXPECT_EQ(engine.version, "1");
   EXPECT_EQ(engine.default_parameters(), (Parameters{{"strength", 1}}));
   EXPECT_EQ(engine.tuned_parameters(), (Parameters{{"strength", 2}}));
   EXPECT_EQ(engine.friction(1e3), 1e3);
@@ -55,6 +56,15 @@ TEST(Workers, ReturnHistoryTimesAndWhatTheyTook) {
   EXPECT_GT(made.processor_time, 0);
   // No program with the C++ library fits into half a megabyte.
   EXPECT_GT(made.peak_memory, 5e5);
+}
+
+TEST(Workers, RuntimesWarmUpBeforeTheyAreTimed) {
+  WorkerEngine engine = faulty("fine");
+  engine.warm_up = 1000;
+  const WorkerRun made = run_in_worker(engine, one_block(0.5), 0.125, engine.tuned_parameters(), 2, {});
+  ASSERT_EQ(made.status, "done") << made.reason;
+  EXPECT_FALSE(made.cold);
+  EXPECT_EQ(made.seconds.size(), 2U);
 }
 
 TEST(Workers, MemoryIsTheirOwnNotThatOfWhoStartsThem) {
@@ -111,6 +121,23 @@ TEST(Workers, EndlessLoopMeetsTheTimeLimit) {
   const WorkerRun made = run("loop", limits);
   EXPECT_EQ(made.status, "time limit");
   EXPECT_EQ(made.reason, "not done after 0.3 s");
+}
+
+// Four threads to a processor get theirs in turn with it: by the clock it takes several times as long.
+TEST(Workers, WhatTheyWaitForABusyMachineIsNotOfTheirTime) {
+  std::vector<std::jthread> others;
+  const unsigned count = 4 * std::max(1U, std::thread::hardware_concurrency());
+  others.reserve(count);
+  for (unsigned i = 0; i < count; ++i) {
+    others.emplace_back([](const std::stop_token& enough) {
+      while (!enough.stop_requested()) continue;
+    });
+  }
+  Limits limits;
+  limits.time = 1;
+  const WorkerRun made = run("half-a-second", limits);
+  EXPECT_EQ(made.status, "done") << made.reason;
+  EXPECT_GE(made.processor_time, 0.5);
 }
 
 TEST(Workers, RunThatNobodyWantsAnyMoreIsStopped) {
@@ -214,14 +241,14 @@ TEST(Workers, GiveTheSameBitsAsTheEngineInThisProcess) {
   scene.initial.angles = {0.1};
   scene.horizontal = {0.1, {0, 1.5, -2.25, 0.3}, "", false, {}};
   for (const auto& engine : linked_engines()) {
-    const WorkerEngine& worker = find_engine(engine->name() + ":" + engine->solver());
+    const WorkerEngine& worker = find_engine(engine->full_name());
     const Parameters parameters = engine->tuned_parameters();
     EXPECT_EQ(worker.tuned_parameters(), parameters);
     const EngineRun here = simulate(*engine, scene, 1e-3, parameters);
     const EngineRun there = simulate(worker, scene, 1e-3, parameters);
     EXPECT_FALSE(there.bodies);
-    EXPECT_EQ(here.history.angles, there.history.angles) << engine->solver();
-    EXPECT_EQ(here.history.velocities, there.history.velocities) << engine->solver();
+    EXPECT_EQ(here.history.angles, there.history.angles) << engine->solver;
+    EXPECT_EQ(here.history.velocities, there.history.velocities) << engine->solver;
   }
 }
 

@@ -6,8 +6,7 @@
 #include <random>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/measures/results/csv.hpp"
-#include "plots/data/results.hpp"
+#include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
 #include "tests/analytic/scene/ground/records/mutations.hpp"
 #include "tests/plots/sample.hpp"
@@ -27,7 +26,7 @@ void read_all(const fs::path& folder) {
       for (const Run& run : runs) {
         EXPECT_EQ(run.folder.parent_path(), folder / "runs");
         read_summary(run);
-        read_columns(run.folder / "history.csv", numbered("theta_", scene.blocks));
+        history_of(run);
       }
   }
 }
@@ -57,22 +56,23 @@ TEST(ResultsMutations, GiveResultsOrAnInputErrorAndNothingElse) {
   const fs::path folder = testing::fresh_folder();
   testing::write_sample(folder, {.impacts = 2, .steps = {1e-2}});
   ASSERT_NO_THROW(read_all(folder));
-  for (const char* name : {"comparison.json", "comparison.csv"})
-    expect_read_or_refused(folder, folder / name);
+  expect_read_or_refused(folder, folder / "comparison.json");
   for (const auto& run : fs::directory_iterator(folder / "runs"))
-    for (const char* name : {"summary.json", "history.csv"})
+    for (const char* name : {"summary.json", "history.csv", "events.csv"})
       if (fs::exists(run.path() / name)) expect_read_or_refused(folder, run.path() / name);
 }
 
-TEST(ResultsMutations, NumbersOfBlocksThatAreNoneAreRefused) {
+TEST(ResultsMutations, StacksOfNoBlocksAndOfTooManyAreRefused) {
   const fs::path folder = testing::fresh_folder();
-  for (const std::string count : {"0", "1e300", "4294967298", "1.5"}) {
-    testing::write_sample(folder, {});
-    std::string text = testing::bytes_of(folder / "comparison.json");
-    const auto found = text.find("\"blocks\": ") + 10;
-    text.replace(found, text.find_first_of(",\n", found) - found, count);
-    std::ofstream(folder / "comparison.json") << text;
-    EXPECT_THROW(read_comparison(folder), InputError) << count;
+  for (const int blocks : {0, max_blocks + 1}) {
+    testing::write_sample(folder, {.impacts = 0});
+    auto json = Json::parse(testing::bytes_of(folder / "comparison.json"));
+    Json& stack = json["scenes"][0]["stack"];
+    const Json block = stack[0];
+    stack = Json::array();
+    for (int k = 0; k < blocks; ++k) stack.push_back(block);
+    std::ofstream(folder / "comparison.json") << json;
+    EXPECT_THROW(read_comparison(folder), InputError) << blocks;
   }
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "plots/pages/remarks.hpp"
+#include "plots/pages/sections.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -13,16 +13,16 @@ namespace {
 Run made_up(const std::string& solver, const std::string& settings, const std::string& scene, double dt,
             double error, double energy) {
   Run run;
-  run.name = scene + solver;
+  run.run = scene + solver;
   run.scene = scene;
   run.engine = "ode";
   run.solver = solver;
   run.settings = settings;
-  run.status = "done";
   run.dt = dt;
   run.steps = 100;
-  run.stepping_time = 1e-3;
-  run.rms_angle_difference = error;
+  run.stepping_time_minimum = 1e-3;
+  run.error = run.rms_angle_difference = error;
+  run.motion = 0.1;
   run.first_impact_time_difference = -dt / 2;
   run.energy_gain = energy;
   return run;
@@ -36,13 +36,17 @@ Comparison three_scenes() {
                           std::pair{"quickstep", std::array{1e-3, 2e-3, 9e-3}}};
   const std::array names{"a", "b", "c"};
   for (std::size_t i = 0; i < names.size(); ++i) {
-    comparison.scenes.push_back({names.at(i), names.at(i), 1, "", ""});
-    comparison.scenes.back().duration = 3;
+    ComparedScene& scene = comparison.scenes.emplace_back();
+    scene.name = names.at(i);
+    scene.duration = 3;
     for (const auto& [solver, all] : errors)
       for (const double dt : {1e-3, 2e-3})
         comparison.runs.push_back(made_up(solver, "default", names.at(i), dt, all.at(i) * dt / 1e-3,
                                           solver == std::string("quickstep") && i == 1 ? 0.02 : 0));
   }
+  std::vector<ReplicatedRow> rows;
+  for (const Run& run : comparison.runs) rows.push_back({run, {*run.error}});
+  comparison.verdict.ranking = rank_all(rows);
   return comparison;
 }
 
@@ -57,9 +61,9 @@ TEST(Scores, AreMediansOverScenesAtTheSmallestStepThatMostHave) {
   const std::vector<Score> list = scores(comparison, question("accuracy"));
   ASSERT_EQ(list.size(), 2u);
   EXPECT_EQ(list[0].runs.front().solver, "quickstep");
-  EXPECT_EQ(list[0].median, 2e-3);
+  EXPECT_EQ(list[0].median, 1);  // of 1, 1 and 3/2 times the least of each scene
   EXPECT_EQ(list[0].worst().scene, "c");
-  EXPECT_EQ(list[1].median, 4e-3);
+  EXPECT_EQ(list[1].median, 2);  // of 2, 2 and 1
 }
 
 TEST(Scores, WhatASmallerStepLeavesIsTheRatioOfErrors) {
@@ -71,11 +75,22 @@ TEST(Scores, WhatASmallerStepLeavesIsTheRatioOfErrors) {
 TEST(Scores, ASolverWithoutAnAnswerInASceneComesLast) {
   Comparison comparison = three_scenes();
   for (plots::Run& run : comparison.runs)
-    if (run.solver == "quickstep" && run.scene == "b") run.status = "failed";
+    if (run.solver == "quickstep" && run.scene == "b") run.status = RunStatus::failed;
   const std::vector<Score> list = scores(comparison, question("accuracy"));
   EXPECT_EQ(list[0].runs.front().solver, "step");
   EXPECT_EQ(list[1].runs.size(), 2u);
-  EXPECT_DOUBLE_EQ(list[1].median, 5e-3);
+  EXPECT_DOUBLE_EQ(list[1].median, 1.25);
+}
+
+TEST(Scores, ScenesAtRestAreNotCompared) {
+  Comparison comparison = three_scenes();
+  for (plots::Run& run : comparison.runs)
+    if (run.scene == "a") run.motion = 0;
+  for (const Score& score : scores(comparison, question("accuracy"))) EXPECT_EQ(score.runs.size(), 2u);
+}
+
+TEST(Scores, NobodyIsCalledNearestThatOneRunEachDoesNotTellApart) {
+  EXPECT_EQ(first_of_all(three_scenes()), "none can be told apart");
 }
 
 TEST(Scores, TwoScenesOrOneSolverAreTooFew) {
@@ -90,10 +105,9 @@ TEST(Remarks, TellWhatASolversAuthorCanRunAgain) {
   const std::vector<SolverRemarks> all = remarks(three_scenes());
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].solver, "ode:quickstep");
-  EXPECT_EQ(
-      all[0].list.front().sentence,
-      "Rank 1 of 2: with its default set, at a step of 1 ms, it is off by 0.002 rad RMS in the median of 3 "
-      "scenes, most in c (0.009 rad).");
+  EXPECT_EQ(all[0].list.front().sentence,
+            "Rank 1 of 2 sets, which 2 share: with its default set its error is 1.1 times the least, in the "
+            "geometric mean of 6 pairs of scene and step; at 1 ms most in c (0.009).");
   EXPECT_EQ(all[0].list.front().command,
             "rockstack compare c --engine ode:quickstep --dt 0.001 --set duration=3 --out DIR");
   const auto energy = std::find_if(all[0].list.begin(), all[0].list.end(), [](const Remark& one) {

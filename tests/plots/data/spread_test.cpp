@@ -21,29 +21,21 @@ plots::Run run_with(const fs::path& folder, const std::string& file, const std::
   return run;
 }
 
-TEST(Share, IsTheCountOfTheRows) {
-  const fs::path folder = testing::fresh_folder();
-  const plots::Run exact =
-      run_with(folder / "exact", "perturbed.csv", "run,impacts,toppled\n0,3,1\n1,3,0\n2,3,2\n3,3,0\n");
-  const plots::Run engine =
-      run_with(folder / "engine", "perturbed.csv", "run,impacts,toppled\n0,3,1\n1,3,1\n2,,\n3,3,0\n");
-  const Share own = toppled_share(exact, exact);
-  EXPECT_EQ(own.of, 4);
-  EXPECT_EQ(own.toppled, 2);
-  EXPECT_EQ(own.agree, own.of);
-  const Share share = toppled_share(engine, exact);
-  EXPECT_EQ(share.of, 3) << "a scene that could not be solved has no answer";
-  EXPECT_EQ(share.toppled, 2);
-  EXPECT_EQ(share.agree, 2);
+MotionTally tally(bool topples) {
+  return {{0.1}, 3, topples};
 }
 
-// Wilson's bounds are the shares whose distance from the count is 1.96 of their own standard errors.
-TEST(Share, BoundsLieAsFarAsChanceReaches) {
-  const Share share{50, 32, 0};
-  for (const double bound : {share.lower(), share.upper()})
-    EXPECT_NEAR(std::abs(share.value() - bound), 1.959964 * std::sqrt(bound * (1 - bound) / share.of), 1e-12);
-  EXPECT_LT(share.lower(), share.value());
-  EXPECT_GT(share.upper(), share.value());
+TEST(Share, IsTheCountOfTheTallies) {
+  const std::vector<MotionTally> exact{tally(true), tally(false), tally(true), tally(false)};
+  const std::vector<MotionTally> engine{tally(true), tally(true), {}, tally(false)};
+  const Share own = toppled_share(exact, exact);
+  EXPECT_EQ(own.of, 4u);
+  EXPECT_EQ(own.toppled, 2u);
+  EXPECT_EQ(own.agree, own.of);
+  const Share share = toppled_share(engine, exact);
+  EXPECT_EQ(share.of, 3u) << "a scene that could not be solved has no answer";
+  EXPECT_EQ(share.toppled, 2u);
+  EXPECT_EQ(share.agree, 2u);
 }
 
 TEST(Draws, AreSortedAndThoseWithoutANumberDropped) {
@@ -63,7 +55,7 @@ TEST(ImpactLosses, CountTheSameImpactsWheneverTheyCome) {
   run = run_with(folder, "impacts.csv",
                  "number,interface,exact_time,engine_time,difference,verdict\n1,1,9.5,12.5,3,matched\n"
                  "2,1,19.5,23.5,4,matched\n3,1,30,,,missed\n");
-  const std::vector<ImpactLoss> losses = read_impact_losses(run);
+  const std::vector<ImpactLoss> losses = impact_losses(run);
   ASSERT_EQ(losses.size(), 2U);
   double lost = 0;
   for (const ImpactLoss& loss : losses) {

@@ -52,7 +52,7 @@ TEST(Style, NeitherTheStepNorTheSceneCounts) {
   plots::Run other = one;
   other.dt = 1e-3;
   other.scene = "another";
-  other.name = "another.run";
+  other.run = "another.run";
   const Style style = style_of(one), same = style_of(other);
   EXPECT_EQ(std::tie(style.colour, style.mark, style.dash), std::tie(same.colour, same.mark, same.dash));
 }

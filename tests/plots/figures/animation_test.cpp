@@ -1,11 +1,10 @@
-#include "plots/figures/animation.hpp"
+#include "plots/figures/motions/animation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "plots/drawing/gnuplot.hpp"
-#include "plots/figures/comparison/figures.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {

@@ -3,17 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <regex>
-#include <set>
 #include <string>
 
-#include "plots/data/scores.hpp"
-#include "plots/figures/comparison/figures.hpp"
+#include "plots/figures/table.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -37,58 +34,33 @@ std::map<std::string, std::string> questions() {
   return found;
 }
 
-/// The names of figure files that the code of sweeps, studies and records holds, as far as they are fixed:
-/// all but what is filled in behind.
-std::set<std::string> names_in_code() {
-  const std::regex name(R"re((?:figures"? / |name =\s+|title = fmt::format\()"([a-z-]+[a-z.-]*))re");
-  std::set<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(ROCKSTACK_PLOTS) / "figures")) {
-    if (entry.path().extension() != ".cpp" || entry.path().parent_path().filename() == "comparison") continue;
-    const std::string code = text_of(entry.path());
-    for (std::sregex_iterator at(code.begin(), code.end(), name), end; at != end; ++at)
-      names.insert((*at)[1]);
-  }
-  return names;
-}
-
-bool begins_one_of(const std::string& stem, const std::map<std::string, std::string>& table) {
-  return std::any_of(table.begin(), table.end(),
-                     [&](const auto& row) { return row.first.starts_with(stem); });
-}
-
-TEST(Questions, EachFigureOfAComparisonHasTheOneOfItsCaption) {
+TEST(Questions, EachFigureHasTheOneOfItsRow) {
   const auto table = questions();
-  for (const FigureKind& kind : figure_kinds()) {
-    const auto row = table.find(kind.name);
-    ASSERT_NE(row, table.end()) << kind.name;
-    EXPECT_EQ(row->second, kind.explanation.substr(0, kind.explanation.find('?') + 1)) << kind.name;
+  for (const Figure& figure : figures()) {
+    bool any = false;
+    for (const auto& [name, question] : table) {
+      if (figure_in(name) != &figure) continue;
+      any = true;
+      EXPECT_EQ(question, figure.question) << name;
+    }
+    EXPECT_TRUE(any) << figure.name;
+    EXPECT_TRUE(figure.question.ends_with('?')) << figure.name;
   }
-}
-
-TEST(Questions, EachOfAllSolversIsTheOneOfItsFigure) {
-  const auto table = questions();
-  for (const SolverQuestion& question : solver_questions()) {
-    const auto row = table.find("solvers." + question.name);
-    ASSERT_NE(row, table.end()) << question.name;
-    EXPECT_EQ(row->second, question.question);
-  }
-}
-
-TEST(Questions, EachFigureOfASweepAStudyOrARecordHasOne) {
-  const auto table = questions();
-  const std::set<std::string> names = names_in_code();
-  for (const char* name : {"fragility", "impact-laws.", "overturning", "record", "stability."})
-    EXPECT_TRUE(names.contains(name)) << "the code is read wrongly: " << name;
-  for (const std::string& name : names) EXPECT_TRUE(begins_one_of(name, table)) << name;
 }
 
 TEST(Questions, NoneIsOfAFigureThatNobodyDraws) {
-  std::set<std::string> known = names_in_code();
-  for (const FigureKind& kind : figure_kinds()) known.insert(kind.name);
-  for (const auto& [name, question] : questions())
-    EXPECT_TRUE(std::any_of(known.begin(), known.end(), [&, &row = name](const std::string& one) {
-      return row.starts_with(one);
-    })) << name;
+  for (const auto& [name, question] : questions()) EXPECT_NE(figure_in(name), nullptr) << name;
+}
+
+TEST(Questions, AFileIsOfTheFigureInItsName) {
+  for (const auto& [stem, name] : {std::pair{"spanos.error-time", "error-time"},
+                                   {"energy", "energy"},
+                                   {"solvers.energy", "solvers.energy"},
+                                   {"stability.ode-step-tuned", "stability"},
+                                   {"impact-laws.engines", "impact-laws.engines"},
+                                   {"impact-laws.3-blocks", "impact-laws"}})
+    EXPECT_EQ(figure_in(stem)->name, name) << stem;
+  EXPECT_EQ(figure_in("spanos.motion"), nullptr);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "plots/figures/record.hpp"
+#include "plots/figures/table.hpp"
 
 #include <fmt/ostream.h>
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ void write_record(const fs::path& folder) {
 TEST(Record, ItsFigureIsDrawnFromTheFilesOfTheCommand) {
   const fs::path folder = testing::fresh_folder();
   write_record(folder);
-  draw_record(folder);
+  draw_figures(folder);
   EXPECT_EQ(testing::bytes_of(folder / "figures" / "record.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
   const std::string svg = testing::bytes_of(folder / "figures" / "record.svg");
   for (const char* words :
@@ -48,12 +48,14 @@ TEST(Record, AFileThatIsMissingOrHoldsNoSamplesIsNamed) {
   const fs::path folder = testing::fresh_folder();
   const auto error = [&] {
     try {
-      draw_record(folder);
+      draw_figures(folder);
     } catch (const InputError& problem) {
       return std::string(problem.what());
     }
     return std::string();
   };
+  write_record(folder);
+  fs::remove(folder / "record.json");
   EXPECT_NE(error().find("record.json"), std::string::npos);
   write_record(folder);
   std::ofstream(folder / "record.csv") << "time,acceleration,velocity,displacement,husid\n";

@@ -1,4 +1,4 @@
-#include "plots/figures/sweep/sweep.hpp"
+#include "plots/figures/table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "plots/figures/sweep/initiation.hpp"
+#include "plots/figures/studies/initiation.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {
@@ -34,11 +34,11 @@ TEST(SweepFigures, AFragilityCurveIsDrawnWithAndWithoutAFit) {
                                   "intensity,runs,toppled,failed,fraction,lower,upper,fitted\n"
                                   "2,20,0,0,0,0,0.16,0.02\n3,20,9,0,0.45,0.25,0.65,0.4\n4,0,0,2,,0,1,0.9\n");
   std::ofstream(folder / "fragility-fit.csv") << "median,beta,log_likelihood\n3.1,0.3,-20\n";
-  draw_sweep(folder);
+  draw_figures(folder);
   EXPECT_TRUE(drawn(folder, "fragility"));
   EXPECT_NE(bytes_of(folder / "figures/fragility.svg").find("median 3.1"), std::string::npos);
   std::ofstream(folder / "fragility-fit.csv") << "median,beta,log_likelihood\n";
-  draw_sweep(folder);
+  draw_figures(folder);
   EXPECT_EQ(bytes_of(folder / "figures/fragility.svg").find("median"), std::string::npos);
 }
 
@@ -50,7 +50,7 @@ TEST(SweepFigures, IncrementalCurvesMayToppleAndRockAgain) {
   std::ofstream(folder / "incremental-fractiles.csv")
       << "intensity,runs,fractile_16,fractile_50,fractile_84\n2,2,0.1,0.1,0.2\n3,2,0.3,0.3,inf\n4,2,0.7,0.7,"
          "inf\n";
-  draw_sweep(folder);
+  draw_figures(folder);
   EXPECT_TRUE(drawn(folder, "incremental"));
 }
 
@@ -59,7 +59,7 @@ TEST(SweepFigures, AnOverturningSpectrumNamesOnlyWhatHappens) {
       "overturning.csv",
       "period,frequency,intensity,runs,rest,rocking,toppled_after_impact,toppled_without_impact,failed\n"
       "0.5,2,1,1,1,0,0,0,0\n0.5,2,2,1,0,1,0,0,0\n0.25,4,1,1,1,0,0,0,0\n0.25,4,2,1,0,0,0,1,0\n");
-  draw_sweep(folder);
+  draw_figures(folder);
   EXPECT_TRUE(drawn(folder, "overturning"));
   const std::string svg = bytes_of(folder / "figures/overturning.svg");
   EXPECT_NE(svg.find("topples without an impact"), std::string::npos);
@@ -104,7 +104,7 @@ TEST(SweepFigures, AMapOfModesHasBoundariesOnlyWhereTheyHold) {
         << R"({"title": "t", "summary": {"intensity": "ground.horizontal.amplitude", "period": "",
             "friction": "contact.friction"}, "vary": [], "scene": {"blocks": [{"width": 1, "height": 2}], )"
         << scene << "}}";
-    draw_sweep(folder);
+    draw_figures(folder);
     return bytes_of(folder / "figures/modes.svg");
   };
   const std::string shaken = describe(R"("ground": {"horizontal": {"pulse": "rectangle", "period": 1}})");
@@ -120,9 +120,9 @@ TEST(SweepFigures, AMapOfModesHasBoundariesOnlyWhereTheyHold) {
 
 TEST(SweepFigures, AMalformedFileIsNamed) {
   const auto folder = folder_with("fragility.csv", "intensity\n1\n");
-  EXPECT_THROW(draw_sweep(folder), InputError);
+  EXPECT_THROW(draw_figures(folder), InputError);
   std::ofstream(folder / "sweep.json") << "{";
-  EXPECT_THROW(draw_sweep(folder), InputError);
+  EXPECT_THROW(draw_figures(folder), InputError);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-#include "plots/pages/impact_laws.hpp"
-#include "plots/figures/impact_laws/maps.hpp"
+#include "plots/pages/show.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "plots/pages/impact_law_summary.hpp"
+#include "plots/pages/pages.hpp"
 #include "tests/plots/browser.hpp"
 #include "tests/plots/sample.hpp"
 
@@ -51,8 +51,7 @@ fs::path study_folder(const std::string& rows) {
 }
 
 std::string page_of(const fs::path& folder) {
-  draw_impact_laws(folder);
-  write_impact_law_report(folder);
+  show(folder);
   return testing::bytes_of(folder / "report.html");
 }
 
@@ -126,7 +125,7 @@ TEST(ImpactLawPage, AMissingFigureAndAMalformedFileAreNamed) {
   EXPECT_FALSE(fs::exists(folder / "report.html"));
   std::ofstream(folder / "impact-laws.json") << R"({"title": "no more"})";
   try {
-    draw_impact_laws(folder);
+    show(folder);
     FAIL() << "no InputError";
   } catch (const InputError& error) {
     EXPECT_TRUE(has(error.what(), "impact-laws.json: ")) << error.what();

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "plots/figures/comparison/figures.hpp"
-#include "plots/pages/report.hpp"
+#include "plots/pages/show.hpp"
 #include "tests/plots/browser.hpp"
 #include "tests/plots/sample.hpp"
 
@@ -22,9 +21,8 @@ class Page : public ::testing::Test {
                                                {"ode", "step", "default", 3e-3}},
                                    .failed_row = true,
                                    .shaken = true,
-                                   .results = R"(["angles", "histories"])"});
-    draw_figures(folder);
-    write_report(folder);
+                                   .results = {"angles", "histories"}});
+    show(folder);
     page_ = testing::bytes_of(folder / "report.html");
   }
 

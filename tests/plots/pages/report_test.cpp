@@ -1,4 +1,4 @@
-#include "plots/pages/report.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "plots/data/results.hpp"
-#include "plots/figures/comparison/figures.hpp"
 #include "plots/pages/html.hpp"
+#include "plots/pages/show.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {
@@ -17,8 +17,7 @@ namespace fs = std::filesystem;
 
 std::string sample_page(const fs::path& folder) {
   testing::write_sample(folder, {.engines = {{"ode", "step", "default", 3e-3}}, .failed_row = true});
-  draw_figures(folder);
-  write_report(folder);
+  show(folder);
   return testing::bytes_of(folder / "report.html");
 }
 
@@ -29,10 +28,12 @@ bool shows(const std::string& text, const std::string& part) {
 TEST(Report, NamesEveryRunAndExplainsWhyOneFailed) {
   const fs::path folder = testing::fresh_folder();
   const std::string page = sample_page(folder);
-  for (const auto& run : read_comparison(folder).runs) EXPECT_TRUE(shows(page, run.name)) << run.name;
+  for (const auto& run : read_comparison(folder).runs) EXPECT_TRUE(shows(page, run.run)) << run.run;
   EXPECT_TRUE(shows(page, "angle not finite, at t = 0.3 s &lt;nan&gt;"));
   EXPECT_TRUE(shows(page, "This build leaves out ode."));
   EXPECT_TRUE(shows(page, "erp&lt;1&gt;"));
+  EXPECT_TRUE(shows(page, "What &lt;it&gt; comes to."));
+  EXPECT_TRUE(shows(page, "What it &lt;shows&gt;."));
 }
 
 TEST(Report, NeedsNothingBesideItself) {
@@ -71,7 +72,7 @@ TEST(Report, AMissingFigureIsNamedAndNoPageIsLeftBehind) {
   const fs::path folder = testing::fresh_folder();
   testing::write_sample(folder, {});
   try {
-    write_report(folder);
+    write_report(folder, read_comparison(folder));
     FAIL() << "no InputError";
   } catch (const InputError& error) {
     EXPECT_TRUE(shows(error.what(), "sample.histories.svg")) << error.what();

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "plots/figures/comparison/figures.hpp"
-#include "plots/pages/report.hpp"
+#include "plots/pages/show.hpp"
 #include "tests/plots/browser.hpp"
 #include "tests/plots/sample.hpp"
 
@@ -18,9 +17,8 @@ class SlidingPage : public ::testing::Test {
   void SetUp() override {
     if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
     const std::filesystem::path folder = testing::fresh_folder();
-    testing::write_sample(folder, {.engines = {}, .slides = true, .results = R"(["histories"])"});
-    draw_figures(folder);
-    write_report(folder);
+    testing::write_sample(folder, {.engines = {}, .slides = true, .results = {"histories"}});
+    show(folder);
     page_ = testing::bytes_of(folder / "report.html");
   }
 

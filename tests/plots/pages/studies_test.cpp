@@ -1,4 +1,4 @@
-#include "plots/pages/studies.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <gtest/gtest.h>
 

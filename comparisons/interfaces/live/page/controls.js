@@ -183,9 +183,10 @@ function controlsOf(page) {
 
   const leavesPivots = (law) => law === "unilateral" || law === "compliant";
 
-  // Without what the law does not have.
+  // Without what the law does not have, and with what it needs.
   const setLaw = (law) => {
     scene().law = law;
+    if (law === "compliant" && !scene().contact?.bed_stiffness) table("contact")(true).stiffness ??= 1e8;
     if (law !== "compliant" && scene().contact)
       for (const name of ["stiffness", "damping", "tangential", "bed_stiffness", "bed_damping"]) delete scene().contact[name];
     if (leavesPivots(law)) for (const name of ["restitution", "equations"]) delete scene()[name];

@@ -71,12 +71,12 @@ def simulate(scene: Scene, engine: str | os.PathLike[str] = "bullet", dt: float 
 
 def canon(engine: str | os.PathLike[str], *, settings: str = "tuned", scenes: Sequence[str] | None = None,
           draws: int = 5) -> Table:
-    """Which law an engine's contacts follow: small scenes, most with a closed form, at 4 and 1 ms, each with some draws.
+    """Which law an engine's contacts follow: small scenes, most with a closed form, at steps of 8, 4, 2, 1 and 0.5 ms.
 
-    Columns scene, verdict ("agrees" within three steps at 1 ms, "converges" where what it is off falls to half or less,
-    "another law", "no run"), steps_coarse and steps_fine (off by so many steps), amount_coarse and amount_fine (rad or m),
-    reason; shape (scenes,). scenes: some of the twelve by their names, as "rocking-impact"; None: all. engine and
-    settings as of simulate().
+    Columns scene, verdict, reason, shape (scenes,); of the median replicate at each step, shape (scenes, 5): amounts,
+    what it is off by, rad or m, and steps_off, over what the fastest motion does in a step. verdict, by a fit of error = model error + c·dtᵖ: "agrees", "converges", "another law",
+    "cannot tell", "no run". draws: replicates of each step. scenes: some of the twelve by their names, as
+    "rocking-impact"; None: all. engine and settings as of simulate().
     """
     answers = _core.canon(os.fspath(engine), settings, None if scenes is None else list(scenes), draws)
     return Table({name: np.array([answer[name] for answer in answers]) for name in answers[0]} if answers else {})

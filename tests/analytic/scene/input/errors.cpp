@@ -51,6 +51,9 @@ TEST(SceneErrors, NumbersOutOfRange) {
 
 TEST(SceneErrors, FrictionAndSlip) {
   expect_errors({
+      {12, "[contact]\nfriction = 0.3\n[engine]\nfriction = 0.3",
+       "scene.toml:15: engine.friction = 0.3: must be left out where contact.friction is given "
+       "(scene.toml:13), which engines take too"},
       {12, "[contact]\nfriction = -0.1",
        "scene.toml:13: contact.friction.1 = -0.1: must be a number from 0 to 1000"},
       {12, "[contact]\nfriction = [0.1, 1e4]",

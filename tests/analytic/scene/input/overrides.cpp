@@ -74,6 +74,13 @@ TEST(Overrides, TwoLinesAreNotTwoValues) {
             "--set duration=1\\x0agravity=2: duration = \"1\\x0agravity=2\": must be a number");
 }
 
+TEST(Overrides, OneFrictionBesideTheOtherIsAnError) {
+  EXPECT_EQ(
+      error_of(two_blocks() + "[contact]\nfriction = 0.1\n", {"engine.friction=0.3"}),
+      "--set engine.friction=0.3: engine.friction = 0.3: must be left out where contact.friction is given "
+      "(scene.toml:14), which engines take too");
+}
+
 TEST(Overrides, MassBesideTheFilesDensityIsAnError) {
   EXPECT_EQ(
       error_with("blocks.1.mass=10"),

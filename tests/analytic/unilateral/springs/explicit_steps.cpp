@@ -172,6 +172,7 @@ class Springs {
       if (!corner.on) continue;
       const Meeting now = meeting(blocks, corner);
       const Push force = push_at(blocks, corner, now);
+      pass(blocks, now, force, corner);
       if (now.depth <= 0 && corner.side != 0) corner.on = false;
       if (force.normal <= 0) corner.stretch = 0;
       if (damping(corner) > 0) continue;
@@ -179,6 +180,27 @@ class Springs {
                           (stiffness(corner) * scene_.springs.tangential);
       corner.stretch = std::clamp(corner.stretch, -most, most);
     }
+  }
+
+  /// While it slides outward, the corner that is farther inside its face pushes; springs hold what they held.
+  void pass(const std::vector<PlaneBlock>& blocks, const Meeting& now, const Push& force,
+            Corner& corner) const {
+    if (corner.side == 0 || corner.interface == 0 || force.normal <= 0) return;
+    const int outward = corner.of_lower ? -corner.side : corner.side;
+    const double limit = friction_[static_cast<std::size_t>(corner.interface)] * force.normal;
+    const bool slides = std::abs(force.tangential) >= limit;
+    if (!slides || -force.tangential * outward < 0) return;
+    Corner other = corner;
+    other.of_lower = !corner.of_lower;
+    const Meeting there = meeting(blocks, other);
+    const auto inside = [&](const Corner& which, const Meeting& where) {
+      return half_width(corner.interface - (which.of_lower ? 0 : 1)) - corner.side * where.along;
+    };
+    if (inside(corner, now) >= inside(other, there)) return;
+    const double freed = (now.depth * now.depth - there.depth * there.depth) / scene_.springs.tangential;
+    other.stretch =
+        std::copysign(std::sqrt(std::max(0.0, corner.stretch * corner.stretch + freed)), corner.stretch);
+    corner = other;
   }
 
   /// Which of the two corners at an end of an interface is in a face.

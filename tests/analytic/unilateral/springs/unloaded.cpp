@@ -40,7 +40,7 @@ struct Column {
   std::vector<double> height, velocity;
 };
 
-/// Each mass on the one below by a spring and a dashpot that push alone.
+/// Each mass on the one below by a spring and a dashpot, which may pull too.
 Column rates(const Scene& scene, const Column& now) {
   const std::size_t size = scene.blocks.size();
   const CornerSprings& springs = scene.springs;
@@ -50,9 +50,8 @@ Column rates(const Scene& scene, const Column& now) {
     const double points = beds ? 2 * interface_half_width(scene, static_cast<int>(k)) : 2;
     const double depth = (k == 0 ? 0 : now.height[k - 1]) - now.height[k];
     const double rate = (k == 0 ? 0 : now.velocity[k - 1]) - now.velocity[k];
-    const double stiffness = points * (beds ? springs.bed_stiffness : springs.stiffness)[k];
-    const double damping = points * (beds ? springs.bed_damping : springs.damping)[k];
-    const double force = depth > 0 ? std::max(0.0, stiffness * depth + damping * rate) : 0;
+    const double force = points * ((beds ? springs.bed_stiffness : springs.stiffness)[k] * depth +
+                                   (beds ? springs.bed_damping : springs.damping)[k] * rate);
     result.velocity[k] += force / scene.blocks[k].mass;
     if (k > 0) result.velocity[k - 1] -= force / scene.blocks[k - 1].mass;
   }
@@ -88,8 +87,9 @@ class Unloaded : public ::testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(OnSpringsOrBeds, Unloaded, ::testing::Bool());
 
 // Masses in a column, set down without load: each comes to press the one above by an order of time later, and
-// nothing rubs or turns. Forces start with a kink, which leaves order two: what is left of steps of a half is
-// a third of what they change, up to the first event; half of it allows for higher orders.
+// nothing rubs or turns. Up to the first event all press, so that springs and dashpots are linear, and the
+// method is of order four: half the step leaves a sixteenth of the error, which is a fifteenth of the
+// difference of both. Roundings of 16,000 steps of 0.2 m add to that, and those of a stack of some metres.
 TEST_P(Unloaded, UprightColumnsStayUpright) {
   testing::Draw draw(3);
   for (int i = 0; i < 30; ++i) {
@@ -105,7 +105,7 @@ TEST_P(Unloaded, UprightColumnsStayUpright) {
     for (std::size_t k = 0; k < 3; ++k) {
       const BodyPlacement& at = history.last.at[k];
       const double height = below + scene.blocks[k].half_height + fine.height[k];
-      EXPECT_NEAR(at.y, height, std::abs(fine.height[k] - coarse.height[k]) / 2 + 1e-12) << i << ' ' << k;
+      EXPECT_NEAR(at.y, height, std::abs(fine.height[k] - coarse.height[k]) / 15 + 1e-12) << i << ' ' << k;
       EXPECT_NEAR(at.x, 0, 1e-15) << i;
       EXPECT_NEAR(at.angle, 0, 1e-15) << i;
       below += 2 * scene.blocks[k].half_height;
@@ -114,8 +114,7 @@ TEST_P(Unloaded, UprightColumnsStayUpright) {
 }
 
 // Blocks that lean together set off in free fall, all alike: what presses, parts and slides between them is
-// rounding at first. Where another corner takes over, the stretch that it is away may take 2·10⁻⁴ of the
-// energy.
+// rounding at first.
 TEST_P(Unloaded, StacksThatLeanTogetherSetOff) {
   testing::Draw draw(41);
   int events = 0;
@@ -124,11 +123,7 @@ TEST_P(Unloaded, StacksThatLeanTogetherSetOff) {
     const ContactHistory history = solve_unilateral(scene, {.sample_times = {0, scene.duration}});
     const double change = testing::energy_with_losses(scene, history.samples.back()) -
                           testing::energy_with_losses(scene, history.samples.front());
-    const auto corners =
-        std::count_if(history.events.begin(), history.events.end(),
-                      [](const ContactEvent& event) { return event.kind == EventKind::corner; });
-    const double allowed = 1e-11 + 2e-4 * static_cast<double>(corners);
-    EXPECT_NEAR(change, 0, allowed * testing::weight_times_height(scene)) << i;
+    EXPECT_NEAR(change, 0, 1e-11 * testing::weight_times_height(scene)) << i;
     events += static_cast<int>(history.events.size());
   }
   EXPECT_GT(events, 200);

@@ -51,7 +51,7 @@ TEST(Energy, EnginesStartWithThatOfTheExactSolution) {
     ASSERT_EQ(made.status, "done") << made.reason;
     // Single precision holds places of a few metres to 2e-7 m.
     EXPECT_NEAR(made.run.bodies.value().energy[0], energies(scene, start)[0], 1e-6 * energy_scale(scene))
-        << engine.name() << ":" << engine.solver();
+        << engine.name << ":" << engine.solver;
   }
 }
 
@@ -87,14 +87,14 @@ TEST(EnergyBalance, OfSoftContactNeverRises) {
   const Scene scene = leaning_block(2);
   const double tipping = tipping_energy(scene);
   for (const WorkerEngine& engine : engines()) {
-    if (engine.name() != "ode") continue;
+    if (engine.name != "ode") continue;
     for (const double dt : {2e-3, 1e-3, 5e-4}) {
       Parameters parameters = engine.default_parameters();
       parameters["cfm"] = 1e-4;
       const BodyRecord record = run_of(engine, scene, dt, parameters).bodies.value();
-      EXPECT_GT(largest_gain(record.energy), 0.05 * tipping) << engine.solver() << " " << dt;
+      EXPECT_GT(largest_gain(record.energy), 0.05 * tipping) << engine.solver << " " << dt;
       EXPECT_LT(largest_gain(sum(record.energy, elastic_energy(record))), 3e-4 * tipping)
-          << engine.solver() << " " << dt;
+          << engine.solver << " " << dt;
       EXPECT_LT(largest_gain(energy_balance(record.energy, record.input, elastic_energy(record))),
                 3e-4 * tipping);
     }
@@ -123,15 +123,15 @@ double apart(const History& coarse, const History& fine) {
 TEST(SoftContact, ConvergesWhereItsSpringStaysTheSame) {
   const Scene scene = leaning_block(1);
   for (const WorkerEngine& engine : engines()) {
-    if (engine.name() != "ode") continue;
+    if (engine.name != "ode") continue;
     const auto change = [&](const auto& parameters, double dt) {
       return apart(run_of(engine, scene, dt, parameters(dt)).history,
                    run_of(engine, scene, dt / 2, parameters(dt / 2)).history);
     };
     const auto same_spring = [&](double dt) { return spring(engine, 2e6, 8e3, dt); };
     const auto same_share = [&](double) { return spring(engine, 2e6, 8e3, 1e-3); };
-    EXPECT_NEAR(change(same_spring, 1e-3) / change(same_spring, 5e-4), 2, 0.3) << engine.solver();
-    EXPECT_NEAR(change(same_share, 1e-3) / change(same_share, 5e-4), 1, 0.3) << engine.solver();
+    EXPECT_NEAR(change(same_spring, 1e-3) / change(same_spring, 5e-4), 2, 0.3) << engine.solver;
+    EXPECT_NEAR(change(same_share, 1e-3) / change(same_share, 5e-4), 1, 0.3) << engine.solver;
   }
 }
 

@@ -27,6 +27,16 @@ TEST(Advice, IsConfirmedByDrawsThatDidNotChooseIt) {
   EXPECT_EQ(cheapest({lucky, held}), 1);
 }
 
+TEST(Advice, ADrawThatSinksMissesTheErrorWhateverItsAngles) {
+  RunMetrics row;
+  row.largest_angle_difference = 0;
+  row.toppling_verdict = TopplingVerdict::neither;
+  row.relative_position_difference = 0.22;
+  EXPECT_FALSE(meets(row, 1e-3));
+  row.relative_position_difference = 1e-3;
+  EXPECT_TRUE(meets(row, 1e-3));
+}
+
 TEST(Advice, ADrawMeetsTheErrorWhereItIsDoneNearAndTopplesLikewise) {
   RunMetrics row;
   row.largest_angle_difference = 1e-4;

@@ -1,11 +1,11 @@
-#include "plots/pages/course/course.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "plots/pages/course/sheet.hpp"
+#include "plots/pages/show.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {
@@ -19,12 +19,10 @@ bool has_part(const std::string& text, const std::string& part) {
 
 TEST(Course, ItsIndexLinksEachLessonWithAimsAndTime) {
   const fs::path folder = testing::fresh_folder();
-  EXPECT_FALSE(has_course(folder));
   std::ofstream(folder / "course.json") << R"({"lessons": [
     {"name": "a", "title": "First < all", "minutes": 45, "aims": ["see"], "after": []},
     {"name": "b", "title": "Then", "minutes": 75, "aims": ["do"], "after": [{"name": "a", "title": "First < all"}]}]})";
-  EXPECT_TRUE(has_course(folder));
-  write_course(folder);
+  show(folder);
   const std::string page = testing::bytes_of(folder / "index.html");
   for (const char* part : {"href=\"a/lesson.html\">First &lt; all</a>", "href=\"b/slides.html\"",
                            "75 minutes", "<li>do</li>", "After: <a href=\"#a\">", "2 lessons, 2 hours"})

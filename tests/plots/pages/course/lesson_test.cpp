@@ -1,4 +1,4 @@
-#include "plots/pages/course/lesson.hpp"
+#include "plots/pages/pages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "plots/figures/comparison/figures.hpp"
+#include "plots/figures/table.hpp"
 #include "tests/plots/browser.hpp"
 #include "tests/plots/sample.hpp"
 
@@ -34,7 +34,7 @@ fs::path lesson_folder(const std::string& text) {
   })json");
   lesson["text"] = text;
   std::ofstream(folder / "lesson.json") << lesson.dump();
-  draw_figures(folder);
+  draw_figures(folder, read_comparison(folder));
   return folder;
 }
 
@@ -45,8 +45,7 @@ bool holds(const std::string& text, const std::string& part) {
 TEST(Lesson, NumbersTablesFiguresAndPlayersTakeTheirPlaces) {
   const fs::path folder =
       lesson_folder("<p>{{least}}</p>{{table:steps}}{{figure:sample.histories}}{{player:sample}}");
-  EXPECT_TRUE(has_lesson(folder));
-  write_lesson(folder);
+  write_lesson(folder, read_comparison(folder));
   const std::string page = testing::bytes_of(folder / "lesson.html");
   for (const char* part : {"<h1>A lesson on &lt;signs&gt;</h1>", "Lesson 2 of 9", "<p>3 &lt; 4</p>", "<svg ",
                            "class=\"player\"", "data-value=\"0.001\""})
@@ -57,7 +56,7 @@ TEST(Lesson, NumbersTablesFiguresAndPlayersTakeTheirPlaces) {
 TEST(Lesson, APlaceWithoutAValueIsAnErrorThatNamesItAndLeavesNoPage) {
   const fs::path folder = lesson_folder("<p>{{lest}}</p>");
   try {
-    write_lesson(folder);
+    write_lesson(folder, read_comparison(folder));
     FAIL() << "no error";
   } catch (const std::logic_error& error) {
     EXPECT_TRUE(holds(error.what(), "{{lest}}")) << error.what();
@@ -68,12 +67,12 @@ TEST(Lesson, APlaceWithoutAValueIsAnErrorThatNamesItAndLeavesNoPage) {
 TEST(Lesson, AMalformedFileIsNamed) {
   const fs::path folder = lesson_folder("");
   std::ofstream(folder / "lesson.json") << R"({"title": "no text"})";
-  EXPECT_THROW(write_lesson(folder), InputError);
+  EXPECT_THROW(write_lesson(folder, read_comparison(folder)), InputError);
 }
 
 TEST(Lesson, NumbersOfAColumnKeepTheDigitsThatTellThemApart) {
   const fs::path folder = lesson_folder("{{table:near}}");
-  write_lesson(folder);
+  write_lesson(folder, read_comparison(folder));
   const std::string page = testing::bytes_of(folder / "lesson.html");
   EXPECT_TRUE(holds(page, ">0.1234567</td>"));
   EXPECT_TRUE(holds(page, ">0.1234568</td>"));
@@ -83,7 +82,7 @@ TEST(Lesson, ItsPageWorksInABrowser) {
   if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
   const fs::path folder =
       lesson_folder("{{table:steps}}{{player:sample}}<details class=\"question\">why</details>");
-  write_lesson(folder);
+  write_lesson(folder, read_comparison(folder));
   const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "lesson.html"), R"(
     document.querySelector("main table thead button").click();
     dispatchEvent(new Event("beforeprint"));
@@ -102,7 +101,7 @@ TEST(Lesson, WhatFollowsAPredictionIsHiddenUntilItIsMade) {
   const fs::path folder = lesson_folder(
       "<section><h2>First</h2>{{predict:side}}<p id='told'>told</p>{{predict:time}}<p "
       "id='more'>more</p></section>");
-  write_lesson(folder);
+  write_lesson(folder, read_comparison(folder));
   const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "lesson.html"), R"(
     const seen = (id) => document.getElementById(id).getClientRects().length > 0;
     const [side, time] = document.querySelectorAll(".predict"), states = [[seen("told"), seen("more")]];
@@ -129,7 +128,7 @@ TEST(Lesson, ItsSlidesHoldWhatIsMarkedAndFitTheScreen) {
       "<section><h2>First</h2>{{predict:side}}<p>Long. <span class=\"key\">short:</span></p>{{table:steps}}"
       "{{player:sample}}{{figure:sample.histories}}</section><section><h2>Questions</h2>"
       "<details class=\"question\"><summary>Why?</summary><p>So.</p></details></section>");
-  write_lesson(folder);
+  write_lesson(folder, read_comparison(folder));
   const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "slides.html"), R"(
     const { slides } = slideShow, small = slides.filter((one) => {
       one.classList.add("now");

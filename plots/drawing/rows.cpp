@@ -1,0 +1,86 @@
+#include "plots/drawing/rows.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "plots/drawing/axes.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+constexpr double figure_width = 1200;  // pixels
+constexpr double letter = 0.0070;      // width of one, a share of the figure's
+constexpr double margin = 0.025;
+constexpr double widest = 0.6;  // that words may take
+
+/// Words in as many lines as they need, each but the first beginning after a comma or at a plus.
+std::vector<std::string> row_lines(const std::string& words) {
+  const auto most = static_cast<std::size_t>((widest - margin) / letter);
+  std::vector<std::string> lines;
+  std::size_t start = 0;
+  while (words.size() - start > most) {
+    std::size_t end = start + most;
+    while (end > start && words[end] != '+' && words[end - 1] != ',') --end;
+    if (end == start) end = start + most;
+    lines.push_back(words.substr(start, end - start));
+    start = end;
+  }
+  lines.push_back(words.substr(start));
+  return lines;
+}
+
+/// Words beside the rows of a panel.
+struct RowWords {
+  std::string tics;       ///< "set ytics …"
+  std::string blank;      ///< the same without words, beside further panels
+  double left = 0;        ///< where panels begin, a share of the figure's width
+  std::size_t lines = 1;  ///< of the row that has most
+};
+
+RowWords row_words(const std::vector<std::string>& rows) {
+  RowWords result{"", "", left_edge, 1};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<std::string> lines = row_lines(rows[i]);
+    result.lines = std::max(result.lines, lines.size());
+    result.tics += i > 0 ? ", " : "";
+    for (std::size_t j = 0; j < lines.size(); ++j) {
+      result.tics += fmt::format("{}{}", j > 0 ? R"(."\n".)" : "", in_quotes(lines[j]));
+      result.left = std::max(result.left, letter * static_cast<double>(lines[j].size()) + margin);
+    }
+    result.tics += fmt::format(" {}", i);
+    result.blank += fmt::format("{}'' {}", i > 0 ? ", " : "", i);
+  }
+  for (std::string* tics : {&result.tics, &result.blank})
+    *tics = fmt::format("set ytics ({}) noenhanced font ',11'\n", *tics);
+  return result;
+}
+
+std::string title_above(const std::string& title) {
+  if (title.empty()) return "";
+  return fmt::format("set label {} noenhanced at graph 0.5, graph 1 center offset 0,0.7 font ',13'\n",
+                     in_quotes(title));
+}
+
+}  // namespace
+
+void add_rows(Sheet& sheet, const RowPanel& panel, const std::vector<RowColumn>& columns) {
+  constexpr double edge = 30;
+  const RowWords words = row_words(panel.words);
+  const auto rows = static_cast<double>(panel.words.size());
+  const double height = panel.row_height > 0 ? panel.row_height : 10 + 16 * static_cast<double>(words.lines);
+  const double width = (right_edge - words.left) * figure_width / static_cast<double>(columns.size());
+  std::vector<SidePanel> cells;
+  for (const RowColumn& column : columns)
+    cells.push_back(
+        {(column.range ? column.range(width) : logarithmic_range("x", panel.low, panel.high, width)) +
+             title_above(column.title) +
+             fmt::format("set yrange [{}:-0.7]\nset grid {} lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
+                         "set xlabel {}\n",
+                         rows - 0.3, panel.grid, in_quotes(column.across)) +
+             (cells.empty() ? words.tics : words.blank),
+         column.plots});
+  sheet.row(height * rows + edge, 0, cells, cells.size(), words.left);
+}
+
+}  // namespace rockstack::plots

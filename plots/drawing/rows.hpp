@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "plots/drawing/layout.hpp"
+
+namespace rockstack::plots {
+
+// Marks with ranges, a row each beside its words, over a logarithmic axis unless a column has one of its own;
+// columns side by side share the rows.
+
+/// A page shows no more rows than these.
+inline constexpr std::size_t most_rows = 36;
+
+/// Rows are counted from 0, downwards.
+struct RowColumn {
+  std::string across;              ///< words of its axis
+  std::vector<std::string> plots;  ///< elements of its plot command
+  std::string title = {};          ///< above it
+  /// The range of its axis with numbers, where that is not the panel's; of so many pixels.
+  std::function<std::string(double)> range = {};
+};
+
+struct RowPanel {
+  std::vector<std::string> words;  ///< of each row, in as many lines as they need
+  double low = 0, high = 0;        ///< ends of the axis
+  std::string grid = "x y";        ///< along which axes there are lines
+  double row_height = 0;           ///< pixels; 0: what the words need
+};
+
+void add_rows(Sheet& sheet, const RowPanel& panel, const std::vector<RowColumn>& columns);
+
+}  // namespace rockstack::plots

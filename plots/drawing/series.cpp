@@ -1,0 +1,106 @@
+#include "plots/drawing/series.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "plots/data/selection.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+constexpr auto exact_context = "with lines lw 3 lc rgb '#BDBDBD'";
+
+void append(const std::vector<std::string>& from, std::vector<std::string>& to) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+std::string plot_of(const std::string& block, const std::string& style) {
+  return fmt::format("${} using 1:2 {} notitle", block, style);
+}
+
+std::string words_of_axes(const SeriesPanel& panel) {
+  const std::string across =
+      panel.numbered ? fmt::format("set xlabel {}\n", in_quotes(panel.across)) : without_horizontal_labels();
+  return across + fmt::format("set ylabel {} offset 0.5\n", in_quotes(panel.up));
+}
+
+}  // namespace
+
+bool are_many(const std::vector<Run>& runs) {
+  return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(),
+                                                [](const Run& run) { return !run.exact(); })) > most_series;
+}
+
+Extent extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, double room, double least) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Extent all{infinity, -infinity}, exact = all;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    for (const double value : curves[i].values) {
+      all = {std::min(all.low, value), std::max(all.high, value)};
+      if (runs[i].exact()) exact = {std::min(exact.low, value), std::max(exact.high, value)};
+    }
+  if (const double span = exact.high - exact.low; span > least)
+    all = {std::max(all.low, exact.low - room * span), std::min(all.high, exact.high + room * span)};
+  if (all.low > all.high) all = {0, 0};
+  const double margin = std::max(0.08 * (all.high - all.low), least);
+  return {all.low - margin, all.high + margin};
+}
+
+void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series>& series, bool many) {
+  std::vector<std::string> plots = panel.under;
+  if (!many) {
+    for (const Series& one : series) append(one.plots, plots);
+    append(panel.over, plots);
+    sheet.row(
+        panel.height, panel.space,
+        {{"set format x '%g'\n" + panel.axes(panel_width, panel.height) + words_of_axes(panel) + panel.few,
+          plots}},
+        1, panel.left);
+    return;
+  }
+  std::vector<Multiple> multiples;
+  for (const Series& one : series) {
+    append(one.context, plots);
+    if (!one.alone.empty()) multiples.push_back({one.words, one.colour, one.alone});
+  }
+  add_multiples(sheet, multiples, plots, panel.axes(multiple_width, multiple_height) + panel.many,
+                panel.across, panel.short_up, panel.left);
+}
+
+Series curve_series(const Run& run, const std::string& block, std::size_t order, const CurveLook& look) {
+  const std::string colour = style_of(run).colour;
+  Series series{line_label(run), colour, {plot_of(block, curve_style(run, order))}, {}, {}};
+  if (run.exact()) {
+    series.context = {plot_of(block, exact_context)};
+    return series;
+  }
+  series.alone = {plot_of(block, fmt::format("with lines lw {} lc rgb '{}'", look.width, colour))};
+  if (look.together)
+    series.context = {plot_of(block, fmt::format("with lines lw 1 lc rgb '{}'", context_colour))};
+  return series;
+}
+
+Series mark_series(const Run& run, const std::string& block, double size) {
+  constexpr double small = 1.1;
+  return {line_label(run),
+          style_of(run).colour,
+          {plot_of(block, mark_style(run, size))},
+          {plot_of(block, mark_style(run, small))},
+          {plot_of(block, fmt::format("with points pt 7 ps 0.6*mark lc rgb '{}'", context_colour))}};
+}
+
+std::string exact_core(const std::string& block) {
+  return plot_of(block, "with lines lw 1 lc rgb '#000000'");
+}
+
+Legend legend_of(const std::vector<Run>& runs,
+                 const std::function<std::string(const Run&, std::size_t)>& style) {
+  Legend legend;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (runs[i].exact() || !are_many(runs)) legend.emplace_back(style(runs[i], i), run_label(runs[i]));
+  return legend;
+}
+
+}  // namespace rockstack::plots

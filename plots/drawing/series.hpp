@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "plots/drawing/layout.hpp"
+#include "plots/drawing/style.hpp"
+
+namespace rockstack::plots {
+
+// Curves and marks of runs over the same axes: few of them share a panel, many have a small one each.
+
+/// What is drawn of a run.
+struct Series {
+  std::string words, colour;         ///< of its own small panel
+  std::vector<std::string> plots;    ///< where few share a panel
+  std::vector<std::string> alone;    ///< in a panel of its own; nothing: it has none
+  std::vector<std::string> context;  ///< where each has a panel, in all of them
+};
+
+/// The axes that series share.
+struct SeriesPanel {
+  std::string across, up;  ///< words of the axes
+  std::string short_up;    ///< of small panels
+  bool numbered = true;    ///< whether the one panel of few has numbers across, or another one below it
+  /// Ranges and numbers of a panel of that width and height in pixels.
+  std::function<std::string(double, double)> axes;
+  double height = 0, space = 16;        ///< of the one panel of few, and above it, pixels
+  std::vector<std::string> under = {};  ///< drawn before all series
+  std::vector<std::string> over = {};   ///< and after, in the one panel of few
+  std::string few = {}, many = {};      ///< further settings of the one panel, and of small ones
+  double left = left_edge;              ///< where panels begin, a share of the figure's width
+};
+
+/// The width of a panel that goes across a figure, pixels.
+inline constexpr double panel_width = 1056;
+
+/// Whether runs, the exact one aside, are too many for one panel.
+bool are_many(const std::vector<Run>& runs);
+
+/// The lowest and the highest of some values.
+struct Extent {
+  double low = 0, high = 0;
+};
+
+/// All of the exact curve, and of the others what lies within `room` times its span beyond it: an engine
+/// whose blocks fall over or slide away must not flatten the rest. With a margin of `least` or more; one
+/// curve a run.
+Extent extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, double room, double least);
+
+/// Adds one panel, or where they are many a small one for each series that has one.
+void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series>& series, bool many);
+
+/// A curve of a run, of a data block; the exact one lies under all others, wherever they are. Marks of
+/// neighbours are set apart by `order`. Lines are `width` thick in a panel of their own, where curves of
+/// others are seen if `together`.
+struct CurveLook {
+  double width = 1.5;
+  bool together = false;
+};
+Series curve_series(const Run& run, const std::string& block, std::size_t order, const CurveLook& look = {});
+
+/// The marks of a run, of a size; smaller where it has a panel of its own.
+Series mark_series(const Run& run, const std::string& block, double size);
+
+/// The line in the middle of the exact curve, over all others.
+std::string exact_core(const std::string& block);
+
+/// The legend of runs, by "with …" of each; of many the exact one alone.
+Legend legend_of(const std::vector<Run>& runs,
+                 const std::function<std::string(const Run&, std::size_t)>& style);
+
+}  // namespace rockstack::plots

@@ -1,0 +1,222 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analytic/scene/messages/quantity_text.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
+#include "plots/drawing/rows.hpp"
+#include "plots/drawing/style.hpp"
+#include "plots/drawing/time_axis.hpp"
+#include "plots/figures/figure.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// Scenes beside each other, and in how many rows of them at most.
+constexpr std::size_t scenes_in_a_row = 3, most_scenes = 12;
+
+/// What all scenes show: a row a solver and set, of each a line a time step.
+struct Frame {
+  std::vector<std::string> sets;
+  std::vector<double> steps;  ///< s, falling
+
+  /// How much of a set's colour a step has: the coarser, the paler.
+  double strength(double dt) const {
+    constexpr double palest = 0.35;
+    const auto at = static_cast<double>(std::find(steps.begin(), steps.end(), dt) - steps.begin());
+    return steps.size() < 2 ? 1 : palest + (1 - palest) * at / static_cast<double>(steps.size() - 1);
+  }
+  /// Where the line of a set and step lies, from the row's middle.
+  double height(std::size_t set, double dt) const {
+    constexpr double part = 0.27;
+    const auto at = static_cast<double>(std::find(steps.begin(), steps.end(), dt) - steps.begin());
+    return static_cast<double>(set) + part * (at - 0.5 * static_cast<double>(steps.size() - 1));
+  }
+};
+
+bool is_shown(const Run& run) {
+  return is_engine(run) && !is_variant(run);
+}
+
+Frame frame_of(const Comparison& comparison) {
+  Frame frame;
+  std::vector<Run> runs;
+  for (const Run& run : comparison.runs) {
+    if (!is_shown(run)) continue;
+    runs.push_back(run);
+    if (std::find(frame.sets.begin(), frame.sets.end(), line_label(run)) == frame.sets.end())
+      frame.sets.push_back(line_label(run));
+  }
+  frame.sets.resize(std::min(frame.sets.size(), most_rows));
+  frame.steps = chosen_steps(runs);
+  return frame;
+}
+
+/// A run of a scene with its place.
+struct Place {
+  const Run* run;
+  double height;
+  std::string colour;
+};
+
+std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& scene, const Frame& frame) {
+  std::vector<Place> places;
+  for (const Run& run : comparison.runs) {
+    const auto set = std::find(frame.sets.begin(), frame.sets.end(), line_label(run));
+    if (run.scene != scene.name || !is_shown(run) || set == frame.sets.end() ||
+        std::find(frame.steps.begin(), frame.steps.end(), run.dt) == frame.steps.end())
+      continue;
+    places.push_back({&run, frame.height(static_cast<std::size_t>(set - frame.sets.begin()), *run.dt),
+                      paler(style_of(run).colour, frame.strength(*run.dt))});
+  }
+  return places;
+}
+
+/// Plot elements, each of a data block of its own.
+class Plots {
+ public:
+  Plots(Sheet& sheet, std::string stem) : sheet_(sheet), stem_(std::move(stem)) {}
+  void add(const std::string& point, const std::string& style) {
+    const std::string name = fmt::format("{}_{}", stem_, list_.size());
+    sheet_.data(fmt::format("${} << END\n{}\nEND\n", name, point));
+    list_.push_back(fmt::format("${} {} notitle", name, style));
+  }
+  const std::vector<std::string>& list() const { return list_; }
+
+ private:
+  Sheet& sheet_;
+  std::string stem_;
+  std::vector<std::string> list_;
+};
+
+constexpr auto failure_style = "using 1:2 with points pt 2 ps 0.9*mark lw 2 lc rgb '#B00020'";
+
+/// From nought to when it stops to agree, with the quartiles over replicates.
+void add_times(Plots& plots, const Place& place, const SceneScale& scale) {
+  const Run& run = *place.run;
+  if (!run.done()) return plots.add(fmt::format("0 {}", place.height), failure_style);
+  const double end = agreement_end(run, scale);
+  plots.add(fmt::format("0 {} {}", place.height, plain(end)),
+            fmt::format("using 1:2:3:(0) with vectors nohead lw 6 lc rgb '{}'", place.colour));
+  if (run.agreement_time_lower && run.agreement_time_upper && run.agreement_time <= end)
+    plots.add(fmt::format("{} {} {}", plain(*run.agreement_time_lower), place.height,
+                          plain(*run.agreement_time_upper - *run.agreement_time_lower)),
+              "using 1:2:3:(0) with vectors nohead lw 1.5 lc rgb '#000000'");
+}
+
+/// The largest difference before the horizon: of an angle in rad, or of a centre as a share of the least
+/// block height.
+double largest_of(const Run& run) {
+  return std::max(run.largest_angle_difference.value_or(0), run.relative_position_difference.value_or(0));
+}
+
+struct SizeAxis {
+  double low = 0, high = 0;
+};
+
+/// Of all scenes, two decades below the tolerance at least.
+SizeAxis size_axis(const Comparison& comparison) {
+  constexpr double decades_below = 1e-4, room = 1.5;
+  double low = comparison.tolerance / 100, high = comparison.tolerance * 10;
+  for (const Run& run : comparison.runs)
+    if (is_shown(run) && run.done() && run.error) {
+      high = std::max(high, room * largest_of(run));
+      low = std::min(low, largest_of(run) / room);
+    }
+  return {std::max(low, comparison.tolerance * decades_below), high};
+}
+
+void add_size(Plots& plots, const Place& place, const SizeAxis& axis) {
+  if (!place.run->done() || !place.run->error) return;
+  const Style style = style_of(*place.run);
+  plots.add(
+      fmt::format("{} {}", plain(std::max(largest_of(*place.run), axis.low)), place.height),
+      fmt::format("using 1:2 with points lw 2 lc rgb '{}' pt {} ps 1.1*mark", place.colour, style.mark));
+}
+
+/// A scene's axis ends behind its horizon, or where it ends.
+TimeAxis axis_of(const ComparedScene& scene) {
+  constexpr double beyond = 1.15;
+  if (scene.horizon() >= scene.duration) return {.end = scene.duration};
+  return {std::min(scene.duration, beyond * scene.horizon()), scene.horizon()};
+}
+
+/// Scenes side by side: until when, and under that by how much.
+void add_scenes(Sheet& sheet, const Comparison& comparison, const Frame& frame, std::size_t from,
+                std::size_t to) {
+  const SizeAxis sizes = size_axis(comparison);
+  std::vector<RowColumn> times, largest;
+  for (std::size_t s = from; s < to; ++s) {
+    const ComparedScene& scene = comparison.scenes[s];
+    Plots until(sheet, fmt::format("until_{}", s)), off(sheet, fmt::format("off_{}", s));
+    off.add(fmt::format("{} -0.7 {}", plain(comparison.tolerance), frame.sets.size()),
+            "using 1:2:(0):3 with vectors nohead lw 2 dt (5,8) lc rgb '#666666'");
+    for (const Place& place : places_of(comparison, scene, frame)) {
+      add_times(until, place, scale_of(comparison, scene));
+      add_size(off, place, sizes);
+    }
+    const TimeAxis axis = axis_of(scene);
+    times.push_back({"agrees until (s)", until.list(), scene.name, [axis](double width) {
+                       return time_range(axis) + linear_tics("x", 0, axis.end, width);
+                     }});
+    largest.push_back({"off by (rad, or share)", off.list(), scene.name});
+  }
+  constexpr double first = 20, between = 90;
+  sheet.leave_room_above(from == 0 ? first : between);
+  add_rows(sheet, {frame.sets, 0, 1}, times);
+  sheet.leave_room_above(between);
+  add_rows(sheet, {frame.sets, sizes.low, sizes.high}, largest);
+}
+
+Legend legend_of(const Comparison& comparison, const Frame& frame) {
+  Legend legend;
+  for (const double dt : frame.steps)
+    legend.emplace_back(fmt::format("with lines lw 6 lc rgb '{}'", paler("#333333", frame.strength(dt))),
+                        "step " + duration_text(dt));
+  legend.emplace_back("with lines lw 2 dt (5,8) lc rgb '#666666'", "tolerance");
+  for (const ComparedScene& scene : comparison.scenes)
+    if (const TimeAxis axis = axis_of(scene); axis.is_shaded()) {
+      explain_shade(axis, legend);
+      break;
+    }
+  const auto failed = [](const Run& run) { return is_shown(run) && !run.done(); };
+  if (std::any_of(comparison.runs.begin(), comparison.runs.end(), failed))
+    legend.emplace_back("with points pt 2 ps 0.9*mark lw 2 lc rgb '#B00020'", "failed");
+  return legend;
+}
+
+std::string answer(const Comparison& comparison) {
+  std::size_t all = 0, whole = 0;
+  for (const ComparedScene& scene : comparison.scenes)
+    for (const Run& run : comparison.runs) {
+      if (run.scene != scene.name || !is_shown(run) || !run.error) continue;
+      ++all;
+      whole += run.done() && agrees(run, scale_of(comparison, scene)) ? 1 : 0;
+    }
+  return fmt::format("{} of {} runs stay within {} and {:g} % of the least block height all along", whole,
+                     all, quantity_text(comparison.tolerance, "rad"), 100 * comparison.tolerance);
+}
+
+}  // namespace
+
+Drawings agreement(const ComparisonSubject& subject) {
+  const Comparison& comparison = subject.comparison;
+  const Frame frame = frame_of(comparison);
+  const bool any = std::any_of(comparison.runs.begin(), comparison.runs.end(),
+                               [](const Run& run) { return is_shown(run) && run.error; });
+  if (!any) return {};
+  Sheet sheet = subject.sheet(legend_of(comparison, frame), answer(comparison));
+  const std::size_t scenes = std::min(comparison.scenes.size(), most_scenes);
+  for (std::size_t from = 0; from < scenes; from += scenes_in_a_row)
+    add_scenes(sheet, comparison, frame, from, std::min(from + scenes_in_a_row, scenes));
+  if (scenes < comparison.scenes.size())
+    sheet.note(fmt::format("the first {} of {} scenes", scenes, comparison.scenes.size()), "#000000");
+  return {{"", sheet.finish()}};
+}
+
+}  // namespace rockstack::plots

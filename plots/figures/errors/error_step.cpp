@@ -1,0 +1,172 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/measures/statistics/quantile.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
+#include "plots/drawing/series.hpp"
+#include "plots/figures/figure.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// What a figure shows on its vertical axis.
+struct Errors {
+  std::string column, axis, short_axis, unit;
+  std::optional<double> RunMetrics::*of;
+  std::optional<double> RunMetrics::*lower = nullptr;  ///< quartiles over draws, where there are some
+  std::optional<double> RunMetrics::*upper = nullptr;
+};
+
+/// The errors of one series, and their fit.
+struct ErrorLine {
+  Run run;  ///< any of the line
+  std::string label;
+  Curve errors;                      ///< by ascending time step
+  std::vector<double> lower, upper;  ///< quartiles over draws; the error itself where there are none
+  const StepFit* fit = nullptr;      ///< null where there is none
+
+  bool fits() const { return fit != nullptr && fit->holds(); }
+};
+
+std::string fit_label(const StepFit& fit) {
+  if (!fit.holds()) return "no fit, " + fit.reason;
+  const std::string model_error = fit.model_error.low > 0
+                                      ? fmt::format("{:.2g} ({:.2g}–{:.2g})", fit.model_error.value,
+                                                    fit.model_error.low, fit.model_error.high)
+                                      : fmt::format("≤ {:.2g}", fit.model_error.high);
+  return fmt::format("p {:.2f} ({:.2f}–{:.2f}), model error {}", fit.order.value, fit.order.low,
+                     fit.order.high, model_error);
+}
+
+/// An engine may have no error at all in a draw, which no logarithm shows.
+double drawable(double error) {
+  return std::max(error, least_error);
+}
+
+std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::string& scene,
+                                   const Errors& errors) {
+  std::vector<ErrorLine> lines;
+  for (const StepLine& runs : step_lines(comparison, scene)) {
+    ErrorLine line{runs.front(), line_label(runs), {}, {}, {}, fit_of(comparison, runs, errors.column)};
+    for (const Run& run : runs) {
+      const double error = std::abs(value_of(run.*errors.of));
+      if (!(error > 0) || !std::isfinite(error)) continue;
+      line.errors.times.push_back(value_of(run.dt));
+      line.errors.values.push_back(drawable(error));
+      const bool drawn = errors.lower != nullptr;
+      line.lower.push_back(drawable(drawn ? (run.*errors.lower).value_or(error) : error));
+      line.upper.push_back(drawable(drawn ? (run.*errors.upper).value_or(error) : error));
+    }
+    if (line.errors.size() > 0) lines.push_back(line);
+  }
+  return lines;
+}
+
+std::string errors_block(std::size_t index, const ErrorLine& line) {
+  std::string text = fmt::format("$errors_{} << EOD\n", index);
+  for (std::size_t i = 0; i < line.errors.size(); ++i)
+    text += fmt::format("{} {} {} {}\n", plain(line.errors.times[i]), plain(line.errors.values[i]),
+                        plain(line.lower[i]), plain(line.upper[i]));
+  return text + "EOD\n";
+}
+
+/// The fitted curve between the smallest and the largest step.
+Curve fitted(const ErrorLine& line) {
+  constexpr int points = 60;
+  const double first = line.errors.times.front(), last = line.errors.times.back();
+  Curve curve;
+  for (int i = 0; i <= points; ++i) {
+    const double dt = first * std::pow(last / first, static_cast<double>(i) / points);
+    curve.times.push_back(dt);
+    curve.values.push_back(line.fit->model_error.value +
+                           line.fit->coefficient * std::pow(dt, line.fit->order.value));
+  }
+  return curve;
+}
+
+/// Half a decade of room around all marks.
+std::string ranges(const std::vector<ErrorLine>& lines, double across, double up) {
+  double shortest = 1e300, longest = 0, small = 1e300, large = 0;
+  for (const ErrorLine& line : lines) {
+    shortest = std::min(shortest, line.errors.times.front());
+    longest = std::max(longest, line.errors.times.back());
+    small = std::min(small, quantile(line.lower, 0));
+    large = std::max(large, quantile(line.upper, 1));
+  }
+  constexpr double room = 1.6;
+  return logarithmic_range("x", shortest / room, longest * room, across) +
+         logarithmic_range("y", small / room, large * room, up) + grid_lines;
+}
+
+/// The least error of all, with its step.
+std::string answer(const std::vector<ErrorLine>& lines, const Errors& errors) {
+  double least = 1e300, dt = 0;
+  for (const ErrorLine& line : lines)
+    for (std::size_t i = 0; i < line.errors.size(); ++i)
+      if (line.errors.values[i] < least) least = line.errors.values[i], dt = line.errors.times[i];
+  return fmt::format("At least {:.2g} {}, at {}", least, errors.unit, duration_text(dt));
+}
+
+/// Marks, quartiles and fitted curve of a series, with the model error that no step takes away.
+std::vector<std::string> plots_of(const ErrorLine& line, std::size_t i, double size) {
+  const Style style = style_of(line.run);
+  std::vector<std::string> plots;
+  if (line.fits()) {
+    plots.push_back(fmt::format("$fitted_{} using 1:2 with lines lw 2 lc rgb '{}' dt {} notitle", i,
+                                style.colour, style.dash));
+    if (line.fit->model_error.value > 0) plots.push_back(floor_plot(*line.fit, style.colour));
+  }
+  plots.push_back(fmt::format("$errors_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i,
+                              style.colour));
+  plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark_style(line.run, size)));
+  return plots;
+}
+
+Drawing draw_errors(const SceneSubject& subject, const Errors& errors) {
+  const Comparison& comparison = subject.comparison;
+  const ComparedScene& scene = subject.scene;
+  const std::vector<ErrorLine> lines = error_lines(comparison, scene.name, errors);
+  if (lines.empty()) return subject.nothing("No engine run of this scene with an error.");
+  std::vector<Run> runs;
+  std::vector<Series> series;
+  std::string data;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    runs.push_back(lines[i].run);
+    series.push_back(mark_series(lines[i].run, fmt::format("errors_{}", i), 1.5));
+    series.back().words = lines[i].label;
+    series.back().plots = plots_of(lines[i], i, 1.5);
+    series.back().alone = plots_of(lines[i], i, 1.1);
+    data += errors_block(i, lines[i]);
+    if (lines[i].fits()) data += data_block(fmt::format("fitted_{}", i), fitted(lines[i]));
+  }
+  Legend legend;
+  for (const ErrorLine& line : lines)
+    if (!are_many(runs)) legend.emplace_back(mark_style(line.run, 1.5), line.label);
+  Sheet sheet = subject.sheet(legend, answer(lines, errors));
+  sheet.data(data);
+  const auto axes = [&](double width, double height) { return ranges(lines, width, height); };
+  add_series(sheet, {"time step (s)", errors.axis, errors.short_axis, true, axes, 560, 0}, series,
+             are_many(runs));
+  for (const ErrorLine& line : lines)
+    if (line.fit != nullptr) sheet.note(line.label + ": " + fit_label(*line.fit), style_of(line.run).colour);
+  if (const std::string note = draws_note(comparison, scene.name); !note.empty()) sheet.note(note, "#000000");
+  return sheet.finish();
+}
+
+}  // namespace
+
+Drawing error_step(const SceneSubject& subject) {
+  return draw_errors(subject, {"rms_angle_difference", "RMS angle difference (rad)", "RMS (rad)", "rad",
+                               &RunMetrics::rms_angle_difference, &RunMetrics::rms_angle_difference_lower,
+                               &RunMetrics::rms_angle_difference_upper});
+}
+
+Drawing first_impact_step(const SceneSubject& subject) {
+  return draw_errors(subject, {"first_impact_time_difference", "|engine − exact| of the first impact (s)",
+                               "off by (s)", "s", &RunMetrics::first_impact_time_difference});
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,157 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/measures/statistics/quantile.hpp"
+#include "plots/data/run_files.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
+#include "plots/drawing/series.hpp"
+#include "plots/drawing/time_axis.hpp"
+#include "plots/figures/figure.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// The energy of one engine run beside the exact one at the same times, and how far it is from that with what
+/// its contacts have stored, J.
+struct Energies {
+  Run run;
+  Curve exact, engine;
+  Curve apart;  ///< the median of each stretch between exact impacts
+};
+
+/// The times of the exact impacts, s, none nearer to the last than a part of the whole.
+std::vector<double> stretches(const Shown& shown, double end) {
+  std::vector<double> times;
+  if (!shown.exact.empty())
+    for (const Event& event : history_of(shown.exact.front())->events)
+      if (event.kind == EventKind::impact) times.push_back(event.time);
+  std::sort(times.begin(), times.end());
+  constexpr double parts = 60;
+  std::vector<double> kept{0};
+  for (const double time : times)
+    if (time - kept.back() > end / parts) kept.push_back(time);
+  while (end - kept.back() > 4 * end / parts) kept.push_back(kept.back() + 2 * end / parts);
+  kept.push_back(end);
+  return kept;
+}
+
+/// The median of each stretch, as a level from its begin to its end: an engine that is a little late or early
+/// is far off for a moment at each impact, which says nothing of its energy.
+Curve medians(const std::vector<double>& times, const std::vector<double>& values,
+              const std::vector<double>& bounds) {
+  Curve levels;
+  std::size_t i = 0;
+  for (std::size_t k = 1; k < bounds.size(); ++k) {
+    std::vector<double> inside;
+    for (; i < times.size() && times[i] <= bounds[k]; ++i)
+      if (std::isfinite(values[i])) inside.push_back(values[i]);
+    if (inside.empty()) continue;
+    levels.times.insert(levels.times.end(), {bounds[k - 1], bounds[k]});
+    levels.values.insert(levels.values.end(), 2, median(std::move(inside)));
+  }
+  return levels;
+}
+
+Energies read_energies(const Run& run, const Shown& shown, std::size_t bins) {
+  const auto file = energies_of(run);
+  std::vector<double> apart;
+  for (std::size_t i = 0; i < file->times.size(); ++i)
+    apart.push_back(file->balance[i] + file->input[i] - file->exact[i]);
+  const double end = file->times.empty() ? 1 : std::max(file->times.back(), 1e-9);
+  return {run, thin({file->times, file->exact}, bins), thin({file->times, file->engine}, bins),
+          medians(file->times, apart, stretches(shown, end))};
+}
+
+std::string range_of(const std::vector<const Curve*>& curves, double height) {
+  double low = 0, high = 0;
+  for (const Curve* curve : curves)
+    for (const double value : curve->values) low = std::min(low, value), high = std::max(high, value);
+  const double margin = std::max(0.06 * (high - low), 1e-9);
+  return linear_range("y", low - margin, high + margin, height) + "set format y '%.5g'\n";
+}
+
+std::vector<std::string> level_plots(const std::vector<Energies>& all, bool many) {
+  std::vector<std::string> plots;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    plots.push_back(fmt::format(
+        "$engine_{} using 1:2 {} notitle", i,
+        many ? fmt::format("with lines lw 1 lc rgb '{}'", context_colour) : curve_style(all[i].run, i)));
+  plots.push_back(fmt::format("$exact using 1:2 {} notitle", exact_style));
+  plots.push_back(exact_core("exact"));
+  return plots;
+}
+
+/// The exact curve of the run that lasts longest.
+const Curve& longest_exact(const std::vector<Energies>& all) {
+  const auto last = [](const Energies& one) { return one.exact.times.empty() ? 0 : one.exact.times.back(); };
+  return std::max_element(all.begin(), all.end(),
+                          [&](const Energies& a, const Energies& b) { return last(a) < last(b); })
+      ->exact;
+}
+
+double largest_of(const Curve& curve) {
+  double largest = 0;
+  for (const double value : curve.values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+std::string answer(const std::vector<Energies>& all) {
+  const auto [low, high] = std::minmax_element(
+      all.begin(), all.end(),
+      [](const Energies& a, const Energies& b) { return largest_of(a.apart) < largest_of(b.apart); });
+  const auto text = [](const Energies& one) { return fmt::format("{:.3g}", largest_of(one.apart)); };
+  return fmt::format("Off between impacts by at most {} J", span_text(text(*low), text(*high)));
+}
+
+}  // namespace
+
+Drawing energy(const SceneSubject& subject) {
+  const Comparison& comparison = subject.comparison;
+  const ComparedScene& scene = subject.scene;
+  const Shown shown = shown_runs(comparison, scene.name);
+  std::vector<Energies> all;
+  std::vector<Run> runs;
+  for (const Run& run : shown.engines)
+    if (std::filesystem::exists(run.folder / "energy.csv")) {
+      runs.push_back(run);
+      all.push_back(read_energies(run, shown, bins_for(3 * shown.engines.size())));
+    }
+  if (all.empty()) return subject.nothing("No engine run of this scene tells its energy.");
+  const bool many = are_many(runs);
+  Legend legend = legend_of(runs, curve_style);
+  legend.insert(legend.begin(), {exact_style, "exact"});
+  if (many) legend.emplace_back(fmt::format("with lines lw 1 lc rgb '{}'", context_colour), "engines");
+  std::vector<Run> motions = shown.exact;
+  motions.insert(motions.end(), runs.begin(), runs.end());
+  const TimeAxis axis = time_axis(scene, motions);
+  explain_shade(axis, legend);
+  Sheet sheet = subject.sheet(legend, answer(all));
+  const Curve& exact = longest_exact(all);
+  sheet.data(data_block("exact", exact));
+  std::vector<const Curve*> levels{&exact}, differences;
+  std::vector<Series> series;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    levels.push_back(&all[i].engine);
+    differences.push_back(&all[i].apart);
+    const std::string apart = fmt::format("apart_{}", i);
+    sheet.data(data_block(fmt::format("engine_{}", i), all[i].engine) + data_block(apart, all[i].apart));
+    series.push_back(curve_series(all[i].run, apart, i, {2, true}));
+  }
+  const std::string across = time_range(axis) + grid_lines;
+  constexpr double tall = 380, low = 260, space = 20;
+  sheet.panel(tall, 0,
+              across + range_of(levels, tall) + without_horizontal_labels() +
+                  "set ylabel 'energy above rest (J)' offset 0\n",
+              level_plots(all, many));
+  const auto axes = [&](double, double height) { return across + range_of(differences, height); };
+  add_series(
+      sheet,
+      {"time (s)", "engine − exact, median (J)", "engine − exact (J)", true, axes, low, space, {zero_line}},
+      series, many);
+  return sheet.finish();
+}
+
+}  // namespace rockstack::plots

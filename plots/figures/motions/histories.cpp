@@ -1,0 +1,240 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "plots/data/events.hpp"
+#include "plots/data/run_files.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
+#include "plots/drawing/series.hpp"
+#include "plots/drawing/time_axis.hpp"
+#include "plots/figures/figure.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// Ticks that hang from the upper edge of a panel of so many pixels, no two nearer than one of them.
+std::string impact_ticks(const std::vector<double>& times, double end, double width) {
+  std::string text;
+  double last = -end;
+  for (const double time : times) {
+    if (time - last < end / width) continue;
+    text += fmt::format("set arrow from {0}, graph 1 to {0}, graph 0.94 nohead lw 2 lc rgb '#000000' front\n",
+                        plain(time));
+    last = time;
+  }
+  return text;
+}
+
+/// One box a span, named where it is wide enough; spans under a pixel belong to the one before.
+std::string pattern_band(const std::vector<PatternSpan>& spans, double end) {
+  std::string text;
+  std::map<std::string, std::size_t> tint_of;
+  double from = 0;
+  for (std::size_t i = 0; i < spans.size() && from < end; ++i) {
+    const bool last = i + 1 == spans.size();
+    const double to = last ? end : std::min(spans[i].to, end);
+    if (to - from < end / 1100 && !last) continue;
+    const std::string pattern = name(spans[i].pattern);
+    const std::size_t tint = tint_of.try_emplace(pattern, tint_of.size()).first->second;
+    text += fmt::format(
+        "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '{}' fillstyle solid noborder "
+        "behind\n",
+        plain(from), plain(to), pattern_tint(tint));
+    const double letter = end / 95;
+    if (to - from > letter * static_cast<double>(pattern.size() + 1))
+      text += fmt::format("set label {} noenhanced at {}, graph 0.5 center font ',12' front\n",
+                          in_quotes(shown_pattern(spans[i].pattern)), plain((from + to) / 2));
+    from = to;
+  }
+  return text;
+}
+
+/// What the letters of patterns mean, where blocks slide or fly.
+void add_letters(Sheet& sheet, const std::vector<PatternSpan>& spans) {
+  const auto slides = [](const PatternSpan& span) {
+    return name(span.pattern).find_first_of("<>-") != std::string::npos;
+  };
+  if (std::any_of(spans.begin(), spans.end(), slides))
+    sheet.note(
+        "patterns from the ground up: C closed, L and R on the left and right corner, – apart, ← → the way "
+        "it slides",
+        "#444444");
+}
+
+void add_band(Sheet& sheet, const History& exact, double end) {
+  const std::vector<PatternSpan> spans = pattern_spans(exact);
+  if (spans.empty()) return;
+  constexpr double height = 26, space = 8;
+  sheet.panel(height, space,
+              fmt::format("set xrange [0:{}]\n", plain(end)) +
+                  "set format x '%g'\nset xlabel 'time (s)'\nset yrange [0:1]\nunset ytics\nunset grid\n"
+                  "unset ylabel\nset label 'pattern ' at graph -0.004, graph 0.5 right font ',12'\n" +
+                  pattern_band(spans, end),
+              {});
+  add_letters(sheet, spans);
+}
+
+/// The largest angles of the first motion, the exact one where there is one, or of all that are asked about.
+std::string answer(const std::vector<Run>& runs, bool all) {
+  std::string text = "Largest angles: ";
+  for (std::size_t i = 0; i < (all ? runs.size() : 1); ++i) {
+    double largest = 0;
+    for (const double angle : history_of(runs[i])->angles) largest = std::max(largest, std::abs(angle));
+    text += fmt::format("{}{} {:.3g} rad", i > 0 ? "; " : "", line_label(runs[i]), largest);
+  }
+  return text;
+}
+
+/// All angles of a block, and a panel or several that show them.
+struct BlockCurves {
+  std::vector<Run> runs;  ///< the exact one first, where there is one
+  std::vector<Curve> curves;
+  std::vector<std::string> names;  ///< of their data blocks
+};
+
+BlockCurves curves_of(Sheet& sheet, const std::vector<Run>& runs, int blocks, int block) {
+  const std::size_t bins = bins_for(runs.size() * static_cast<std::size_t>(blocks));
+  BlockCurves list{runs, {}, {}};
+  for (const Run& run : runs) {
+    const auto history = history_of(run);
+    list.names.push_back(fmt::format("angle_{}_{}", list.curves.size(), block + 1));
+    list.curves.push_back(thin({history->times, column_of(*history, &History::angles, block)}, bins));
+    sheet.data(data_block(list.names.back(), list.curves.back()));
+  }
+  return list;
+}
+
+std::string axes_of(const BlockCurves& curves, const TimeAxis& axis, double height) {
+  const Extent extent = extent_of(curves.runs, curves.curves, 0.5, 1e-6);
+  return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
+}
+
+std::string ticks_of(const Run& first, int block, double end, double width) {
+  return first.exact() ? impact_ticks(impact_times(*history_of(first), block + 1), end, width) : "";
+}
+
+/// One panel of all runs.
+void add_angles(Sheet& sheet, const BlockCurves& curves, int blocks, int block, const TimeAxis& axis,
+                bool lowest) {
+  const std::string words = angle_name(block + 1) + " (rad)";
+  SeriesPanel panel{"time (s)", words, words, lowest, {}};
+  std::vector<Series> series;
+  for (std::size_t i = 0; i < curves.runs.size(); ++i) {
+    if (curves.curves[i].size() == 0) continue;
+    series.push_back(curve_series(curves.runs[i], curves.names[i], i));
+    if (curves.runs[i].exact()) panel.over.push_back(exact_core(curves.names[i]));
+  }
+  panel.axes = [&](double, double height) { return axes_of(curves, axis, height); };
+  panel.height = panel_height(blocks);
+  panel.few = ticks_of(curves.runs.front(), block, axis.end, panel_width);
+  add_series(sheet, panel, series, false);
+}
+
+constexpr auto fine = "with lines lw 1.5", coarse = "with lines lw 1.5 dt (5,5)";
+
+/// A line's runs at its coarsest and its finest step.
+std::vector<Run> ends_of(const StepLine& line) {
+  return line.size() < 2 ? StepLine{line.front()} : StepLine{line.back(), line.front()};
+}
+
+std::string words_of(const StepLine& line) {
+  const auto step = [&](const Run& run) {
+    return varies_iterations(line) ? std::to_string(iterations_of(run)) + " iterations"
+                                   : duration_text(value_of(run.dt));
+  };
+  const std::string finest = line_label(line) + ", " + step(line.front());
+  return line.size() < 2 ? finest : finest + ", " + step(line.back()) + " dashed";
+}
+
+/// A panel a line over the exact curve.
+void add_lines(Sheet& sheet, const BlockCurves& curves, const std::vector<StepLine>& lines, int block,
+               const TimeAxis& axis) {
+  std::vector<std::string> context;
+  std::size_t at = 0;
+  if (curves.runs.front().exact())
+    context.push_back(fmt::format("${} using 1:2 {} notitle", curves.names[at++], exact_style));
+  std::vector<Multiple> multiples;
+  for (const StepLine& line : lines) {
+    Multiple one{words_of(line), style_of(line.front()).colour, {}};
+    const std::size_t runs = ends_of(line).size();
+    for (std::size_t i = 0; i < runs; ++i, ++at)
+      if (curves.curves[at].size() > 0)
+        one.plots.push_back(fmt::format("${} using 1:2 {} lc rgb '{}' notitle", curves.names[at],
+                                        i + 1 < runs ? coarse : fine, one.colour));
+    multiples.push_back(std::move(one));
+  }
+  add_multiples(
+      sheet, multiples, context,
+      axes_of(curves, axis, multiple_height) + ticks_of(curves.runs.front(), block, axis.end, multiple_width),
+      "time (s)", angle_name(block + 1) + " (rad)");
+}
+
+TimeAxis axis_of(const SceneSubject& subject, const std::vector<Run>& runs, Legend& legend) {
+  const TimeAxis axis = time_axis(subject.scene, runs);
+  explain_shade(axis, legend);
+  return axis;
+}
+
+/// All runs in one panel a block; `all`: the answer is of each.
+Drawing draw_runs(const SceneSubject& subject, const std::vector<Run>& runs, bool all) {
+  const int blocks = subject.scene.blocks();
+  if (runs.empty()) return subject.nothing("No run of this scene was done.");
+  Legend legend = legend_of(runs, curve_style);
+  const TimeAxis axis = axis_of(subject, runs, legend);
+  const bool banded = runs.front().exact() && !pattern_spans(*history_of(runs.front())).empty();
+  Sheet sheet = subject.sheet(legend, answer(runs, all));
+  for (int k = 0; k < blocks; ++k)
+    add_angles(sheet, curves_of(sheet, runs, blocks, k), blocks, k, axis, k + 1 == blocks && !banded);
+  if (banded) add_band(sheet, *history_of(runs.front()), axis.end);
+  return sheet.finish();
+}
+
+/// Each engine's coarsest and finest run on the exact curve.
+Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
+                   const std::vector<StepLine>& lines) {
+  const int blocks = subject.scene.blocks();
+  std::vector<Run> runs = exact;
+  for (const StepLine& line : lines)
+    for (const Run& run : ends_of(line)) runs.push_back(run);
+  Legend legend;
+  if (!exact.empty()) legend.emplace_back(exact_style, "exact");
+  for (const auto& [style, words] :
+       {std::pair{fine, "engine, finest step"}, {coarse, "engine, coarsest step"}})
+    legend.emplace_back(fmt::format("{} lc rgb '#000000'", style), words);
+  const TimeAxis axis = axis_of(subject, runs, legend);
+  Sheet sheet = subject.sheet(legend, answer(runs, false));
+  constexpr double first = 24, between = 24;
+  sheet.leave_room_above(first);
+  for (int k = 0; k < blocks; ++k) {
+    if (k > 0) sheet.leave_room_above(between);
+    add_lines(sheet, curves_of(sheet, runs, blocks, k), lines, k, axis);
+  }
+  if (!exact.empty()) {
+    constexpr double room = 70;
+    sheet.leave_room_above(room);
+    add_band(sheet, *history_of(exact.front()), axis.end);
+  }
+  return sheet.finish();
+}
+
+}  // namespace
+
+Drawing histories(const SceneSubject& subject) {
+  const std::vector<Run> exact = shown_runs(subject.comparison, subject.scene.name).exact;
+  const std::vector<StepLine> lines = shown_lines(subject.comparison, subject.scene.name);
+  if (!lines.empty() && !subject.scene.alone) return draw_lines(subject, exact, lines);
+  return draw_runs(subject, lines.empty() ? exact : lines.front(), false);
+}
+
+Drawing equations(const SceneSubject& subject) {
+  std::vector<Run> runs;
+  for (const Run& run : done_runs(subject.comparison, subject.scene.name))
+    if (run.exact() || has_other_equations(run)) runs.push_back(run);
+  return draw_runs(subject, runs, true);
+}
+
+}  // namespace rockstack::plots

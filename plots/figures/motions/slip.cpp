@@ -1,0 +1,186 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "plots/data/events.hpp"
+#include "plots/data/run_files.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
+#include "plots/drawing/series.hpp"
+#include "plots/drawing/time_axis.hpp"
+#include "plots/figures/figure.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+constexpr double millimetres = 1e3;  // in a metre
+constexpr double least = 1e-6;       // m: what blocks slip and part less is not drawn
+
+/// A panel: one column of the histories, a curve a run; empty of runs that do not tell it.
+struct Quantity {
+  std::string words;  ///< of its axis
+  double scale = 1;
+  std::vector<Curve> curves;
+};
+
+Quantity read_quantity(const std::vector<Run>& runs, std::vector<double> History::*rows, int block,
+                       const std::string& words, double scale, std::size_t bins) {
+  Quantity quantity{words, scale, {}};
+  for (const Run& run : runs) {
+    const auto history = history_of(run);
+    if (((*history).*rows).empty()) {
+      quantity.curves.emplace_back();
+      continue;
+    }
+    std::vector<double> values = column_of(*history, rows, block);
+    for (double& value : values) value *= scale;
+    quantity.curves.push_back(thin({history->times, std::move(values)}, bins));
+  }
+  return quantity;
+}
+
+std::vector<Quantity> read_slips(const std::vector<Run>& runs, int blocks, std::size_t bins) {
+  std::vector<Quantity> list;
+  for (int k = 0; k < blocks; ++k)
+    list.push_back(
+        read_quantity(runs, &History::slips, k, fmt::format("slip {} (mm)", k + 1), millimetres, bins));
+  return list;
+}
+
+double last_time(const std::vector<Quantity>& quantities) {
+  double end = 1e-9;
+  for (const Quantity& quantity : quantities)
+    for (const Curve& curve : quantity.curves)
+      if (curve.size() > 0) end = std::max(end, curve.times.back());
+  return end;
+}
+
+/// One panel a quantity, all runs in each, or a panel each where they are many.
+Drawing drawn(const SceneSubject& subject, const std::vector<Run>& runs,
+              const std::vector<Quantity>& quantities, const std::string& answer) {
+  Legend legend = legend_of(runs, curve_style);
+  for (std::size_t i = 0; i < legend.size(); ++i)
+    if (!tells_slips(runs[i])) legend[i].second += ", where nothing slips";
+  const TimeAxis axis = time_axis(subject.scene, runs);
+  explain_shade(axis, legend);
+  Sheet sheet = subject.sheet(legend, answer);
+  for (std::size_t p = 0; p < quantities.size(); ++p) {
+    const Quantity& quantity = quantities[p];
+    std::vector<Series> series;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (quantity.curves[i].size() == 0) continue;
+      const std::string name = fmt::format("contact_{}_{}", p, i);
+      sheet.data(data_block(name, quantity.curves[i]));
+      series.push_back(curve_series(runs[i], name, i));
+    }
+    const Extent extent = extent_of(runs, quantity.curves, 1, least * quantity.scale);
+    const auto axes = [&](double, double height) {
+      return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
+    };
+    add_series(sheet,
+               {"time (s)", quantity.words, quantity.words, p + 1 == quantities.size(), axes,
+                panel_height(static_cast<int>(quantities.size()))},
+               series, are_many(runs));
+  }
+  return sheet.finish();
+}
+
+double largest_of(const Curve& curve) {
+  double most = 0;
+  for (const double value : curve.values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+/// When an exact run's interfaces are apart: the first times in words, and how many more there are. Those
+/// that no figure shows do not count.
+std::string flights_of(const Run& run, int blocks, double end) {
+  constexpr std::size_t told = 2;
+  const double shortest = end / 1000;
+  const std::vector<PatternSpan> spans = pattern_spans(*history_of(run));
+  std::vector<std::string> times;
+  for (int k = 0; k < blocks; ++k) {
+    double from = -1;
+    const auto close = [&](double to) {
+      if (from >= 0 && to - from > shortest)
+        times.push_back(fmt::format("interface {} from {:.3g} to {:.3g} s", k + 1, from, to));
+      from = -1;
+    };
+    for (const PatternSpan& span : spans) {
+      const bool apart = span.pattern[k] == Contact::apart;
+      if (!apart) close(span.from);
+      if (apart && from < 0) from = span.from;
+    }
+    close(end);
+  }
+  if (times.empty()) return "nothing flies";
+  std::string text = "apart: ";
+  for (std::size_t i = 0; i < std::min(told, times.size()); ++i) text += (i > 0 ? ", " : "") + times[i];
+  return text + (times.size() > told ? fmt::format(" and {} more", times.size() - told) : "");
+}
+
+/// The largest slip of a run, and at which interface.
+std::string slip_phrase(const std::vector<Run>& runs, std::size_t run, const std::vector<Quantity>& slips) {
+  const auto largest = [&](const Quantity& slip) { return largest_of(slip.curves[run]); };
+  const auto most = std::max_element(slips.begin(), slips.end(), [&](const Quantity& a, const Quantity& b) {
+    return largest(a) < largest(b);
+  });
+  return fmt::format("{:.3g} mm at interface {} ({})", largest(*most), most - slips.begin() + 1,
+                     line_label(runs[run]));
+}
+
+std::string slip_answer(const std::vector<Run>& runs, const std::vector<Quantity>& slips) {
+  const bool told = runs.front().exact();
+  std::string text =
+      (told ? "At most: " : "At most, without an exact motion: ") + slip_phrase(runs, 0, slips);
+  if (told) text += "; " + flights_of(runs.front(), static_cast<int>(slips.size()), last_time(slips));
+  return text;
+}
+
+std::size_t bins_of(const std::vector<Run>& runs, int blocks) {
+  return bins_for(runs.size() * 2 * static_cast<std::size_t>(blocks));
+}
+
+}  // namespace
+
+Drawing slip(const SceneSubject& subject) {
+  const Comparison& comparison = subject.comparison;
+  const ComparedScene& scene = subject.scene;
+  const Shown shown = shown_runs(comparison, scene.name);
+  std::vector<Run> runs;
+  for (const std::vector<Run>& list : {shown.exact, shown.engines})
+    std::copy_if(list.begin(), list.end(), std::back_inserter(runs), tells_slips);
+  const std::size_t bins = bins_of(runs, scene.blocks());
+  std::vector<Quantity> panels = read_slips(runs, scene.blocks(), bins);
+  const std::string answer = slip_answer(runs, panels);
+  for (int k = 0; k < scene.blocks(); ++k)
+    panels.push_back(
+        read_quantity(runs, &History::gaps, k, fmt::format("gap {} (mm)", k + 1), millimetres, bins));
+  const auto is_still = [&](const Quantity& panel) {
+    return std::all_of(panel.curves.begin(), panel.curves.end(),
+                       [](const Curve& curve) { return largest_of(curve) <= least * millimetres; });
+  };
+  panels.erase(std::remove_if(panels.begin() + 1, panels.end(), is_still), panels.end());
+  return drawn(subject, runs, panels, answer);
+}
+
+Drawing friction(const SceneSubject& subject) {
+  const Comparison& comparison = subject.comparison;
+  const ComparedScene& scene = subject.scene;
+  std::vector<Run> runs;
+  for (const Run& run : done_runs(comparison, scene.name))
+    if (run.exact() || has_own_friction(run)) runs.push_back(run);
+  const std::size_t bins = bins_of(runs, scene.blocks());
+  std::vector<Quantity> panels;
+  for (int k = 0; k < scene.blocks(); ++k)
+    panels.push_back(read_quantity(runs, &History::angles, k, angle_name(k + 1) + " (rad)", 1, bins));
+  const std::vector<Quantity> slips = read_slips(runs, scene.blocks(), bins);
+  panels.insert(panels.end(), slips.begin(), slips.end());
+  std::string answer = "Largest slips: ";
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (tells_slips(runs[i])) answer += slip_phrase(runs, i, slips) + (i + 1 < runs.size() ? "; " : "");
+  return drawn(subject, runs, panels, answer);
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,156 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "comparisons/measures/results/csv.hpp"
+#include "plots/data/json_file.hpp"
+#include "plots/drawing/maps.hpp"
+#include "plots/figures/figure.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// From light to dark, so that they are told apart in grey and by everyone.
+const std::vector<MapKind>& verdict_kinds() {
+  static const std::vector<MapKind> list{
+      {"sound", "#D3EDE0", "sound: within all limits"},
+      {"inexact", "#EDB93A", "inexact: physical, but off"},
+      {"unstable", "#C43C4E", "unstable: gains energy, or topples what stands"},
+      {"failed", "#2F2F2F", "failed: the run did not end well"}};
+  return list;
+}
+
+/// One square of a map.
+struct Cell {
+  double value, dt;
+  std::string verdict;
+};
+
+/// A place on an axis whose values are drawn one beside the other.
+class Places {
+ public:
+  explicit Places(const std::set<double>& values) : values_(values.begin(), values.end()) {}
+  std::size_t of(double value) const {
+    return static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), value) -
+                                    values_.begin());
+  }
+  std::size_t size() const { return values_.size(); }
+  /// Labels in a unit that many times smaller.
+  std::string tics(double times = 1) const {
+    std::string text;
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      text += fmt::format("{}'{:.4g}' {}", i > 0 ? ", " : "", times * values_[i], i);
+    return text;
+  }
+
+ private:
+  std::vector<double> values_;
+};
+
+/// What is drawn of one solver: its cells, and the largest stable step at each value.
+struct Map {
+  std::string solver;  ///< in words
+  std::vector<Cell> cells;
+  std::vector<std::pair<double, double>> stable;
+};
+
+std::map<std::string, Map> read_maps(const std::filesystem::path& results) {
+  const auto file = results / "stability.csv";
+  const Table table = read_table(file);
+  const auto at = [&](const char* name) { return column(table, name, file); };
+  const std::size_t engine = at("engine"), solver = at("solver"), settings = at("settings"), dt = at("dt"),
+                    value = at("value"), verdict = at("verdict");
+  std::map<std::string, Map> maps;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto& row = table.rows[i];
+    if (row[dt].empty()) continue;
+    const std::string place = fmt::format("{}:{}", file.string(), i + 2);
+    Map& map = maps[row[engine] + "-" + row[solver] + "-" + row[settings]];
+    map.solver = fmt::format("{} {}, {}", row[engine], row[solver], row[settings]);
+    map.cells.push_back({number(row[value], place, "value"), number(row[dt], place, "dt"), row[verdict]});
+  }
+  const auto steps_file = results / "steps.csv";
+  const Table steps = read_table(steps_file);
+  const std::size_t stable = column(steps, "largest_stable_step", steps_file);
+  const std::size_t along = column(steps, "value", steps_file);
+  for (std::size_t i = 0; i < steps.rows.size(); ++i) {
+    const auto& row = steps.rows[i];
+    const std::string place = fmt::format("{}:{}", steps_file.string(), i + 2);
+    maps[row[0] + "-" + row[1] + "-" + row[2]].stable.emplace_back(
+        number(row[along], place, "value"), number(row[stable], place, "largest_stable_step"));
+  }
+  return maps;
+}
+
+/// The upper edges of the squares of the largest stable steps, as a staircase.
+std::string staircase(const Map& map, const Places& across, const Places& up) {
+  std::string text = "$stable << END\n";
+  std::vector<std::pair<std::size_t, double>> edges;
+  for (const auto& [value, step] : map.stable)
+    edges.emplace_back(across.of(value), step > 0 ? static_cast<double>(up.of(step)) + 0.5 : -0.5);
+  std::sort(edges.begin(), edges.end());
+  for (const auto& [x, y] : edges)
+    text += fmt::format("{} {}\n{} {}\n", static_cast<double>(x) - 0.5, y, static_cast<double>(x) + 0.5, y);
+  return text + "END\n";
+}
+
+std::string answer(const Map& map) {
+  const auto sound = std::count_if(map.cells.begin(), map.cells.end(),
+                                   [](const Cell& cell) { return cell.verdict == "sound"; });
+  return fmt::format("{} of {} runs are sound", sound, map.cells.size());
+}
+
+/// The index of a verdict; those that are none are failed.
+std::size_t kind_of(const std::string& verdict) {
+  const std::vector<MapKind>& kinds = verdict_kinds();
+  const auto found =
+      std::find_if(kinds.begin(), kinds.end() - 1, [&](const MapKind& kind) { return verdict == kind.name; });
+  return static_cast<std::size_t>(found - kinds.begin());
+}
+
+Drawing drawing(const FolderSubject& subject, const Map& map, const Json& facts) {
+  std::set<double> values, steps;
+  for (const Cell& cell : map.cells) {
+    values.insert(cell.value);
+    steps.insert(cell.dt);
+  }
+  const Places across(values), up(steps);
+  std::vector<MapCell> cells;
+  for (const Cell& cell : map.cells) {
+    const auto x = static_cast<double>(across.of(cell.value)), y = static_cast<double>(up.of(cell.dt));
+    cells.push_back({x - 0.5, x + 0.5, y - 0.5, y + 0.5, kind_of(cell.verdict)});
+  }
+  CellMap drawn = cell_map("kind", cells, verdict_kinds(), "white");
+  Legend legend = map_legend(verdict_kinds(), std::vector<bool>(verdict_kinds().size(), true));
+  const char* stable_style = "with lines lw 4 lc rgb 'black'";
+  legend.emplace_back(stable_style, "largest stable step");
+  drawn.elements.push_back(fmt::format("$stable using 1:2 {} notitle", stable_style));
+  Sheet sheet = subject.sheet(map.solver + ": " + facts.at("title").get<std::string>(), legend, answer(map));
+  sheet.data(staircase(map, across, up) + drawn.data);
+  sheet.panel(460, 0,
+              map_axes(drawn) + fmt::format("set xtics ({})\nset ytics ({})\nset xlabel {} noenhanced\n"
+                                            "set ylabel 'time step (ms)'\n",
+                                            across.tics(), up.tics(1000),
+                                            in_quotes(facts.at("axis").get<std::string>())),
+              drawn.elements);
+  return sheet.finish();
+}
+
+}  // namespace
+
+/// A map of verdicts over the study's axis and the time step for each solver, with the largest stable step as
+/// a line.
+Drawings stability(const FolderSubject& subject) {
+  return read_json(subject.folder / "stability.json", [&](const Json& facts) {
+    Drawings drawings;
+    for (const auto& [solver, map] : read_maps(subject.folder))
+      if (!map.cells.empty())
+        drawings[file_name(solver, (subject.folder / "stability.csv").string() + ": solver")] =
+            drawing(subject, map, facts);
+    return drawings;
+  });
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,104 @@
+#include "plots/figures/studies/sweep_facts.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plots/data/json_file.hpp"
+#include "plots/drawing/layout.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+constexpr double standard_gravity = 9.81;  // of scenes that do not say, m/s²
+
+/// What makes a block's motion dimensionless: it uplifts at a = g tan α and turns with p = √(3g/4R) (Housner
+/// 1963, for a rectangle).
+void add_scales(SweepFacts& facts, const Json& scene) {
+  const Json blocks = scene.value("blocks", Json::array());
+  if (blocks.size() != 1 || !blocks[0].contains("width") || !blocks[0].contains("height")) return;
+  const double width = blocks[0].at("width").get<double>(), height = blocks[0].at("height").get<double>();
+  const double gravity = scene.value("gravity", standard_gravity);
+  facts.least_acceleration = gravity * width / height;
+  facts.frequency_parameter = std::sqrt(3 * gravity / (4 * std::hypot(width, height) / 2));
+}
+
+/// The values of a varied key; none where it is not varied over numbers.
+std::vector<double> values_of(const Json& sweep, const std::string& key) {
+  for (const Json& variation : sweep.at("vary")) {
+    const auto keys = variation.at("keys").get<std::vector<std::string>>();
+    const bool named = std::find(keys.begin(), keys.end(), key) != keys.end();
+    if (named && variation.contains("values")) return variation.at("values").get<std::vector<double>>();
+  }
+  return {};
+}
+
+/// The block whose onset of motion has boundaries in closed form: uniform, at rest, under rectangular pulses
+/// that begin together and grow together.
+std::optional<StruckBlock> struck_block(const Json& sweep) {
+  const Json scene = sweep.value("scene", Json::object());
+  const Json ground = scene.value("ground", Json::object());
+  const Json horizontal = ground.value("horizontal", Json::object());
+  const bool rectangular = horizontal.value("pulse", "") == "rectangle";
+  if (!rectangular || scene.contains("initial") || scene.at("blocks").size() != 1) return std::nullopt;
+  const Json& block = scene.at("blocks")[0];
+  if (block.contains("inertia")) return std::nullopt;
+  StruckBlock struck{block.at("height").get<double>() / block.at("width").get<double>(),
+                     scene.value("gravity", standard_gravity), 0};
+  if (!ground.contains("vertical")) return struck;
+  const Json& vertical = ground.at("vertical");
+  const std::vector<double> across = values_of(sweep, "ground.horizontal.amplitude");
+  const std::vector<double> up = values_of(sweep, "ground.vertical.amplitude");
+  const bool together = vertical.value("pulse", "") == "rectangle" && across.size() == up.size() &&
+                        vertical.value("start", 0.0) == horizontal.value("start", 0.0);
+  if (!together) return std::nullopt;
+  struck.vertical = up.back() / across.back();
+  const auto in_step = [&](double a, double v) {
+    return std::abs(v - struck.vertical * a) <= 1e-9 * std::abs(a);
+  };
+  if (!std::equal(across.begin(), across.end(), up.begin(), in_step)) return std::nullopt;
+  return struck;
+}
+
+SweepFacts facts_in(const Json& json) {
+  const Json& summary = json.at("summary");
+  const std::string intensity = summary.at("intensity").get<std::string>();
+  SweepFacts facts{json.at("title"), axis_title(intensity), 0, 0, {}};
+  if (intensity.ends_with(".peak") || intensity.ends_with(".amplitude"))
+    add_scales(facts, json.value("scene", Json::object()));
+  if (intensity == "ground.horizontal.amplitude" && summary.value("friction", "") == "contact.friction")
+    facts.struck = struck_block(json);
+  return facts;
+}
+
+}  // namespace
+
+SweepFacts sweep_facts(const std::filesystem::path& results) {
+  return read_json(results / "sweep.json", facts_in);
+}
+
+std::string axis_title(const std::string& key) {
+  const auto ends = [&](const char* end) { return key.ends_with(end); };
+  if (ends(".peak")) return "peak ground acceleration (m/s²)";
+  if (ends(".amplitude")) return "amplitude of the pulse (m/s²)";
+  if (ends(".scale")) return "scale of the record";
+  return key;
+}
+
+std::string value_on(const std::string& axis, double value) {
+  const std::size_t unit = axis.find(" (");
+  if (unit == std::string::npos) return fmt::format("{} = {:.3g}", axis, value);
+  const bool vowel = std::string("aeiou").find(axis.front()) != std::string::npos;
+  return fmt::format("{} {} of {:.3g} {}", vowel ? "an" : "a", axis.substr(0, unit), value,
+                     axis.substr(unit + 2, axis.size() - unit - 3));
+}
+
+std::string dimensionless_axis(const std::string& axis, double low, double high, double unit,
+                               const std::string& words) {
+  if (!(unit > 0)) return "";
+  return fmt::format("set {0}2range [{1}:{2}]\nset {0}tics nomirror\nset {0}2tics\nset {0}2label '{3}'\n",
+                     axis, plain(low / unit), plain(high / unit), words);
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,166 @@
+#include "plots/pages/player_data.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "comparisons/measures/metrics/impacts.hpp"
+#include "plots/data/events.hpp"
+#include "plots/pages/base64.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+using Rows = std::vector<double>;
+
+void append(const Rows& rows, std::size_t width, std::size_t row, Rows& to) {
+  const auto from = rows.begin() + static_cast<std::ptrdiff_t>(row * width);
+  if (!rows.empty()) to.insert(to.end(), from, from + static_cast<std::ptrdiff_t>(width));
+}
+
+/// Between two rows, on a straight line.
+void append_between(const Rows& rows, std::size_t width, std::size_t after, double part, Rows& to) {
+  for (std::size_t at = after * width; !rows.empty() && at < (after + 1) * width; ++at)
+    to.push_back(rows[at - width] * (1 - part) + rows[at] * part);
+}
+
+Json spans_of(const History& history) {
+  Json list = Json::array();
+  for (const PatternSpan& span : pattern_spans(history)) {
+    Json sides = Json::array(), slides = Json::array();
+    for (int k = 0; k < span.pattern.size; ++k) {
+      sides.push_back(sign(span.pattern[k]));
+      slides.push_back(span.pattern.slides[static_cast<std::size_t>(k)]);
+    }
+    list.push_back({span.from, shown_pattern(span.pattern), sides, slides});
+  }
+  return list;
+}
+
+/// What chatter is made of, each of its bounces first.
+constexpr std::array bounces{EventKind::impact, EventKind::touch};
+constexpr std::array followers{EventKind::slip, EventKind::stick, EventKind::part};
+
+template <class Kinds>
+bool is_among(const Kinds& kinds, EventKind kind) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+/// Events by time, with 1 for chatter: slow bounces, and the starts and ends of sliding and touching that
+/// follow them; a landing is none. Chatter beyond what a page can hold is left out.
+Json stops_of(const History& history, double chatter_speed) {
+  constexpr std::size_t most = 4000;
+  Json list = Json::array();
+  bool chatter = false;
+  for (const Event& event : history.events) {
+    const bool bounce = is_among(bounces, event.kind);
+    if (bounce) {
+      const auto interface = static_cast<std::size_t>(event.interface) - 1;
+      chatter = std::abs(relative_at(event.before, interface)) < chatter_speed &&
+                event.from.contacts[interface] != Contact::apart;
+    }
+    const bool slow = chatter && (bounce || is_among(followers, event.kind));
+    if (list.size() < most || !slow)
+      list.push_back({event.time, event.interface, shown_pattern(event.from), shown_pattern(event.to),
+                      slow ? 1 : 0, name(event.kind)});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::size_t stride_for(std::size_t size, std::size_t most) {
+  return std::max<std::size_t>(1, (size + most - 1) / most);
+}
+
+std::string packed(const std::vector<double>& rows, std::size_t width, std::size_t stride) {
+  const std::size_t size = rows.size() / width;
+  std::vector<float> numbers;
+  const auto keep = [&](std::size_t row) {
+    for (std::size_t at = row * width; at < (row + 1) * width; ++at)
+      numbers.push_back(static_cast<float>(rows[at]));
+  };
+  for (std::size_t row = 0; row < size; row += stride) keep(row);
+  if (size > 0 && (size - 1) % stride != 0) keep(size - 1);
+  return base64(numbers);
+}
+
+Json player_track(const History& history, std::size_t stride) {
+  const auto blocks = static_cast<std::size_t>(history.blocks);
+  Json track{{"times", packed(history.times, 1, stride)}, {"angles", packed(history.angles, blocks, stride)}};
+  if (!history.slips.empty()) track["slips"] = packed(history.slips, blocks, stride);
+  if (!history.places.empty()) track["places"] = packed(history.places, 2 * blocks, stride);
+  return track;
+}
+
+Json player_track(const History& history, std::size_t stride, const TrackLook& look) {
+  Json track{{"label", look.label},
+             {"colour", look.colour},
+             {"dash", look.dash},
+             {"shown", look.shown},
+             {"exact", look.exact}};
+  track.update(player_track(history, stride));
+  return track;
+}
+
+History with_events(const History& history) {
+  const auto blocks = static_cast<std::size_t>(history.blocks);
+  History merged;
+  merged.blocks = history.blocks;
+  auto event = history.events.begin();
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    for (; event != history.events.end() && event->time < history.times[i]; ++event) {
+      if (i == 0 || event->time <= merged.times.back()) continue;
+      const double before = history.times[i - 1], part = (event->time - before) / (history.times[i] - before);
+      merged.times.push_back(event->time);
+      append(event->angles, blocks, 0, merged.angles);
+      append_between(history.slips, blocks, i, part, merged.slips);
+      append_between(history.places, 2 * blocks, i, part, merged.places);
+    }
+    merged.times.push_back(history.times[i]);
+    append(history.angles, blocks, i, merged.angles);
+    append(history.slips, blocks, i, merged.slips);
+    append(history.places, 2 * blocks, i, merged.places);
+  }
+  return merged;
+}
+
+void add_forces(const InterfaceForces& forces, int blocks, std::size_t stride, Json& track) {
+  track["reaction_times"] = packed(forces.times, 1, stride);
+  track["reactions"] = packed(forces.rows, 3 * static_cast<std::size_t>(blocks), stride);
+}
+
+Json player_events(const History& history, double chatter_speed) {
+  return {{"spans", spans_of(history)}, {"stops", stops_of(history, chatter_speed)}};
+}
+
+Json player_scene(const PlayerScene& scene, const Json& events) {
+  double mass = 0;
+  Json blocks = Json::array();
+  for (const Block& block : scene.blocks) {
+    mass += block.mass;
+    blocks.push_back({{"width", 2 * block.half_width},
+                      {"height", 2 * block.half_height},
+                      {"offset", {block.offset_x, block.offset_y}}});
+  }
+  Json json{{"title", scene.title},
+            {"blocks", std::move(blocks)},
+            {"weight", mass * scene.gravity},
+            {"events", events}};
+  if (!scene.friction.empty()) json["friction"] = scene.friction;
+  constexpr std::size_t most = 5000;
+  const std::size_t stride = stride_for(scene.ground_times.size(), most);
+  if (!scene.ground_times.empty())
+    json["ground"] = {{"times", packed(scene.ground_times, 1, stride)},
+                      {"values", packed(scene.ground, 1, stride)}};
+  return json;
+}
+
+std::string for_script(const Json& data) {
+  std::string text;
+  for (const char c : data.dump()) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return text;
+}
+
+}  // namespace rockstack::plots

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack::plots {
+
+// What the player's script reads, for reports and the live page alike. Lists of numbers are as base64().
+
+/// Which samples to keep, every how many-th, so that no more than `most` and the last are left.
+std::size_t stride_for(std::size_t size, std::size_t most);
+
+/// Every `stride`-th row of `width` numbers, and the last, as 32-bit numbers.
+std::string packed(const std::vector<double>& rows, std::size_t width = 1, std::size_t stride = 1);
+
+/// How a track appears.
+struct TrackLook {
+  std::string label;
+  std::string colour;  ///< #rrggbb
+  std::string dash;    ///< gnuplot's dash type
+  bool shown = true;   ///< at first
+  bool exact = false;
+};
+
+/// Times, angles, and slips and places where the history has them, of every `stride`-th sample.
+nlohmann::ordered_json player_track(const History& history, std::size_t stride);
+
+/// The same under a name.
+nlohmann::ordered_json player_track(const History& history, std::size_t stride, const TrackLook& look);
+
+/// An exact motion with its events, whose times lie between samples, among its samples.
+History with_events(const History& history);
+
+/// What interfaces carry at some times: normal and tangential forces in N and where they act in m, one of
+/// each an interface.
+struct InterfaceForces {
+  std::vector<double> times, rows;  ///< s; 3 × blocks numbers a time
+};
+
+/// Adds them to a track of so many blocks.
+void add_forces(const InterfaceForces& forces, int blocks, std::size_t stride, nlohmann::ordered_json& track);
+
+/// The pattern band and the events of an exact motion, "spans" and "stops". Impacts slower than
+/// `chatter_speed`, rad/s, are chatter.
+nlohmann::ordered_json player_events(const History& history, double chatter_speed);
+
+/// What the player needs of a scene besides its tracks.
+struct PlayerScene {
+  std::string title;
+  std::vector<Block> blocks;
+  double gravity = 0;                        ///< m/s²
+  std::vector<double> friction;              ///< of each interface; none where blocks keep to their pivots
+  std::vector<double> ground_times, ground;  ///< s and m/s², to the right; none where it does not move
+};
+
+nlohmann::ordered_json player_scene(const PlayerScene& scene, const nlohmann::ordered_json& events);
+
+/// Text that ends no element, whatever it holds.
+std::string for_script(const nlohmann::ordered_json& data);
+
+}  // namespace rockstack::plots

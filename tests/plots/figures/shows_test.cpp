@@ -1,0 +1,152 @@
+// Figures show what the results hold: pixels of gnuplot's pictures are held against the files that they are
+// drawn from.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plots/data/run_files.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/drawing/style.hpp"
+#include "plots/figures/table.hpp"
+#include "tests/plots/picture.hpp"
+#include "tests/plots/sample.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Picture;
+
+/// A comparison of one block, and what one of its figures shows.
+struct Shot {
+  Comparison comparison;
+  Picture picture;
+};
+
+Shot shot(const testing::Sample& sample, const std::string& figure) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, sample);
+  Shot taken{read_comparison(folder), {}};
+  draw_figures(folder, taken.comparison);
+  taken.picture = testing::read_picture(folder / "figures" / ("sample." + figure + ".svg"));
+  return taken;
+}
+
+std::string colour_of(const Run& run) {
+  return testing::shown_colour(style_of(run).colour);
+}
+
+/// How far apart the highest and the lowest point of a colour's longest line are, pixels.
+double extent_of(const Picture& picture, const std::string& colour) {
+  const auto lines = picture.lines_of(colour);
+  const auto longest = std::max_element(lines.begin(), lines.end(), [](const auto& a, const auto& b) {
+    return a.points.size() < b.points.size();
+  });
+  if (longest == lines.end()) return 0;
+  const auto [low, high] =
+      std::minmax_element(longest->points.begin(), longest->points.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; });
+  return high->second - low->second;
+}
+
+double spread_of(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low;
+}
+
+TEST(Shown, CurvesHaveTheExtentOfTheirHistories) {
+  const Shot taken = shot({.blocks = 1, .results = {"histories"}}, "histories");
+  const double slope = std::abs(testing::left_axis(taken.picture, 0, taken.picture.height).slope);
+  const Shown shown = shown_runs(taken.comparison, "sample");
+  const double pixel = 1.5 * slope;
+  EXPECT_NEAR(extent_of(taken.picture, "rgb(154,154,154)") * slope,
+              spread_of(history_of(shown.exact.front())->angles), pixel);
+  ASSERT_EQ(shown.engines.size(), 1u);
+  const plots::Run& engine = shown.engines.front();
+  EXPECT_NEAR(extent_of(taken.picture, colour_of(engine)) * slope, spread_of(history_of(engine)->angles),
+              pixel);
+  EXPECT_TRUE(taken.picture.says("Largest angles: exact 0.1"));
+}
+
+TEST(Shown, EachImpactIsAMarkAndSoIsWhatIsMissedOrAdded) {
+  const Shot taken = shot({.blocks = 1, .impacts = 9}, "impact-times");
+  const plots::Run& engine = shown_runs(taken.comparison, "sample").engines.front();
+  const auto impacts = impacts_of(engine);
+  // And one in the legend.
+  EXPECT_EQ(taken.picture.marks_of(colour_of(engine)).size(), impacts->size() + 1);
+  EXPECT_TRUE(taken.picture.says("Half of an engine's 8 matched impacts within"));
+}
+
+// A row a solver and set, a column a time step: marks of one run stand at its rank and nowhere else.
+TEST(Shown, RowsAreRankedFromAbove) {
+  const Shot taken = shot({.blocks = 1,
+                           .engines = {{"ode", "step", "default", 3e-3}, {"bullet", "nncg", "tuned", 1e-3}},
+                           .steps = {1e-2, 1e-3},
+                           .results = {"angles"}},
+                          "ranking");
+  const std::vector<plots::Run>& runs = taken.comparison.runs;
+  const auto worse = taken.picture.marks_of(colour_of(runs[1])),
+             better = taken.picture.marks_of(colour_of(runs[3]));
+  ASSERT_EQ(worse.size(), 2u);
+  ASSERT_EQ(better.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_LT(better[i].y, worse[i].y);
+  // Both have a third and a thousandth of an error: a decade between steps is a decade along the axis of
+  // either.
+  EXPECT_LT(better[0].x, worse[0].x);
+  EXPECT_NEAR(worse[0].x - better[0].x, worse[1].x - better[1].x, 0.5);
+}
+
+TEST(Shown, DifferencesPassTheToleranceWhereTheFileDoes) {
+  const Shot taken = shot({.blocks = 1, .results = {"histories"}}, "differences");
+  const plots::Run& engine = shown_runs(taken.comparison, "sample").engines.front();
+  EXPECT_TRUE(taken.picture.says("tolerance"));
+  // The large mark of the lowest row stands at the time, between the panel's edges at 0 and at 1.012 times 5
+  // s.
+  const auto marks = taken.picture.marks_of(colour_of(engine));
+  const auto lowest =
+      std::max_element(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
+  ASSERT_NE(lowest, marks.end());
+  const double left = 0.105 * taken.picture.width, right = 0.975 * taken.picture.width;
+  EXPECT_NEAR(left + (right - left) * *engine.agreement_time / (1.012 * 5), lowest->x, 1.5);
+}
+
+/// How long the only line of a colour is, pixels.
+double length_of(const Picture& picture, const std::string& colour) {
+  const auto lines = picture.lines_of(colour);
+  EXPECT_EQ(lines.size(), 1u) << colour;
+  return lines.empty() ? 0 : lines.front().points.back().first - lines.front().points.front().first;
+}
+
+TEST(Shown, LinesOfAgreementEndWhereRowsStopToAgree) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, {.blocks = 1, .steps = {1e-2, 1e-3}, .results = {"angles"}});
+  const Comparison comparison = read_comparison(folder);
+  draw_figures(folder, comparison);
+  const Picture picture = testing::read_picture(folder / "figures/agreement.svg");
+  EXPECT_TRUE(picture.says("1 of 2 runs stay within 10 mrad and 1 % of the least block height all along"));
+  EXPECT_EQ(testing::collisions(picture), std::vector<std::string>());
+  const std::string colour = style_of(comparison.runs[1]).colour;
+  constexpr double coarse = 1, fine = 5;  // s
+  EXPECT_NEAR(length_of(picture, testing::shown_colour(paler(colour, 0.35))) /
+                  length_of(picture, testing::shown_colour(colour)),
+              coarse / fine, 0.01);
+}
+
+TEST(Shown, FiguresOverTimeExplainWhatLiesBeyondTheHorizon) {
+  for (const double horizon : {2.0, 5.0}) {
+    const fs::path folder = testing::fresh_folder();
+    testing::write_sample(folder, {.blocks = 1, .predictable_time = horizon, .shaken = true});
+    draw_figures(folder, read_comparison(folder));
+    for (const char* figure :
+         {"agreement", "sample.histories", "sample.differences", "sample.energy", "sample.ground-motion"})
+      EXPECT_EQ(testing::read_picture(folder / "figures" / (std::string(figure) + ".svg"))
+                    .says("beyond the horizon of predictability"),
+                horizon < 5)
+          << figure;
+  }
+}
+
+}  // namespace
+}  // namespace rockstack::plots
