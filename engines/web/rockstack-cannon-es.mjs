@@ -1,0 +1,88 @@
+#!/usr/bin/env node
+// cannon-es beside the exact model. README.md in this folder says what is set in both sets and why.
+
+import { angles, massFactor, serve, setting, turn, whole } from './worker.mjs';
+
+const settings = [
+  setting('iterations', 10, 50, 1, 1e6, whole),
+  setting('tolerance', 1e-7, 1e-7, 0, 1),
+  setting('contactEquationStiffness', 1e7, 1e7, 1e-6, 1e18),
+  setting('contactEquationRelaxation', 3, 3, 1e-6, 1e6),
+  setting('frictionEquationStiffness', 1e7, 1e7, 1e-6, 1e18),
+  setting('frictionEquationRelaxation', 3, 3, 1e-6, 1e6),
+  setting('unitMass', 0, 0, 0, 1e12, { unit: 'kg' }),
+  setting('restitution', 0, 0, 0, 1),
+];
+
+class Simulation {
+  constructor(cannon, question) {
+    this.cannon = cannon;
+    this.dt = question.dt;
+    this.given = question.parameters;
+    this.world = new cannon.World({ allowSleep: false });
+    this.world.solver.iterations = this.given.iterations;
+    this.world.solver.tolerance = this.given.tolerance;
+    const masses = massFactor(question);
+    this.addGround();
+    for (const block of question.blocks) this.addBlock(block, masses);
+    question.friction.forEach((friction, k) => this.rub(k, friction));
+  }
+
+  rub(lower, friction) {
+    const { iterations, tolerance, unitMass, ...surface } = this.given;
+    const [one, other] = [lower, lower + 1].map((k) => this.world.bodies[k].material);
+    this.world.addContactMaterial(new this.cannon.ContactMaterial(one, other, { ...surface, friction }));
+  }
+
+  add(shape, given) {
+    const body = new this.cannon.Body({
+      shape, material: new this.cannon.Material(), linearDamping: 0, angularDamping: 0, ...given,
+    });
+    this.world.addBody(body);
+    return body;
+  }
+
+  /** The library's plane has its normal along z. */
+  addGround() {
+    this.add(new this.cannon.Plane(), { mass: 0, quaternion: new this.cannon.Quaternion(-Math.SQRT1_2, 0, 0, Math.SQRT1_2) });
+  }
+
+  addBlock(block, masses) {
+    const { Box, Quaternion, Vec3 } = this.cannon;
+    const body = this.add(new Box(new Vec3(block.width / 2, block.height / 2, block.depth / 2)), {
+      mass: masses * block.mass,
+      position: new Vec3(block.x, block.y, 0),
+      quaternion: new Quaternion(...turn(block.angle)),
+      velocity: new Vec3(block.velocity_x, block.velocity_y, 0),
+      angularVelocity: new Vec3(0, 0, -block.angular_velocity),
+      linearFactor: new Vec3(1, 1, 0),
+      angularFactor: new Vec3(0, 0, 1),
+    });
+    const inertia = [block.inertia_about_x, block.inertia_about_y, block.inertia].map((value) => masses * value);
+    body.inertia.set(...inertia);
+    body.invInertia.set(...inertia.map((value) => 1 / value));
+    body.updateInertiaWorld(true);
+  }
+
+  step(pull) {
+    this.world.gravity.set(pull.x, pull.y, 0);
+    this.world.step(this.dt);
+  }
+
+  state(k) {
+    const { position, quaternion, velocity, angularVelocity } = this.world.bodies[k + 1];
+    const { angle, tilt } = angles(quaternion.x, quaternion.y, quaternion.z, quaternion.w);
+    return [position.x, position.y, angle, velocity.x, velocity.y, -angularVelocity.z, position.z, tilt];
+  }
+}
+
+await serve({
+  name: 'cannon-es',
+  module: 'cannon-es',
+  note: ' of npm, JavaScript, double precision',
+  licence: 'MIT',
+  capabilities: {},
+  solvers: [{ solver: 'gauss-seidel', settings }],
+  load: () => import('cannon-es'),
+  start: (cannon, question) => new Simulation(cannon, question),
+});

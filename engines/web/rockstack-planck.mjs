@@ -1,0 +1,83 @@
+#!/usr/bin/env node
+// Planck, Box2D's port to JavaScript, beside the exact model. README.md in this folder says what is set in both sets and why.
+
+import { groundReach, onOff, serve, setting, whole } from './worker.mjs';
+
+const settings = [
+  setting('velocityIterations', 8, 50, 1, 1e6, whole),
+  setting('positionIterations', 3, 3, 0, 1e6, whole),
+  onOff('warmStarting', 1, 1),
+  onOff('continuousPhysics', 1, 0),
+  setting('polygonRadius', 0.01, 0, 0, 1e3, { unit: 'm' }),
+  setting('restitution', 0, 0, 0, 1),
+  setting('velocityThreshold', 1, 1, 0, 1e9),
+  setting('lengthUnit', 1, 0.02, 1e-6, 1e6, { unit: 'm' }),
+];
+
+class Simulation {
+  constructor(planck, question) {
+    this.planck = planck;
+    this.dt = question.dt;
+    this.given = question.parameters;
+    planck.Settings.lengthUnitsPerMeter = this.given.lengthUnit;
+    planck.Settings.velocityThreshold = this.given.velocityThreshold;
+    this.world = new planck.World({
+      allowSleep: false,
+      warmStarting: this.given.warmStarting !== 0,
+      continuousPhysics: this.given.continuousPhysics !== 0,
+    });
+    this.bodies = [];
+    const reach = groundReach(question.blocks);
+    this.add({ type: 'static', position: { x: 0, y: -reach } }, reach, reach);
+    for (const block of question.blocks) this.addBlock(block);
+    // The library would take the root of a product.
+    this.world.on('pre-solve', (contact) => {
+      const [one, other] = [contact.getFixtureA(), contact.getFixtureB()].map((fixture) => fixture.getUserData());
+      contact.setFriction(question.friction[Math.max(one, other) - 1]);
+    });
+  }
+
+  /** A box of these half sizes; bodies are numbered from 0, the ground. */
+  add(definition, width, height) {
+    const box = new this.planck.Box(width, height);
+    box.m_radius = this.given.polygonRadius;
+    const body = this.world.createBody(definition);
+    body.createFixture({ shape: box, restitution: this.given.restitution, userData: this.bodies.length });
+    this.bodies.push(body);
+    return body;
+  }
+
+  addBlock(block) {
+    const body = this.add({
+      type: 'dynamic',
+      position: { x: block.x, y: block.y },
+      angle: -block.angle,
+      linearVelocity: { x: block.velocity_x, y: block.velocity_y },
+      angularVelocity: -block.angular_velocity,
+    }, block.width / 2, block.height / 2);
+    body.setMassData({ mass: block.mass, center: { x: 0, y: 0 }, I: block.inertia });
+  }
+
+  step(pull) {
+    this.world.setGravity(pull);
+    this.world.step(this.dt, this.given.velocityIterations, this.given.positionIterations);
+  }
+
+  state(k) {
+    const body = this.bodies[k + 1];
+    const place = body.getPosition();
+    const velocity = body.getLinearVelocity();
+    return [place.x, place.y, -body.getAngle(), velocity.x, velocity.y, -body.getAngularVelocity()];
+  }
+}
+
+await serve({
+  name: 'planck',
+  module: 'planck',
+  note: ' of npm, JavaScript, double precision',
+  licence: 'MIT',
+  capabilities: { planar: true },
+  solvers: [{ solver: 'sequential-impulse', settings }],
+  load: () => import('planck'),
+  start: (planck, question) => new Simulation(planck, question),
+});
