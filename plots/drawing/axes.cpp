@@ -68,6 +68,10 @@ std::string logarithmic_tics(const std::string& axis, double low, double high, d
     else if (chosen.size() < 2)
       chosen = outermost(finer, low, high, room / pixels, chosen);
   }
+  constexpr double overhang = 12;  // pixels by which a number at the end is too wide for a figure's edge
+  if (axis == "x")
+    std::erase_if(chosen,
+                  [&](double place) { return place > high / std::pow(high / low, overhang / pixels); });
   std::string tics;
   for (const double place : chosen)
     tics += fmt::format("{}'{}' {}", tics.empty() ? "" : ", ", in_decades(place), plain(place));
