@@ -102,8 +102,7 @@ std::vector<const WorkerEngine*> engines_of_choice(const std::vector<std::string
     for (const WorkerEngine* engine : chosen_engines(name)) list.push_back(engine);
   }
   if (!names.empty()) return list;
-  for (const WorkerEngine& engine : engines()) {
-    if (!is_usual(engine)) continue;
+  for (const WorkerEngine& engine : usual_engines()) {
     if (list.empty() || list.back()->name != engine.name) list.push_back(&engine);
   }
   return list;

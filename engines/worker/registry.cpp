@@ -6,8 +6,10 @@
 #include <cstdlib>
 #include <deque>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -60,47 +62,6 @@ std::vector<fs::path> found_workers() {
   return programs;
 }
 
-struct Registry {
-  std::vector<WorkerEngine> engines;
-  std::vector<BrokenWorker> broken;
-};
-
-void add_found(const fs::path& program, Registry& registry) {
-  try {
-    std::vector<WorkerEngine> list = engines_of(program);
-    for (const WorkerEngine& engine : list) {
-      const auto other =
-          std::find_if(registry.engines.begin(), registry.engines.end(),
-                       [&](const WorkerEngine& one) { return one.full_name() == engine.full_name(); });
-      if (other != registry.engines.end())
-        throw std::runtime_error(fmt::format("{}: another program has this engine, {}", engine.full_name(),
-                                             other->program.string()));
-    }
-    for (WorkerEngine& engine : list) registry.engines.push_back(std::move(engine));
-  } catch (const std::exception& error) {
-    registry.broken.push_back({program.string(), error.what()});
-  }
-}
-
-Registry ask_workers() {
-  Registry registry;
-  for (const std::string& name : split(ROCKSTACK_BUILT_ENGINES)) {
-    for (WorkerEngine& engine : engines_of(find_worker(prefix + name)))
-      registry.engines.push_back(std::move(engine));
-  }
-  for (const fs::path& program : found_workers()) add_found(program, registry);
-  return registry;
-}
-
-const Registry& registry() {
-  static const Registry made = ask_workers();
-  return made;
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
-}
-
 /// Engines of a program that is named by its path; asked once, and kept where they are.
 const std::deque<WorkerEngine>& engines_at(const fs::path& program) {
   static std::map<fs::path, std::deque<WorkerEngine>> asked;
@@ -110,6 +71,64 @@ const std::deque<WorkerEngine>& engines_at(const fs::path& program) {
   if (found != asked.end()) return found->second;
   std::vector<WorkerEngine> list = engines_of(program);
   return asked[program] = {list.begin(), list.end()};
+}
+
+/// Those that this program was built with, by the names of their workers.
+const std::vector<std::string>& built() {
+  static const std::vector<std::string> names = split(ROCKSTACK_BUILT_ENGINES);
+  return names;
+}
+
+const std::deque<WorkerEngine>& built_engines(const std::string& name) {
+  return engines_at(find_worker(prefix + name));
+}
+
+bool is_built(const std::string& name) {
+  return std::find(built().begin(), built().end(), name) != built().end();
+}
+
+/// What the folders of workers give.
+struct Found {
+  std::vector<WorkerEngine> engines;
+  std::vector<BrokenWorker> broken;
+};
+
+/// The program that gives an engine already, or none.
+std::optional<fs::path> program_of(const WorkerEngine& engine, const std::vector<WorkerEngine>& found) {
+  const auto same = [&](const WorkerEngine& one) { return one.full_name() == engine.full_name(); };
+  if (const auto other = std::find_if(found.begin(), found.end(), same); other != found.end())
+    return other->program;
+  if (!is_built(engine.name)) return {};
+  const auto& list = built_engines(engine.name);
+  const auto other = std::find_if(list.begin(), list.end(), same);
+  return other == list.end() ? std::nullopt : std::optional<fs::path>(other->program);
+}
+
+void add_found(const fs::path& program, Found& found) {
+  try {
+    std::vector<WorkerEngine> list = engines_of(program);
+    for (const WorkerEngine& engine : list) {
+      if (const auto other = program_of(engine, found.engines))
+        throw std::runtime_error(
+            fmt::format("{}: another program has this engine, {}", engine.full_name(), other->string()));
+    }
+    for (WorkerEngine& engine : list) found.engines.push_back(std::move(engine));
+  } catch (const std::exception& error) {
+    found.broken.push_back({program.string(), error.what()});
+  }
+}
+
+const Found& found() {
+  static const Found made = [] {
+    Found all;
+    for (const fs::path& program : found_workers()) add_found(program, all);
+    return all;
+  }();
+  return made;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -124,26 +143,46 @@ void require_folders(const std::string& name, const std::string& given) {
   }
 }
 
-const std::vector<WorkerEngine>& engines() {
-  return registry().engines;
+EngineList engines() {
+  EngineList list;
+  for (const std::string& name : built()) {
+    const auto& own = built_engines(name);
+    list.insert(list.end(), own.begin(), own.end());
+  }
+  list.insert(list.end(), found().engines.begin(), found().engines.end());
+  return list;
+}
+
+EngineList engines_called(const std::string& name) {
+  EngineList list;
+  if (is_built(name)) list.assign(built_engines(name).begin(), built_engines(name).end());
+  std::copy_if(found().engines.begin(), found().engines.end(), std::back_inserter(list),
+               [&](const WorkerEngine& engine) { return engine.name == name; });
+  return list;
+}
+
+EngineList usual_engines() {
+  EngineList list;
+  for (const char* name : {"bullet", "ode", "bullet-single"}) {
+    const EngineList own = engines_called(name);
+    list.insert(list.end(), own.begin(), own.end());
+  }
+  return list;
 }
 
 const std::vector<BrokenWorker>& broken_workers() {
-  return registry().broken;
+  return found().broken;
 }
 
 std::vector<std::string> engines_left_out() {
   std::vector<std::string> names;
   for (const std::string& name : split(ROCKSTACK_KNOWN_ENGINES)) {
-    const bool there = std::any_of(engines().begin(), engines().end(),
-                                   [&](const WorkerEngine& engine) { return engine.name == name; });
+    const bool there =
+        is_built(name) || std::any_of(found().engines.begin(), found().engines.end(),
+                                      [&](const WorkerEngine& engine) { return engine.name == name; });
     if (!there) names.push_back(name);
   }
   return names;
-}
-
-bool is_usual(const WorkerEngine& engine) {
-  return engine.name == "bullet" || engine.name == "ode" || engine.name == "bullet-single";
 }
 
 std::vector<const WorkerEngine*> all_engines_at(const fs::path& program) {
@@ -181,12 +220,13 @@ const WorkerEngine& find_engine(const std::string& name) {
   const std::string file = name.substr(0, name.find(':'));
   const std::string hint =
       fs::is_regular_file(file, ignored) ? fmt::format("; for the file in this folder write ./{}", name) : "";
-  std::vector<std::string> there;
-  there.reserve(engines().size());
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : engines_called(name.substr(0, name.find(':')))) {
     if (name == engine.name || name == engine.full_name()) return engine;
-    there.push_back(engine.full_name());
   }
+  const EngineList all = engines();
+  std::vector<std::string> there;
+  there.reserve(all.size());
+  for (const WorkerEngine& engine : all) there.push_back(engine.full_name());
   for (const BrokenWorker& broken : broken_workers())
     there.push_back(fmt::format("({}: no worker: {})", broken.program, broken.reason));
   throw InputError(fmt::format("engine = {}: must be one of: {}; left out of this build: {}{}", name,

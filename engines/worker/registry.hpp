@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,22 @@ inline constexpr const char* workers_variable = "ROCKSTACK_WORKERS";
 /// them.
 void require_folders(const std::string& name, const std::string& given);
 
+/// Engines where they are kept.
+using EngineList = std::vector<std::reference_wrapper<const WorkerEngine>>;
+
 /// Every engine with every solver that this program was built with, and then those of the workers in the
-/// folders of workers_variable, which are asked at the first call. Engines switched off are not there.
+/// folders of workers_variable. A worker is asked once, when it is first needed; this asks all, and takes a
+/// tenth of a second for each that is a script. Engines switched off are not there.
 /// @throws std::runtime_error naming a worker program that is not beside this one and not where it was built.
-const std::vector<WorkerEngine>& engines();
+EngineList engines();
+
+/// All solvers of the engine of a name, as "ode"; empty where there is none. Asks the worker of that name and
+/// those in folders. @throws std::runtime_error likewise.
+EngineList engines_called(const std::string& name);
+
+/// The engines that are compared where nobody names any, Bullet and ODE, as far as they are there. @throws
+/// std::runtime_error likewise.
+EngineList usual_engines();
 
 /// Finds "bullet", "ode" or "bullet:nncg"; without a solver, the engine's first. A name with a '/' is the
 /// path of a worker program, as "./my_engine.py" or "./my_engine.py:solver".
@@ -47,8 +60,4 @@ struct BrokenWorker {
   std::string reason;
 };
 const std::vector<BrokenWorker>& broken_workers();
-
-/// True for the engines that are compared where nobody names any: Bullet and ODE.
-bool is_usual(const WorkerEngine& engine);
-
 }  // namespace rockstack

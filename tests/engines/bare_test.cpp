@@ -22,6 +22,7 @@
 
 #include "engines/worker/registry.hpp"
 #include "tests/engines/bare.hpp"
+#include "tests/native_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -99,7 +100,7 @@ std::vector<Parameters> more_settings(const WorkerEngine& engine) {
 
 std::vector<Case> cases() {
   std::vector<Case> list;
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : native_engines()) {
     const std::string solver = engine.full_name() + ":";
     list.push_back({&engine, solver + "default", engine.default_parameters()});
     list.push_back({&engine, solver + "tuned", engine.tuned_parameters()});

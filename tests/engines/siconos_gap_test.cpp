@@ -12,6 +12,7 @@
 
 #include "engines/conformance/scenes.hpp"
 #include "engines/worker/registry.hpp"
+#include "tests/native_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -21,7 +22,7 @@ TEST(SiconosGap, IsThatOfTheStepThatLands) {
   Scene scene = at_rest({make_block(1, 0.5, 2500)}, 0.6);
   scene.vertical.interval = 0.2;
   scene.vertical.samples = {-scene.gravity - 2, -scene.gravity - 2, 0};
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : native_engines()) {
     if (engine.name != "siconos") continue;
     for (const double gamma : {0.0, 0.5, 1.0}) {
       Parameters parameters = engine.tuned_parameters();

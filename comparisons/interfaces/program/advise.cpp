@@ -61,9 +61,8 @@ std::vector<const WorkerEngine*> wished_engines(const std::vector<std::string>& 
   for (const std::string& name : names) {
     for (const WorkerEngine* engine : engines_named(name)) list.push_back(engine);
   }
-  if (!names.empty()) return list;
-  for (const WorkerEngine& engine : engines()) {
-    if (is_usual(engine)) list.push_back(&engine);
+  if (names.empty()) {
+    for (const WorkerEngine& engine : usual_engines()) list.push_back(&engine);
   }
   return list;
 }

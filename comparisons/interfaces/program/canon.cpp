@@ -24,7 +24,6 @@ std::vector<const WorkerEngine*> chosen(const std::vector<std::string>& names) {
     for (const WorkerEngine* engine : engines_named(name)) list.push_back(engine);
   }
   if (!names.empty()) return list;
-  list.reserve(engines().size());
   for (const WorkerEngine& engine : engines()) list.push_back(&engine);
   return list;
 }

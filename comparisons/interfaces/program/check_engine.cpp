@@ -175,11 +175,9 @@ std::vector<std::string> both_if_empty(const std::vector<std::string>& settings)
 std::vector<const WorkerEngine*> engines_named(const std::string& name) {
   std::vector<const WorkerEngine*> list = chosen_engines(name);
   if (name.find_first_of(":/") != std::string::npos) return list;
-  const std::string& engine_name = list.front()->name;
+  const EngineList solvers = engines_called(list.front()->name);
   list.clear();
-  for (const WorkerEngine& engine : engines()) {
-    if (engine.name == engine_name) list.push_back(&engine);
-  }
+  for (const WorkerEngine& engine : solvers) list.push_back(&engine);
   return list;
 }
 

@@ -25,8 +25,8 @@ namespace {
 
 /// The first engine that is usual where nobody names one, if it is there.
 std::string usual_engine() {
-  const auto usual = std::find_if(engines().begin(), engines().end(), is_usual);
-  return usual == engines().end() ? "" : usual->name;
+  const EngineList usual = usual_engines();
+  return usual.empty() ? "" : usual.front().get().name;
 }
 
 /// The scene of a lesson's suite.

@@ -10,6 +10,7 @@
 #include "comparisons/measures/metrics/contact/corner_springs.hpp"
 #include "comparisons/measures/metrics/difference_parts.hpp"
 #include "engines/worker/registry.hpp"
+#include "tests/native_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -162,7 +163,7 @@ TEST(CornerSprings, RestitutionIsThatOfADampedSpringThatOnlyPushes) {
 // ODE with erp and cfm made of one spring and dashpot at each step is the implicit Euler method for them.
 // Without friction nothing else is in the contact, and the motion on springs is where smaller steps lead.
 TEST(AddParts, OnFixedSpringsOdesStepIsOfOrderOne) {
-  const auto& all = engines();
+  const auto& all = native_engines();
   const auto ode = std::find_if(all.begin(), all.end(), [](const WorkerEngine& one) {
     return one.name == "ode" && one.solver == "step";
   });

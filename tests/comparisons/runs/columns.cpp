@@ -8,6 +8,7 @@
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "engines/worker/registry.hpp"
+#include "tests/native_engines.hpp"
 
 // Columns of more blocks than the paper's two.
 
@@ -140,7 +141,7 @@ TEST_P(ColumnsInEngine, EightShakenDrumsAreNearerToLawConsistent) {
 /// But Simbody: it follows each contact's motion, and takes more than a minute for a second of eight drums.
 std::vector<const WorkerEngine*> first_solvers() {
   std::vector<const WorkerEngine*> list;
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : native_engines()) {
     if (engine.name == "simbody") continue;
     if (list.empty() || list.back()->name != engine.name) list.push_back(&engine);
   }

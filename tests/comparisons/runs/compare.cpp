@@ -9,6 +9,7 @@
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/statistics/tally.hpp"
 #include "comparisons/runs/job.hpp"
+#include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -104,7 +105,7 @@ TEST(Compare, AMotionThatIsGivenUpIsKeptUpToThere) {
 }
 
 TEST(Compare, ResultsNotAskedForAreNotComputed) {
-  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   const TemporaryFolder folder;
   Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
   suite.repeats = 1;
@@ -187,14 +188,14 @@ TEST(Compare, RunsThatAreDoneAreNotMadeAgain) {
 }
 
 TEST(Compare, NamesOfRunsFitIntoAnyFileSystem) {
-  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   const TemporaryFolder folder;
   const std::string stem(249, 's');
   const NamedScene scene = read_named_scene(folder.write(stem + ".toml", block), {});
   EXPECT_LE(scene.name.size(), 128U);
   Suite suite;
   suite.scenes = {scene};
-  EngineSeries series = make_series(engines().front(), "tuned", {1e-2});
+  EngineSeries series = make_series(native_engines().front(), "tuned", {1e-2});
   series.settings = std::string(400, 'p');
   EXPECT_LE(describe({suite, suite.scenes[0], 1e-2, &series}).run.size(), 128U);
 }
@@ -216,8 +217,8 @@ TEST(Compare, ScenesTooLongToBeSampledAreNamedByThePlaceOfTheirDuration) {
 TEST(Compare, AnEngineIsInAComparisonOnce) {
   const TemporaryFolder folder;
   Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
-  const EngineSeries series = make_series(engines().front(), "tuned", {1e-2});
-  suite.series = {series, make_series(engines().front(), "default", {1e-2})};
+  const EngineSeries series = make_series(native_engines().front(), "tuned", {1e-2});
+  suite.series = {series, make_series(native_engines().front(), "default", {1e-2})};
   EXPECT_NO_THROW(require_comparable({suite}));
   suite.series.push_back(series);
   try {

@@ -10,6 +10,7 @@
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/runs/against_exact.hpp"
 #include "engines/worker/registry.hpp"
+#include "tests/native_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -56,7 +57,7 @@ TEST(ContactImpacts, OfARockingBlockAreThoseOfTheExactMotionButForTheLead) {
   ASSERT_GE(expected, 3);
   // What gravity may change of an angular velocity within a step.
   const double pull = interval * scene.gravity / (2 * scene.blocks[0].half_height);
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : native_engines()) {
     // Its pivots are ahead by an eighth of a step, as Jacobians are those of the step's start.
     if (engine.name == "siconos") continue;
     if (engine.capabilities.single_precision) continue;

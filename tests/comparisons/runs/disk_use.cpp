@@ -4,6 +4,7 @@
 
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/runs/compare.hpp"
+#include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -27,7 +28,7 @@ double bytes_in(const std::filesystem::path& folder) {
 }
 
 TEST(DiskUse, IsToldBeforeAndFallsWithTheSamplesThatAreKept) {
-  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   const TemporaryFolder folder;
   Suite suite = suite_for(read_named_scene(folder.write("block.toml", sampled_block), {}), {.steps = {1e-3}});
   suite.repeats = 1;

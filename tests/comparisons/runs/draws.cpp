@@ -10,6 +10,7 @@
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/runs/predictability.hpp"
 #include "tests/free_rocking.hpp"
+#include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -79,9 +80,9 @@ TEST(Draws, ARowGetsMediansAndQuartiles) {
 }
 
 TEST(Draws, StandBehindARowAndAreNotMadeAgain) {
-  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   const TemporaryFolder folder;
-  Suite suite = suite_of(folder, engines().front());
+  Suite suite = suite_of(folder, native_engines().front());
   const RunMetrics row = compare({suite}, folder.path(), {}).rows.at(1);
   EXPECT_EQ(row.draws, 5);
   const auto file = folder.path() / "runs" / row.run / "draws.csv";
@@ -129,11 +130,11 @@ TEST(Draws, PredictableTimeIsTheDurationUnlessHistoriesPart) {
 
 // A block that rocks for a second; neighbours differ by a thousandth part and drift apart.
 TEST(Draws, RowsAreOfTheTimeUpToTheHorizonOfTheSceneHoweverManyDrawsThereAre) {
-  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
+  if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   std::vector<double> horizons;
   for (const int runs : {1, 3}) {
     const TemporaryFolder folder;
-    Suite suite = suite_of(folder, engines().front());
+    Suite suite = suite_of(folder, native_engines().front());
     suite.draws = {.runs = runs, .scene = 1e-3};
     suite.tolerance = 2e-4;
     const auto rows = compare({suite}, folder.path(), {}).rows;

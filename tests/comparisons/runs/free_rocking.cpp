@@ -12,6 +12,7 @@
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "engines/worker/registry.hpp"
 #include "tests/free_rocking.hpp"
+#include "tests/native_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -50,7 +51,7 @@ TEST_P(FreeRocking, FollowsTheExactSolutionToTheSecondPeak) {
 
 std::vector<const WorkerEngine*> first_in_double_precision() {
   std::vector<const WorkerEngine*> list;
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : native_engines()) {
     const bool single = engine.version.ends_with("single precision");
     if (!single && (list.empty() || list.back()->name != engine.name)) list.push_back(&engine);
   }

@@ -7,6 +7,7 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/stability/study.hpp"
+#include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -114,8 +115,8 @@ TEST(Suites, ScenesVaryInEveryCombination) {
 }
 
 TEST(Suites, ParametersAreChangedOneSeriesEachCombination) {
-  if (engines().empty()) GTEST_SKIP() << "this build has no engine";
-  const WorkerEngine& engine = engines().front();
+  if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
+  const WorkerEngine& engine = native_engines().front();
   const TemporaryFolder folder;
   folder.write("block.toml", block);
   const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n[[engines]]\nname = \"" + engine.name +

@@ -10,6 +10,7 @@
 #include "engines/worker/registry.hpp"
 #include "tests/engines/findings/draws.hpp"
 #include "tests/free_rocking.hpp"
+#include "tests/native_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -70,7 +71,7 @@ TEST(Motion, LandsHalfAStepEarlyUnlessItStartsHalfAStepBack) {
 /// In single precision, warm started, on a box as ground some runs are thrown off by more than 0.01 rad; on a
 /// plane, or started anew each step, or in double precision, none.
 TEST(Motion, SinglePrecisionSuffersFromWarmStartingOnABoxAlone) {
-  const auto& built = engines();
+  const auto& built = native_engines();
   const auto is_single = [](const WorkerEngine& engine) { return engine.name == "bullet-single"; };
   if (std::none_of(built.begin(), built.end(), is_single)) GTEST_SKIP() << "built without Bullet";
   const auto thrown_off = [&](const std::string& precision, double ground, double warm) {

@@ -12,6 +12,7 @@
 #include "engines/worker/registry.hpp"
 #include "tests/engines/findings/draws.hpp"
 #include "tests/engines/findings/impact_laws.hpp"
+#include "tests/native_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -54,7 +55,7 @@ std::vector<Solver> solvers() {
 
 /// Null where this build leaves it out.
 const WorkerEngine* built(const std::string& name) {
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : native_engines()) {
     if (engine.full_name() == name) return &engine;
   }
   return nullptr;
@@ -138,7 +139,7 @@ double hop(const WorkerEngine& engine, double speed, double friction, double up)
 
 /// Its first impulse N takes μN off the speed v and gives N upwards, where N = μ(v − μN).
 TEST(WorkerFriction, ASlidingBlockHopsOffAConvexCone) {
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : native_engines()) {
     if (engine.name != "mujoco") continue;
     for (const double speed : {1.0, 2.0, 4.0}) {
       for (const double friction : {0.2, 0.4, 0.8}) {

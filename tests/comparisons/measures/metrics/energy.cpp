@@ -8,6 +8,7 @@
 #include "analytic/solve.hpp"
 #include "engines/worker/registry.hpp"
 #include "tests/free_rocking.hpp"
+#include "tests/native_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -44,7 +45,7 @@ TEST(Energy, EnginesStartWithThatOfTheExactSolution) {
   Scene scene = free_rocking(3);
   scene.inclination = 0.2;
   const History start = solve(scene, {.sample_times = {0}});
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : native_engines()) {
     Scene brief = scene;
     brief.duration = 0.01;
     const WorkerRun made = run_in_worker(engine, brief, 1e-3, engine.tuned_parameters(), 0, {}, true);
@@ -86,7 +87,7 @@ std::vector<double> sum(std::vector<double> one, const std::vector<double>& othe
 TEST(EnergyBalance, OfSoftContactNeverRises) {
   const Scene scene = leaning_block(2);
   const double tipping = tipping_energy(scene);
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : native_engines()) {
     if (engine.name != "ode") continue;
     for (const double dt : {2e-3, 1e-3, 5e-4}) {
       Parameters parameters = engine.default_parameters();
@@ -122,7 +123,7 @@ double apart(const History& coarse, const History& fine) {
 // shrinks.
 TEST(SoftContact, ConvergesWhereItsSpringStaysTheSame) {
   const Scene scene = leaning_block(1);
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : native_engines()) {
     if (engine.name != "ode") continue;
     const auto change = [&](const auto& parameters, double dt) {
       return apart(run_of(engine, scene, dt, parameters(dt)).history,

@@ -8,6 +8,7 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/studies/impact_laws/engines.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
+#include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -191,7 +192,7 @@ TEST(ImpactLaws, ErrorsOfAStudyNameLineKeyAndWhatIsAllowed) {
 /// Of engines with rigid contacts: an impact of a soft one takes its own time and not a step.
 std::vector<const WorkerEngine*> first_solvers() {
   std::vector<const WorkerEngine*> list;
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : native_engines()) {
     if (engine.name == "mujoco" || engine.name == "simbody") continue;
     if (list.empty() || list.back()->name != engine.name) list.push_back(&engine);
   }
