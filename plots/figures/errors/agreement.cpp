@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t scenes_in_a_row = 3, most_scenes = 12;
 
 /// What all scenes show: a row a solver and set, of each a line a time step.
-struct Frame {
+struct CommonAxes {
   std::vector<std::string> sets;
   std::vector<double> steps;  ///< s, falling
 
@@ -43,8 +43,8 @@ bool is_shown(const Run& run) {
   return is_engine(run) && !is_variant(run);
 }
 
-Frame frame_of(const Comparison& comparison) {
-  Frame frame;
+CommonAxes frame_of(const Comparison& comparison) {
+  CommonAxes frame;
   std::vector<Run> runs;
   for (const Run& run : comparison.runs) {
     if (!is_shown(run)) continue;
@@ -64,7 +64,8 @@ struct Place {
   std::string colour;
 };
 
-std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& scene, const Frame& frame) {
+std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& scene,
+                             const CommonAxes& frame) {
   std::vector<Place> places;
   for (const Run& run : comparison.runs) {
     const auto set = std::find(frame.sets.begin(), frame.sets.end(), line_label(run));
@@ -147,7 +148,7 @@ TimeAxis axis_of(const ComparedScene& scene) {
 }
 
 /// Scenes side by side: until when, and under that by how much.
-void add_scenes(Sheet& sheet, const Comparison& comparison, const Frame& frame, std::size_t from,
+void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& frame, std::size_t from,
                 std::size_t to) {
   const SizeAxis sizes = size_axis(comparison);
   std::vector<RowColumn> times, largest;
@@ -173,7 +174,7 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const Frame& frame, 
   add_rows(sheet, {frame.sets, sizes.low, sizes.high}, largest);
 }
 
-Legend legend_of(const Comparison& comparison, const Frame& frame) {
+Legend legend_of(const Comparison& comparison, const CommonAxes& frame) {
   Legend legend;
   for (const double dt : frame.steps)
     legend.emplace_back(fmt::format("with lines lw 6 lc rgb '{}'", paler("#333333", frame.strength(dt))),
@@ -206,7 +207,7 @@ std::string answer(const Comparison& comparison) {
 
 Drawings agreement(const ComparisonSubject& subject) {
   const Comparison& comparison = subject.comparison;
-  const Frame frame = frame_of(comparison);
+  const CommonAxes frame = frame_of(comparison);
   const bool any = std::any_of(comparison.runs.begin(), comparison.runs.end(),
                                [](const Run& run) { return is_shown(run) && run.error; });
   if (!any) return {};
