@@ -76,6 +76,12 @@ std::size_t index_in(const std::vector<double>& values, std::vector<double>::con
 
 }  // namespace
 
+double Curve::largest() const {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
 Curve thin(const Curve& curve, std::size_t bins) {
   assert(bins >= 1 && curve.times.size() == curve.values.size());
   Curve points = finite_points(curve);

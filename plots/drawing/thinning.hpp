@@ -11,6 +11,8 @@ struct Curve {
   std::vector<double> values;  ///< as many as times
 
   std::size_t size() const { return times.size(); }
+  /// The largest magnitude; 0 of no values.
+  double largest() const;
 };
 
 /// The same curve in fewer points: time is cut into `bins` equal bins and each keeps its smallest and its

@@ -92,17 +92,11 @@ const Curve& longest_exact(const std::vector<Energies>& all) {
       ->exact;
 }
 
-double largest_of(const Curve& curve) {
-  double largest = 0;
-  for (const double value : curve.values) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
 std::string answer(const std::vector<Energies>& all) {
   const auto [low, high] = std::minmax_element(
       all.begin(), all.end(),
-      [](const Energies& a, const Energies& b) { return largest_of(a.apart) < largest_of(b.apart); });
-  const auto text = [](const Energies& one) { return fmt::format("{:.3g}", largest_of(one.apart)); };
+      [](const Energies& a, const Energies& b) { return a.apart.largest() < b.apart.largest(); });
+  const auto text = [](const Energies& one) { return fmt::format("{:.3g}", one.apart.largest()); };
   return fmt::format("Off between impacts by at most {} J", span_text(text(*low), text(*high)));
 }
 

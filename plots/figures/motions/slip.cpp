@@ -87,12 +87,6 @@ Drawing drawn(const SceneSubject& subject, const std::vector<Run>& runs,
   return sheet.finish();
 }
 
-double largest_of(const Curve& curve) {
-  double most = 0;
-  for (const double value : curve.values) most = std::max(most, std::abs(value));
-  return most;
-}
-
 /// When an exact run's interfaces are apart: the first times in words, and how many more there are. Those
 /// that no figure shows do not count.
 std::string flights_of(const Run& run, int blocks, double end) {
@@ -122,7 +116,7 @@ std::string flights_of(const Run& run, int blocks, double end) {
 
 /// The largest slip of a run, and at which interface.
 std::string slip_phrase(const std::vector<Run>& runs, std::size_t run, const std::vector<Quantity>& slips) {
-  const auto largest = [&](const Quantity& slip) { return largest_of(slip.curves[run]); };
+  const auto largest = [&](const Quantity& slip) { return slip.curves[run].largest(); };
   const auto most = std::max_element(slips.begin(), slips.end(), [&](const Quantity& a, const Quantity& b) {
     return largest(a) < largest(b);
   });
@@ -159,7 +153,7 @@ Drawing slip(const SceneSubject& subject) {
         read_quantity(runs, &History::gaps, k, fmt::format("gap {} (mm)", k + 1), millimetres, bins));
   const auto is_still = [&](const Quantity& panel) {
     return std::all_of(panel.curves.begin(), panel.curves.end(),
-                       [](const Curve& curve) { return largest_of(curve) <= least * millimetres; });
+                       [](const Curve& curve) { return curve.largest() <= least * millimetres; });
   };
   panels.erase(std::remove_if(panels.begin() + 1, panels.end(), is_still), panels.end());
   return drawn(subject, runs, panels, answer);

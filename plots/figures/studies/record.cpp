@@ -35,7 +35,7 @@ Mark to_mark(const Json& json) {
   return {json.at("value"), json.at("time")};
 }
 
-RecordFacts facts_in(const Json& json) {
+RecordFacts record_facts(const Json& json) {
   const auto& span = json.at("significant_5_95");
   const std::string record = std::filesystem::path(json.at("file").get<std::string>()).filename().string();
   const std::string channel = json.at("channel");
@@ -91,8 +91,8 @@ std::string significant_band(const RecordFacts& facts) {
       plain(facts.begin), plain(facts.end));
 }
 
-std::string time_settings(const RecordFacts& facts, double end) {
-  return fmt::format("set grid lt 1 dt solid lw 1 lc rgb '#DADADA'\nset xrange [0:{}]\n", plain(end)) +
+std::string time_settings(const RecordFacts& facts, double last) {
+  return fmt::format("set grid lt 1 dt solid lw 1 lc rgb '#DADADA'\nset xrange [0:{}]\n", plain(last)) +
          significant_band(facts);
 }
 
@@ -148,7 +148,7 @@ void add_spectrum(Sheet& sheet, const RecordFacts& facts, Curve spectrum) {
 /// and the response spectrum.
 Drawings record(const FolderSubject& subject) {
   const std::filesystem::path& results = subject.folder;
-  const RecordFacts facts = read_json(results / "record.json", facts_in);
+  const RecordFacts facts = read_json(results / "record.json", record_facts);
   const auto columns =
       read_columns(results / "record.csv", {"time", "acceleration", "velocity", "displacement", "husid"});
   const auto spectrum = read_columns(results / "spectrum.csv", {"period", "pseudo_acceleration"});

@@ -10,7 +10,6 @@
 #include "comparisons/measures/metrics/contact/corner_springs.hpp"
 #include "comparisons/measures/metrics/difference_parts.hpp"
 #include "engines/worker/registry.hpp"
-#include "tests/native_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -163,21 +162,18 @@ TEST(CornerSprings, RestitutionIsThatOfADampedSpringThatOnlyPushes) {
 // ODE with erp and cfm made of one spring and dashpot at each step is the implicit Euler method for them.
 // Without friction nothing else is in the contact, and the motion on springs is where smaller steps lead.
 TEST(AddParts, OnFixedSpringsOdesStepIsOfOrderOne) {
-  const auto& all = native_engines();
-  const auto ode = std::find_if(all.begin(), all.end(), [](const WorkerEngine& one) {
-    return one.name == "ode" && one.solver == "step";
-  });
-  if (ode == all.end()) GTEST_SKIP() << "this build has no ODE";
+  if (engines_called("ode").empty()) GTEST_SKIP() << "this build has no ODE";
+  const WorkerEngine& ode = find_engine("ode:step");
   Scene scene = let_go();
   scene.duration = 0.4;
   scene.friction = {0};
-  Parameters parameters = ode->default_parameters();
+  Parameters parameters = ode.default_parameters();
   parameters["contactStiffness"] = 1e5;
   parameters["contactDamping"] = 2e3;
   std::array<double, 3> errors{}, whole{};
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const double dt = 1e-3 / std::pow(2, i);
-    const EngineRun run = run_in_worker(*ode, scene, dt, parameters, 0, {}, true).run;
+    const EngineRun run = run_in_worker(ode, scene, dt, parameters, 0, {}, true).run;
     const History exact = solve(scene, {.sample_times = run.history.times});
     RunMetrics row;
     RunFiles files;
