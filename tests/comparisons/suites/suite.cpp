@@ -65,8 +65,8 @@ TEST(Suites, ErrorsNameLineKeyAndWhatIsAllowed) {
   EXPECT_TRUE(
       error_of(head + "repeats = 1.5\n").starts_with("suite.toml:3: repeats = 1.5: must be a whole number"));
   EXPECT_TRUE(error_of(head + "colour = 1\n").starts_with("suite.toml:3: colour"));
-  EXPECT_TRUE(error_of(head + "[[engines]]\nname = \"havok\"\n")
-                  .starts_with("suite.toml:4: engine = havok: must be one of"));
+  EXPECT_TRUE(error_of(head + "[[engines]]\nname = \"newton\"\n")
+                  .starts_with("suite.toml:4: engine = newton: must be one of"));
   EXPECT_TRUE(error_of("title = \"a\"\nscenes = []\n").starts_with("suite.toml:2: scenes"));
 }
 
