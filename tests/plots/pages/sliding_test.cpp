@@ -71,9 +71,9 @@ TEST_F(SlidingPage, EventsOfSlidingAndFlightAreStopsInWords) {
       "Slip at interface 2, which starts to slide: pattern R→C becomes R→C←.",
       "Lift-off at interface 1, where blocks part: pattern R→C← becomes –C←.",
       "Impact at interface 1: pattern –C← becomes LC←.",
-      "Stick at interface 2, which stops to slide that way: pattern LC← becomes LC.",
-      "Corner at interface 2, where the contact passes to another corner: pattern LC becomes LR.",
-      "Fall at interface 2, where a block leaves the face below: pattern LR becomes L–."};
+      "Stick at interface 2, which stops to slide that way: pattern LC← becomes 3b.",
+      "Corner at interface 2, where the contact passes to another corner: pattern 3b becomes 2b.",
+      "Fall at interface 2, where a block leaves the face below: pattern 2b becomes L–."};
   for (std::size_t i = 0; i < said.size(); ++i) {
     EXPECT_EQ(answer.result["words"][i][0], 0.5 * static_cast<double>(i + 1));
     EXPECT_TRUE(answer.result["words"][i][1].get<std::string>().ends_with(said[i]))
