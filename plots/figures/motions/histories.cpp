@@ -137,11 +137,13 @@ void add_angles(Sheet& sheet, const BlockCurves& curves, int blocks, int block, 
 
 constexpr auto fine = "with lines lw 1.5", coarse = "with lines lw 1.5 dt (5,5)";
 
+/// With its step; a law of the exact solver has none.
 std::string words_of(const StepLine& line) {
   const auto step = [&](const Run& run) {
     return varies_iterations(line) ? std::to_string(iterations_of(run)) + " iterations"
                                    : duration_text(value_of(run.dt));
   };
+  if (!line.front().dt) return line_label(line);
   const std::string finest = line_label(line) + ", " + step(line.front());
   return line.size() < 2 ? finest : finest + ", " + step(line.back()) + " dashed";
 }
