@@ -18,7 +18,7 @@ class KeptFiles {
     using Value = std::invoke_result_t<Read, const std::filesystem::path&>;
     if (const auto found = kept_.find(file); found != kept_.end())
       return std::static_pointer_cast<const Value>(found->second);
-    const auto value = std::make_shared<const Value>(read(file));
+    std::shared_ptr<const Value> value = std::make_shared<const Value>(read(file));
     make_room_for(file);
     kept_[file] = value;
     return value;

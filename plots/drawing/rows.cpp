@@ -71,6 +71,7 @@ void add_rows(Sheet& sheet, const RowPanel& panel, const std::vector<RowColumn>&
   const double height = panel.row_height > 0 ? panel.row_height : 10 + 16 * static_cast<double>(words.lines);
   const double width = (right_edge - words.left) * figure_width / static_cast<double>(columns.size());
   std::vector<SidePanel> cells;
+  cells.reserve(columns.size());
   for (const RowColumn& column : columns)
     cells.push_back(
         {(column.range ? column.range(width) : logarithmic_range("x", panel.low, panel.high, width)) +

@@ -66,6 +66,8 @@ TEST(SceneKeys, MakeAWholeScene) {
          {&scene_keys, &block_keys, &initial_keys, &ground_keys, &contact_keys, motion, &surface_keys}) {
       for (const InputKey& key : table->keys) {
         const std::string_view standard = key.standard;
+        // Friction is stated once.
+        if (table == &surface_keys && std::string_view(key.name) == "friction") continue;
         if (*key.example != '\0' && !standard.starts_with("instead of "))
           file.set(*table, key.name, key.example);
       }
