@@ -139,6 +139,7 @@ Drawing ranking(const SceneSubject& subject) {
   const std::vector<double> steps = chosen_steps(runs);
   Sheet sheet = subject.sheet({}, answer(runs, steps));
   std::vector<RowColumn> columns;
+  columns.reserve(steps.size());
   for (const double dt : steps)
     columns.push_back({"step " + duration_text(dt), column_plots(sheet, rows, dt, columns.size(), ranges)});
   add_rows(sheet, panel, columns);

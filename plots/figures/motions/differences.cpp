@@ -164,6 +164,7 @@ Drawing differences(const SceneSubject& subject) {
   const std::size_t curves =
       runs.size() * (many ? runs.size() : 2 * static_cast<std::size_t>(scene.blocks()));
   std::vector<Departure> departures;
+  departures.reserve(runs.size());
   for (const Run& run : runs)
     departures.push_back(read_departure(run, scene.blocks(), bins_for(curves), together));
   Legend legend = legend_of(runs, curve_style);
