@@ -116,8 +116,7 @@ std::string answer(const std::vector<Occupancy>& all) {
   const auto words = [](const Occupancy& one) {
     return fmt::format("{} for {:.1f} % of the time", run_phrase(one.run), 100 * one.same);
   };
-  const std::string range = engines.size() == 1 ? words(**most) : words(**most) + ", " + words(**least);
-  return range;
+  return engines.size() == 1 ? words(**most) : words(**most) + ", " + words(**least);
 }
 
 /// The largest share of time of any motion in any pattern.

@@ -88,6 +88,7 @@ Drawing phase(const SceneSubject& subject) {
   Sheet sheet = subject.sheet(legend_of(runs, curve_style), answer(runs));
   for (int k = 0; k < scene.blocks(); ++k) {
     std::vector<Curve> orbits;
+    orbits.reserve(runs.size());
     for (const Run& run : runs) orbits.push_back(read_orbit(run, k, tolerance));
     add_block(sheet, runs, k, scene.blocks(), orbits);
   }

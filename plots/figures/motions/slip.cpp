@@ -43,6 +43,7 @@ Quantity read_quantity(const std::vector<Run>& runs, std::vector<double> History
 
 std::vector<Quantity> read_slips(const std::vector<Run>& runs, int blocks, std::size_t bins) {
   std::vector<Quantity> list;
+  list.reserve(static_cast<std::size_t>(blocks));
   for (int k = 0; k < blocks; ++k)
     list.push_back(
         read_quantity(runs, &History::slips, k, fmt::format("slip {} (mm)", k + 1), millimetres, bins));
@@ -167,6 +168,7 @@ Drawing friction(const SceneSubject& subject) {
     if (run.exact() || has_own_friction(run)) runs.push_back(run);
   const std::size_t bins = bins_of(runs, scene.blocks());
   std::vector<Quantity> panels;
+  panels.reserve(2 * static_cast<std::size_t>(scene.blocks()));
   for (int k = 0; k < scene.blocks(); ++k)
     panels.push_back(read_quantity(runs, &History::angles, k, angle_name(k + 1) + " (rad)", 1, bins));
   const std::vector<Quantity> slips = read_slips(runs, scene.blocks(), bins);
