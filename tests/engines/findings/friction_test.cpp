@@ -10,6 +10,7 @@
 #include "comparisons/measures/statistics/step_fit.hpp"
 #include "tests/engines/findings/draws.hpp"
 #include "tests/engines/findings/impact_laws.hpp"
+#include "tests/engines/linked_engines.hpp"
 
 namespace rockstack {
 namespace {

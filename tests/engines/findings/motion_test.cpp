@@ -9,6 +9,7 @@
 #include "analytic/solve.hpp"
 #include "engines/worker/registry.hpp"
 #include "tests/engines/findings/draws.hpp"
+#include "tests/engines/linked_engines.hpp"
 #include "tests/free_rocking.hpp"
 #include "tests/native_engines.hpp"
 
