@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "comparisons/interfaces/program/commands.hpp"
@@ -102,7 +103,7 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
   const ResultsFolder folder(arguments.out, Results::advice);
   Wish wish{
       .error = arguments.error, .within = arguments.within, .engines = wished_engines(arguments.engines)};
-  wish.limits.time = arguments.time_limit;
+  wish.limits.time = std::min(arguments.time_limit, arguments.within);
   const Advice advice = advise(scene, wish, arguments.out, common.command);
   if (common.json) {
     nlohmann::ordered_json json{

@@ -16,10 +16,10 @@ struct Wish {
   /// Largest difference from the exact motion: of any angle, rad, and of any centre, as a share of the least
   /// block height; > 0.
   double error = 1e-3;
-  double within = 60;  ///< for the whole search, s of wall time, > 0
-  std::vector<const WorkerEngine*> engines = {};
-  Limits limits = {};  ///< of each run
-  int repeats = 3;     ///< timed runs
+  double within = 60;                             ///< for the whole search, s of wall time, > 0
+  std::vector<const WorkerEngine*> engines = {};  ///< that are tried, with their tuned sets
+  Limits limits = {};                             ///< of each run
+  int repeats = 3;                                ///< timed runs
   /// What must come within the error, nine draws of ten each: at steps up to a quarter longer and shorter,
   /// and again about the step itself, so that none is taken for the luck of being tried often.
   Draws draws = {.runs = 21, .steps = 0.25};

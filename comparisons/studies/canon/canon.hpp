@@ -60,17 +60,18 @@ struct CanonErrors {
 };
 
 /// Verdict and reason by a fit of the medians over the steps (fit_steps()), in this order: "agrees" where
-/// the median is below canon_resolution at every step; "another law" where it is above and hardly changes
-/// over the three finest steps, or where the fit leaves a deviation above canon_resolution at any step;
-/// "cannot tell" where errors scatter, do not fall, or leave room for one of canon_agreement steps of 1 ms;
-/// "agrees" where it is off by canon_agreement steps at most at the finest; else "converges".
+/// the median is within canon_resolution at the three finest steps; "another law" where it is above there and
+/// hardly changes, or where the fit leaves a deviation above canon_resolution at any step; "cannot tell"
+/// where errors scatter, do not fall, are none at some step, or leave room for one of canon_agreement steps
+/// of 1 ms; "agrees" where it is off by canon_agreement steps at most at the finest; else "converges".
 CanonAnswer judge_canon(const std::string& scene, const std::vector<CanonErrors>& errors);
 
 /// Runs a scene at all steps, each with the suite's replicates.
 CanonAnswer answer_canon(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
                          const std::string& settings);
 
-/// The same, kept in a folder: an answer of the same scene, engine and program that is there is read back.
+/// The same, kept in a folder: an answer of the same scene, engine and program that is there is read back;
+/// where there was no run, it is tried again.
 CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
                               const std::string& settings, const std::filesystem::path& folder);
 

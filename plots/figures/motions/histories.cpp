@@ -21,6 +21,7 @@ std::string impact_ticks(const std::vector<double>& times, double end, double wi
   std::string text;
   double last = -end;
   for (const double time : times) {
+    if (time > end) break;
     if (time - last < end / width) continue;
     text += fmt::format("set arrow from {0}, graph 1 to {0}, graph 0.94 nohead lw 2 lc rgb '#000000' front\n",
                         plain(time));
@@ -201,9 +202,13 @@ Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
     for (const Run& run : ends_of(line)) runs.push_back(run);
   Legend legend;
   if (!exact.empty()) legend.emplace_back(exact_style, "exact");
-  for (const auto& [style, words] :
-       {std::pair{fine, "engine, finest step"}, {coarse, "engine, coarsest step"}})
+  const bool dashed =
+      std::any_of(lines.begin(), lines.end(), [](const StepLine& line) { return line.size() > 1; });
+  const auto explain = [&](const char* style, const char* words) {
     legend.emplace_back(fmt::format("{} lc rgb '#000000'", style), words);
+  };
+  explain(fine, dashed ? "engine, finest step" : "engine");
+  if (dashed) explain(coarse, "engine, coarsest step");
   const TimeAxis axis = axis_of(subject, runs, legend);
   Sheet sheet = subject.sheet(legend, answer(runs, false));
   constexpr double first = 24, between = 24;

@@ -70,6 +70,27 @@ TEST(Shown, CurvesHaveTheExtentOfTheirHistories) {
   EXPECT_TRUE(taken.picture.says("Largest angles: exact 0.1"));
 }
 
+// Twelve impacts are told of, the last at 6 s, and the axis ends at 5 s with the exact curve.
+TEST(Shown, ImpactsAfterTheAxisHaveNoTick) {
+  const Shot taken = shot({.blocks = 1, .impacts = 12, .results = {"histories"}}, "histories");
+  const auto rightmost = [&](const std::string& colour) {
+    double most = 0;
+    for (const testing::ShownLine& line : taken.picture.lines_of(colour)) {
+      for (const auto& [x, y] : line.points) most = std::max(most, x);
+    }
+    return most;
+  };
+  ASSERT_GT(rightmost("rgb(154,154,154)"), 0);
+  EXPECT_LE(rightmost("rgb(0,0,0)"), rightmost("rgb(154,154,154)") + 1.5);
+}
+
+// Of a single step no line is dashed.
+TEST(Shown, OneStepHasNoWordOfACoarserOne) {
+  const testing::Sample one{.blocks = 1, .steps = {1e-2}, .results = {"histories"}};
+  EXPECT_FALSE(shot(one, "histories").picture.says("coarsest"));
+  EXPECT_TRUE(shot({.blocks = 1, .results = {"histories"}}, "histories").picture.says("coarsest"));
+}
+
 TEST(Shown, EachImpactIsAMarkAndSoIsWhatIsMissedOrAdded) {
   const Shot taken = shot({.blocks = 1, .impacts = 9}, "impact-times");
   const plots::Run engine = shown_runs(taken.comparison, "sample").engines.front();

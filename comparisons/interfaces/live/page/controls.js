@@ -208,8 +208,11 @@ function controlsOf(page) {
   const lawGroup = () => {
     const contact = table("contact"), { law } = scene();
     const everywhere = (name, otherwise) => ({ get: key(contact, name, otherwise).get, set: (value) => { contact(true)[name] = value; } });
+    const { get, set } = everywhere("friction", scene().engine?.friction ?? 1000);
+    // A scene states its friction once.
+    const setFriction = (value) => { delete scene().engine?.friction; set(value); };
     const friction = slider({ label: "friction", hint: "of law unilateral and compliant, and of engines", limits: between(0.01, 1000), log: true,
-      ...everywhere("friction", scene().engine?.friction ?? 1000) });
+      get, set: setFriction });
     const soft = law !== "compliant" ? [] : [
       slider({ label: "stiffness, N/m", hint: "of each corner; inf: rigid", limits: between(1e5, 1e11), log: true, ...everywhere("stiffness", "inf") }),
       slider({ label: "damping, N·s/m", limits: between(0, 1e6), ...everywhere("damping", 0) })];

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "comparisons/suites/shipped.hpp"
@@ -99,6 +100,21 @@ TEST(Canon, ErrorsThatScatterTellNothing) {
     off = 1e-3 / off;
   }
   EXPECT_EQ(judge_canon("scene", errors).verdict, "cannot tell");
+}
+
+/// One replicate a step, s of motion.
+CanonAnswer judged_of(const std::array<double, canon_steps.size()>& times) {
+  std::vector<CanonErrors> errors;
+  for (std::size_t i = 0; i < times.size(); ++i) errors.push_back({canon_steps[i], {{times[i], 1, false}}});
+  return judge_canon("scene", errors);
+}
+
+// The logarithm of no error is none: the fit is of the steps that are left.
+TEST(Canon, NoErrorAgreesAtTheFinestStepsAndIsNotFittedAtOthers) {
+  EXPECT_EQ(judged_of({1e-2, 1e-2, 0, 0, 0}).verdict, "agrees");
+  const CanonAnswer few = judged_of({8e-2, 0, 2e-2, 1e-2, 5e-3});
+  EXPECT_EQ(few.verdict, "cannot tell");
+  EXPECT_EQ(few.reason, "4 steps are fewer than 5");
 }
 
 // ODE's direct solver takes friction's limit from the impulse that there would be without friction; Bullet's
