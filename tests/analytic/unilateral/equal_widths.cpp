@@ -85,7 +85,7 @@ void move_ground(Draw& draw, Scene& scene) {
 
 Scene equal_widths(std::uint64_t seed) {
   Draw draw(7000 + seed);
-  const auto size = static_cast<std::size_t>(2 + draw.below(2));
+  const std::size_t size = draw.below(2) == 0 ? 2 : 3;
   const double width = draw.between(0.5, 1.5);
   std::vector<Block> blocks;
   for (std::size_t k = 0; k < size; ++k) blocks.push_back(block(width, draw.between(0.4, 2)));
