@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 #include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/messages/near_word.hpp"
 #include "comparisons/measures/results/build.hpp"
 #include "engines/worker/installation.hpp"
 
@@ -44,6 +46,18 @@ std::filesystem::path find_file(const std::string& input, const std::string& kin
   const auto own = shipped_file(kind, input + ".toml"), given = folder / input;
   return !std::filesystem::is_regular_file(given, ignored) && std::filesystem::exists(own, ignored) ? own
                                                                                                     : given;
+}
+
+std::filesystem::path input_file(const std::string& input, const std::vector<std::string>& kinds) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const std::string& kind : kinds) {
+    std::filesystem::path file = find_file(input, kind);
+    if (std::filesystem::exists(file, ignored)) return file;
+    for (std::string& name : shipped_names(kind)) names.push_back(std::move(name));
+  }
+  throw InputError(fmt::format("{}: must be a file or a name from `rockstack list`, nothing is there{}",
+                               input, did_you_mean(input, names)));
 }
 
 std::filesystem::path named_file(const Node& node, const std::string& kind,

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/near_word.hpp"
 #include "engines/worker/installation.hpp"
 
 namespace rockstack {
@@ -227,10 +228,12 @@ const WorkerEngine& find_engine(const std::string& name) {
   std::vector<std::string> there;
   there.reserve(all.size());
   for (const WorkerEngine& engine : all) there.push_back(engine.full_name());
+  std::vector<std::string> words = there;
+  for (const WorkerEngine& engine : all) words.push_back(engine.name);
   for (const BrokenWorker& broken : broken_workers())
     there.push_back(fmt::format("({}: no worker: {})", broken.program, broken.reason));
-  throw InputError(fmt::format("engine = {}: must be one of: {}; left out of this build: {}{}", name,
-                               joined(there), joined(engines_left_out()), hint));
+  throw InputError(fmt::format("engine = {}: must be one of: {}; left out of this build: {}{}{}", name,
+                               joined(there), joined(engines_left_out()), hint, did_you_mean(name, words)));
 }
 
 }  // namespace rockstack

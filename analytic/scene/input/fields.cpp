@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analytic/scene/messages/near_word.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
@@ -19,9 +20,14 @@ void require_table(const Node& node, const KeyTable& allowed) {
   for (const Node& child : node.children) {
     const auto known = [&](const InputKey& key) { return child.name == key.name; };
     if (std::any_of(allowed.keys.begin(), allowed.keys.end(), known)) continue;
-    std::string names;
-    for (const InputKey& key : allowed.keys) names += (names.empty() ? "" : ", ") + std::string(key.name);
-    throw InputError(child.place + ": " + one_line(child.key) + ": unknown key, must be one of " + names);
+    std::vector<std::string> names;
+    std::string list;
+    for (const InputKey& key : allowed.keys) {
+      names.emplace_back(key.name);
+      list += (list.empty() ? "" : ", ") + names.back();
+    }
+    throw InputError(child.place + ": " + one_line(child.key) + ": unknown key, must be one of " + list +
+                     did_you_mean(child.name, names));
   }
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/near_word.hpp"
 #include "analytic/scene/messages/quantity_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "engines/conformance/check.hpp"
@@ -77,7 +78,8 @@ std::vector<Check> checks_named(const std::vector<std::string>& names) {
   }
   for (const std::string& name : names) {
     if (std::find(there.begin(), there.end(), name) == there.end())
-      throw InputError(fmt::format("--check {}: must be one of {}", name, fmt::join(there, ", ")));
+      throw InputError(fmt::format("--check {}: must be one of {}{}", name, fmt::join(there, ", "),
+                                   did_you_mean(name, there)));
   }
   return list;
 }

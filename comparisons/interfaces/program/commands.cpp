@@ -31,9 +31,7 @@ namespace {
 
 /// The suite or scene that an input of `compare` names.
 std::filesystem::path find_input(const std::string& input) {
-  const auto file = find_file(input, "suites");
-  std::error_code ignored;
-  return std::filesystem::exists(file, ignored) ? file : find_file(input, "scenes");
+  return input_file(input, {"suites", "scenes"});
 }
 
 /// A suite says by itself what it runs.
@@ -136,11 +134,9 @@ void print_first_of(const std::vector<const WorkerEngine*>& engines, const Commo
 }  // namespace
 
 NamedScene read_one_scene(const std::string& input, const Common& common) {
-  const auto file = find_file(input, "scenes");
+  const auto file = input_file(input, {"scenes", "suites"});
   std::error_code ignored;
-  const bool there = std::filesystem::exists(file, ignored);
-  const auto suite = there ? file : find_file(input, "suites");
-  if (std::filesystem::is_regular_file(suite, ignored) && is_suite(suite))
+  if (std::filesystem::is_regular_file(file, ignored) && is_suite(file))
     throw InputError(input + ": must be a scene, this is a suite, which `rockstack compare` takes");
   return read_named_scene(file, common.overrides);
 }

@@ -24,7 +24,7 @@ extern "C" void interrupt(int /*signal*/) {
 }
 
 Ensemble read_ensemble(const SweepArguments& arguments, const Common& common, MotionLibrary& library) {
-  return read_ensemble(find_file(arguments.ensemble, "ensembles"), common.overrides, library);
+  return read_ensemble(input_file(arguments.ensemble, {"ensembles"}), common.overrides, library);
 }
 
 /// What a process does that does not lead. It reads the ensemble only when it is given a block, so that of

@@ -1,8 +1,10 @@
 #include "comparisons/studies/lessons/lesson.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/near_word.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -32,12 +34,13 @@ std::string title(const Lesson& lesson) {
 }
 
 const Lesson& find_lesson(const std::string& name) {
-  std::string names;
+  std::vector<std::string> names;
   for (const Lesson& lesson : lessons()) {
     if (lesson.name == name) return lesson;
-    names += (names.empty() ? "" : ", ") + lesson.name;
+    names.push_back(lesson.name);
   }
-  throw InputError(fmt::format("teach {}: must be one of {}", name, names));
+  throw InputError(
+      fmt::format("teach {}: must be one of {}{}", name, fmt::join(names, ", "), did_you_mean(name, names)));
 }
 
 }  // namespace rockstack
