@@ -1,23 +1,20 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <functional>
-#include <memory>
+#include <initializer_list>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "analytic/scene/input/document.hpp"
-#include "comparisons/interfaces/program/commands.hpp"
+#include "analytic/scene/messages/near_word.hpp"
+#include "comparisons/interfaces/program/options.hpp"
 #include "comparisons/interfaces/program/output.hpp"
-#include "comparisons/measures/results/histories.hpp"
-#include "comparisons/suites/perturbations.hpp"
 #include "engines/worker/registry.hpp"
 
 namespace {
@@ -49,278 +46,35 @@ void require_temporary_folder() {
   if (error) throw InputError(fmt::format("TMPDIR = {}: must be a folder", std::getenv("TMPDIR")));
 }
 
-/// A subcommand with what it does once its options are read.
-struct Command {
-  CLI::App* app;
-  std::function<int()> run;
-};
-
-constexpr const char* scene_help = "scene file, or a name from `rockstack list scenes`";
-constexpr const char* out_help = "folder for results";
-
-void add_plots(CLI::App& command, bool& plots) {
-  command.add_flag_callback(
-      "--no-plots", [&plots] { plots = false; }, "leave out the figure and the page with the player");
+/// The command that is given, or none.
+const Command* parsed(const std::vector<Command>& commands) {
+  const auto given = std::find_if(commands.begin(), commands.end(),
+                                  [](const Command& command) { return command.app->parsed(); });
+  return given == commands.end() ? nullptr : &*given;
 }
 
-Command add_solve(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<SolveArguments>();
-  CLI::App* command = app.add_subcommand("solve", "solve a scene exactly");
-  command->add_option("scene", arguments->scene, scene_help)->required();
-  command->add_option("--out", arguments->out, out_help)->required();
-  command->add_option("--integrator", arguments->integrator, "what makes the steps; rk4 is the baseline")
-      ->check(CLI::IsMember({"taylor", "rk4"}))
-      ->capture_default_str();
-  command->add_option("--step", arguments->step, "longest step of rk4, s")->capture_default_str();
-  command->add_option("--interval", arguments->interval, "interval of samples in history.csv, s")
-      ->capture_default_str();
-  command
-      ->add_option("--tolerance", arguments->tolerance,
-                   "of taylor: share of the velocity that a step may leave out, and angle below which "
-                   "chatter ends, rad; 0: rounding")
-      ->check(CLI::Range(0.0, 1e-3))
-      ->capture_default_str();
-  command->add_option("--histories", arguments->histories, "what else to write at each sample")
-      ->delimiter(',')
-      ->check(CLI::IsMember(kinds_of_histories()));
-  add_plots(*command, arguments->plots);
-  return {command, [arguments, &common] { return solve_command(*arguments, common); }};
+/// What a command needs and was not given, all of it.
+std::string missing(const Command& command) {
+  std::string names;
+  for (const CLI::Option* option : command.app->get_options()) {
+    if (option->get_required() && option->count() == 0)
+      names += (names.empty() ? "" : ", ") + option->get_name();
+  }
+  return fmt::format("{}: {}: missing", command.app->get_name(), names);
 }
 
-Command add_simulate(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<SimulateArguments>();
-  CLI::App* command = app.add_subcommand("simulate", "run a scene in one physics engine");
-  command->add_option("scene", arguments->scene, scene_help)->required();
-  command->add_option("--engine", arguments->engine, "engine, or engine:solver")->required();
-  command->add_option("--dt", arguments->dt, "time step, s")->required();
-  command->add_option("--settings", arguments->settings, "parameter set")
-      ->check(CLI::IsMember({"default", "tuned"}))
-      ->capture_default_str();
-  command
-      ->add_option("--parameter", arguments->parameters,
-                   "change of the parameter set, e.g. erp=0.05; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--out", arguments->out, out_help)->required();
-  add_plots(*command, arguments->plots);
-  return {command, [arguments, &common] { return simulate_command(*arguments, common); }};
-}
-
-Command add_compare(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command =
-      app.add_subcommand("compare", "run scenes or suites on the exact solver and the engines");
-  command->add_option("inputs", arguments->inputs, "scene or suite files, or names from `rockstack list`")
-      ->required();
-  command->add_option("--record", arguments->record,
-                      "record in the place of synthetic motions, scaled to their peak");
-  command
-      ->add_option("--jobs", arguments->jobs,
-                   "runs at a time; with more than one, times are those of runs that share the machine")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command
-      ->add_option("--draws", arguments->draws,
-                   "replicates behind each number of an engine: runs at nearby steps of nearly the same "
-                   "scene; left out: "
-                   "as the suite says, 5 for a scene")
-      ->check(CLI::Range(1, most_draws));
-  command
-      ->add_option(
-          "--engine", arguments->choice.engines,
-          "of scenes: engine, or engine:solver; may be repeated or a list, ode:step,bullet; left out: "
-          "the first solver of Bullet, in both precisions, and of ODE")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option("--dt", arguments->choice.steps,
-                   "of scenes: time step, s; may be repeated or a list, 1e-2,1e-3; left out: 1e-2,1e-3,1e-4")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_flag(
-      "--quick", arguments->choice.quick,
-      "of scenes: 3 replicates, steps of 1e-2 and 1e-3 s, one timed run, 2000 samples of each history");
-  command->add_flag(
-      "--softness", arguments->choice.softness,
-      "of scenes: split each engine's difference into contact model, contact softness and time step");
-  command->add_option("--history-interval", arguments->history_interval,
-                      "least time between the samples that files keep, s; numbers are of all samples");
-  command
-      ->add_option("--out", arguments->out,
-                   "folder for results; a comparison that was stopped goes on there, runs that are done stay")
-      ->required();
-  return {command, [arguments, &common] { return compare_command(*arguments, common); }};
-}
-
-Command add_advise(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<AdviseArguments>();
-  CLI::App* command =
-      app.add_subcommand("advise", "find the cheapest engine, solver and step for a scene within an error");
-  command->add_option("scene", arguments->scene, scene_help)->required();
-  command
-      ->add_option(
-          "--error", arguments->error,
-          "largest difference from the exact motion: of angles, rad, and of centres, in least heights")
-      ->capture_default_str();
-  command->add_option("--within", arguments->within, "of the whole search, s")->capture_default_str();
-  command->add_option("--engine", arguments->engines, "engine, or engine:solver; more than one may be given");
-  command->add_option("--time-limit", arguments->time_limit, "of each run, s")->capture_default_str();
-  command->add_option("--out", arguments->out, out_help)->required();
-  return {command, [arguments, &common] { return advise_command(*arguments, common); }};
-}
-
-Command add_sweep(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<SweepArguments>();
-  CLI::App* command = app.add_subcommand("sweep", "solve a scene many times with values varied");
-  command
-      ->add_option("ensemble", arguments->ensemble,
-                   "ensemble file, or a name from `rockstack list ensembles`")
-      ->required();
-  command
-      ->add_option("--threads", arguments->threads,
-                   "threads, as many as the machine has if left out; under mpirun, one a rank")
-      ->check(CLI::Range(1, 1024));
-  command->add_option("--out", arguments->out, "folder for results; a sweep that was stopped goes on there")
-      ->required();
-  return {command, [arguments, &common] { return sweep_command(*arguments, common); }};
-}
-
-Command add_plot(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<PlotArguments>();
-  CLI::App* command = app.add_subcommand("plot", "draw figures and the report from a results folder");
-  command->add_option("folder", arguments->results, "folder with results of any command but `advise`")
-      ->required();
-  command->add_flag("--animate", arguments->animate,
-                    "write each scene's motion as a GIF too, and as an MP4 where ffmpeg is installed");
-  return {command, [arguments, &common] { return plot_command(*arguments, common); }};
-}
-
-Command add_record(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<RecordArguments>();
-  CLI::App* command = app.add_subcommand("record", "measure an accelerogram");
-  command->add_option("file", arguments->file, "record, or record:channel")->required();
-  command->add_option("--out", arguments->out, out_help);
-  command->add_option("--base-line", arguments->base_line, "line to take off the accelerations first")
-      ->check(CLI::IsMember({"none", "fitted"}))
-      ->capture_default_str();
-  return {command, [arguments, &common] { return record_command(*arguments, common); }};
-}
-
-Command add_diff(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<DiffArguments>();
-  ChangeOptions& options = arguments->options;
-  CLI::App* command = app.add_subcommand(
-      "diff", "hold two results of `compare` against each other; exit code 1 where something got worse");
-  command->add_option("old", arguments->old_results, "folder with the results of before")->required();
-  command->add_option("new", arguments->new_results, "folder with the new results")->required();
-  command
-      ->add_option("--level", options.level,
-                   "chance that any number with replicates is reported as changed where nothing has changed")
-      ->capture_default_str();
-  command->add_option(
-      "--factor", options.factors.single,
-      "of rows of single runs: from how many times on a number is reported as changed; left out: only "
-      "failures are reported");
-  command->add_option(
-      "--cost", options.factors.cost,
-      "from how many times on the time of a step is reported as changed, where the repeats of both lie "
-      "apart; left out: none is");
-  command->add_option("--across", options.across, "what may differ between two rows that are held together")
-      ->delimiter(',')
-      ->check(CLI::IsMember(row_names()));
-  command->add_option("--out", arguments->out,
-                      "folder for diff.json and diff.csv; left out: none are written");
-  return {command, [arguments, &common] { return diff_command(*arguments, common); }};
-}
-
-Command add_teach(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<TeachArguments>();
-  CLI::App* command =
-      app.add_subcommand("teach", "list the lessons, or run one and write its page and slides");
-  command->add_option("lesson", arguments->lesson, "name of a lesson, or all; left out, or list: list them");
-  command->add_option("--out", arguments->out, out_help);
-  command->add_flag("--pdf", arguments->pdf, "slides as PDF too, by Chromium");
-  command
-      ->add_option("--sheet", arguments->sheet,
-                   "write a problem sheet instead, its numbers drawn from this seed, and its key")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53U));
-  return {command, [arguments, &common] { return teach_command(*arguments, common); }};
-}
-
-#ifdef ROCKSTACK_WITH_LIVE
-Command add_live(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<LiveArguments>();
-  CLI::App* command = app.add_subcommand(
-      "live", "serve a page on this machine with sliders, on which solver and engines answer at once");
-  command
-      ->add_option("input", arguments->input,
-                   "scene file, name of a scene or lesson, folder of `rockstack teach`, or a link of a page")
-      ->capture_default_str();
-  command->add_option("--record", arguments->records, "record that the page may choose; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--port", arguments->port, "of 127.0.0.1; left out: any that is free")
-      ->check(CLI::Range(1, 65535));
-  command->add_flag_callback(
-      "--no-browser", [arguments] { arguments->browser = false; }, "print the address alone");
-  return {command, [arguments, &common] { return live_command(*arguments, common); }};
-}
-#endif
-
-Command add_list(CLI::App& app, const Common& common) {
-  const auto what = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("list", "list what there is, with a line on each");
-  command->add_option("what", *what, "scenes, suites, ensembles, lessons or engines; left out: all")
-      ->check(CLI::IsMember({"scenes", "suites", "ensembles", "lessons", "engines"}));
-  return {command, [what, &common] { return list_command(*what, common); }};
-}
-
-void add_settings(CLI::App& command, std::vector<std::string>& settings) {
-  command.add_option("--settings", settings, "parameter sets; left out: both")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"default", "tuned"}));
-}
-
-Command add_check_engine(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<CheckEngineArguments>();
-  CLI::App* command =
-      app.add_subcommand("check-engine", "hold an engine to the laws that every engine must follow");
-  command
-      ->add_option("engine", arguments->engine,
-                   "worker program, e.g. ./my_engine.py, or a name from `rockstack list engines`")
-      ->required();
-  add_settings(*command, arguments->settings);
-  command->add_option("--check", arguments->checks, "names of checks; left out: all")->delimiter(',');
-  return {command, [arguments, &common] { return check_engine_command(*arguments, common); }};
-}
-
-Command add_canon(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<CanonArguments>();
-  CLI::App* command =
-      app.add_subcommand("canon", "run small scenes with closed forms on engines: which law do they follow?");
-  command->add_option("engines", arguments->engines,
-                      "worker programs, or names from `rockstack list engines`; left out: all");
-  add_settings(*command, arguments->settings);
-  command->add_option("--out", arguments->out, out_help)->required();
-  return {command, [arguments, &common] { return canon_command(*arguments, common); }};
-}
-
-Command add_keys(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<KeysArguments>();
-  CLI::App* command =
-      app.add_subcommand("keys", "explain every key of input files: unit, default, range, meaning");
-  command->add_option("kind", arguments->kind, "scene, suite or ensemble; left out: all")
-      ->check(CLI::IsMember({"scene", "suite", "ensemble"}));
-  return {command, [arguments, &common] { return keys_command(*arguments, common); }};
-}
-
-Command add_new(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<NewArguments>();
-  CLI::App* command = app.add_subcommand("new", "print a commented input file to begin with");
-  command->add_option("kind", arguments->kind, "scene, suite or ensemble")
-      ->check(CLI::IsMember({"scene", "suite", "ensemble"}))
-      ->capture_default_str();
-  command->add_option("--record", arguments->record, "record that shakes the scene");
-  command->add_option("--out", arguments->out, "new file to write; left out: standard output");
-  return {command, [arguments, &common] { return new_command(*arguments, common); }};
+/// What the first word that nobody expected may have been meant for.
+std::string nearest_of(const CLI::App& app, const Command* given) {
+  std::vector<std::string> names;
+  if (given == nullptr) {
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  } else {
+    for (const CLI::App* owner : std::initializer_list<const CLI::App*>{&app, given->app}) {
+      for (const CLI::Option* option : owner->get_options()) names.push_back(option->get_name());
+    }
+  }
+  const std::vector<std::string> words = app.remaining(true);
+  return words.empty() ? "" : did_you_mean(words.front(), names);
 }
 
 int run(int count, char** arguments) {
@@ -338,29 +92,24 @@ int run(int count, char** arguments) {
       app.add_flag("--json", common.json, "print the result as JSON"),
       app.add_option("--workers", common.workers,
                      "folders of more engines, with ':' between them; left out: $ROCKSTACK_WORKERS")};
-  std::vector<Command> commands;
-  for (const auto add : {add_solve, add_simulate, add_compare, add_advise, add_sweep, add_diff, add_plot,
-                         add_record, add_teach,
-#ifdef ROCKSTACK_WITH_LIVE
-                         add_live,
-#endif
-                         add_list, add_check_engine, add_canon, add_keys, add_new}) {
-    commands.push_back(add(app, common));
-    commands.back().app->footer(CLI::Formatter().make_group("Common options", false, common_options));
-  }
+  const std::vector<Command> commands = add_commands(app, common);
+  for (const Command& command : commands)
+    command.app->footer(CLI::Formatter().make_group("Common options", false, common_options));
   try {
     app.parse(count, arguments);
   } catch (const CLI::Success& success) {
     return app.exit(success);
+  } catch (const CLI::RequiredError&) {
+    throw std::invalid_argument(missing(*parsed(commands)));
+  } catch (const CLI::ExtrasError& error) {
+    throw std::invalid_argument(error.what() + nearest_of(app, parsed(commands)));
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(error.what());
   }
-  const auto given = std::find_if(commands.begin(), commands.end(),
-                                  [](const Command& command) { return command.app->parsed(); });
   require_folders("--workers", common.workers);
   if (!common.workers.empty()) setenv(workers_variable, common.workers.c_str(), 1);
   require_temporary_folder();
-  if (given != commands.end()) return given->run();
+  if (const Command* given = parsed(commands)) return given->run();
   std::string names;
   for (const Command& command : commands) names += " " + command.app->get_name();
   throw std::invalid_argument("a command must be given, one of" + names);

@@ -114,7 +114,6 @@ int teach_command(const TeachArguments& arguments, const Common& common) {
     return 0;
   }
   lessons_named(arguments.lesson);
-  if (arguments.out.empty()) throw InputError("--out: missing, must be a folder for the lesson's page");
   if (arguments.sheet) return write_sheets(arguments, common);
   if (arguments.lesson == "all") return teach_all(arguments, common);
   return teach(find_lesson(arguments.lesson), arguments.out, arguments, common);
