@@ -1,7 +1,10 @@
 #include "analytic/scene/ground/records/columns.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "analytic/scene/ground/records/units.hpp"
 
@@ -31,51 +34,100 @@ bool recognises(Cursor cursor) {
   return !fields.empty() && is_numeric(fields.front());
 }
 
+/// Names of columns, where a line of the header may be that: as many words as there are columns, no number or
+/// unit among them.
+std::size_t names_in(std::string_view line) {
+  const bool comment = std::string_view("#%!*/").find(trimmed(line).front()) != std::string_view::npos;
+  const bool numbers = line.find_first_of("0123456789") != std::string_view::npos;
+  return comment || numbers || find_unit(line) ? 0 : words(line, ",;").size();
+}
+
 struct Header {
   HeaderUnit unit;
   std::optional<double> interval;
+  std::size_t names = 0;  ///< of columns, in the last line; 0: none
+  std::size_t count = 0;  ///< of values, where a line "NPTS dt" says it; else 0
+  std::size_t count_line = 0;
 };
+
+/// A line without what stands in round brackets, such as "(sec)" after a name.
+std::string without_brackets(std::string_view line) {
+  std::string text;
+  int depth = 0;
+  for (const char c : line) {
+    depth += c == '(' ? 1 : 0;
+    if (depth == 0) text += c;
+    depth -= c == ')' && depth > 0 ? 1 : 0;
+  }
+  return text;
+}
 
 void read_header(const Cursor& cursor, std::string_view line, Header& header) {
   header.unit.read(cursor, line);
+  header.names = names_in(line);
   if (contains(line, "(ms)") || contains(line, "[ms]")) cursor.fail("times in ms: must be in s");
-  constexpr std::array<std::string_view, 4> names{"dt", "time step", "timestep", "interval"};
-  for (const std::string_view name : names) {
-    const std::string_view field = field_after(line, name);
-    if (field.empty() || !is_numeric(field)) continue;
-    const double interval = read_interval(cursor, line, field);
+  const std::string plain = without_brackets(line);
+  const auto note = [&](double interval) {
     if (header.interval && *header.interval != interval)
       cursor.fail("names another time step than a line before");
     header.interval = interval;
-  }
+  };
+  constexpr std::array<std::string_view, 4> steps{"dt", "time step", "timestep", "interval"};
+  for (const std::string_view name : steps)
+    if (const auto field = field_after(plain, name); !field.empty() && is_numeric(field))
+      note(read_interval(cursor, plain, field));
+  constexpr std::array<std::string_view, 3> rates{"samplerate", "sample rate", "sampling rate"};
+  for (const std::string_view name : rates)
+    if (const auto field = field_after(plain, name); !field.empty() && is_numeric(field))
+      note(checked_interval(cursor, 1 / number(cursor, field)));
 }
 
+/// Numbers as they stand.
 struct Table {
-  std::size_t columns = 0;
-  std::vector<double> times;
-  std::vector<double> values;
+  std::vector<std::vector<double>> rows;
   std::vector<std::size_t> lines;
+
+  std::size_t columns() const { return rows.front().size(); }
+  std::vector<double> column(std::size_t index) const {
+    std::vector<double> values;
+    values.reserve(rows.size());
+    for (const auto& row : rows) values.push_back(row[index]);
+    return values;
+  }
 };
 
+/// The numbers of a line. Where semicolons part them, commas are decimal points.
+std::vector<double> numbers_in(const Cursor& cursor, std::string_view line) {
+  const bool semicolons = line.find(';') != std::string_view::npos;
+  std::vector<double> values;
+  for (const std::string_view field : words(line, semicolons ? ";" : ",")) {
+    std::string text(field);
+    if (semicolons) std::replace(text.begin(), text.end(), ',', '.');
+    values.push_back(number(cursor, text));
+  }
+  return values;
+}
+
+/// Rows are of one length, but for the last of a series that goes on from line to line.
 void read_row(const Cursor& cursor, std::string_view line, Table& table) {
-  const auto fields = words(line);
-  if (table.columns == 0) table.columns = fields.size();
-  if (fields.size() > 2) {
-    cursor.fail(std::to_string(fields.size()) +
-                " columns: must be one (acceleration) or two (time, acceleration)");
-  }
-  if (fields.size() != table.columns) {
-    cursor.fail(std::to_string(fields.size()) + " columns where lines before have " +
-                std::to_string(table.columns));
-  }
-  if (fields.size() == 2) table.times.push_back(number(cursor, fields[0]));
-  table.values.push_back(number(cursor, fields.back()));
+  const auto fields = words(line, ",;");
+  if (table.rows.empty() && !std::all_of(fields.begin(), fields.end(), is_numeric))
+    cursor.fail("not a known format: must be " + std::string(known_formats));
+  if (!table.rows.empty() && table.rows.back().size() < table.columns())
+    cursor.fail_at(table.lines.back(), std::to_string(table.rows.back().size()) +
+                                           " columns where lines before have " +
+                                           std::to_string(table.columns()));
+  table.rows.push_back(numbers_in(cursor, line));
   table.lines.push_back(cursor.line_number());
+  const std::size_t columns = table.rows.back().size();
+  if (columns > table.columns())
+    cursor.fail(std::to_string(columns) + " columns where lines before have " +
+                std::to_string(table.columns()));
 }
 
 /// The mean step, which all others must equal.
 double constant_step(const Cursor& cursor, const Table& table) {
-  const std::vector<double>& times = table.times;
+  const std::vector<double> times = table.column(0);
   if (times.size() < 2) cursor.fail("one time alone gives no time step");
   const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   checked_interval(cursor, step);
@@ -89,27 +141,86 @@ double constant_step(const Cursor& cursor, const Table& table) {
   return step;
 }
 
+/// Of two columns the first is time; of more where it rises from row to row, which a series of acceleration
+/// that goes on from line to line does not.
+bool has_times(const Table& table) {
+  if (table.columns() < 3) return table.columns() == 2;
+  const std::vector<double> first = table.column(0);
+  return first.size() > 2 && std::is_sorted(first.begin(), first.end(), std::less_equal<>());
+}
+
+/// What columns hold without times: a series, a component each, or a series from line to line.
+std::vector<std::vector<double>> series_of(const Cursor& cursor, const Header& header, const Table& table) {
+  std::vector<std::vector<double>> series;
+  if (table.columns() == 1 || header.names == table.columns()) {
+    for (std::size_t k = 0; k < table.columns(); ++k) series.push_back(table.column(k));
+    return series;
+  }
+  constexpr std::size_t most_components = 4;
+  if (table.columns() <= most_components)
+    cursor.fail_at(table.lines.front(),
+                   std::to_string(table.columns()) +
+                       " columns, none of them times: where each is a component, a line of names must stand "
+                       "above them");
+  series.emplace_back();
+  for (const auto& row : table.rows) series.front().insert(series.front().end(), row.begin(), row.end());
+  return series;
+}
+
+/// Takes the line "NPTS dt" off the rows, where they begin with it: a count and a step before rows of another
+/// length.
+void take_count(Header& header, Table& table) {
+  constexpr double longest = 1;  // step, s
+  const std::vector<double>& first = table.rows.front();
+  const bool whole = first.size() == 2 && first[0] >= 2 && first[0] == std::floor(first[0]);
+  if (!whole || !(first[1] > 0) || first[1] > longest) return;
+  header.count = static_cast<std::size_t>(first[0]);
+  header.count_line = table.lines.front();
+  header.interval = first[1];
+  table.rows.erase(table.rows.begin());
+  table.lines.erase(table.lines.begin());
+}
+
 std::vector<Record> read(Cursor cursor) {
   Header header;
   Table table;
   while (!cursor.at_end()) {
     const std::string_view line = cursor.next({});
     if (trimmed(line).empty()) continue;
-    if (is_header(line))
+    if (is_header(line)) {
       read_header(cursor, line, header);
-    else
-      read_row(cursor, line, table);
+      continue;
+    }
+    if (table.rows.size() == 1 && words(line, ",;").size() != table.columns()) take_count(header, table);
+    read_row(cursor, line, table);
   }
   const double factor = header.unit.factor(cursor);
-  if (table.columns == 1 && !header.interval) {
+  const bool times = has_times(table);
+  if (!times && !header.interval) {
     cursor.fail_at(table.lines.front(),
-                   "one column, and no time step in the header: say e.g. \"# dt = 0.01\" (s)");
+                   (table.columns() == 1 ? "one column" : std::to_string(table.columns()) + " columns") +
+                       std::string(", and no time step in the header: say e.g. \"# dt = 0.01\" (s)"));
   }
-  const double step = table.columns == 2 ? constant_step(cursor, table) : *header.interval;
+  if (table.rows.back().size() < table.columns() && (times || header.names == table.columns()))
+    cursor.fail_at(table.lines.back(), std::to_string(table.rows.back().size()) +
+                                           " columns where lines before have " +
+                                           std::to_string(table.columns()));
+  const double step = times ? constant_step(cursor, table) : *header.interval;
   if (header.interval && std::abs(step - *header.interval) > step_tolerance * step) {
     cursor.fail("times step by " + shown(step) + " s, the header says dt = " + shown(*header.interval));
   }
-  return {make_record(step, std::move(table.values), factor, "text columns")};
+  std::vector<std::vector<double>> series;
+  if (times) {
+    for (std::size_t k = 1; k < table.columns(); ++k) series.push_back(table.column(k));
+  } else {
+    series = series_of(cursor, header, table);
+  }
+  if (header.count > 0) check_count(cursor, series.front().size(), header.count, header.count_line);
+  std::vector<Record> records;
+  records.reserve(series.size());
+  for (auto& samples : series)
+    records.push_back(make_record(step, std::move(samples), factor, "text columns"));
+  return records;
 }
 
 }  // namespace

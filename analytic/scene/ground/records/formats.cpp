@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "analytic/scene/ground/records/columns.hpp"
 #include "analytic/scene/ground/records/cosmos.hpp"
@@ -77,9 +78,7 @@ std::vector<Record> read_series(std::string_view file, std::string_view text) {
     if (series.empty()) cursor.fail("holds no series of acceleration");
     return series;
   }
-  cursor.fail(
-      "not a known format: PEER AT2, COSMOS, CSMIP volume 2, USGS SMC, ESM, K-NET/KiK-net, columns of "
-      "numbers");
+  cursor.fail("not a known format: must be " + std::string(known_formats));
 }
 
 }  // namespace rockstack::records

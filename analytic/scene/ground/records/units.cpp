@@ -16,7 +16,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 
 bool is_keyword(std::string_view word) {
   constexpr std::array keywords{"unit", "units", "acc", "accel", "acceleration"};
-  return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+  return std::find(keywords.begin(), keywords.end(), word) != keywords.end() || word.ends_with("unit");
 }
 
 /// Words that may stand between "acceleration" or "units" and the unit.
@@ -40,11 +40,12 @@ std::optional<double> bracketed_unit(std::string_view line) {
 std::optional<double> unit_factor(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 6> spellings{
       {{"\u00b2", "2"}, {"^", ""}, {"**", ""}, {"sec", "s"}, {"/s/s", "/s2"}, {"cms", "cm"}}};
-  constexpr std::array<std::pair<std::string_view, double>, 5> units{
+  constexpr std::array<std::pair<std::string_view, double>, 6> units{
       {{"g", standard_gravity},
        {"gal", centimetre_per_second_squared},
        {"gals", centimetre_per_second_squared},
        {"cm/s2", centimetre_per_second_squared},
+       {"mm/s2", 1e-3},
        {"m/s2", 1.0}}};
   constexpr std::size_t longest = 16;
   if (name.size() > longest) return std::nullopt;

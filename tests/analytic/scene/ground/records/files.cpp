@@ -76,7 +76,7 @@ TEST_F(RecordFile, MissingEmptyAndOtherFilesAreRefused) {
   EXPECT_EQ(error_of("blank"), "blank:1: the file is empty");
   write("prose", "Dear Sir,\nno record here.\n");
   EXPECT_EQ(error_of("prose"),
-            "prose:1: not a known format: PEER AT2, COSMOS, CSMIP volume 2, USGS SMC, ESM, "
+            "prose:1: not a known format: must be PEER AT2, COSMOS, CSMIP volume 2, USGS SMC, ESM, "
             "K-NET/KiK-net, columns of numbers");
 }
 

@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include "analytic/scene/ground/ground_motion.hpp"
+#include "analytic/scene/ground/records/formats.hpp"
 #include "tests/analytic/scene/ground/records/layouts.hpp"
 
 namespace rockstack {
@@ -199,13 +203,75 @@ TEST(TextColumns, WhatTheHeaderDoesNotSayIsRefused) {
 TEST(TextColumns, UnequalRowsAreRefused) {
   const std::string one = one_column_text(made_up_samples());
   const std::string two = two_column_text(made_up_samples(), 0.005);
-  EXPECT_EQ(error_of_text(with_line(one, 6, "1 2 3")),
-            "file:6: 3 columns: must be one (acceleration) or two (time, acceleration)");
+  EXPECT_EQ(error_of_text(with_line(one, 6, "1 2 3")), "file:6: 3 columns where lines before have 1");
   EXPECT_EQ(error_of_text(with_line(one, 6, "1 2")), "file:6: 2 columns where lines before have 1");
   EXPECT_EQ(error_of_text(with_line(two, 3, "0.006,0.1")),
             "file:3: time 0.006 where a constant step gives 0.005");
   EXPECT_EQ(error_of_text(with_line(one, 4, "nan")), "file:4: 'nan' is not a finite number below 1e100");
   EXPECT_EQ(error_of_text("units: g\n0.1, 0.2\n"), "file:2: one time alone gives no time step");
+}
+
+/// Three components, the second and third of opposite sign and half as large, in rows of that form.
+std::string components_text(const std::string& head, bool times, char separator) {
+  std::ostringstream text;
+  text << head << std::fixed << std::setprecision(4);
+  const std::vector<double> samples = made_up_samples();
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (times) text << 0.02 * static_cast<double>(k) << separator;
+    text << samples[k] << separator << -samples[k] << separator << samples[k] / 2 << '\n';
+  }
+  return text.str();
+}
+
+void expect_components(const std::string& text, double factor) {
+  const std::vector<Record> series = records::read_series("file", text);
+  ASSERT_EQ(series.size(), 3U) << text;
+  for (const Record& record : series) EXPECT_NEAR(record.interval, 0.02, 0.02 * round_off);
+  const std::vector<double> samples = made_up_samples();
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    EXPECT_NEAR(series[0].samples[k], samples[k] * factor, 1e-12);
+    EXPECT_NEAR(series[1].samples[k], -samples[k] * factor, 1e-12);
+    EXPECT_NEAR(series[2].samples[k], samples[k] / 2 * factor, 1e-12);
+  }
+}
+
+TEST(TextColumns, EachColumnAfterTheTimesIsAComponent) {
+  expect_components(components_text("t [s],ax [m/s2],ay [m/s2],az [m/s2]\n", true, ','), 1);
+  expect_components(components_text("#SampleRate(Hz): 50\n#AmplitudeUnit:  gal. (corr)\n", true, ' '), gal);
+}
+
+TEST(TextColumns, NamedColumnsAreComponentsWithTheStepOfTheHeader) {
+  const std::string head = "SAMPLING INTERVAL (sec) : 0.02\nRAW PGA VALUES (gal) : (N-S) 8\n";
+  expect_components(components_text(head + "   N-S   E-W   U-D\n", false, ' '), gal);
+  EXPECT_EQ(
+      error_of_text(components_text(head, false, ' ')),
+      "file:3: 3 columns, none of them times: where each is a component, a line of names must stand above "
+      "them");
+}
+
+TEST(TextColumns, WhereSemicolonsPartThemCommasAreDecimalPoints) {
+  std::string text = components_text("t [s];a [m/s2];b [m/s2];c [m/s2]\n", true, ';');
+  expect_components(text, 1);
+  std::replace(text.begin(), text.end(), '.', ',');
+  expect_components(text, 1);
+}
+
+TEST(TextColumns, ASeriesMayGoOnFromLineToLine) {
+  const std::string rows = in_columns(made_up_samples(), "%9.3f", 8);
+  expect_record(read_text("# units: m/s2\n# dt: 0.02\n" + rows), "text columns", 0.02, 1, made_up_samples());
+  expect_record(read_text("# units: m/s2\n19 0.02\n" + rows), "text columns", 0.02, 1, made_up_samples());
+  expect_record(read_text("# a (mm/s/s)\n19 0.02\n" + in_columns(made_up_samples(), "%.3f", 1)),
+                "text columns", 0.02, 1e-3, made_up_samples());
+  EXPECT_EQ(error_of_text("# units: m/s2\n20 0.02\n" + rows),
+            "file:5: the file ends after 19 values; line 2 announces 20");
+  EXPECT_EQ(error_of_text("# units: m/s2\n# dt: 0.02\n1 2 3 4 5\n1 2 3\n1 2 3 4 5\n"),
+            "file:4: 3 columns where lines before have 5");
+}
+
+TEST(TextColumns, WordsAmongNumbersAreNoKnownLayout) {
+  EXPECT_EQ(error_of_text("Instrument None\n0 km from nowhere\n"),
+            "file:2: not a known format: must be PEER AT2, COSMOS, CSMIP volume 2, USGS SMC, ESM, "
+            "K-NET/KiK-net, columns of numbers");
 }
 
 }  // namespace
