@@ -60,16 +60,16 @@ std::string evidence(const std::vector<ReplicatedRow>& rows) {
   return most > 1 ? fmt::format("{} replicates", most) : "one run each";
 }
 
+/// Of a scene among others.
 std::string place(const First& first) {
-  return "in " + joined(first.scenes);
+  return first.scenes.empty() ? "" : "in " + joined(first.scenes) + " ";
 }
 
 std::string part(const First& first, const std::string& by) {
-  if (first.sets.size() == 1)
-    return fmt::format("{} {} is nearest to the exact motion", place(first), first.sets[0]);
-  const std::string sets = joined_up_to(most_named, first.sets);
-  return first.all ? fmt::format("{} {} cannot be told apart by {}", place(first), sets, by)
-                   : fmt::format("{} {} are nearest and cannot be told apart by {}", place(first), sets, by);
+  if (first.sets.size() == 1) return place(first) + first.sets[0] + " is nearest to the exact motion";
+  if (first.all) return place(first) + "no set can be told to be nearest, by " + by;
+  return fmt::format("{}{} are nearest and cannot be told apart by {}", place(first),
+                     joined_up_to(most_named, first.sets), by);
 }
 
 /// The last set, where all others are shown to be nearer.
@@ -103,7 +103,8 @@ std::string over_all(const std::vector<ReplicatedRow>& rows, const std::vector<R
 std::string nearest_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<std::string>& scenes) {
   const std::vector<RankedSet> ranking = rank_all(rows);
   if (ranking.size() < 2) return "";
-  const std::vector<First> firsts = firsts_of(rows, scenes);
+  std::vector<First> firsts = firsts_of(rows, scenes);
+  if (scenes.size() == 1) firsts.front().scenes.clear();
   std::size_t moving = 0;
   for (const First& one : firsts) moving += one.scenes.size();
   std::string text;

@@ -10,7 +10,6 @@
 #include "analytic/scene/messages/quantity_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/statistics/mann_whitney.hpp"
-#include "comparisons/measures/verdict/nearest.hpp"
 
 namespace rockstack {
 namespace {
@@ -141,9 +140,7 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
   const bool solved = exact != rows.end() && exact->row.status == RunStatus::done;
   sentences.push_back(solved ? exact_sentence(exact->row, scene.scale)
                              : "There is no exact motion to compare with.");
-  for (const std::string& sentence : {nearest_sentence(rows, {scene.name}), agreement_sentence(rows, {scene}),
-                                      event_sentence(rows, {scene}, rows.size())})
-    if (!sentence.empty()) sentences.push_back(sentence);
+  sentences.push_back(event_sentence(rows, {scene}, rows.size()));
   add_errors(rows, sentences);
   add_first_impact(rows, sentences);
   add_slips(rows, sentences);

@@ -60,18 +60,23 @@ std::vector<std::string> headline_of(const ComparisonEvidence& evidence,
   sentences.reserve(scenes.size() + 2);
   for (const JudgedScene& scene : scenes)
     sentences.push_back(toppling_sentence(evidence.distances, row_list(rows), scene.name));
-  sentences.push_back(together(nearest_sentence(rows, names_of(scenes)), rest_sentence(rows, scenes)));
   sentences.push_back(together(agreement_sentence(rows, scenes), event_sentence(rows, scenes, most_events)));
+  sentences.push_back(together(nearest_sentence(rows, names_of(scenes)), rest_sentence(rows, scenes)));
   std::erase(sentences, "");
   sentences.resize(std::min<std::size_t>(sentences.size(), 2));
   return sentences;
 }
 
-std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const JudgedScene& scene) {
+/// Of a scene that is alone the headline has said what all scenes come to.
+std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const JudgedScene& scene,
+                                      bool alone) {
   std::vector<ReplicatedRow> own;
   std::copy_if(evidence.rows.begin(), evidence.rows.end(), std::back_inserter(own),
                [&](const ReplicatedRow& one) { return one.row.scene == scene.name; });
   std::vector<std::string> sentences = scene_sentences(own, scene);
+  if (!alone)
+    sentences.insert(sentences.begin() + 1,
+                     {agreement_sentence(own, {scene}), nearest_sentence(own, {scene.name})});
   sentences.push_back(toppling_sentence(evidence.distances, row_list(own), scene.name));
   sentences.push_back(convergence_sentence(evidence.fits, scene.name));
   std::erase(sentences, "");
@@ -82,7 +87,8 @@ std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const 
 
 ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes) {
   ComparisonVerdict verdict{headline_of(evidence, scenes), {}, rank_all(evidence.rows)};
-  for (const JudgedScene& scene : scenes) verdict.scenes.push_back(sentences_of(evidence, scene));
+  for (const JudgedScene& scene : scenes)
+    verdict.scenes.push_back(sentences_of(evidence, scene, scenes.size() == 1));
   return verdict;
 }
 

@@ -12,8 +12,8 @@ namespace rockstack {
 
 /// What a comparison comes to, in sentences: the only place where they are made.
 struct ComparisonVerdict {
-  /// Two at most: which sets are nearest and in which scenes, and until when engines agree, with what happens
-  /// otherwise than exactly.
+  /// Two at most: until when engines agree, with what happens otherwise than exactly, and which sets are
+  /// nearest in which scenes.
   std::vector<std::string> headline;
   /// One scene each, in their order.
   std::vector<std::vector<std::string>> scenes;
