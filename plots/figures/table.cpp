@@ -15,7 +15,7 @@ DrawScene histories, slip, friction, differences, impact_times, impact_energy, r
 using DrawComparison = Drawings(const ComparisonSubject&);
 DrawComparison agreement, solver_scores;
 using DrawFolder = Drawings(const FolderSubject&);
-DrawFolder fragility, incremental, overturning, modes, law_maps, law_engines, stability, record;
+DrawFolder fragility, incremental, overturning, modes, law_maps, law_engines, stability, record, advice;
 
 namespace {
 
@@ -210,6 +210,13 @@ std::vector<Figure> study_figures() {
        "of the block below; darker: a larger share of the impacts. Kinds with a share below one in a "
        "hundred are left out; grey squares have no impact that was judged.",
        OfFolder{"impact-laws.csv", law_maps}},
+      {"advice", "Cost and error of what was tried", "What is the cheapest that is near enough?",
+       "Each mark is a trial, labelled with its time step where there is room: across, the computing time; "
+       "up, "
+       "the largest difference from the exact motion until it can no longer be predicted, of an angle in rad "
+       "or of a centre as a share of the least block height. Under the dashed line nine of ten replicates "
+       "must lie; trials where they do have a ring, and the cheapest of them has a second one.",
+       OfFolder{"advice.json", advice}},
       {"record", "Record", "How strong and how long is the record?",
        "Acceleration, velocity and displacement with their peaks; the shaded span is the significant "
        "duration. Below, the growth of the Arias intensity and the response spectrum.",

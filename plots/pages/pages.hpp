@@ -23,6 +23,9 @@ void write_sweep_report(const std::filesystem::path& results);
 /// From stability.json, stability.csv and steps.csv.
 void write_stability_report(const std::filesystem::path& results);
 
+/// From advice.json.
+void write_advice_report(const std::filesystem::path& results);
+
 /// From record.json.
 void write_record_report(const std::filesystem::path& results);
 

@@ -18,9 +18,13 @@ struct Kind {
 };
 
 /// The first that is there holds: a study of stability has runs too.
-constexpr Kind kinds[]{{"course.json", write_course},      {"record.json", write_record_report},
-                       {"canon.json", write_canon_report}, {"stability.json", write_stability_report},
-                       {"sweep.json", write_sweep_report}, {"impact-laws.csv", write_impact_law_report}};
+constexpr Kind kinds[]{{"course.json", write_course},
+                       {"record.json", write_record_report},
+                       {"canon.json", write_canon_report},
+                       {"advice.json", write_advice_report},
+                       {"stability.json", write_stability_report},
+                       {"sweep.json", write_sweep_report},
+                       {"impact-laws.csv", write_impact_law_report}};
 
 /// Files of runs are read once for figures and pages together.
 void show_runs(const fs::path& results) {

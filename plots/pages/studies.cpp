@@ -66,8 +66,9 @@ Study study_of(const fs::path& file, const std::function<Study(const Json&)>& re
     Study study = read(json);
     study.command = json.value("command", study.command);
     study.facts = facts_of(json);
-    std::erase_if(study.facts,
-                  [](const auto& fact) { return fact.first == "command" || fact.first == "title"; });
+    std::erase_if(study.facts, [](const auto& fact) {
+      return fact.first == "command" || fact.first == "title" || fact.first.starts_with("trials.");
+    });
     return study;
   });
 }
@@ -176,6 +177,33 @@ std::string command_of_sweep(const fs::path& results) {
   return fs::exists(file) ? read_json(file).value("command", "") : "";
 }
 
+/// The advice in words: what to take, how sure it is, and what was not tried.
+Sentences advised(const Json& json) {
+  Sentences sentences;
+  const double error = json.at("error").get<double>();
+  const double until = json.at("predictable_time").get<double>();
+  if (const Json& pick = json.at("pick"); pick.is_null()) {
+    sentences.push_back(fmt::format("No solver holds to {:g} at a step that was tried.", error));
+  } else {
+    sentences.push_back(
+        fmt::format("Take {}:{} at {} with tuned settings: the cheapest that was tried and stays "
+                    "within {:g} rad, and within that share of the least block height.",
+                    pick.at("engine").get<std::string>(), pick.at("solver").get<std::string>(),
+                    duration_text(pick.at("dt").get<double>()), error));
+    sentences.push_back(
+        fmt::format("Of replicates at nearby steps {} of {} are within.",
+                    pick.at("draws_within").get<int>() + pick.at("confirming_draws_within").get<int>(),
+                    pick.at("draws_tried").get<int>() + pick.at("confirming_draws_tried").get<int>()));
+  }
+  if (until < json.at("duration").get<double>())
+    sentences.push_back(fmt::format("This holds until {:.4g} s, the horizon of predictability.", until));
+  for (const Json& one : json.at("untried"))
+    sentences.push_back(fmt::format("{}:{} was not tried below {}: time was up.",
+                                    one.at("engine").get<std::string>(), one.at("solver").get<std::string>(),
+                                    duration_text(one.at("below").get<double>())));
+  return sentences;
+}
+
 }  // namespace
 
 void write_sweep_report(const std::filesystem::path& results) {
@@ -205,6 +233,14 @@ void write_stability_report(const std::filesystem::path& results) {
                 add_stable_steps(results, json.at("axis").get<std::string>(), study.answers);
                 return study;
               }));
+}
+
+void write_advice_report(const std::filesystem::path& results) {
+  write_study(
+      results, study_of(results / "advice.json", [](const Json& json) {
+        Study study{"Advice: " + json.at("title").get<std::string>(), advised(json), {"advice.csv"}, {}, {}};
+        return study;
+      }));
 }
 
 void write_record_report(const std::filesystem::path& results) {

@@ -9,12 +9,15 @@
 #include "comparisons/interfaces/program/output.hpp"
 #include "comparisons/measures/results/results_folder.hpp"
 #include "comparisons/suites/shipped.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/pages/show.hpp"
+#endif
 
 namespace rockstack {
 namespace {
 
 void print_trials(const Advice& advice, const Wish& wish) {
-  fmt::print("{:<32} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n", "solver (tuned)", "dt (s)", "angle off (rad)",
+  fmt::print("{:<32} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n", "solver (tuned)", "dt (s)", "off (rad, h)",
              "time (s)", "within", "confirmed", "");
   const auto cell = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.2e}", *value) : "-";
@@ -22,24 +25,25 @@ void print_trials(const Advice& advice, const Wish& wish) {
   for (std::size_t i = 0; i < advice.trials.size(); ++i) {
     const Trial& trial = advice.trials[i];
     const RunMetrics& row = trial.row;
+    const std::optional<double> off =
+        std::max(row.largest_angle_difference, row.relative_position_difference);
     const std::string remark = row.status != RunStatus::done        ? name(row.status)
                                : static_cast<int>(i) == advice.pick ? "<- the cheapest that holds"
                                : trial.passes()                     ? "holds"
                                : trial.within > 0                   ? "luck"
                                                                     : "";
-    fmt::print("{:<32} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n", row.engine + ":" + row.solver,
-               row.dt.value_or(0), cell(row.largest_angle_difference), cell(row.stepping_time_minimum),
-               fmt::format("{} / {}", trial.within, trial.draws),
-               trial.confirming > 0 ? fmt::format("{} / {}", trial.confirmed, trial.confirming) : "-",
-               remark);
+    fmt::print(
+        "{:<32} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n", row.engine + ":" + row.solver, row.dt.value_or(0),
+        cell(off), cell(row.stepping_time_minimum), fmt::format("{} / {}", trial.within, trial.draws),
+        trial.confirming > 0 ? fmt::format("{} / {}", trial.confirmed, trial.confirming) : "-", remark);
   }
   fmt::print(
-      "within: replicates within {} rad, and within that share of the least height by centres, of steps up "
-      "to\n"
-      "{:.0f} % longer and shorter and scenes that differ in the sixth digit; {:.0f} of 100 must be. The\n"
-      "difference is their median. Confirmed: replicates of steps up to {:.0f} % longer and shorter, as many "
-      "of\n"
-      "which must be.\n",
+      "off: the largest difference of an angle, rad, or of a centre, in least heights; of replicates their "
+      "median\n"
+      "within: replicates that are off by {} at most, of steps up to {:.0f} % longer and shorter and scenes "
+      "that\n"
+      "differ in the sixth digit; {:.0f} of 100 must be\n"
+      "confirmed: the same of others, of steps up to {:.0f} % longer and shorter\n",
       wish.error, 100 * wish.draws.steps, 100 * passing_share, 100 * wish.confirming.steps);
 }
 
@@ -89,8 +93,8 @@ void print_advice(const Advice& advice, const AdviseArguments& arguments, const 
   const RunMetrics& pick = advice.trials[static_cast<std::size_t>(advice.pick)].row;
   std::string changes;
   for (const std::string& change : common.overrides) changes += " --set " + shell_word(change);
-  fmt::print("\nrockstack simulate {}{} --engine {}:{} --dt {} --out DIR\n", shell_word(arguments.scene),
-             changes, pick.engine, pick.solver, pick.dt.value_or(0));
+  fmt::print("\nrockstack simulate {}{} --engine {}:{} --dt {}\n", shell_word(arguments.scene), changes,
+             pick.engine, pick.solver, pick.dt.value_or(0));
 }
 
 }  // namespace
@@ -105,25 +109,14 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
       .error = arguments.error, .within = arguments.within, .engines = wished_engines(arguments.engines)};
   wish.limits.time = std::min(arguments.time_limit, arguments.within);
   const Advice advice = advise(scene, wish, arguments.out, common.command);
+#ifdef ROCKSTACK_WITH_PLOTS
+  plots::show(arguments.out);
+#endif
   if (common.json) {
-    nlohmann::ordered_json json{
-        {"error", arguments.error}, {"predictable_time", advice.predictable_time}, {"pick", nullptr}};
-    if (advice.pick >= 0) {
-      const Trial& pick = advice.trials[static_cast<std::size_t>(advice.pick)];
-      json["pick"] = metrics_json(pick.row);
-      json["pick"]["draws_tried"] = pick.draws;
-      json["pick"]["draws_within"] = pick.within;
-      json["pick"]["confirming_draws_tried"] = pick.confirming;
-      json["pick"]["confirming_draws_within"] = pick.confirmed;
-    }
-    json["untried"] = nlohmann::ordered_json::array();
-    for (const Untried& one : advice.untried)
-      json["untried"].push_back(
-          {{"engine", one.engine->name}, {"solver", one.engine->solver}, {"below", one.below}});
-    json["beyond"] = distributions_json(advice.beyond);
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", advice_json(scene, wish, advice, common.command).dump(2));
   } else if (!common.quiet) {
     print_advice(advice, arguments, wish, scene.scene.duration, common);
+    print_report(arguments.out, common);
   }
   return advice.pick < 0 ? 1 : 0;
 }

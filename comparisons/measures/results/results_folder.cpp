@@ -34,7 +34,7 @@ Kind kind_of(Results results) {
               {"lesson.html", "slides.html", "slides.pdf", "lesson.json", "comparison.json", "comparison.csv",
                "fits.csv", "distributions.csv", "ground", "figures", "report.html"}};
     case Results::advice:
-      return {"advice", {"advice.csv"}};
+      return {"advice", {"advice.json", "advice.csv", "figures", "report.html"}};
     case Results::stability:
       return {"a study of stability",
               {"stability.json", "stability.csv", "steps.csv", "comparison.json", "comparison.csv",

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "comparisons/measures/results/environment.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/tally.hpp"
@@ -16,6 +17,8 @@
 
 namespace rockstack {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 Suite suite_of(const NamedScene& scene, const Wish& wish) {
   Suite suite;
@@ -89,17 +92,14 @@ std::vector<DistributionDistance> whole_scene(const Job& job, const Scene& scene
   return exact.empty() ? std::vector<DistributionDistance>{} : distances(exact, other);
 }
 
-std::string advice_csv(const std::vector<Trial>& trials) {
-  auto list = nlohmann::ordered_json::array();
-  for (const Trial& trial : trials) {
-    auto cells = metrics_json(trial.row);
-    cells["draws_tried"] = trial.draws;
-    cells["draws_within"] = trial.within;
-    cells["confirming_draws_tried"] = trial.confirming;
-    cells["confirming_draws_within"] = trial.confirmed;
-    list.push_back(std::move(cells));
-  }
-  return csv_of(list);
+Json json_of(const Trial& trial) {
+  Json cells = metrics_json(trial.row);
+  cells["draws_tried"] = trial.draws;
+  cells["draws_within"] = trial.within;
+  cells["confirming_draws_tried"] = trial.confirming;
+  cells["confirming_draws_within"] = trial.confirmed;
+  cells["passes"] = trial.passes();
+  return cells;
 }
 
 }  // namespace
@@ -171,8 +171,31 @@ Advice advise(const NamedScene& scene, const Wish& wish, const std::filesystem::
     const double dt = *advice.trials[static_cast<std::size_t>(advice.pick)].row.dt;
     advice.beyond = whole_scene({suite, suite.scenes.front(), dt, picked}, scene.scene);
   }
-  write_file(folder / "advice.csv", advice_csv(advice.trials));
+  const Json json = advice_json(scene, wish, advice, command);
+  write_file(folder / "advice.csv", csv_of(json.at("trials")));
+  write_file(folder / "advice.json", json.dump(2) + "\n");
   return advice;
+}
+
+Json advice_json(const NamedScene& scene, const Wish& wish, const Advice& advice,
+                 const std::string& command) {
+  Json json{{"title", scene.scene.title},
+            {"error", wish.error},
+            {"within", wish.within},
+            {"duration", scene.scene.duration},
+            {"predictable_time", advice.predictable_time},
+            {"pick", nullptr},
+            {"untried", Json::array()},
+            {"beyond", distributions_json(advice.beyond)},
+            {"trials", Json::array()}};
+  if (advice.pick >= 0) json["pick"] = json_of(advice.trials[static_cast<std::size_t>(advice.pick)]);
+  for (const Untried& one : advice.untried)
+    json["untried"].push_back(
+        {{"engine", one.engine->name}, {"solver", one.engine->solver}, {"below", one.below}});
+  for (const Trial& trial : advice.trials) json["trials"].push_back(json_of(trial));
+  json["environment"] = environment(wish.engines);
+  json["command"] = command;
+  return json;
 }
 
 }  // namespace rockstack

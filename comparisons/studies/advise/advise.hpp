@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,11 +70,15 @@ int cheapest(const std::vector<Trial>& trials);
 
 /// Tries every solver with its tuned parameters from large to small steps until it passes, takes longer than
 /// the cheapest that did, or would take longer than the time that is left: a step of half the length twice as
-/// long as the one before. Writes FOLDER/runs/ and FOLDER/advice.csv, the columns of comparison.csv and
-/// how many draws came within the error.
+/// long as the one before. Writes FOLDER/runs/, FOLDER/advice.json and, of its trials, FOLDER/advice.csv: the
+/// columns of comparison.csv and how many draws came within the error.
 /// @throws std::runtime_error where a file cannot be written or
 /// the scene has no exact solution.
 Advice advise(const NamedScene& scene, const Wish& wish, const std::filesystem::path& folder,
               const std::string& command);
+
+/// All of it: what was wished, the pick, what was not tried and the trials.
+nlohmann::ordered_json advice_json(const NamedScene& scene, const Wish& wish, const Advice& advice,
+                                   const std::string& command);
 
 }  // namespace rockstack

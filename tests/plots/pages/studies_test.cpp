@@ -1,11 +1,16 @@
 #include "plots/pages/pages.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/measures/results/run_metrics.hpp"
+#include "plots/data/json_file.hpp"
+#include "plots/figures/table.hpp"
 #include "tests/plots/browser.hpp"
+#include "tests/plots/picture.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {
@@ -70,6 +75,58 @@ TEST(StudyPage, AStudyOfStabilityCountsVerdictsAndNamesStableSteps) {
   EXPECT_TRUE(tells(
       page, "ode step, tuned: the largest stable step is between none and 2 ms over 2 values of mass (kg)."));
   EXPECT_TRUE(tells(page, "rockstack compare x"));
+}
+
+/// Three trials of two solvers, of which the cheapest that passes is picked, as advise writes them.
+std::string made_up_advice() {
+  const auto trial = [](const std::string& solver, double dt, double off, double seconds, bool passes) {
+    RunMetrics row;
+    row.run = fmt::format("{}-{}", solver, dt);
+    row.engine = "own";
+    row.solver = solver;
+    row.settings = "tuned";
+    row.dt = dt;
+    row.largest_angle_difference = off;
+    row.stepping_time_minimum = seconds;
+    Json cells = metrics_json(row);
+    cells.update({{"draws_tried", 21}, {"draws_within", passes ? 20 : 3}});
+    cells.update({{"confirming_draws_tried", passes ? 20 : 0}, {"confirming_draws_within", passes ? 19 : 0}});
+    cells["passes"] = passes;
+    return cells;
+  };
+  const Json trials{trial("one", 0.01, 0.1, 1e-3, false), trial("one", 0.001, 2e-3, 1e-2, true),
+                    trial("two", 0.001, 1e-3, 2e-2, true)};
+  const Json untried{{{"engine", "own"}, {"solver", "two"}, {"below", 0.001}}};
+  return Json{{"title", "A column"},
+              {"error", 0.01},
+              {"within", 60},
+              {"duration", 5.0},
+              {"predictable_time", 2.5},
+              {"pick", trials[1]},
+              {"untried", untried},
+              {"beyond", Json::array()},
+              {"trials", trials},
+              {"command", "rockstack advise x"}}
+      .dump();
+}
+
+TEST(StudyPage, AdviceSaysWhatToTakeAndUntilWhenItHolds) {
+  const fs::path folder = testing::fresh_folder();
+  put(folder / "advice.json", made_up_advice());
+  put(folder / "advice.csv", "run\none-0.01\n");
+  draw_figures(folder);
+  write_advice_report(folder);
+  const std::string page = study_page(folder);
+  EXPECT_TRUE(tells(page, "Take own:one at 1 ms with tuned settings"));
+  EXPECT_TRUE(tells(page, "39 of 41 are within"));
+  EXPECT_TRUE(tells(page, "This holds until 2.5 s"));
+  EXPECT_TRUE(tells(page, "own:two was not tried below 1 ms"));
+  EXPECT_TRUE(tells(page, "What is the cheapest that is near enough?"));
+  const testing::Picture picture = testing::read_picture(folder / "figures/advice.svg");
+  EXPECT_TRUE(picture.says("own:one at 1 ms, within 0.01"));
+  EXPECT_TRUE(testing::collisions(picture).empty());
+  // A ring for each of two that pass, and one more about the pick.
+  EXPECT_EQ(picture.marks_of(testing::shown_colour("#000000")).size(), 3U);
 }
 
 TEST(StudyPage, ARecordSaysItsPeaks) {
