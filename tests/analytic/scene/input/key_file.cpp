@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <exception>
 #include <string_view>
 #include <utility>
 
@@ -64,6 +65,32 @@ void expect_keys_are_those_read(const KeyFile& file, const KeyTable& table, cons
   EXPECT_NE(read(KeyFile(file).set(table, "no_key", "1").text()).find("no_key: unknown key"),
             std::string::npos)
       << table.header;
+}
+
+void expect_keys_have_effects(
+    std::initializer_list<const KeyTable*> tables, const std::vector<KeyCase>& cases,
+    const std::function<std::string(const std::vector<KeyCase::Setting>&)>& outcome) {
+  for (const KeyTable* table : tables) {
+    for (const InputKey& key : table->keys) {
+      if (is_table(key)) continue;
+      const std::string name = std::string(table->meaning) + ": " + key.name;
+      const auto found = std::find_if(cases.begin(), cases.end(), [&](const KeyCase& one) {
+        return one.table == table && one.key == key.name;
+      });
+      ASSERT_NE(found, cases.end()) << "say where another value matters of " << name;
+      if (found->other.empty()) continue;
+      const auto with = [&](const std::string& value) {
+        std::vector<KeyCase::Setting> settings = found->beside;
+        settings.push_back({table, key.name, value});
+        return outcome(settings);
+      };
+      try {
+        EXPECT_NE(with(found->one.empty() ? key.example : found->one), with(found->other)) << name;
+      } catch (const std::exception& error) {
+        ADD_FAILURE() << name << ": " << error.what();
+      }
+    }
+  }
 }
 
 void expect_tables_are_complete(std::initializer_list<const KeyTable*> tables) {

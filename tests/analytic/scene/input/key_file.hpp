@@ -33,6 +33,25 @@ using ReadText = std::function<std::string(const std::string&)>;
 /// is read (a truth value is refused by its name), and no other key is.
 void expect_keys_are_those_read(const KeyFile& file, const KeyTable& table, const ReadText& read);
 
+/// A key, another value for it than its example, and what else a file has to say for it to matter.
+struct KeyCase {
+  const KeyTable* table;
+  std::string key;
+  std::string other;  ///< empty: the key has one value alone
+  struct Setting {
+    const KeyTable* table;
+    std::string key, value;
+  };
+  std::vector<Setting> beside = {};
+  std::string one = {};  ///< in the place of the example, where given
+};
+
+/// Every key of some tables does something: `outcome` of what its case sets beside, and of the key's value,
+/// is one thing with the example and another with the case's other value.
+void expect_keys_have_effects(
+    std::initializer_list<const KeyTable*> tables, const std::vector<KeyCase>& cases,
+    const std::function<std::string(const std::vector<KeyCase::Setting>&)>& outcome);
+
 /// Each key that is a table has a table of keys, whose header or meaning names it.
 void expect_tables_are_complete(std::initializer_list<const KeyTable*> tables);
 
