@@ -68,11 +68,12 @@ constexpr double lower = 0.25, upper = 0.75;
 }  // namespace
 
 bool is_drawn(const Job& job) {
-  return job.series != nullptr && job.suite.draws.runs > 1;
+  return job.series != nullptr && draws_of(job).runs > 1;
 }
 
 std::vector<RunMetrics> make_draws(const Job& job, std::size_t threads) {
-  const Suite suite = without_histories(job.suite);
+  Suite suite = without_histories(job.suite);
+  suite.draws = draws_of(job);
   const Job lean{suite, job.scene, job.dt, job.series, nullptr, job.horizon};
   std::vector<RunMetrics> rows(static_cast<std::size_t>(suite.draws.runs) - 1);
   std::vector<std::size_t> parts(rows.size());

@@ -94,7 +94,7 @@ std::string identity(const Job& job) {
 }
 
 std::string draws_identity(const Job& job) {
-  const Draws& draws = job.suite.draws;
+  const Draws draws = draws_of(job);
   return fmt::format("{:016x}", checksum(fmt::format("{} {} {} {} {}", identity(job), draws.runs, draws.steps,
                                                      draws.scene, draws.seed)));
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "comparisons/measures/results/files.hpp"
 
 namespace rockstack {
@@ -12,6 +15,15 @@ bool is_baseline(const Job& job) {
 
 double horizon_of(const Job& job) {
   return job.horizon ? job.horizon->time() : job.scene.scene.duration;
+}
+
+Draws draws_of(const Job& job) {
+  Draws draws = job.suite.draws;
+  if (job.series == nullptr || draws.finest == 0) return draws;
+  const std::vector<double>& steps = job.series->steps;
+  const bool finest = steps.size() > 1 && job.dt == *std::min_element(steps.begin(), steps.end());
+  if (finest) draws.runs = draws.finest;
+  return draws;
 }
 
 RunMetrics describe(const Job& job) {

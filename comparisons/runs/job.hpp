@@ -26,6 +26,9 @@ bool is_baseline(const Job& job);
 /// Up to when the job's histories are compared, s.
 double horizon_of(const Job& job);
 
+/// The replicates behind the job's numbers: those of its suite, or as many as it has at the finest step.
+Draws draws_of(const Job& job);
+
 /// The row of a run before it is made: what is run, without results.
 RunMetrics describe(const Job& job);
 

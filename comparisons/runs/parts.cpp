@@ -30,7 +30,7 @@ Part part_of(std::size_t number, std::size_t jobs) {
 double expected_work(const Job& job, bool draws) {
   constexpr double fixed = 2000;
   if (job.series == nullptr) return fixed;
-  const int runs = draws ? job.suite.draws.runs : 1 + job.suite.repeats + job.suite.perturbations.runs;
+  const int runs = draws ? draws_of(job).runs : 1 + job.suite.repeats + job.suite.perturbations.runs;
   return fixed + runs * job.scene.scene.duration / job.dt;
 }
 

@@ -18,6 +18,7 @@ struct Perturbations {
 /// time steps and the last digits of a scene each change it by factors.
 struct Draws {
   int runs = 1;         ///< with the one at the nominal step and scene; ≥ 1
+  int finest = 0;       ///< the same at the finest of several steps, 1 to `runs`; 0: as many
   double steps = 0.03;  ///< the largest relative change of the time step, 0 to 0.5
   double scene = 1e-6;  ///< likewise of the scene, as Perturbations::size
   std::uint64_t seed = 1;

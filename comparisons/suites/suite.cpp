@@ -218,6 +218,13 @@ Draws read_draws(const Node& table) {
   };
   Draws draws;
   draws.runs = static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 1"), 1, most_draws));
+  for (const char* key : {"finest", "steps", "scene", "seed"}) {
+    const Node* node = find(table, key);
+    if (node != nullptr && draws.runs == 1)
+      throw wrong_value(*node, "left out where `runs` is 1: nothing is drawn");
+  }
+  if (const Node* node = find(table, "finest"))
+    draws.finest = static_cast<int>(whole_number(*node, 1, draws.runs));
   share("steps", draws.steps, 0.5);
   share("scene", draws.scene, 0.1);
   if (const Node* node = find(table, "seed"))

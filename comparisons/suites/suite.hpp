@@ -70,7 +70,7 @@ struct Suite {
   Draws draws;                  ///< behind each number of an engine
   int repeats = 5;              ///< timed runs after the warm-up
   bool softness = false;        ///< whether differences are split into model, softness and step
-  double history_interval = 0;  ///< least time between samples that files keep, s; 0: all are kept
+  double history_interval = 1e-3;  ///< least time between samples that files keep, s; 0: all are kept
   Limits limits;                ///< of each engine run
 };
 

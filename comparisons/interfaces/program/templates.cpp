@@ -85,7 +85,7 @@ std::vector<Part> scene_parts(const std::optional<std::filesystem::path>& record
   parts[1].values = {{"width", "0.6"}, {"height", "1.6"}};
   parts[2].values = {{"width", "0.5"}, {"height", "1.2"}};
   if (!record) {
-    parts.push_back({&harmonic_keys, {{"amplitude", "6.0"}}});
+    parts.push_back({&harmonic_keys, {{"amplitude", "9.0"}, {"period", "0.4"}}});
     parts.push_back({&initial_keys, {{"angles", "[0.0, 0.0]"}, {"velocities", "[0.0, 0.0]"}}, true});
     parts.push_back({&surface_keys, {}, true});
     return parts;

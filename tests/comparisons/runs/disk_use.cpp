@@ -39,6 +39,12 @@ TEST(DiskUse, IsToldBeforeAndFallsWithTheSamplesThatAreKept) {
   EXPECT_GT(history_bytes({suite}), 0.7 * bytes);
   EXPECT_LT(history_bytes({suite}), 1.5 * bytes);
 
+  for (EngineSeries& series : suite.series) series.steps = {1e-4};
+  const RunMetrics fine = compare({suite}, folder.path() / "fine", {}).rows.back();
+  EXPECT_EQ(read_columns(folder.path() / "fine" / "runs" / fine.run / "history.csv", {"time"})[0].size(),
+            501U);
+  for (EngineSeries& series : suite.series) series.steps = {1e-3};
+
   suite.history_interval = 0.02;
   const RunMetrics thin = compare({suite}, folder.path() / "thin", {}).rows.back();
   EXPECT_EQ(thin.rms_angle_difference, all.rms_angle_difference);

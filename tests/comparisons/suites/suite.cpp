@@ -67,6 +67,8 @@ TEST(Suites, ErrorsNameLineKeyAndWhatIsAllowed) {
   EXPECT_TRUE(error_of(head + "colour = 1\n").starts_with("suite.toml:3: colour"));
   EXPECT_TRUE(error_of(head + "[[engines]]\nname = \"newton\"\n")
                   .starts_with("suite.toml:4: engine = newton: must be one of"));
+  EXPECT_TRUE(error_of(head + "[draws]\nruns = 1\nseed = 2\n")
+                  .starts_with("suite.toml:5: draws.seed = 2: must be left out where `runs` is 1"));
   EXPECT_TRUE(error_of("title = \"a\"\nscenes = []\n").starts_with("suite.toml:2: scenes"));
 }
 

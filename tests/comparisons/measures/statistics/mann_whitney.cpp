@@ -95,7 +95,8 @@ TEST(MannWhitney, StrataAddUpTheRanksWithinEach) {
     for (Stratum& stratum : strata)
       for (std::size_t i = 0; i < size; ++i) {
         stratum.first.push_back(few(random));
-        stratum.second.push_back(few(random) + trial / 3);
+        const int shift = trial / 3;
+        stratum.second.push_back(few(random) + shift);
       }
     std::vector<std::vector<double>> won;  // by each way to share a stratum out
     double own = 0;
