@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Settings = std::vector<KeyCase::Setting>;
 
-constexpr const char* two_blocks = R"(duration = 0.2
+constexpr const char* shaken_pair = R"(duration = 0.2
 [[blocks]]
 width = 0.5
 height = 2
@@ -77,8 +77,8 @@ std::string text_of(const std::vector<RunMetrics>& rows) {
 
 /// A file of those settings beside two scenes and a worker.
 fs::path written(KeyFile file, const Settings& settings, const TemporaryFolder& folder) {
-  folder.write("scene.toml", two_blocks);
-  folder.write("other.toml", std::string(two_blocks) + "phase = 0.3\n");
+  folder.write("scene.toml", shaken_pair);
+  folder.write("other.toml", std::string(shaken_pair) + "phase = 0.3\n");
   fs::create_symlink(FAULTY_WORKER, folder.path() / "my_engine.py");
   fs::create_symlink(find_engine("ode").program, folder.path() / "other.py");
   for (const auto& [table, key, value] : settings) file.set(*table, key, value);
@@ -106,7 +106,7 @@ std::string suite_outcome(const Settings& settings) {
          members_of(results / "comparison.json", {"title", "statements", "verdict"});
 }
 
-const KeyCase::Setting draws{&draws_keys, "runs", "3"};
+const KeyCase::Setting three_draws{&draws_keys, "runs", "3"};
 const KeyCase::Setting both_scenes{&suite_keys, "scenes", "[\"scene.toml\", \"other.toml\"]"};
 
 const std::vector<KeyCase> suite_cases{
@@ -131,10 +131,10 @@ const std::vector<KeyCase> suite_cases{
     {&engine_keys, "dt", "[2e-3]"},
     {&engine_keys, "parameters", "{ erp = 0.3 }"},
     {&draws_keys, "runs", "3"},
-    {&draws_keys, "finest", "2", {draws, {&engine_keys, "dt", "[1e-2, 5e-3]"}}},
-    {&draws_keys, "steps", "0.3", {draws}},
-    {&draws_keys, "scene", "0.01", {draws}},
-    {&draws_keys, "seed", "2", {draws}},
+    {&draws_keys, "finest", "2", {three_draws, {&engine_keys, "dt", "[1e-2, 5e-3]"}}},
+    {&draws_keys, "steps", "0.3", {three_draws}},
+    {&draws_keys, "scene", "0.01", {three_draws}},
+    {&draws_keys, "seed", "2", {three_draws}},
     {&perturbations_keys, "runs", "10"},
     {&perturbations_keys, "size", "1e-3"},
     {&perturbations_keys, "seed", "2"},

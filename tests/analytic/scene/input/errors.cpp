@@ -209,10 +209,10 @@ TEST(SceneErrors, UnknownKeysListTheKnownOnes) {
       {1, "durration = 5",
        "scene.toml:1: durration: unknown key, must be one of title, duration, gravity, law, equations, "
        "blocks, "
-       "initial, ground, contact, engine, restitution"},
+       "initial, ground, contact, engine, restitution; did you mean duration?"},
       {7, "widht = 1.0",
        "scene.toml:7: blocks.2.widht: unknown key, must be one of width, height, density, mass, inertia, "
-       "center_of_mass"},
+       "center_of_mass; did you mean width?"},
       {12, "speeds = [0, 0]",
        "scene.toml:12: initial.speeds: unknown key, must be one of angles, velocities, slip_velocities, "
        "springs"},
