@@ -43,7 +43,10 @@ double slenderness(const Scene& scene, int block) {
 }
 
 double toppling_angle(const Scene& scene, int block) {
-  return 0.5 * (slenderness(scene, block) + 0.5 * std::numbers::pi);
+  constexpr double on_its_side = 0.5 * std::numbers::pi, before = 0.02;
+  const double level = slenderness(scene, block);
+  const double uphill = std::min(level + std::abs(scene.inclination), on_its_side - before);
+  return 0.5 * (std::max(level, uphill) + on_its_side);
 }
 
 }  // namespace rockstack

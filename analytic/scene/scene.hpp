@@ -90,8 +90,8 @@ struct Scene {
   double duration = 0;    ///< s, > 0, at most 10⁷ √(R/a), see validate()
   double gravity = 9.81;  ///< m/s², > 0
   /// By which the ground is turned from the level, rad, clockwise positive: it falls to the right. Angles, x
-  /// and y are the ground's, and so are both components of its motion. At most half of what the largest
-  /// slenderness leaves of π/2, so that past its toppling angle no block comes back.
+  /// and y are the ground's, and so are both components of its motion. At most π/4, which is
+  /// 45 degrees.
   double inclination = 0;
   Law law = Law::consistent;  ///< engines follow it; `paper` is that of Spanos et al. 2001
   Equations equations = Equations::nonlinear;
@@ -135,9 +135,9 @@ double interface_half_width(const Scene& scene, int interface);
 /// interface; the larger one where the centre of mass is off the middle. rad.
 double slenderness(const Scene& scene, int block);
 
-/// The angle at which a block counts as toppled: halfway between its unstable balance and lying on its side,
-/// π/2. Past it free motion does not come back, and an engine's block that lies on the floor has passed it.
-/// rad.
+/// The angle at which a block counts as toppled, rad: halfway between lying on its side, π/2, and its balance
+/// uphill, slenderness + |inclination|, or 0.02 before that side where the balance lies beyond it. Past it free
+/// motion does not come back, or lies down within 10 mrad; an engine's block on the floor has passed it.
 double toppling_angle(const Scene& scene, int block);
 
 /// Checks a motion's numbers; `key` is the motion's own. @throws FieldError.

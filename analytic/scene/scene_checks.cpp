@@ -38,13 +38,14 @@ bool is_off_middle(const Block& block) {
 }
 
 void validate_inclination(const Scene& scene) {
-  double most = 0.25 * std::numbers::pi;
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k)
-    most = std::min(most, std::numbers::pi / 2 - toppling_angle(scene, static_cast<int>(k)));
-  if (!(std::abs(scene.inclination) <= most))
-    throw FieldError("ground.inclination", number_text(scene.inclination),
-                     "between ±" + number_text(most) +
-                         " rad, half of what the largest slenderness of a block leaves of π/2");
+  constexpr double most = 0.25 * std::numbers::pi, degree = std::numbers::pi / 180;
+  const double given = scene.inclination;
+  if (std::abs(given) <= most) return;
+  const std::string hint = std::abs(given * degree) <= most
+                               ? "; " + number_text(given) + " degrees are " + number_text(given * degree, 5)
+                               : "";
+  throw FieldError("ground.inclination", number_text(given),
+                   "between ±" + number_text(most, 4) + " rad" + hint);
 }
 
 void validate_restitution(const Scene& scene) {

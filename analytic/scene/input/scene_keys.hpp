@@ -75,7 +75,7 @@ inline constexpr KeyTable ground_keys{
     "the ground's acceleration",
     {{"horizontal", "", "", "a table [ground.horizontal]", no_default, "positive to the right"},
      {"vertical", "", "", "a table [ground.vertical]", no_default, "positive up"},
-     {"inclination", "0.0", "rad", "±(π/2 − slenderness)/2 of the squattest block", "0",
+     {"inclination", "0.0", "rad", "±π/4", "0",
       "slope of the ground, down to the right; angles and motions are along and across it"}}};
 
 inline constexpr KeyTable record_keys{
