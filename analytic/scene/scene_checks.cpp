@@ -125,7 +125,7 @@ void validate_law(const Scene& scene) {
     throw FieldError("equations", scene.equations == Equations::linear ? "linear" : "small-angle",
                      std::string("nonlinear under law ") + name(scene.law));
   if (!scene.restitution.empty())
-    throw FieldError("restitution", "an array",
+    throw FieldError("restitution", "[" + number_text(scene.restitution.front()) + ", …]",
                      std::string("left out under law ") + name(scene.law) +
                          (scene.law == Law::unilateral ? ", where friction decides" : ", where dashpots do"));
 }

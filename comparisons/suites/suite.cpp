@@ -8,6 +8,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -80,10 +81,11 @@ constexpr std::initializer_list<std::pair<const char*, bool Wanted::*>> result_n
     {"histories", &Wanted::histories}};
 
 Wanted read_wanted(const Node& array) {
-  if (array.kind != Node::Kind::array) throw wrong_value(array, "an array of names, e.g. [\"angles\"]");
   Wanted wanted{false, false, false, false, false};
-  for (const Node& child : array.children) {
-    wanted.*choice<bool Wanted::*>(child, result_names) = true;
+  for (const Node& child : entries(array, "an array of at least one name, e.g. [\"angles\"]")) {
+    bool& one = wanted.*choice<bool Wanted::*>(child, result_names);
+    if (one) throw wrong_value(child, "named once");
+    one = true;
   }
   return wanted;
 }
@@ -112,11 +114,25 @@ std::vector<const WorkerEngine*> engines_of_choice(const std::vector<std::string
 struct SceneChange {
   std::string name, title;
   std::vector<std::string> overrides;
+  std::map<std::string, std::string> places = {};  ///< of those that the suite's file has
 };
 
+/// An error of one of them names where it stands in the suite.
+NamedScene read_changed_scene(const std::filesystem::path& file, const SceneChange& change) {
+  try {
+    return read_named_scene(file, change.overrides);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    for (const auto& [text, place] : change.places)
+      if (const std::string named = "--set " + text + ": "; message.starts_with(named))
+        throw InputError(place + ": " + message.substr(named.size()));
+    throw;
+  }
+}
+
 /// Every combination of the values of `vary`, after the changes that all scenes have.
-std::vector<SceneChange> read_vary(const Node& root, std::vector<std::string> changes) {
-  std::vector<SceneChange> list{{"", "", std::move(changes)}};
+std::vector<SceneChange> read_vary(const Node& root, SceneChange changes) {
+  std::vector<SceneChange> list{std::move(changes)};
   const Node* table = find(root, "vary");
   if (table == nullptr) return list;
   if (table->kind != Node::Kind::table)
@@ -130,6 +146,7 @@ std::vector<SceneChange> read_vary(const Node& root, std::vector<std::string> ch
         change.name += fmt::format("-{}-{}", key, text);
         change.title += fmt::format(", {} {}", key, text);
         change.overrides.push_back(child.name + "=" + text);
+        change.places[change.overrides.back()] = value.place;
         extended.push_back(std::move(change));
       }
     }
@@ -232,22 +249,38 @@ Draws read_draws(const Node& table) {
   return draws;
 }
 
+namespace {
+
+/// Refuses what is of engines alone where there are none.
+void require_engines(const Node& root) {
+  if (find(root, "engines") != nullptr) return;
+  for (const char* key : {"softness", "draws", "time_limit", "memory_limit"})
+    if (const Node* node = find(root, key))
+      throw wrong_value(*node, "left out where there are no [[engines]]: it is of their runs");
+}
+
+}  // namespace
+
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
   require_table(root, suite_keys);
+  require_engines(root);
   Suite suite;
   suite.title = text(required(root, "title", "a text"));
-  std::vector<std::string> changes;
+  SceneChange changes;
   if (const Node* node = find(root, "set")) {
-    for (const Node& child : entries(*node, "an array of key=value texts")) changes.push_back(text(child));
+    for (const Node& child : entries(*node, "an array of key=value texts")) {
+      changes.overrides.push_back(text(child));
+      changes.places[child.text] = child.place;
+    }
   }
-  changes.insert(changes.end(), overrides.begin(), overrides.end());
+  changes.overrides.insert(changes.overrides.end(), overrides.begin(), overrides.end());
   const std::vector<SceneChange> list = read_vary(root, std::move(changes));
   const char* scenes = "an array of at least one scene file";
   for (const Node& scene : entries(required(root, "scenes", scenes), scenes)) {
     const std::filesystem::path scene_file = named_file(scene, "scenes", file.parent_path());
     for (const SceneChange& change : list) {
-      suite.scenes.push_back(read_named_scene(scene_file, change.overrides));
+      suite.scenes.push_back(read_changed_scene(scene_file, change));
       suite.scenes.back().name += change.name;
       suite.scenes.back().scene.title += change.title;
     }

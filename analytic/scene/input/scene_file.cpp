@@ -48,6 +48,12 @@ std::vector<Block> read_blocks(const Node& root) {
   return blocks;
 }
 
+/// An array with a number for each block; whether there are as many, validate() says.
+std::vector<double> one_each(const Node& array) {
+  if (array.kind == Node::Kind::array) entries(array, "a number for each block");
+  return numbers(array);
+}
+
 InitialState read_initial(const Node& root, std::size_t size) {
   InitialState initial{std::vector<double>(size), std::vector<double>(size)};
   const Node* table = find(root, "initial");
@@ -55,7 +61,7 @@ InitialState read_initial(const Node& root, std::size_t size) {
   require_table(*table, initial_keys);
   if (const Node* angles = find(*table, "angles")) initial.angles = numbers(*angles);
   if (const Node* velocities = find(*table, "velocities")) initial.velocities = numbers(*velocities);
-  if (const Node* slips = find(*table, "slip_velocities")) initial.slip_velocities = numbers(*slips);
+  if (const Node* slips = find(*table, "slip_velocities")) initial.slip_velocities = one_each(*slips);
   if (const Node* springs = find(*table, "springs"))
     initial.settled = choice<bool>(*springs, {{"loaded", true}, {"unloaded", false}});
   return initial;
@@ -78,7 +84,7 @@ void read_ground(const SceneDocument& document, MotionLibrary& library, Scene& s
 std::vector<double> read_each(const Node& table, std::string_view key, std::size_t size) {
   const Node* node = find(table, key);
   if (node == nullptr) return {};
-  return node->kind == Node::Kind::array ? numbers(*node) : std::vector<double>(size, number(*node));
+  return node->kind == Node::Kind::array ? one_each(*node) : std::vector<double>(size, number(*node));
 }
 
 /// The same of stiffnesses, where `inf` is a rigid interface.
@@ -86,8 +92,7 @@ std::vector<double> read_stiffness(const Node& table, std::string_view key, std:
   const Node* node = find(table, key);
   if (node == nullptr || node->kind != Node::Kind::array) return read_each(table, key, size);
   std::vector<double> values;
-  values.reserve(node->children.size());
-  for (const Node& entry : node->children) values.push_back(number(entry));
+  for (const Node& entry : entries(*node, "a number for each block")) values.push_back(number(entry));
   return values;
 }
 
@@ -140,8 +145,7 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
                                                      {"small-angle", Equations::small_angle}});
   }
   if (const Node* restitution = find(root, "restitution")) {
-    scene.restitution = numbers(*restitution);
-    if (scene.restitution.empty()) throw wrong_value(*restitution, "a number for each block");
+    scene.restitution = one_each(*restitution);
   }
   scene.blocks = read_blocks(root);
   scene.initial = read_initial(root, scene.blocks.size());

@@ -68,7 +68,8 @@ inline constexpr KeyTable contact_keys{
      {"bed_damping", "0.0", "N·s/m²", "≥ 0, or one for each block; law \"compliant\"", "0",
       "of that bed, per length; no part of it pulls"},
      {"tangential", "1.0", "", "> 0; law \"compliant\"", "1",
-      "stiffness and damping along the face over those across it; friction holds up to its coefficient"}}};
+      "stiffness and damping along the face over those across it, up to friction; a bed has one such spring, "
+      "at its middle, for all of its width"}}};
 
 inline constexpr KeyTable ground_keys{
     "[ground]",

@@ -223,8 +223,9 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
 #endif
   print_report(arguments.out, common);
   print_comparison(result, arguments.out, common);
-  const auto failed = [](const RunMetrics& row) { return row.status != RunStatus::done; };
-  return std::any_of(result.rows.begin(), result.rows.end(), failed) ? 1 : 0;
+  const auto failed = std::count_if(result.rows.begin(), result.rows.end(),
+                                    [](const RunMetrics& row) { return row.status != RunStatus::done; });
+  return end_of_runs(static_cast<std::size_t>(failed), result.rows.size(), "comparison.csv");
 }
 
 int plot_command(const PlotArguments& arguments, const Common& common) {

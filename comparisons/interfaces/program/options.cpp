@@ -17,17 +17,17 @@ namespace {
 
 constexpr const char* scene_help = "scene file, or a name from `rockstack list scenes`";
 
-constexpr const char* results = "rockstack-results";
+constexpr const char* usual_folder = "rockstack-results";
 
 /// The folder for results of a command; where none is given, its name is of the command and its input.
 void add_results(CLI::App& command, std::filesystem::path& out, std::function<std::string()> input,
                  const char* more = "") {
   const std::string name = command.get_name();
   command.add_option("--out", out,
-                     fmt::format("folder for results{}; left out: {}/{}-INPUT", more, results, name));
+                     fmt::format("folder for results{}; left out: {}/{}-INPUT", more, usual_folder, name));
   command.parse_complete_callback([name, &out, input = std::move(input)] {
     if (out.empty())
-      out = std::filesystem::path(results) /
+      out = std::filesystem::path(usual_folder) /
             folder_name(name + "-" + std::filesystem::path(input()).stem().string());
   });
 }
@@ -162,7 +162,7 @@ Command add_sweep(CLI::App& app, const Common& common) {
 Command add_plot(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = app.add_subcommand("plot", "draw figures and the report from a results folder");
-  command->add_option("folder", arguments->results, "folder with results")->required();
+  command->add_option("folder", arguments->usual_folder, "folder with results")->required();
   command->add_flag("--animate", arguments->animate,
                     "write each scene's motion as a GIF too, and as an MP4 where ffmpeg is installed");
   return {command, [arguments, &common] { return plot_command(*arguments, common); }};

@@ -93,7 +93,6 @@ void print_sweep(const SweepResult& result, const std::filesystem::path& folder,
                            .dump(2));
   } else if (!common.quiet) {
     fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
-    if (result.failed > 0) fmt::print("failed: {}, runs.csv says why\n", result.failed);
     fmt::print("results: {}\n", folder.string());
   }
 }
@@ -151,6 +150,11 @@ void print_impact_laws(const ImpactLawResults& results, const std::filesystem::p
       "pattern the\nengines show where the laws differ\n");
   for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
   fmt::print("results: {}\n", folder.string());
+}
+
+int end_of_runs(std::size_t failed, std::size_t runs, const char* file) {
+  if (failed > 0) fmt::print(stderr, "rockstack: {} of {} runs failed, {} says why\n", failed, runs, file);
+  return failed > 0 ? 1 : 0;
 }
 
 void print_report(const std::filesystem::path& folder, const Common& common) {

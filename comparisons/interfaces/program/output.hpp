@@ -42,6 +42,9 @@ void print_impact_laws(const ImpactLawResults& results, const std::filesystem::p
                        const Common& common);
 
 /// Where figures and report are.
+/// Says on standard error how many runs failed, and which file says why. Returns the exit code.
+int end_of_runs(std::size_t failed, std::size_t runs, const char* file);
+
 void print_report(const std::filesystem::path& folder, const Common& common);
 
 /// The program's name and version.

@@ -47,10 +47,9 @@ int stability_command(const std::filesystem::path& file, const std::filesystem::
   plots::show(out);
 #endif
   print_report(out, common);
-  return std::any_of(rows.begin(), rows.end(),
-                     [](const StabilityRun& row) { return row.row.status != RunStatus::done; })
-             ? 1
-             : 0;
+  const auto failed = std::count_if(
+      rows.begin(), rows.end(), [](const StabilityRun& row) { return row.row.status != RunStatus::done; });
+  return end_of_runs(static_cast<std::size_t>(failed), rows.size(), "stability.csv");
 }
 
 }  // namespace rockstack

@@ -61,7 +61,7 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
   plots::show(arguments.out);
 #endif
   print_report(arguments.out, common);
-  return result.failed > 0 ? 1 : 0;
+  return end_of_runs(result.failed, result.runs, "runs.csv");
 }
 
 }  // namespace rockstack

@@ -198,6 +198,8 @@ ImpactLawStudy read_impact_law_study(const std::filesystem::path& file) {
                        0,
                        read_engines(root, file.parent_path())};
   study.least_clearness = read_positive(root, "least_clearness", 0.1);
+  if (const Node* node = find(root, "least_clearness"); node != nullptr && find(root, "engines") == nullptr)
+    throw wrong_value(*node, "left out where there are no [[engines]], which are asked these cases");
   return study;
 }
 

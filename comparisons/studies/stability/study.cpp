@@ -73,6 +73,9 @@ StabilityAxis read_axis(const Node& axis) {
   }
   const Node* scale = find(axis, "scale");
   result.logarithmic = scale != nullptr && choice<bool>(*scale, {{"linear", false}, {"logarithmic", true}});
+  const bool above_zero =
+      std::all_of(result.values.begin(), result.values.end(), [](double value) { return value > 0; });
+  if (result.logarithmic && !above_zero) throw wrong_value(*scale, "\"linear\" where a value is not > 0");
   return result;
 }
 

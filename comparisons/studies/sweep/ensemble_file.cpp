@@ -133,12 +133,15 @@ void read_summary(Ensemble& ensemble, const Node& root) {
   require_table(*table, summary_keys);
   ensemble.summary.intensity =
       read_axis_name(required(*table, "intensity", "a key that is varied over numbers"), ensemble);
-  if (const Node* period = find(*table, "period")) {
-    ensemble.summary.period = read_axis_name(*period, ensemble);
-  }
+  const auto other_axis = [&](const Node& node) {
+    std::string axis = read_axis_name(node, ensemble);
+    if (axis == ensemble.summary.intensity) throw wrong_value(node, "another key than intensity is");
+    return axis;
+  };
+  if (const Node* period = find(*table, "period")) ensemble.summary.period = other_axis(*period);
   if (const Node* friction = find(*table, "friction")) {
     if (!ensemble.summary.period.empty()) throw wrong_value(*friction, "left out where there is a period");
-    ensemble.summary.friction = read_axis_name(*friction, ensemble);
+    ensemble.summary.friction = other_axis(*friction);
   }
 }
 

@@ -29,7 +29,8 @@ inline constexpr KeyTable vary_keys{
      {"values", "[0.5, 1.0]", "the key's", "numbers or texts", required_key, "one after the other"},
      {"range", "{ from = 0.5, to = 1.0, count = 3 }", "the key's", "a table, see below", "instead of values",
       "numbers at equal distances"},
-     {"uniform", "[0.5, 1.0]", "the key's", "two numbers", "instead of values", "drawn between the two"},
+     {"uniform", "[0.5, 1.0]", "the key's", "two numbers, the second larger", "instead of values",
+      "drawn between the two"},
      {"normal", "{ mean = 1.0, deviation = 0.1 }", "the key's", "a table, see below", "instead of values",
       "drawn from a normal distribution"},
      {"lognormal", "{ median = 1.0, beta = 0.3 }", "the key's", "a table, see below", "instead of values",
@@ -40,7 +41,7 @@ inline constexpr KeyTable range_keys{
     "numbers at equal distances",
     {{"from", "0.5", "the key's", "any number", required_key, "first value"},
      {"to", "1.0", "the key's", "any number", required_key, "last value"},
-     {"count", "3", "", "a whole number from 1 to 10⁶", required_key, "number of values"},
+     {"count", "3", "", "a whole number from 2 to 10⁶", required_key, "number of values"},
      {"spacing", "\"linear\"", "", "\"linear\" or \"log\"", "\"linear\"",
       "equal differences or equal ratios"}}};
 

@@ -42,7 +42,7 @@ std::vector<Value> read_range(const Node& table) {
   const double from = required_number(table, "from");
   const double to = required_number(table, "to");
   const auto count =
-      static_cast<std::size_t>(whole_number(required(table, "count", "a whole number"), 1, most_values));
+      static_cast<std::size_t>(whole_number(required(table, "count", "a whole number"), 2, most_values));
   const Node* spacing = find(table, "spacing");
   const bool logarithmic = spacing != nullptr && choice<bool>(*spacing, {{"linear", false}, {"log", true}});
   if (logarithmic && !(from > 0 && to > 0)) {
@@ -76,7 +76,10 @@ Distribution read_distribution(const Node& node) {
     if (node.kind != Node::Kind::array || node.children.size() != 2) {
       throw wrong_value(node, "an array of two numbers, from and to");
     }
-    return {Distribution::Kind::uniform, finite_number(node, "1"), finite_number(node, "2")};
+    const double from = finite_number(node, "1"), to = finite_number(node, "2");
+    if (!(from < to))
+      throw wrong_value(node.children.back(), "a number above the first, " + number_text(from));
+    return {Distribution::Kind::uniform, from, to};
   }
   if (node.name == "normal") {
     require_table(node, normal_keys);
@@ -86,13 +89,20 @@ Distribution read_distribution(const Node& node) {
   return {Distribution::Kind::lognormal, positive_number(node, "median"), positive_number(node, "beta")};
 }
 
+/// A key whose values make another exact motion.
+const std::string& read_key(const Node& node) {
+  for (const char* other : {"title", "engine.depth"})
+    if (text(node) == other) throw wrong_value(node, "a key that changes the exact motion");
+  return node.text;
+}
+
 std::vector<std::string> read_keys(const Node& node) {
-  if (node.kind == Node::Kind::text) return {node.text};
+  if (node.kind == Node::Kind::text) return {read_key(node)};
   if (node.kind != Node::Kind::array || node.children.empty()) {
     throw wrong_value(node, "a key of the scene, or an array of such keys");
   }
   std::vector<std::string> keys;
-  for (const Node& child : node.children) keys.push_back(text(child));
+  for (const Node& child : node.children) keys.push_back(read_key(child));
   return keys;
 }
 

@@ -69,6 +69,15 @@ TEST(Suites, ErrorsNameLineKeyAndWhatIsAllowed) {
                   .starts_with("suite.toml:4: engine = newton: must be one of"));
   EXPECT_TRUE(error_of(head + "[draws]\nruns = 1\nseed = 2\n")
                   .starts_with("suite.toml:5: draws.seed = 2: must be left out where `runs` is 1"));
+  EXPECT_EQ(error_of(head + "set = [\"gravity=9\", \"blocks.1.colour=1\"]\n").substr(0, 24),
+            "suite.toml:3: blocks.1.c");
+  EXPECT_EQ(error_of(head + "vary = { gravity = [-1] }\n").substr(0, 25), "suite.toml:3: gravity = -1");
+  EXPECT_TRUE(error_of(head + "time_limit = 1\n")
+                  .starts_with("suite.toml:3: time_limit = 1: must be left out where"));
+  EXPECT_TRUE(error_of(head + "results = []\n")
+                  .starts_with("suite.toml:3: results = []: must be an array of at least"));
+  EXPECT_TRUE(error_of(head + "results = [\"angles\", \"angles\"]\n")
+                  .starts_with("suite.toml:3: results.2 = \"angles\": must be named once"));
   EXPECT_TRUE(error_of("title = \"a\"\nscenes = []\n").starts_with("suite.toml:2: scenes"));
 }
 

@@ -88,11 +88,12 @@ std::string made_up_advice() {
     row.dt = dt;
     row.largest_angle_difference = off;
     row.stepping_time_minimum = seconds;
-    Json cells = metrics_json(row);
-    cells.update({{"draws_tried", 21}, {"draws_within", passes ? 20 : 3}});
-    cells.update({{"confirming_draws_tried", passes ? 20 : 0}, {"confirming_draws_within", passes ? 19 : 0}});
-    cells["passes"] = passes;
-    return cells;
+    Json trial_json = metrics_json(row);
+    trial_json.update({{"draws_tried", 21}, {"draws_within", passes ? 20 : 3}});
+    trial_json.update(
+        {{"confirming_draws_tried", passes ? 20 : 0}, {"confirming_draws_within", passes ? 19 : 0}});
+    trial_json["passes"] = passes;
+    return trial_json;
   };
   const Json trials{trial("one", 0.01, 0.1, 1e-3, false), trial("one", 0.001, 2e-3, 1e-2, true),
                     trial("two", 0.001, 1e-3, 2e-2, true)};

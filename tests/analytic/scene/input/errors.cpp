@@ -69,17 +69,17 @@ TEST(SceneErrors, FrictionAndSlip) {
       {1, "duration = 1\nlaw = \"unilateral\"\nequations = \"linear\"",
        "scene.toml:3: equations = linear: must be nonlinear under law unilateral"},
       {1, "duration = 1\nlaw = \"unilateral\"\nrestitution = [1, 1]",
-       "scene.toml:3: restitution = an array: must be left out under law unilateral, where friction decides"},
+       "scene.toml:3: restitution = [1, …]: must be left out under law unilateral, where friction decides"},
       {1, "duration = 1\nlaw = \"compliant\"\nequations = \"linear\"",
        "scene.toml:3: equations = linear: must be nonlinear under law compliant"},
       {12, "[contact]\nstiffness = 1e8",
-       "scene.toml:13: contact.stiffness = given: must be left out under law consistent: springs are for law "
+       "scene.toml:13: contact.stiffness = 1e+08: must be left out under law consistent: springs are for law "
        "compliant"},
       {12, "[contact]\nbed_stiffness = 1e8",
-       "scene.toml:13: contact.bed_stiffness = given: must be left out under law consistent: springs are for "
+       "scene.toml:13: contact.bed_stiffness = 1e+08: must be left out under law consistent: springs are for "
        "law compliant"},
       {12, "[contact]\nbed_damping = [1, 0]",
-       "scene.toml:13: contact.bed_damping = given: must be left out under law consistent: springs are for "
+       "scene.toml:13: contact.bed_damping = 1: must be left out under law consistent: springs are for "
        "law "
        "compliant"},
       {12, "springs = 1", "scene.toml:12: initial.springs = 1: must be \"loaded\" or \"unloaded\""},
@@ -111,15 +111,25 @@ TEST(SceneErrors, SpringsThatDoNothingAreRefused) {
   };
   EXPECT_EQ(
       contact("bed_stiffness = 1e8\ndamping = 1e4"),
-      "scene.toml:15: contact.damping = given: must be left out without contact.stiffness: it is of the "
+      "scene.toml:15: contact.damping = 10000: must be left out without contact.stiffness: it is of the "
       "dashpot beside each spring");
   EXPECT_EQ(
       contact("stiffness = 1e8\nbed_damping = 1e4"),
-      "scene.toml:15: contact.bed_damping = given: must be left out without contact.bed_stiffness: it is "
+      "scene.toml:15: contact.bed_damping = 10000: must be left out without contact.bed_stiffness: it is "
       "of the bed");
-  EXPECT_EQ(contact("damping = 1e4").substr(0, 38), "scene.toml:14: contact.damping = given");
-  EXPECT_EQ(contact("bed_damping = [0, 1e4]").substr(0, 42), "scene.toml:14: contact.bed_damping = given");
-  for (const char* lines : {"", "tangential = 2"})
+  EXPECT_EQ(contact("stiffness = [inf, 1e8]\ndamping = [1e4, 0]").substr(0, 38),
+            "scene.toml:15: contact.damping = 10000");
+  EXPECT_EQ(contact("stiffness = 1e8\nfriction = 0\ntangential = 0.5"),
+            "scene.toml:16: contact.tangential = 0.5: must be left out where friction is 0 throughout: "
+            "nothing acts "
+            "along a face");
+  for (const char* key : {"friction", "stiffness", "damping", "bed_stiffness", "bed_damping"})
+    EXPECT_EQ(contact(std::string(key) + " = []"),
+              std::string("scene.toml:14: contact.") + key + " = []: must be a number for each block");
+  EXPECT_EQ(contact("damping = 1e4").substr(0, 38), "scene.toml:14: contact.damping = 10000");
+  EXPECT_EQ(contact("bed_damping = [0, 1e4]").substr(0, 42), "scene.toml:14: contact.bed_damping = 10000");
+  for (const char* lines :
+       {"", "tangential = 2", "stiffness = inf", "stiffness = [inf, inf]\nbed_stiffness = inf"})
     EXPECT_EQ(contact(lines),
               "scene.toml:1: law = compliant: must be another, or contact.stiffness or contact.bed_stiffness "
               "given: no interface is soft");

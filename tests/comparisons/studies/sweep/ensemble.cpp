@@ -138,8 +138,10 @@ TEST(Ensemble, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
             "ensemble.toml:14: blocks.2: there is 1 block, must be 1 to 1");
   EXPECT_EQ(error(table + "values = [1]\n" + table + "values = [2]\n"),
             "ensemble.toml:15: key = blocks.1.height: must be varied only once");
+  EXPECT_EQ(error(table + "uniform = [2, 1]\n"),
+            "ensemble.toml:14: vary.1.uniform.2 = 1: must be a number above the first, 2");
   EXPECT_EQ(error(table + "range = {from = 1, to = 2, count = 1.5}\n"),
-            "ensemble.toml:14: vary.1.range.count = 1.5: must be a whole number from 1 to 1000000");
+            "ensemble.toml:14: vary.1.range.count = 1.5: must be a whole number from 2 to 1000000");
   EXPECT_EQ(error(table + "uniform = [1, 2]\n"),
             "ensemble.toml:1: samples: missing, must be given where values are drawn");
   EXPECT_EQ(
