@@ -63,8 +63,10 @@ std::string missing(const Command& command) {
   return fmt::format("{}: {}: missing", command.app->get_name(), names);
 }
 
-/// What the first word that nobody expected may have been meant for.
-std::string nearest_of(const CLI::App& app, const Command* given) {
+/// The first word that nobody expected, and what it may have been meant for.
+void refuse_unexpected(const CLI::App& app, const Command* given) {
+  const std::vector<std::string> words = app.remaining(true);
+  if (words.empty()) return;
   std::vector<std::string> names;
   if (given == nullptr) {
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -73,8 +75,7 @@ std::string nearest_of(const CLI::App& app, const Command* given) {
       for (const CLI::Option* option : owner->get_options()) names.push_back(option->get_name());
     }
   }
-  const std::vector<std::string> words = app.remaining(true);
-  return words.empty() ? "" : did_you_mean(words.front(), names);
+  throw std::invalid_argument(words.front() + ": not expected" + did_you_mean(words.front(), names));
 }
 
 int run(int count, char** arguments) {
@@ -100,9 +101,11 @@ int run(int count, char** arguments) {
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::RequiredError&) {
+    refuse_unexpected(app, parsed(commands));
     throw std::invalid_argument(missing(*parsed(commands)));
-  } catch (const CLI::ExtrasError& error) {
-    throw std::invalid_argument(error.what() + nearest_of(app, parsed(commands)));
+  } catch (const CLI::ExtrasError&) {
+    refuse_unexpected(app, parsed(commands));
+    throw;
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(error.what());
   }
