@@ -162,7 +162,7 @@ Command add_sweep(CLI::App& app, const Common& common) {
 Command add_plot(CLI::App& app, const Common& common) {
   const auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = app.add_subcommand("plot", "draw figures and the report from a results folder");
-  command->add_option("folder", arguments->usual_folder, "folder with results")->required();
+  command->add_option("folder", arguments->results, "folder with results")->required();
   command->add_flag("--animate", arguments->animate,
                     "write each scene's motion as a GIF too, and as an MP4 where ffmpeg is installed");
   return {command, [arguments, &common] { return plot_command(*arguments, common); }};

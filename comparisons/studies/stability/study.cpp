@@ -71,11 +71,6 @@ StabilityAxis read_axis(const Node& axis) {
     entries(values, "an array of at least one number");
     result.values = numbers(values);
   }
-  const Node* scale = find(axis, "scale");
-  result.logarithmic = scale != nullptr && choice<bool>(*scale, {{"linear", false}, {"logarithmic", true}});
-  const bool above_zero =
-      std::all_of(result.values.begin(), result.values.end(), [](double value) { return value > 0; });
-  if (result.logarithmic && !above_zero) throw wrong_value(*scale, "\"linear\" where a value is not > 0");
   return result;
 }
 
@@ -244,10 +239,9 @@ std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::
   }
   write_file(folder / "stability.csv", stability_csv(rows));
   write_file(folder / "steps.csv", steps_csv(largest_steps(rows)));
-  const Json json{{"title", study.suite.title},          {"axis", study.axis.name},
-                  {"parameter", study.axis.parameter},   {"logarithmic", study.axis.logarithmic},
-                  {"limits", limits_json(study.limits)}, {"study_file", study.text},
-                  {"command", options.command}};
+  const Json json{{"title", study.suite.title},        {"axis", study.axis.name},
+                  {"parameter", study.axis.parameter}, {"limits", limits_json(study.limits)},
+                  {"study_file", study.text},          {"command", options.command}};
   write_file(folder / "stability.json", json.dump(2) + "\n");
   return rows;
 }

@@ -14,7 +14,6 @@ struct StabilityAxis {
   std::string name;            ///< with its unit
   std::string parameter;       ///< of the engines; empty: scenes
   std::vector<double> values;  ///< one a scene, in the suite's order
-  bool logarithmic = false;
 };
 
 /// Which solvers are sound at which steps, along an axis.

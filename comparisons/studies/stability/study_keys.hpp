@@ -29,8 +29,7 @@ inline constexpr KeyTable axis_keys{
      {"set", "{ \"blocks.1.height\" = [1.0, 2.0] }", "", "scene keys, or blocks for their number",
       required_key, "an array for each key, one number for each place"},
      {"parameter", "\"erp\"", "", "a parameter with several values in every [[engines]]",
-      "instead of values and set", "whose values are the places"},
-     {"scale", "\"linear\"", "", "\"linear\" or \"logarithmic\"", "\"linear\"", "of the axis"}}};
+      "instead of values and set", "whose values are the places"}}};
 
 inline constexpr std::initializer_list<const KeyTable*> stability_tables{&stability_keys, &axis_keys};
 

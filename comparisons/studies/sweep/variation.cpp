@@ -89,20 +89,18 @@ Distribution read_distribution(const Node& node) {
   return {Distribution::Kind::lognormal, positive_number(node, "median"), positive_number(node, "beta")};
 }
 
-/// A key whose values make another exact motion.
-const std::string& read_key(const Node& node) {
-  for (const char* other : {"title", "engine.depth"})
-    if (text(node) == other) throw wrong_value(node, "a key that changes the exact motion");
-  return node.text;
-}
-
 std::vector<std::string> read_keys(const Node& node) {
-  if (node.kind == Node::Kind::text) return {read_key(node)};
-  if (node.kind != Node::Kind::array || node.children.empty()) {
-    throw wrong_value(node, "a key of the scene, or an array of such keys");
-  }
   std::vector<std::string> keys;
-  for (const Node& child : node.children) keys.push_back(read_key(child));
+  if (node.kind == Node::Kind::text) {
+    keys.push_back(node.text);
+  } else {
+    for (const Node& child : entries(node, "a key of the scene, or an array of such keys"))
+      keys.push_back(text(child));
+  }
+  const bool none_acts = std::all_of(keys.begin(), keys.end(), [](const std::string& key) {
+    return key == "title" || key == "engine.depth";
+  });
+  if (none_acts) throw wrong_value(node, "a key that changes the exact motion, or has one beside it");
   return keys;
 }
 

@@ -37,13 +37,12 @@ void expect_keys_are_those_read(const KeyFile& file, const KeyTable& table, cons
 struct KeyCase {
   const KeyTable* table;
   std::string key;
-  std::string other;  ///< empty: the key has one value alone
+  std::string other;  ///< empty: the key has one value alone, or another test
   struct Setting {
     const KeyTable* table;
     std::string key, value;
   };
   std::vector<Setting> beside = {};
-  std::string one = {};  ///< in the place of the example, where given
 };
 
 /// Every key of some tables does something: `outcome` of what its case sets beside, and of the key's value,
