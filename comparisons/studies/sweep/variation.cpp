@@ -89,6 +89,11 @@ Distribution read_distribution(const Node& node) {
   return {Distribution::Kind::lognormal, positive_number(node, "median"), positive_number(node, "beta")};
 }
 
+/// Whether the exact motion is the same whatever its value.
+bool is_label(const std::string& key) {
+  return key == "title" || key == "engine.depth";
+}
+
 std::vector<std::string> read_keys(const Node& node) {
   std::vector<std::string> keys;
   if (node.kind == Node::Kind::text) {
@@ -97,10 +102,6 @@ std::vector<std::string> read_keys(const Node& node) {
     for (const Node& child : entries(node, "a key of the scene, or an array of such keys"))
       keys.push_back(text(child));
   }
-  const bool none_acts = std::all_of(keys.begin(), keys.end(), [](const std::string& key) {
-    return key == "title" || key == "engine.depth";
-  });
-  if (none_acts) throw wrong_value(node, "a key that changes the exact motion, or has one beside it");
   return keys;
 }
 
@@ -124,7 +125,10 @@ Variation read_variation(const Node& table, const std::filesystem::path& folder)
   require_table(table, vary_keys);
   Variation variation;
   variation.place = table.place;
-  variation.keys = read_keys(required(table, "key", "a key of the scene"));
+  const Node& key = required(table, "key", "a key of the scene");
+  variation.keys = read_keys(key);
+  if (find(table, "group") == nullptr && std::all_of(variation.keys.begin(), variation.keys.end(), is_label))
+    throw wrong_value(key, "a key that changes the exact motion, or one of a group");
   const Node& given = way(table);
   if (given.name == "values") {
     variation.values = read_values(given);

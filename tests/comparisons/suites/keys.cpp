@@ -155,12 +155,17 @@ TEST(Keys, OfStudiesAreThoseThatAreRead) {
   expect_keys_are_those_read(stability, stability_keys, read_study_text);
   stability.set(engine_keys, "parameters", "{ erp = [0.1, 0.2] }");
   expect_keys_are_those_read(stability, axis_keys, read_study_text);
-  expect_keys_are_those_read(KeyFile({&impact_law_keys}), impact_law_keys, read_study_text);
+  expect_keys_are_those_read(KeyFile({&impact_law_keys, &engine_keys}), impact_law_keys, read_study_text);
 }
 
 TEST(Keys, OfEnsemblesAreThoseThatAreRead) {
   expect_keys_are_those_read(KeyFile({&ensemble_keys, &vary_keys}), vary_keys, read_ensemble_text);
-  expect_keys_are_those_read(KeyFile({&ensemble_keys, &vary_keys, &summary_keys}), summary_keys,
+  // Of a summary intensity and period are of two directions.
+  const KeyTable second = vary_keys;
+  KeyFile both({&ensemble_keys, &vary_keys, &second, &summary_keys});
+  both.set(second, "key", "\"gravity\"").set(second, "values", "[9.0, 10.0]");
+  both.leave_out(vary_keys, "values").set(vary_keys, "values", "[0.1, 0.2]");
+  expect_keys_are_those_read(both.set(summary_keys, "intensity", "\"gravity\""), summary_keys,
                              read_ensemble_text);
   KeyFile ranges({&ensemble_keys, &vary_keys, &range_keys});
   expect_keys_are_those_read(ranges.leave_out(vary_keys, "values"), range_keys, read_ensemble_text);

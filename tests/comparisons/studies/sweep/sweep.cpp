@@ -110,7 +110,12 @@ TEST(Sweep, AFolderOfAnotherEnsembleIsRefusedAndLeftAsItWas) {
 TEST(Sweep, AValueThatReadsLikeAFailureIsNone) {
   const Ensemble ensemble = ensemble_from(ensemble_of_one_block(R"([[vary]]
 key = "title"
+group = "a"
 values = ["one,failed,two", "failed"]
+[[vary]]
+key = "duration"
+group = "a"
+values = [0.1, 0.2]
 )"));
   const TemporaryFolder folder;
   const SweepResult result = sweep_into(folder.path(), ensemble);
