@@ -235,10 +235,10 @@ Draws read_draws(const Node& table) {
   };
   Draws draws;
   draws.runs = static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 1"), 1, most_draws));
-  for (const char* key : {"finest", "steps", "scene", "seed"}) {
+  for (const char* key : {"finest", "steps"}) {  // the horizon takes the others
     const Node* node = find(table, key);
     if (node != nullptr && draws.runs == 1)
-      throw wrong_value(*node, "left out where `runs` is 1: nothing is drawn");
+      throw wrong_value(*node, "left out where `runs` is 1: no other step is");
   }
   if (const Node* node = find(table, "finest"))
     draws.finest = static_cast<int>(whole_number(*node, 1, draws.runs));
@@ -264,7 +264,6 @@ void require_engines(const Node& root) {
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
   require_table(root, suite_keys);
-  require_engines(root);
   Suite suite;
   suite.title = text(required(root, "title", "a text"));
   SceneChange changes;
@@ -298,6 +297,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);
   suite.series = read_engines(root, file.parent_path());
   if (const Node* table = find(root, "statements")) suite.statements = read_statements(*table, suite);
+  require_engines(root);
   return suite;
 }
 

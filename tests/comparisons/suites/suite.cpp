@@ -67,8 +67,8 @@ TEST(Suites, ErrorsNameLineKeyAndWhatIsAllowed) {
   EXPECT_TRUE(error_of(head + "colour = 1\n").starts_with("suite.toml:3: colour"));
   EXPECT_TRUE(error_of(head + "[[engines]]\nname = \"newton\"\n")
                   .starts_with("suite.toml:4: engine = newton: must be one of"));
-  EXPECT_TRUE(error_of(head + "[draws]\nruns = 1\nseed = 2\n")
-                  .starts_with("suite.toml:5: draws.seed = 2: must be left out where `runs` is 1"));
+  EXPECT_TRUE(error_of(head + "[draws]\nruns = 1\nsteps = 0.1\n")
+                  .starts_with("suite.toml:5: draws.steps = 0.1: must be left out where `runs` is 1"));
   EXPECT_EQ(error_of(head + "set = [\"gravity=9\", \"blocks.1.colour=1\"]\n").substr(0, 24),
             "suite.toml:3: blocks.1.c");
   EXPECT_EQ(error_of(head + "vary = { gravity = [-1] }\n").substr(0, 25), "suite.toml:3: gravity = -1");

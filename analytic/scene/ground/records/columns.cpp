@@ -205,10 +205,11 @@ std::vector<Record> read(Cursor cursor) {
     cursor.fail_at(table.lines.back(), std::to_string(table.rows.back().size()) +
                                            " columns where lines before have " +
                                            std::to_string(table.columns()));
-  const double step = times ? constant_step(cursor, table) : *header.interval;
+  double step = times ? constant_step(cursor, table) : *header.interval;
   if (header.interval && std::abs(step - *header.interval) > step_tolerance * step) {
     cursor.fail("times step by " + shown(step) + " s, the header says dt = " + shown(*header.interval));
   }
+  step = header.interval.value_or(step);
   std::vector<std::vector<double>> series;
   if (times) {
     for (std::size_t k = 1; k < table.columns(); ++k) series.push_back(table.column(k));
