@@ -254,7 +254,7 @@ namespace {
 /// Refuses what is of engines alone where there are none.
 void require_engines(const Node& root) {
   if (find(root, "engines") != nullptr) return;
-  for (const char* key : {"softness", "draws", "time_limit", "memory_limit"})
+  for (const char* key : {"softness", "time_limit", "memory_limit"})
     if (const Node* node = find(root, key))
       throw wrong_value(*node, "left out where there are no [[engines]]: it is of their runs");
 }
