@@ -124,8 +124,8 @@ TEST(SceneErrors, SpringsThatDoNothingAreRefused) {
             "nothing acts "
             "along a face");
   for (const char* key : {"friction", "stiffness", "damping", "bed_stiffness", "bed_damping"})
-    EXPECT_EQ(contact(std::string(key) + " = []"),
-              std::string("scene.toml:14: contact.") + key + " = []: must be a number for each block");
+    EXPECT_EQ(contact(std::string(key) + " = []"), std::string("scene.toml:14: contact.") + key +
+                                                       " = an array of 0: must be a number for each block");
   EXPECT_EQ(contact("damping = 1e4").substr(0, 38), "scene.toml:14: contact.damping = 10000");
   EXPECT_EQ(contact("bed_damping = [0, 1e4]").substr(0, 42), "scene.toml:14: contact.bed_damping = 10000");
   for (const char* lines :
