@@ -279,7 +279,33 @@ Evidence gather(const Suite& suite) {
   return evidence;
 }
 
+namespace {
+
+/// What keeps scenes from being held against what the paper says of its own; empty where nothing does.
+std::string unlike_the_papers(const Evidence& evidence) {
+  const auto& events = evidence.free_answers.front().history.events;
+  const auto has = [&](const auto& wanted) { return std::any_of(events.begin(), events.end(), wanted); };
+  const auto rocks = [](const std::vector<Answer>& answers) {
+    return std::all_of(answers.begin(), answers.end(), [](const Answer& answer) {
+      return largest_swing(answer.history, base).peak > 0 && largest_swing(answer.history, top).peak > 0;
+    });
+  };
+  if (!has([](const Event& event) { return event.kind == EventKind::impact && event.interface == 1; }))
+    return "in the free scene no block lands on the ground";
+  if (!has([](const Event& event) { return event.interface == 1 && event.to[0] == Contact::closed; }) ||
+      events.back().time <= first_ground_impact(evidence.free_answers.front().history).time)
+    return "in the free scene the base does not come to rest";
+  if (!rocks(evidence.free_answers)) return "in the free scene not both blocks rock";
+  if (!rocks(evidence.shaken_answers)) return "in the shaken scene not both blocks rock";
+  return evidence.shaken.horizontal.samples.empty() ? "the shaken scene has no record" : "";
+}
+
+}  // namespace
+
 std::vector<Statement> judge(const Evidence& evidence) {
+  if (const std::string unlike = unlike_the_papers(evidence); !unlike.empty())
+    return {{"Section 5", "What the paper says is of its own two examples.", Verdict::undecidable,
+             "scenes that do what the paper's do", unlike}};
   std::vector<Statement> statements;
   for (const auto statement :
        {turns_as_one, goes_to_1b, faster_after_impact, base_rests_early, base_is_hit, amplitudes,

@@ -91,5 +91,24 @@ TEST(Statements, FollowTheMotionThatTheyAreAbout) {
   EXPECT_EQ(statements.front().verdict, Verdict::holds) << statements.front().computed;
 }
 
+TEST(PaperStatements, AreNotHeldAgainstScenesThatDoSomethingElse) {
+  const auto verdict_of = [](const Evidence& given) {
+    const std::vector<Statement> told = judge(given);
+    EXPECT_EQ(told.size(), 1U);
+    EXPECT_EQ(told.front().verdict, Verdict::undecidable);
+    return told.front().computed;
+  };
+  Evidence cut = evidence();
+  cut.free.duration = 0.2;
+  cut.free_answers[0].history = solve(cut.free, {.sample_times = regular_times(1e-3, cut.free.duration)});
+  EXPECT_EQ(verdict_of(cut), "in the free scene no block lands on the ground");
+  Evidence still = evidence();
+  for (double& angle : still.shaken_answers[0].history.angles) angle = 0;
+  EXPECT_EQ(verdict_of(still), "in the shaken scene not both blocks rock");
+  Evidence pulse = evidence();
+  pulse.shaken.horizontal.samples.clear();
+  EXPECT_EQ(verdict_of(pulse), "the shaken scene has no record");
+}
+
 }  // namespace
 }  // namespace rockstack

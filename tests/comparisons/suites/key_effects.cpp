@@ -106,8 +106,13 @@ std::string suite_outcome(const Settings& settings) {
          members_of(results / "comparison.json", {"title", "statements", "verdict"});
 }
 
+/// An engine that takes half a second of processor time.
+const Settings slow{{&engine_keys, "worker", "\"./my_engine.py\""},
+                    {&engine_keys, "name", "\"faulty:half-a-second\""}};
 const KeyCase::Setting three_draws{&draws_keys, "runs", "3"};
-const KeyCase::Setting both_scenes{&suite_keys, "scenes", "[\"scene.toml\", \"other.toml\"]"};
+const KeyCase::Setting papers{&suite_keys, "scenes",
+                              "[\"scene.toml\", \"spanos-free-rocking\", \"spanos-synthetic\"]"};
+const KeyCase::Setting papers_free{&statements_keys, "free", "\"spanos-free-rocking\""};
 
 const std::vector<KeyCase> suite_cases{
     {&suite_keys, "title", "\"Another\""},
@@ -137,8 +142,8 @@ const std::vector<KeyCase> suite_cases{
     {&perturbations_keys, "runs", "10"},
     {&perturbations_keys, "size", "1e-3"},
     {&perturbations_keys, "seed", "2"},
-    {&statements_keys, "free", "\"other\"", {both_scenes}},
-    {&statements_keys, "shaken", "\"other\"", {both_scenes}},
+    {&statements_keys, "free", papers_free.value, {papers}},
+    {&statements_keys, "shaken", "\"spanos-synthetic\"", {papers, papers_free}},
 };
 
 TEST(KeyEffects, OfSuites) {
@@ -170,7 +175,7 @@ TEST(KeyEffects, OfStabilityStudies) {
       {&stability_keys, "set", "[\"gravity=9.0\"]"},
       {&stability_keys, "rk4", "[1e-2]"},
       {&stability_keys, "repeats", "2"},
-      {&stability_keys, "time_limit", "1e-3"},
+      {&stability_keys, "time_limit", "0.2", slow},
       {&axis_keys, "name", "\"another\""},
       {&axis_keys, "values", "[3.0, 4.0]"},
       {&axis_keys, "set", "{ \"blocks.1.height\" = [1.0, 3.0] }"},
@@ -212,16 +217,14 @@ TEST(KeyEffects, OfImpactLawStudies) {
 }
 
 TEST(KeyEffects, OfEnsembles) {
-  // Another direction, beside which groups and summaries matter.
-  static const KeyTable second = vary_keys;
+  // More directions, beside which groups and summaries matter.
+  static const KeyTable second = vary_keys, third = vary_keys;
   const auto outcome = [](const Settings& settings) {
     std::vector<const KeyTable*> tables{&ensemble_keys, &vary_keys};
+    for (const auto& [table, key, value] : settings)
+      if (std::find(tables.begin(), tables.end(), table) == tables.end()) tables.push_back(table);
     const KeyTable* own = settings.back().table;
     const bool nested = own == &range_keys || own == &normal_keys || own == &lognormal_keys;
-    if (nested) tables.push_back(own);
-    if (std::any_of(settings.begin(), settings.end(), [](const auto& one) { return one.table == &second; }))
-      tables.push_back(&second);
-    if (own == &summary_keys) tables.push_back(&summary_keys);
     KeyFile file(tables);
     if (nested) file.leave_out(vary_keys, "values");
     const TemporaryFolder folder;
@@ -236,9 +239,12 @@ TEST(KeyEffects, OfEnsembles) {
   const KeyCase::Setting seed{&ensemble_keys, "seed", "1"};
   const KeyCase::Setting drawn{&vary_keys, "uniform", "[0.1, 0.2]"};
   const auto other = [](const char* key, const char* value) { return KeyCase::Setting{&second, key, value}; };
-  const auto beside = [&](const char* key) {
-    return Settings{other("key", key), other("values", "[0.2, 0.6]")};
-  };
+  const Settings directions{other("key", "\"gravity\""),
+                            other("values", "[9.0, 10.0]"),
+                            {&third, "key", "\"ground.horizontal.period\""},
+                            {&third, "values", "[0.2, 0.6]"}};
+  Settings with_intensity = directions;
+  with_intensity.push_back({&summary_keys, "intensity", "\"gravity\""});
   const std::vector<KeyCase> cases{
       {&ensemble_keys, "title", "\"Another\""},
       {&ensemble_keys, "scene", "\"other.toml\""},
@@ -263,19 +269,9 @@ TEST(KeyEffects, OfEnsembles) {
       {&normal_keys, "deviation", "0.01", {many, seed}},
       {&lognormal_keys, "median", "0.5", {many, seed}},
       {&lognormal_keys, "beta", "0.1", {many, seed}},
-      {&summary_keys, "intensity", "\"gravity\"", beside("\"gravity\"")},
-      {&summary_keys,
-       "period",
-       "\"ground.horizontal.period\"",
-       {other("key", "\"ground.horizontal.period\""),
-        other("values", "[0.2, 0.6]"),
-        {&summary_keys, "intensity", "\"duration\""}}},
-      {&summary_keys,
-       "friction",
-       "\"gravity\"",
-       {other("key", "\"gravity\""),
-        other("values", "[0.2, 0.6]"),
-        {&summary_keys, "intensity", "\"gravity\""}}},
+      {&summary_keys, "intensity", "\"gravity\"", directions},
+      {&summary_keys, "period", "\"ground.horizontal.period\"", with_intensity},
+      {&summary_keys, "friction", "\"ground.horizontal.period\"", with_intensity},
   };
   expect_keys_have_effects(ensemble_tables, cases, outcome);
 }
