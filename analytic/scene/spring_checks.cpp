@@ -12,10 +12,6 @@ namespace {
 
 constexpr double rigid = std::numeric_limits<double>::infinity();
 
-bool any_but(const std::vector<double>& values, double standard) {
-  return std::any_of(values.begin(), values.end(), [&](double value) { return value != standard; });
-}
-
 void refuse(bool given, const char* key, const std::string& value, const std::string& reason) {
   if (given) throw FieldError(key, value, "left out " + reason);
 }
@@ -26,13 +22,6 @@ void refuse_any_but(const std::vector<double>& values, double standard, const ch
   const auto given =
       std::find_if(values.begin(), values.end(), [&](double value) { return value != standard; });
   if (given != values.end()) refuse(true, key, number_text(*given), reason);
-}
-
-/// Whether a dashpot stands beside a spring somewhere.
-bool acts(const std::vector<double>& damping, const std::vector<double>& stiffness) {
-  for (std::size_t k = 0; k < std::min(damping.size(), stiffness.size()); ++k)
-    if (damping[k] != 0 && stiffness[k] != rigid) return true;
-  return false;
 }
 
 /// Where no interface is soft by its law.
@@ -47,20 +36,19 @@ void require_no_springs(const Scene& scene) {
   refuse(!scene.initial.settled, "initial.springs", "unloaded", reason);
 }
 
-/// Values that only do something beside others.
-void require_effect(const Scene& scene) {
-  const CornerSprings& springs = scene.springs;
-  if (!acts(springs.damping, springs.stiffness))
+/// Values that only do something beside others. A stiffness that is infinite may be compared with others.
+void require_effect(const CornerSprings& springs) {
+  const bool corners = !springs.stiffness.empty();
+  const bool beds = !springs.bed_stiffness.empty();
+  if (!corners)
     refuse_any_but(springs.damping, 0, "contact.damping",
                    "without contact.stiffness: it is of the dashpot beside each spring");
-  if (!acts(springs.bed_damping, springs.bed_stiffness))
+  if (!beds)
     refuse_any_but(springs.bed_damping, 0, "contact.bed_damping",
                    "without contact.bed_stiffness: it is of the bed");
-  if (!any_but(springs.stiffness, rigid) && !any_but(springs.bed_stiffness, rigid))
+  if (!corners && !beds)
     throw FieldError("law", "compliant",
                      "another, or contact.stiffness or contact.bed_stiffness given: no interface is soft");
-  refuse(springs.tangential != 1 && !any_but(friction_of(scene), 0), "contact.tangential",
-         number_text(springs.tangential), "where friction is 0 throughout: nothing acts along a face");
 }
 
 void validate_stiffness(const std::string& key, double value) {
@@ -149,7 +137,7 @@ void validate_springs(const Scene& scene) {
                        number_text(springs.bed_stiffness[k]),
                        "inf where contact.stiffness is not: an interface has springs at corners or a bed");
   require_positive("contact.tangential", springs.tangential);
-  require_effect(scene);
+  require_effect(springs);
   validate_depths(scene);
   validate_steps(scene);
   if (!scene.initial.settled) validate_unloaded(scene);

@@ -43,7 +43,6 @@ struct KeyCase {
     std::string key, value;
   };
   std::vector<Setting> beside = {};
-  std::string one = {};  ///< in the place of the example, where given
 };
 
 /// Every key of some tables does something: `outcome` of what its case sets beside, and of the key's value,

@@ -37,8 +37,7 @@ Scene springy_scene(std::uint64_t seed) {
     const double stiffness = mass / 1000 * std::pow(10, draw.between(5, 9));
     const double ratio = std::pow(10, draw.between(-2, 0));
     scene.springs.stiffness.push_back(rigid ? std::numeric_limits<double>::infinity() : stiffness);
-    const double damping = draw.below(4) == 0 ? 0 : 2 * ratio * std::sqrt(stiffness * mass);
-    scene.springs.damping.push_back(rigid ? 0 : damping);
+    scene.springs.damping.push_back(draw.below(4) == 0 ? 0 : 2 * ratio * std::sqrt(stiffness * mass));
     if (slips) scene.friction.push_back(draw.between(0.2, 1));
   }
   scene.springs.tangential = draw.between(0.3, 1);
