@@ -12,6 +12,7 @@
 namespace rockstack {
 namespace {
 
+constexpr double usual_step = 1e-3;  ///< near which engines are asked, s
 constexpr std::size_t base = 0;
 constexpr std::size_t top = 1;
 
@@ -251,7 +252,10 @@ std::vector<Answer> answers(const Suite& suite, const Scene& scene) {
   std::vector<Answer> list{{"exact", solve(scene, {.sample_times = regular_times(1e-4, scene.duration)})}};
   for (const EngineSeries& series : suite.series) {
     if (series.settings != "tuned") continue;
-    const double step = *std::min_element(series.steps.begin(), series.steps.end());
+    const double step =
+        *std::min_element(series.steps.begin(), series.steps.end(), [](double one, double other) {
+          return std::abs(std::log(one / usual_step)) < std::abs(std::log(other / usual_step));
+        });
     try {
       list.push_back({series.engine->name, simulate(*series.engine, scene, step, series.parameters).history});
     } catch (const std::runtime_error&) {

@@ -42,8 +42,8 @@ struct Evidence {
   std::vector<Answer> shaken_answers;
 };
 
-/// Solves both scenes and runs each tuned engine of the suite at its smallest step. A run that fails is left
-/// out. Precondition: the suite names its statements' scenes.
+/// Solves both scenes and runs each tuned engine of the suite at its step nearest to 1 ms. A run that fails
+/// is left out. Precondition: the suite names its statements' scenes.
 Evidence gather(const Suite& suite);
 
 std::vector<Statement> judge(const Evidence& evidence);

@@ -28,6 +28,12 @@ inline constexpr int quick_draws = 5;      ///< where nobody asked for a number 
 inline constexpr int fewest_draws = 3;     ///< where a quick answer is asked for
 inline constexpr int most_draws = 10'000;  ///< that may be asked for
 
+/// As many at every step.
+inline void set_runs(Draws& draws, int runs) {
+  draws.runs = runs;
+  draws.finest = 0;
+}
+
 /// The scene of one run (from 0): each block's width and height, all initial angles and velocities together,
 /// and each ground motion are multiplied by 1 + size · u, u uniform between −1 and 1. Masses stay, and so
 /// does what is closed. The same on every call.

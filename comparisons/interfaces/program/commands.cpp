@@ -57,7 +57,7 @@ std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& 
   std::vector<Suite> suites;
   for (const std::string& input : arguments.inputs) {
     Suite& suite = suites.emplace_back(read_input(input, arguments, common));
-    if (arguments.draws > 0) suite.draws.runs = arguments.draws;
+    if (arguments.draws > 0) set_runs(suite.draws, arguments.draws);
     if (arguments.history_interval) suite.history_interval = *arguments.history_interval;
   }
   if (arguments.record) replace_made_up_motion(suites, *arguments.record);

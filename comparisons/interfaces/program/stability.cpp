@@ -37,7 +37,7 @@ void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem
 int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, Executor& executor,
                       int draws, const Common& common) {
   StabilityStudy study = read_stability_study(file, common.overrides);
-  if (draws > 0) study.suite.draws.runs = draws;
+  if (draws > 0) set_runs(study.suite.draws, draws);
   require_comparable({study.suite});
   const ResultsFolder folder(out, Results::stability);
   const std::vector<StabilityRun> rows =

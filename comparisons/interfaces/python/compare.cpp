@@ -50,7 +50,7 @@ std::string compare_all(const std::vector<Input>& inputs, const std::filesystem:
   std::vector<Suite> suites;
   for (const Input& input : inputs) {
     Suite& suite = suites.emplace_back(suite_of(input, choice));
-    if (draws > 0) suite.draws.runs = draws;
+    if (draws > 0) set_runs(suite.draws, draws);
     if (history_interval) suite.history_interval = *history_interval;
   }
   require_comparable(suites);
