@@ -187,20 +187,25 @@ Sentences advised(const Json& json) {
   } else {
     sentences.push_back(
         fmt::format("Take {}:{} at {} with tuned settings: the cheapest that was tried and stays "
-                    "within {:g} rad, and within that share of the least block height.",
+                    "within {:g} rad of the exact angles, and within that share of the least block height of "
+                    "the exact centres.",
                     pick.at("engine").get<std::string>(), pick.at("solver").get<std::string>(),
                     duration_text(pick.at("dt").get<double>()), error));
     sentences.push_back(
-        fmt::format("Of replicates at nearby steps {} of {} are within.",
+        fmt::format("Of {1} replicates at nearby steps {0} are within; nine of ten must be.",
                     pick.at("draws_within").get<int>() + pick.at("confirming_draws_within").get<int>(),
                     pick.at("draws_tried").get<int>() + pick.at("confirming_draws_tried").get<int>()));
   }
   if (until < json.at("duration").get<double>())
     sentences.push_back(fmt::format("This holds until {:.4g} s, the horizon of predictability.", until));
+  std::vector<std::string> untried;
   for (const Json& one : json.at("untried"))
-    sentences.push_back(fmt::format("{}:{} was not tried below {}: time was up.",
-                                    one.at("engine").get<std::string>(), one.at("solver").get<std::string>(),
-                                    duration_text(one.at("below").get<double>())));
+    untried.push_back(fmt::format("{}:{} below {}", one.at("engine").get<std::string>(),
+                                  one.at("solver").get<std::string>(),
+                                  duration_text(one.at("below").get<double>())));
+  if (!untried.empty())
+    sentences.push_back(fmt::format("As the search had {:g} s, it has not tried {}.",
+                                    json.at("within").get<double>(), joined(untried)));
   return sentences;
 }
 

@@ -55,11 +55,10 @@ std::vector<double> told_steps(const EndsOfSteps& steps) {
 }
 
 std::string until(const Ends& ends) {
-  const std::string whole = ends.beyond ? "to the horizon" : "to the end";
-  const std::string first = quantity_text(ends.first, "s", 2), last = quantity_text(ends.last, "s", 2);
-  if (ends.last == 0 && ends.some_agree) return "all " + whole;
-  if (ends.some_agree) return fmt::format("until {} or longer, some {}", first, whole);
-  return first == last ? "until " + first : fmt::format("until {} to {}", first, last);
+  const std::string first = fmt::format("{:.2g}", ends.first), last = fmt::format("{:.2g}", ends.last);
+  if (ends.last == 0 && ends.some_agree) return ends.beyond ? "to the horizon" : "to the end";
+  if (ends.some_agree) return fmt::format("until {} s or longer", first);
+  return first == last ? fmt::format("until {} s", first) : fmt::format("until {} to {} s", first, last);
 }
 
 /// "5.86 s in spanos-synthetic" of each scene that ends before its horizon.
@@ -105,7 +104,7 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
   for (const double dt : told_steps(steps))
     parts.push_back(fmt::format("{} at a step of {}", until(steps.at(dt)), quantity_text(dt, "s")));
   const double tolerance = scenes.front().scale.tolerance;
-  return fmt::format("Engines stay within {} and {:g} % of the least block height: {}{}.",
+  return fmt::format("Engines stay within {} and {:g} % of the least block height of the exact motion {}{}.",
                      quantity_text(tolerance, "rad"), 100 * tolerance,
                      fmt::format("{}", fmt::join(parts, ", ")), horizons(rows, scenes));
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/verdict/outcome.hpp"
@@ -76,8 +77,16 @@ std::string part(const First& first, const std::string& by) {
 std::string furthest(const std::vector<RankedSet>& ranking) {
   const RankedSet& last = ranking.back();
   if (ranking.size() < 2 || last.rank != static_cast<int>(ranking.size())) return "";
-  return fmt::format("; {} is furthest, {:.2g} times the least error off",
+  return fmt::format("; {} is furthest, its errors {:.2g} times the least in the mean",
                      set_name(last.engine, last.solver, last.settings), last.score);
+}
+
+/// A ranking of one step needs no word of it.
+std::string over_steps(const std::vector<ReplicatedRow>& rows) {
+  std::set<double> steps;
+  for (const ReplicatedRow& one : rows)
+    if (can_be_ranked(one)) steps.insert(*one.row.dt);
+  return steps.size() > 1 ? "over all steps " : "";
 }
 
 std::string capitalised(std::string text) {
@@ -113,7 +122,7 @@ std::string nearest_sentence(const std::vector<ReplicatedRow>& rows, const std::
   } else {
     for (const First& one : firsts) text += (text.empty() ? "" : "; ") + part(one, evidence(rows));
   }
-  return capitalised(text) + furthest(ranking) + ".";
+  return capitalised(over_steps(rows) + text) + furthest(ranking) + ".";
 }
 
 }  // namespace rockstack

@@ -180,6 +180,9 @@ Legend legend_of(const Comparison& comparison, const CommonAxes& frame) {
     legend.emplace_back(fmt::format("with lines lw 6 lc rgb '{}'", paler("#333333", frame.strength(dt))),
                         "step " + duration_text(dt));
   legend.emplace_back("with lines lw 2 dt (5,8) lc rgb '#666666'", "tolerance");
+  const auto drawn = [](const Run& run) { return is_shown(run) && run.draws.value_or(1) > 1; };
+  if (std::any_of(comparison.runs.begin(), comparison.runs.end(), drawn))
+    legend.emplace_back("with lines lw 1.5 lc rgb '#000000'", "quartiles of replicates");
   for (const ComparedScene& scene : comparison.scenes)
     if (const TimeAxis axis = axis_of(scene); axis.is_shaded()) {
       explain_shade(axis, legend);

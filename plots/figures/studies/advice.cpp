@@ -119,6 +119,8 @@ Drawings advice(const FolderSubject& subject) {
     data += block_of(name, *marks);
     plots.push_back(fmt::format("${} using 1:2 {} ps {}*mark notitle", name, ring, size));
   }
+  legend.emplace_back("with lines lw 2 dt (8,6) lc rgb '#404040'", fmt::format("asked for: {:g}", error));
+  legend.emplace_back(fmt::format("{} ps 2.6*mark", ring), "nine of ten replicates are within");
   Sheet sheet = subject.sheet(title, legend, answer_of(lines, error));
   sheet.data(data);
   sheet.panel(tall, 0,

@@ -58,11 +58,11 @@ TEST(Verdict, NamesAWinnerWithTheScenesInWhichItWins) {
   EXPECT_EQ(
       told[1],
       "In a ode:step (tuned) is nearest to the exact motion; in b no set can be told to be nearest, by 5 "
-      "replicates; ode:step (default) is furthest, 2 times the least error off.");
-  EXPECT_EQ(
-      told[0],
-      "Engines stay within 10 mrad and 1 % of the least block height: until 2.5 s or longer, some to the end "
-      "at a step of 1 ms.");
+      "replicates; ode:step (default) is furthest, its errors 2 times the least in the mean.");
+  EXPECT_EQ(told[0],
+            "Engines stay within 10 mrad and 1 % of the least block height of the exact motion until 2.5 s "
+            "or longer "
+            "at a step of 1 ms.");
 }
 
 // The ranking of a whole scene of 25 s went by what lay beyond 5.86 s.
@@ -72,7 +72,8 @@ TEST(Verdict, SaysHowFarHistoriesAreCompared) {
   const auto told = headline(rows, {scene("a")});
   EXPECT_EQ(
       told[0],
-      "Engines stay within 10 mrad and 1 % of the least block height: all to the horizon at a step of 1 ms "
+      "Engines stay within 10 mrad and 1 % of the least block height of the exact motion to the horizon at a "
+      "step of 1 ms "
       "(the horizon: 3 s in a).");
 }
 
