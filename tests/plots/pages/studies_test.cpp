@@ -126,8 +126,8 @@ TEST(StudyPage, AdviceSaysWhatToTakeAndUntilWhenItHolds) {
   const testing::Picture picture = testing::read_picture(folder / "figures/advice.svg");
   EXPECT_TRUE(picture.says("own:one at 1 ms, within 0.01"));
   EXPECT_TRUE(testing::collisions(picture).empty());
-  // A ring for each of two that pass, and one more about the pick.
-  EXPECT_EQ(picture.marks_of(testing::shown_colour("#000000")).size(), 3U);
+  // A ring for each of two that pass, one more about the pick, and one in the legend.
+  EXPECT_EQ(picture.marks_of(testing::shown_colour("#000000")).size(), 4U);
 }
 
 TEST(StudyPage, ARecordSaysItsPeaks) {
