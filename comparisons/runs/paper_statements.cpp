@@ -265,26 +265,6 @@ std::vector<Answer> answers(const Suite& suite, const Scene& scene) {
   return list;
 }
 
-}  // namespace
-
-std::string name(Verdict verdict) {
-  return verdict == Verdict::holds ? "holds" : verdict == Verdict::fails ? "fails" : "undecidable";
-}
-
-Evidence gather(const Suite& suite) {
-  Evidence evidence;
-  evidence.free = find_scene(suite.scenes, suite.statements->free).scene;
-  evidence.shaken = find_scene(suite.scenes, suite.statements->shaken).scene;
-  evidence.free_answers = answers(suite, evidence.free);
-  evidence.shaken_answers = answers(suite, evidence.shaken);
-  Scene linear = evidence.free;
-  linear.equations = Equations::linear;
-  evidence.free_linear = solve(linear, {.sample_times = evidence.free_answers.front().history.times});
-  return evidence;
-}
-
-namespace {
-
 /// What keeps scenes from being held against what the paper says of its own; empty where nothing does.
 std::string unlike_the_papers(const Evidence& evidence) {
   const auto& events = evidence.free_answers.front().history.events;
@@ -305,6 +285,22 @@ std::string unlike_the_papers(const Evidence& evidence) {
 }
 
 }  // namespace
+
+std::string name(Verdict verdict) {
+  return verdict == Verdict::holds ? "holds" : verdict == Verdict::fails ? "fails" : "undecidable";
+}
+
+Evidence gather(const Suite& suite) {
+  Evidence evidence;
+  evidence.free = find_scene(suite.scenes, suite.statements->free).scene;
+  evidence.shaken = find_scene(suite.scenes, suite.statements->shaken).scene;
+  evidence.free_answers = answers(suite, evidence.free);
+  evidence.shaken_answers = answers(suite, evidence.shaken);
+  Scene linear = evidence.free;
+  linear.equations = Equations::linear;
+  evidence.free_linear = solve(linear, {.sample_times = evidence.free_answers.front().history.times});
+  return evidence;
+}
 
 std::vector<Statement> judge(const Evidence& evidence) {
   if (const std::string unlike = unlike_the_papers(evidence); !unlike.empty())

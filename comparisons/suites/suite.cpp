@@ -167,6 +167,14 @@ PaperScenes read_statements(const Node& table, const Suite& suite) {
   return {scene("free"), scene("shaken")};
 }
 
+/// Refuses what is of engines alone where there are none.
+void require_engines(const Node& root) {
+  if (find(root, "engines") != nullptr) return;
+  for (const char* key : {"softness", "time_limit", "memory_limit"})
+    if (const Node* node = find(root, key))
+      throw wrong_value(*node, "left out where there are no [[engines]]: it is of their runs");
+}
+
 }  // namespace
 
 Scene Variant::apply(Scene scene) const {
@@ -248,18 +256,6 @@ Draws read_draws(const Node& table) {
     draws.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
   return draws;
 }
-
-namespace {
-
-/// Refuses what is of engines alone where there are none.
-void require_engines(const Node& root) {
-  if (find(root, "engines") != nullptr) return;
-  for (const char* key : {"softness", "time_limit", "memory_limit"})
-    if (const Node* node = find(root, key))
-      throw wrong_value(*node, "left out where there are no [[engines]]: it is of their runs");
-}
-
-}  // namespace
 
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);

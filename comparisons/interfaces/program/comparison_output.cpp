@@ -87,15 +87,19 @@ bool is_printed(const Common& common) {
 
 void print_legend(const std::vector<Suite>& suites, const Common& common) {
   if (!is_printed(common)) return;
-  int replicates = 1;
-  for (const Suite& suite : suites) replicates = std::max(replicates, suite.draws.runs);
+  int replicates = 1, finest = 0;
+  for (const Suite& suite : suites) {
+    replicates = std::max(replicates, suite.draws.runs);
+    finest = std::max(finest, suite.draws.finest);
+  }
+  const std::string fewer = finest > 0 ? fmt::format(", {} at the finest step", finest) : "";
   fmt::print(
       "angles, centres: RMS differences from the exact motion up to the horizon{}\n"
       "impact: the first one, engine less exact; time: the shortest wall time of stepping (cold: before the "
       "engine's runtime was warm)\n"
       "*: nearest of its scene and step; those that share it cannot be told apart, and none has it where no "
       "row can\n",
-      replicates > 1 ? fmt::format(", medians of {} replicates (quartiles)", replicates) : "");
+      replicates > 1 ? fmt::format(", medians of {} replicates{} (quartiles)", replicates, fewer) : "");
   std::fflush(stdout);
 }
 

@@ -54,11 +54,15 @@ std::vector<First> firsts_of(const std::vector<ReplicatedRow>& rows, const std::
   return list;
 }
 
-/// What a row's errors are of: "21 replicates", "one run each".
+/// What rows' errors are of: "21 replicates", "5 to 15 replicates", "one run each".
 std::string evidence(const std::vector<ReplicatedRow>& rows) {
-  std::size_t most = 1;
-  for (const ReplicatedRow& one : rows) most = std::max(most, one.errors.size());
-  return most > 1 ? fmt::format("{} replicates", most) : "one run each";
+  std::set<std::size_t> counts;
+  for (const ReplicatedRow& one : rows)
+    if (can_be_ranked(one)) counts.insert(one.errors.size());
+  if (counts.empty() || *counts.rbegin() < 2) return "one run each";
+  return *counts.begin() == *counts.rbegin()
+             ? fmt::format("{} replicates", *counts.begin())
+             : fmt::format("{} to {} replicates", *counts.begin(), *counts.rbegin());
 }
 
 /// Of a scene among others.

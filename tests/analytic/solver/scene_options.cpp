@@ -176,7 +176,7 @@ TEST(Inclination, InDegreesIsToldInRadians) {
 
 // A block that is turned uphill past its balance there, slenderness + inclination, does not come back; one
 // that is let go just before does.
-TEST(Inclination, ABlockComesBackFromBelowItsToppingAngleUphillAlone) {
+TEST(Inclination, ABlockComesBackFromBelowItsBalanceUphillAlone) {
   for (const double slope : {0.1, 0.3}) {
     Scene scene = inclined(0, slope);
     const double balance = slenderness(scene, 0) + slope;

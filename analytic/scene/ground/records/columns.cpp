@@ -62,24 +62,25 @@ std::string without_brackets(std::string_view line) {
   return text;
 }
 
+void note_interval(const Cursor& cursor, double interval, Header& header) {
+  if (header.interval && *header.interval != interval)
+    cursor.fail("names another time step than a line before");
+  header.interval = interval;
+}
+
 void read_header(const Cursor& cursor, std::string_view line, Header& header) {
   header.unit.read(cursor, line);
   header.names = names_in(line);
   if (contains(line, "(ms)") || contains(line, "[ms]")) cursor.fail("times in ms: must be in s");
   const std::string plain = without_brackets(line);
-  const auto note = [&](double interval) {
-    if (header.interval && *header.interval != interval)
-      cursor.fail("names another time step than a line before");
-    header.interval = interval;
-  };
   constexpr std::array<std::string_view, 4> steps{"dt", "time step", "timestep", "interval"};
   for (const std::string_view name : steps)
     if (const auto field = field_after(plain, name); !field.empty() && is_numeric(field))
-      note(read_interval(cursor, plain, field));
+      note_interval(cursor, read_interval(cursor, plain, field), header);
   constexpr std::array<std::string_view, 3> rates{"samplerate", "sample rate", "sampling rate"};
   for (const std::string_view name : rates)
     if (const auto field = field_after(plain, name); !field.empty() && is_numeric(field))
-      note(checked_interval(cursor, 1 / number(cursor, field)));
+      note_interval(cursor, checked_interval(cursor, 1 / number(cursor, field)), header);
 }
 
 /// Numbers as they stand.
@@ -108,21 +109,22 @@ std::vector<double> numbers_in(const Cursor& cursor, std::string_view line) {
   return values;
 }
 
+/// Refuses a row of another length than those before.
+[[noreturn]] void fail_uneven(const Cursor& cursor, const Table& table) {
+  cursor.fail_at(table.lines.back(), std::to_string(table.rows.back().size()) +
+                                         " columns where lines before have " +
+                                         std::to_string(table.columns()));
+}
+
 /// Rows are of one length, but for the last of a series that goes on from line to line.
 void read_row(const Cursor& cursor, std::string_view line, Table& table) {
   const auto fields = words(line, ",;");
   if (table.rows.empty() && !std::all_of(fields.begin(), fields.end(), is_numeric))
     cursor.fail("not a known format: must be " + std::string(known_formats));
-  if (!table.rows.empty() && table.rows.back().size() < table.columns())
-    cursor.fail_at(table.lines.back(), std::to_string(table.rows.back().size()) +
-                                           " columns where lines before have " +
-                                           std::to_string(table.columns()));
+  if (!table.rows.empty() && table.rows.back().size() < table.columns()) fail_uneven(cursor, table);
   table.rows.push_back(numbers_in(cursor, line));
   table.lines.push_back(cursor.line_number());
-  const std::size_t columns = table.rows.back().size();
-  if (columns > table.columns())
-    cursor.fail(std::to_string(columns) + " columns where lines before have " +
-                std::to_string(table.columns()));
+  if (table.rows.back().size() > table.columns()) fail_uneven(cursor, table);
 }
 
 /// The mean step, which all others must equal.
@@ -169,14 +171,14 @@ std::vector<std::vector<double>> series_of(const Cursor& cursor, const Header& h
 
 /// Takes the line "NPTS dt" off the rows, where they begin with it: a count and a step before rows of another
 /// length.
-void take_count(Header& header, Table& table) {
+void take_count(const Cursor& cursor, Header& header, Table& table) {
   constexpr double longest = 1;  // step, s
   const std::vector<double>& first = table.rows.front();
   const bool whole = first.size() == 2 && first[0] >= 2 && first[0] == std::floor(first[0]);
   if (!whole || !(first[1] > 0) || first[1] > longest) return;
   header.count = static_cast<std::size_t>(first[0]);
   header.count_line = table.lines.front();
-  header.interval = first[1];
+  note_interval(cursor, first[1], header);
   table.rows.erase(table.rows.begin());
   table.lines.erase(table.lines.begin());
 }
@@ -191,7 +193,8 @@ std::vector<Record> read(Cursor cursor) {
       read_header(cursor, line, header);
       continue;
     }
-    if (table.rows.size() == 1 && words(line, ",;").size() != table.columns()) take_count(header, table);
+    if (table.rows.size() == 1 && words(line, ",;").size() != table.columns())
+      take_count(cursor, header, table);
     read_row(cursor, line, table);
   }
   const double factor = header.unit.factor(cursor);
@@ -201,15 +204,12 @@ std::vector<Record> read(Cursor cursor) {
                    (table.columns() == 1 ? "one column" : std::to_string(table.columns()) + " columns") +
                        std::string(", and no time step in the header: say e.g. \"# dt = 0.01\" (s)"));
   }
-  if (table.rows.back().size() < table.columns() && (times || header.names == table.columns()))
-    cursor.fail_at(table.lines.back(), std::to_string(table.rows.back().size()) +
-                                           " columns where lines before have " +
-                                           std::to_string(table.columns()));
-  double step = times ? constant_step(cursor, table) : *header.interval;
+  const bool one_each = times || header.names == table.columns();
+  if (one_each && table.rows.back().size() < table.columns()) fail_uneven(cursor, table);
+  const double step = times ? constant_step(cursor, table) : *header.interval;
   if (header.interval && std::abs(step - *header.interval) > step_tolerance * step) {
     cursor.fail("times step by " + shown(step) + " s, the header says dt = " + shown(*header.interval));
   }
-  step = header.interval.value_or(step);
   std::vector<std::vector<double>> series;
   if (times) {
     for (std::size_t k = 1; k < table.columns(); ++k) series.push_back(table.column(k));

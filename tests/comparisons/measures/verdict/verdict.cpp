@@ -95,6 +95,14 @@ TEST(Verdict, ABlockThatFallsOffIsTold) {
       << told[0];
 }
 
+TEST(Verdict, SaysHowFewAndHowManyReplicatesThereAre) {
+  std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-2, 1e-3), row("a", "default", 1e-2, 1.1e-3),
+                                  row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1.1e-3)};
+  for (std::size_t i : {2U, 3U}) rows[i].errors.resize(3);
+  EXPECT_EQ(headline(rows, {scene("a")})[1],
+            "Over all steps no set can be told to be nearest, by 3 to 5 replicates.");
+}
+
 TEST(Verdict, OfOneRunEachNothingIsToldApart) {
   std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1)};
   for (ReplicatedRow& one : rows) one.errors.resize(1);

@@ -262,6 +262,8 @@ TEST(TextColumns, ASeriesMayGoOnFromLineToLine) {
   expect_record(read_text("# units: m/s2\n19 0.02\n" + rows), "text columns", 0.02, 1, made_up_samples());
   expect_record(read_text("# a (mm/s/s)\n19 0.02\n" + in_columns(made_up_samples(), "%.3f", 1)),
                 "text columns", 0.02, 1e-3, made_up_samples());
+  EXPECT_NE(error_of_text("# units: m/s2, dt = 0.01\n19 0.02\n" + rows).find("another time step"),
+            std::string::npos);
   EXPECT_EQ(error_of_text("# units: m/s2\n20 0.02\n" + rows),
             "file:5: the file ends after 19 values; line 2 announces 20");
   EXPECT_EQ(error_of_text("# units: m/s2\n# dt: 0.02\n1 2 3 4 5\n1 2 3\n1 2 3 4 5\n"),
