@@ -177,8 +177,10 @@ TEST(Inclination, InDegreesIsToldInRadians) {
 // A block that is turned uphill past its balance there, slenderness + inclination, does not come back; one
 // that is let go just before does.
 TEST(Inclination, ABlockComesBackFromBelowItsBalanceUphillAlone) {
-  for (const double slope : {0.1, 0.3}) {
+  // That of the last is beyond the angle at which it would have toppled on level ground.
+  for (const auto& [width, slope] : {std::pair{0.5, 0.1}, {0.5, 0.3}, {2.0, 0.5}}) {
     Scene scene = inclined(0, slope);
+    scene.blocks[0] = make_block(width, 2, 2500);
     const double balance = slenderness(scene, 0) + slope;
     ASSERT_LT(balance, toppling_angle(scene, 0));
     scene.duration = 20;
