@@ -136,8 +136,8 @@ double interface_half_width(const Scene& scene, int interface);
 double slenderness(const Scene& scene, int block);
 
 /// The angle at which a block counts as toppled, rad: halfway between lying on its side, π/2, and its balance
-/// uphill, slenderness + |inclination|, or 0.02 before that side where the balance lies beyond it. Past it free
-/// motion does not come back, or lies down within 10 mrad; an engine's block on the floor has passed it.
+/// uphill, slenderness + |inclination|, or 0.02 before that side where the balance lies beyond it. Past it
+/// free motion does not come back, or lies down within 10 mrad; an engine's block on the floor has passed it.
 double toppling_angle(const Scene& scene, int block);
 
 /// Checks a motion's numbers; `key` is the motion's own. @throws FieldError.

@@ -66,12 +66,12 @@ struct Suite {
   std::optional<PaperScenes> statements;  ///< where the suite is held against what the paper says
   double tolerance = 0.01;                ///< up to which histories agree, rad
   Wanted wanted;
-  Perturbations perturbations;  ///< none unless asked for
-  Draws draws;                  ///< behind each number of an engine
-  int repeats = 5;              ///< timed runs after the warm-up
-  bool softness = false;        ///< whether differences are split into model, softness and step
+  Perturbations perturbations;     ///< none unless asked for
+  Draws draws;                     ///< behind each number of an engine
+  int repeats = 5;                 ///< timed runs after the warm-up
+  bool softness = false;           ///< whether differences are split into model, softness and step
   double history_interval = 1e-3;  ///< least time between samples that files keep, s; 0: all are kept
-  Limits limits;                ///< of each engine run
+  Limits limits;                   ///< of each engine run
 };
 
 /// The scene of that name. Precondition: it is there.
