@@ -123,10 +123,8 @@ void require_comparable(const std::vector<Suite>& suites) {
       const std::string engine = series.engine->full_name();
       for (const double dt : series.steps) {
         if (!runs.emplace(engine, series.settings, dt).second)
-          throw InputError(
-              fmt::format("engine {}: must be in a comparison once; its results would share a "
-                          "folder",
-                          engine));
+          throw InputError(fmt::format(
+              "engine {}: must be in a comparison once; its results would share a folder", engine));
       }
     }
     for (const NamedScene& scene : suite.scenes) {

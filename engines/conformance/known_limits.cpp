@@ -25,8 +25,7 @@ constexpr const char* skin =
     "by 2 cm and are pushed apart";
 
 constexpr const char* normals =
-    "FCL, DART's own choice of a detector, takes boxes for meshes: corners of faces on each other lack a "
-    "normal";
+    "FCL, DART's own choice of a detector, takes boxes for meshes: corners of faces on each other lack a normal";
 
 /// Each holds, or fails, where this alone is changed in the default or the tuned set (README.md of each
 /// engine).

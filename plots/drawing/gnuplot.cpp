@@ -87,8 +87,7 @@ std::string complaint(const fs::path& folder) {
 std::string script(const Animation& animation, bool film) {
   const std::string size = fmt::format("size {},{}", animation.width, animation.height);
   std::string text = fmt::format(
-      "set encoding utf8\nset terminal gif animate delay {} loop 0 {} background '#ffffff' font 'DejaVu "
-      "Sans,12'\n"
+      "set encoding utf8\nset terminal gif animate delay {} loop 0 {} background '#ffffff' font 'DejaVu Sans,12'\n"
       "set output 'picture.gif'\n{}",
       animation.interval / 10, size, animation.settings);
   for (const std::string& frame : animation.frames) text += frame;
@@ -103,8 +102,7 @@ std::string script(const Animation& animation, bool film) {
 /// Turns numbered frames into a film that every browser and slide program plays.
 void make_film(const Animation& animation, const fs::path& folder, const fs::path& stem) {
   const std::string line = fmt::format(
-      "cd {}; ffmpeg -loglevel error -y -framerate {} -i frame-%05d.png -c:v libx264 -pix_fmt yuv420p "
-      "-movflags "
+      "cd {}; ffmpeg -loglevel error -y -framerate {} -i frame-%05d.png -c:v libx264 -pix_fmt yuv420p -movflags "
       "+faststart picture.mp4 2>errors >&2",
       quoted_for_shell(folder.string()), 1000.0 / animation.interval);
   if (std::system(line.c_str()) != 0)

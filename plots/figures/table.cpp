@@ -137,8 +137,7 @@ std::vector<Figure> scene_figures() {
        OfScene{fitted, error_step}},
       {"first-impact-step", "Time of the first impact against time step",
        "Does the first impact come in time?",
-       "The same for the absolute difference in time of the first impact, which no impact before it has "
-       "disturbed.",
+       "The same for the absolute difference in time of the first impact, which no impact before it has disturbed.",
        OfScene{fitted, first_impact_step}},
       {"toppling", "Scenes that topple", "How many scenes that differ a little topple?",
        "The share of slightly perturbed scenes in which it does, with 95 % bounds, and in how many of them "
@@ -211,8 +210,7 @@ std::vector<Figure> study_figures() {
        "hundred are left out; grey squares have no impact that was judged.",
        OfFolder{"impact-laws.csv", law_maps}},
       {"advice", "Cost and error of what was tried", "What is the cheapest that is near enough?",
-       "Each mark is a trial, labelled with its time step where there is room: across, the computing time; "
-       "up, "
+       "Each mark is a trial, labelled with its time step where there is room: across, the computing time; up, "
        "the largest difference from the exact motion until it can no longer be predicted, of an angle in rad "
        "or of a centre as a share of the least block height. Under the dashed line nine of ten replicates "
        "must lie; trials where they do have a ring, and the cheapest of them has a second one.",

@@ -14,12 +14,10 @@ inline constexpr KeyTable scene_keys{
      {"gravity", "9.81", "m/s²", "> 0", "9.81", "acceleration of gravity, downwards"},
      {"law", "\"consistent\"", "", "\"consistent\", \"paper\", \"unilateral\" or \"compliant\"",
       "\"consistent\"",
-      "of contact: pivots, with impacts whose impulses push or those of the paper; or blocks that rub, slip, "
-      "lift "
+      "of contact: pivots, with impacts whose impulses push or those of the paper; or blocks that rub, slip, lift "
       "off and land; or such blocks on springs at their corners"},
      {"equations", "\"nonlinear\"", "", "\"nonlinear\", \"linear\" or \"small-angle\"", "\"nonlinear\"",
-      "of motion: in full; with geometry frozen upright, Eqs. (19)–(28) of the paper; or the usual linear "
-      "ones, "
+      "of motion: in full; with geometry frozen upright, Eqs. (19)–(28) of the paper; or the usual linear ones, "
       "where sin(α − θ) is α − θ (Housner 1963)"},
      {"blocks", "", "", "1 to 32 tables [[blocks]]", required_key, "the stack"},
      {"initial", "", "", "a table [initial]", no_default, "how it starts"},
@@ -39,8 +37,7 @@ inline constexpr KeyTable block_keys{
      {"mass", "6250", "kg", "> 0", "instead of density", "of the block"},
      {"inertia", "3776", "kg·m²", "> 0", "that of a uniform rectangle", "about the centre of mass"},
      {"center_of_mass", "[0.0, 0.0]", "m", "inside the block, beside inertia", "[0, 0]",
-      "from the block's middle, to the right and up; not for engines, small-angle equations or "
-      "restitution"}}};
+      "from the block's middle, to the right and up; not for engines, small-angle equations or restitution"}}};
 
 inline constexpr KeyTable initial_keys{
     "[initial]",

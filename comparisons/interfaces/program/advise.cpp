@@ -38,10 +38,8 @@ void print_trials(const Advice& advice, const Wish& wish) {
         trial.confirming > 0 ? fmt::format("{} / {}", trial.confirmed, trial.confirming) : "-", remark);
   }
   fmt::print(
-      "off: the largest difference of an angle, rad, or of a centre, in least heights; of replicates their "
-      "median\n"
-      "within: replicates that are off by {} at most, of steps up to {:.0f} % longer and shorter and scenes "
-      "that\n"
+      "off: the largest difference of an angle, rad, or of a centre, in least heights; of replicates their median\n"
+      "within: replicates that are off by {} at most, of steps up to {:.0f} % longer and shorter and scenes that\n"
       "differ in the sixth digit; {:.0f} of 100 must be\n"
       "confirmed: the same of others, of steps up to {:.0f} % longer and shorter\n",
       wish.error, 100 * wish.draws.steps, 100 * passing_share, 100 * wish.confirming.steps);

@@ -121,12 +121,10 @@ std::vector<Column> run_columns() {
           "draws_other_verdict", "in how many of them one of both topples alone, engine or exact solution"),
       column<&RunMetrics::horizon>(
           "horizon",
-          "up to when histories can be compared, s: the first time at which the exact motion of one of "
-          "twenty "
+          "up to when histories can be compared, s: the first time at which the exact motion of one of twenty "
           "scenes that differ in the sixth digit is further than the tolerance from the scene's own; the "
           "duration where none ever is. Differences of angles and slips, impacts, settlings, patterns and "
-          "parts are of the time up to the horizon; after it histories part by nature. Of the whole scene "
-          "are "
+          "parts are of the time up to the horizon; after it histories part by nature. Of the whole scene are "
           "energy, overlap, gap, slip, residual motion and toppling"),
   };
 }
@@ -170,8 +168,7 @@ std::vector<Column> motion_columns() {
       drawn<&RunMetrics::largest_angle_difference, &RunMetrics::largest_angle_difference_lower,
             &RunMetrics::largest_angle_difference_upper>(
           "largest_angle_difference",
-          "largest absolute difference of any block's angle, at the engine's own times up to the horizon, "
-          "rad"),
+          "largest absolute difference of any block's angle, at the engine's own times up to the horizon, rad"),
       column<&RunMetrics::largest_angle_difference_lower>("largest_angle_difference_lower",
                                                           "lower quartile of the same over replicates"),
       column<&RunMetrics::largest_angle_difference_upper>("largest_angle_difference_upper", "upper quartile"),
@@ -224,8 +221,7 @@ std::vector<Column> motion_columns() {
           "exact one, less 1 (Sprague & Geers 2003)"),
       drawn<&RunMetrics::phase_error>(
           "phase_error",
-          "phase part, blind to amplitude: angle between both histories as vectors of all samples and "
-          "blocks, "
+          "phase part, blind to amplitude: angle between both histories as vectors of all samples and blocks, "
           "as a share of half a turn (Sprague & Geers 2003); 0 in step, 1 in opposition"),
       drawn<&RunMetrics::second_peak_difference>(
           "second_peak_difference",
@@ -235,8 +231,7 @@ std::vector<Column> motion_columns() {
       drawn<&RunMetrics::agreement_time, &RunMetrics::agreement_time_lower,
             &RunMetrics::agreement_time_upper>(
           "agreement_time",
-          "time until which no angle differs by more than the tolerance; the horizon where none does before, "
-          "s"),
+          "time until which no angle differs by more than the tolerance; the horizon where none does before, s"),
       column<&RunMetrics::agreement_time_lower>("agreement_time_lower",
                                                 "lower quartile of the same over replicates"),
       column<&RunMetrics::agreement_time_upper>("agreement_time_upper", "upper quartile"),
@@ -345,8 +340,7 @@ std::vector<Column> body_columns() {
           "the step's impulse over its length. Empty where the engine tells no contacts"),
       drawn<&RunMetrics::friction_cone_violation>(
           "friction_cone_violation",
-          "impulse along the faces above friction coefficient times normal impulse, added up over all "
-          "contacts "
+          "impulse along the faces above friction coefficient times normal impulse, added up over all contacts "
           "and steps, as a share of all normal impulse; whatever law of friction the engine itself has"),
       drawn<&RunMetrics::contact_stiffness>(
           "contact_stiffness",
@@ -369,8 +363,7 @@ std::vector<Column> body_columns() {
           "zero, weight left out"),
       drawn<&RunMetrics::contact_impacts_matched>(
           "contact_impacts_matched",
-          "as impacts_matched, of the engine's impacts as its contacts tell them: an end of an interface "
-          "that "
+          "as impacts_matched, of the engine's impacts as its contacts tell them: an end of an interface that "
           "bore nothing in the step before, and was off, begins to bear while the interface closes at the "
           "chatter speed or faster; the time is that at which gap and speed let both faces touch, the side "
           "that at the step's end. Listed in contact_impacts.csv"),

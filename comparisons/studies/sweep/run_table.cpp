@@ -28,8 +28,7 @@ const std::vector<ColumnMeaning>& outcome_columns() {
       {"impulse_friction", "largest friction coefficient needed by impacts"},
       {"onset", "mode in which motion begins: slide, rock, slide-rock or free flight; or rest"},
       {"motion",
-       "all of the motion: topple or fall where it ends so; else rest, slide, rock, slide-rock or free "
-       "flight"},
+       "all of the motion: topple or fall where it ends so; else rest, slide, rock, slide-rock or free flight"},
       {"status", "done or failed"},
       {"reason", "why a run failed"},
       {"slip", "largest slip left at the end at any interface, m; under law unilateral"},

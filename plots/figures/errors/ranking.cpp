@@ -144,8 +144,7 @@ Drawing ranking(const SceneSubject& subject) {
     columns.push_back({"step " + duration_text(dt), column_plots(sheet, rows, dt, columns.size(), ranges)});
   add_rows(sheet, panel, columns);
   sheet.note(
-      "RMS differences up to the horizon: of angles (rad), or of centres as a share of the least block "
-      "height",
+      "RMS differences up to the horizon: of angles (rad), or of centres as a share of the least block height",
       "#000000");
   sheet.note(ranges.empty()
                  ? "one run each"

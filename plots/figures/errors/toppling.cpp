@@ -41,8 +41,7 @@ Drawing toppling(const SceneSubject& subject) {
   const Share& exact = answers.front().share;
   Sheet sheet = subject.sheet({}, fmt::format("By the exact solution {} of {}", exact.toppled, exact.of));
   std::string settings = fmt::format(
-      "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '#E6E6E6' fillstyle solid noborder "
-      "behind\n",
+      "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '#E6E6E6' fillstyle solid noborder behind\n",
       plain(exact.bounds().lower), plain(exact.bounds().upper));
   std::vector<std::string> plots;
   std::string tics;

@@ -42,8 +42,7 @@ std::string pattern_band(const std::vector<PatternSpan>& spans, double end) {
     const std::string pattern = name(spans[i].pattern);
     const std::size_t tint = tint_of.try_emplace(pattern, tint_of.size()).first->second;
     text += fmt::format(
-        "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '{}' fillstyle solid noborder "
-        "behind\n",
+        "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '{}' fillstyle solid noborder behind\n",
         plain(from), plain(to), pattern_tint(tint));
     const double letter = end / 95;
     if (to - from > letter * static_cast<double>(pattern.size() + 1))

@@ -86,8 +86,7 @@ std::string peak_mark(const Mark& mark, const std::string& unit) {
 
 std::string significant_band(const RecordFacts& facts) {
   return fmt::format(
-      "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '#EEF1DC' fillstyle solid noborder "
-      "behind\n",
+      "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '#EEF1DC' fillstyle solid noborder behind\n",
       plain(facts.begin), plain(facts.end));
 }
 

@@ -92,8 +92,7 @@ std::string ground(const Question& question) {
   if (question.setting("ground", 0) == 0)
     return "<geom name='0' type='plane' zaxis='0 1 0' size='0 0 1' contype='0' conaffinity='0'/>";
   return print(
-      "<geom name='0' type='box' size='%.17g %.17g %.17g' pos='0 %.17g 0' contype='0' "
-      "conaffinity='0'/>",
+      "<geom name='0' type='box' size='%.17g %.17g %.17g' pos='0 %.17g 0' contype='0' conaffinity='0'/>",
       reach, reach / 10, reach, -reach / 10);
 }
 

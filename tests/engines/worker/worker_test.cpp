@@ -196,10 +196,10 @@ TEST(Workers, LeaveNothingOfTheirSession) {
 TEST(Workers, HalfAReplyIsAFailureThatNamesTheProgram) {
   const WorkerRun made = run("half");
   EXPECT_EQ(made.status, "failed");
-  EXPECT_EQ(made.reason,
-            std::string(FAULTY_WORKER) +
-                " gave a reply that cannot be read: the message is no JSON, which begins with '{', and no "
-                "MessagePack");
+  EXPECT_EQ(
+      made.reason,
+      std::string(FAULTY_WORKER) +
+          " gave a reply that cannot be read: the message is no JSON, which begins with '{', and no MessagePack");
 }
 
 TEST(Workers, HungerMeetsTheMemoryLimit) {

@@ -59,12 +59,10 @@ TEST(SceneErrors, FrictionAndSlip) {
       {12, "[contact]\nfriction = [0.1, 1e4]",
        "scene.toml:13: contact.friction.2 = 10000: must be a number from 0 to 1000"},
       {12, "[contact]\nfriction = [0.1]",
-       "scene.toml:13: contact.friction = an array of 1: must be a number, or as many as there are blocks, "
-       "2"},
+       "scene.toml:13: contact.friction = an array of 1: must be a number, or as many as there are blocks, 2"},
       {12, "[contact]\nfriction = \"high\"", "scene.toml:13: contact.friction = \"high\": must be a number"},
       {12, "slip_velocities = [0, 1]",
-       "scene.toml:12: initial.slip_velocities = not all 0: must be all 0 under law consistent, where "
-       "nothing "
+       "scene.toml:12: initial.slip_velocities = not all 0: must be all 0 under law consistent, where nothing "
        "slips"},
       {1, "duration = 1\nlaw = \"unilateral\"\nequations = \"linear\"",
        "scene.toml:3: equations = linear: must be nonlinear under law unilateral"},
@@ -73,14 +71,12 @@ TEST(SceneErrors, FrictionAndSlip) {
       {1, "duration = 1\nlaw = \"compliant\"\nequations = \"linear\"",
        "scene.toml:3: equations = linear: must be nonlinear under law compliant"},
       {12, "[contact]\nstiffness = 1e8",
-       "scene.toml:13: contact.stiffness = 1e+08: must be left out under law consistent: springs are for law "
-       "compliant"},
+       "scene.toml:13: contact.stiffness = 1e+08: must be left out under law consistent: springs are for law compliant"},
       {12, "[contact]\nbed_stiffness = 1e8",
        "scene.toml:13: contact.bed_stiffness = 1e+08: must be left out under law consistent: springs are for "
        "law compliant"},
       {12, "[contact]\nbed_damping = [1, 0]",
-       "scene.toml:13: contact.bed_damping = 1: must be left out under law consistent: springs are for "
-       "law "
+       "scene.toml:13: contact.bed_damping = 1: must be left out under law consistent: springs are for law "
        "compliant"},
       {12, "springs = 1", "scene.toml:12: initial.springs = 1: must be \"loaded\" or \"unloaded\""},
   });
@@ -210,20 +206,17 @@ TEST(SceneErrors, WrongTypes) {
 TEST(SceneErrors, UnknownKeysListTheKnownOnes) {
   expect_errors({
       {1, "durration = 5",
-       "scene.toml:1: durration: unknown key, must be one of title, duration, gravity, law, equations, "
-       "blocks, "
+       "scene.toml:1: durration: unknown key, must be one of title, duration, gravity, law, equations, blocks, "
        "initial, ground, contact, engine, restitution; did you mean duration?"},
       {7, "widht = 1.0",
        "scene.toml:7: blocks.2.widht: unknown key, must be one of width, height, density, mass, inertia, "
        "center_of_mass; did you mean width?"},
       {12, "speeds = [0, 0]",
-       "scene.toml:12: initial.speeds: unknown key, must be one of angles, velocities, slip_velocities, "
-       "springs"},
+       "scene.toml:12: initial.speeds: unknown key, must be one of angles, velocities, slip_velocities, springs"},
       {12, "[ground]\nsideways = 1",
        "scene.toml:13: ground.sideways: unknown key, must be one of horizontal, vertical, inclination"},
       {12, "[ground.vertical]\nspectrum = 1",
-       "scene.toml:12: ground.vertical.record: missing, must be given, or samples and interval, or a pulse "
-       "or "
+       "scene.toml:12: ground.vertical.record: missing, must be given, or samples and interval, or a pulse or "
        "synthetic in its place"},
       {12, "[ground.vertical]\npulse = \"half-sine\"\namplitude = 1\nperiod = 1\ncycles = 2",
        "scene.toml:16: ground.vertical.cycles: unknown key, must be one of pulse, amplitude, period, start"},

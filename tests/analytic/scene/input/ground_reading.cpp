@@ -93,12 +93,12 @@ TEST(GroundReading, ASyntheticMotionIsMadeFromItsSeed) {
 
 TEST(GroundReading, ASyntheticMotionHasItsOwnKeysAndRanges) {
   EXPECT_EQ(error_in("synthetic = 3\n"), "scene.toml:13: ground.horizontal.peak: missing, must be a number");
-  EXPECT_EQ(error_in("synthetic = -1\npeak = 1\n"),
-            "scene.toml:14: ground.horizontal.synthetic = -1: must be a whole number from 0 to "
-            "9007199254740992");
-  EXPECT_EQ(error_in("synthetic = 1.5\npeak = 1\n"),
-            "scene.toml:14: ground.horizontal.synthetic = 1.5: must be a whole number from 0 to "
-            "9007199254740992");
+  EXPECT_EQ(
+      error_in("synthetic = -1\npeak = 1\n"),
+      "scene.toml:14: ground.horizontal.synthetic = -1: must be a whole number from 0 to 9007199254740992");
+  EXPECT_EQ(
+      error_in("synthetic = 1.5\npeak = 1\n"),
+      "scene.toml:14: ground.horizontal.synthetic = 1.5: must be a whole number from 0 to 9007199254740992");
   EXPECT_EQ(error_in("synthetic = 1\npeak = 1\nscale = 2\n"),
             "scene.toml:16: ground.horizontal.scale: unknown key, must be one of synthetic, peak, duration, "
             "interval, frequency, damping");

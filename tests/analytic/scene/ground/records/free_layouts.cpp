@@ -245,8 +245,7 @@ TEST(TextColumns, NamedColumnsAreComponentsWithTheStepOfTheHeader) {
   expect_components(components_text(head + "   N-S   E-W   U-D\n", false, ' '), gal);
   EXPECT_EQ(
       error_of_text(components_text(head, false, ' ')),
-      "file:3: 3 columns, none of them times: where each is a component, a line of names must stand above "
-      "them");
+      "file:3: 3 columns, none of them times: where each is a component, a line of names must stand above them");
 }
 
 TEST(TextColumns, WhereSemicolonsPartThemCommasAreDecimalPoints) {
