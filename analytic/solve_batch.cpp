@@ -4,8 +4,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "analytic/batch/kernels.hpp"
 #include "analytic/batch/lane.hpp"
+#include "analytic/batch/step_rows.hpp"
 #include "analytic/solve.hpp"
 
 namespace rockstack {

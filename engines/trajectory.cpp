@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include "analytic/scene/messages/field_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "engines/contact_watch.hpp"
 
 namespace rockstack {

@@ -1,5 +1,5 @@
 #include "analytic/batch/kernel.hpp"
-#include "analytic/batch/kernels.hpp"
+#include "analytic/batch/step_rows.hpp"
 
 namespace rockstack {
 

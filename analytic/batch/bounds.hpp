@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "analytic/batch/pack.hpp"
+#include "analytic/polynomials/crossing.hpp"
 
 namespace rockstack {
 
@@ -103,5 +105,94 @@ class ForceBounds {
   Real ratio_;
   PartialSums<Real> pushes_, right_, left_;
 };
+
+// Where a step ends in the impact of one interface, the kernel follows it there, as first_crossing() would.
+
+/// Where the polynomials of a pack cross zero, in those of its lanes in which one is told.
+template <class Real>
+struct Roots {
+  Real s;
+  typename Real::Mask found;
+};
+
+/// As quadratic_root().
+template <class Real>
+Real quadratic_roots(const Polynomial<Real>& polynomial) {
+  const Real square = polynomial.terms > 2 ? polynomial[2] : Real(0);
+  const Real radicand = polynomial[1] * polynomial[1] - 4 * square * polynomial[0];
+  const Real root = 2 * polynomial[0] / (sqrt(radicand) - polynomial[1]);
+  return select((radicand > Real(0)) & (root > Real(0)) & (root < Real(1)), root, Real(0.5));
+}
+
+/// As bracketed_root() over (0, 1), in the lanes that are asked for. Not found where Newton's method creeps.
+template <class Real>
+Roots<Real> bracketed_roots(const Polynomial<Real>& polynomial, const typename Real::Mask& asked) {
+  constexpr int most_points = 64;
+  const Real rounding = std::numeric_limits<double>::epsilon();
+  Real low = 0, high = 1;
+  Real s = quadratic_roots(polynomial);
+  auto open = asked;
+  for (int points = 0; any(open) && points < most_points; ++points) {
+    const auto [height, slope] = tangent(polynomial, s);
+    open = open & (height != Real(0));
+    low = select(height > Real(0), s, low);
+    high = select(height > Real(0), high, s);
+    const Real newton = s - height / slope;
+    const auto settled = abs(newton - s) <= rounding * s;
+    const Real clamped = select(newton < low, low, select(high < newton, high, newton));
+    const Real halfway = (low + high) / 2;
+    const Real within = select((newton > low) & (newton < high), newton, halfway);
+    const Real next = select(settled, clamped, within);
+    const auto ends = settled | (abs(next - s) <= rounding * s);
+    s = select(open, next, s);
+    open = open & ~ends;
+  }
+  return {s, asked & ~open};
+}
+
+/// As first_crossing(), of polynomials that start at or above zero, and fall from there on or from a rise;
+/// not found in the others.
+template <class Real>
+Roots<Real> first_crossings(const Polynomial<Real>& whole, const typename Real::Mask& asked) {
+  const auto touching = whole[0] == Real(0);
+  Polynomial<Real> polynomial;  // deflated where it starts at zero
+  polynomial.terms = whole.terms;
+  PartialSums<Real> heights, slopes;
+  for (std::size_t i = 0; i < whole.terms; ++i) {
+    const Real after = i + 1 < whole.terms ? whole[i + 1] : Real(0);
+    polynomial[i] = select(touching, after, whole[i]);
+    heights.add(polynomial[i]);
+    if (i > 0) slopes.add(static_cast<double>(i) * polynomial[i]);
+  }
+  const auto falls = (polynomial[0] > Real(0)) & (slopes.greatest < Real(0));
+  const auto crosses = (heights.least <= Real(0)) & (value(polynomial, Real(1)) < Real(0));
+  return bracketed_roots(polynomial, asked & falls & crosses);
+}
+
+/// The opening angle of the one interface that may close, lane by lane; and which it is, from 0.
+template <class Real>
+struct Closing {
+  Polynomial<Real> course;
+  Real interface = 0;
+  typename Real::Mask alone;  ///< whether there is one such interface, and no other
+};
+
+template <class Real, std::size_t N>
+Closing<Real> closing(const std::array<Polynomial<Real>, N>& angles, const std::array<Real, N>& sides,
+                      const std::array<typename Real::Mask, N>& may_close) {
+  Closing<Real> result;
+  result.course.terms = angles[0].terms;
+  Real count = 0;
+  for (std::size_t k = 0; k < N; ++k) {
+    count += select(may_close[k], Real(1), Real(0));
+    result.interface = select(may_close[k], Real(static_cast<double>(k)), result.interface);
+    for (std::size_t i = 0; i < result.course.terms; ++i) {
+      const Real coefficient = angles[k][i] * sides[k];
+      result.course[i] = k == 0 ? coefficient : select(may_close[k], coefficient, result.course[i]);
+    }
+  }
+  result.alone = count == Real(1);
+  return result;
+}
 
 }  // namespace rockstack

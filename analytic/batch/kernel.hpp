@@ -3,12 +3,10 @@
 #include <limits>
 
 #include "analytic/batch/bounds.hpp"
-#include "analytic/batch/directions.hpp"
-#include "analytic/batch/landing.hpp"
 #include "analytic/batch/load.hpp"
 #include "analytic/batch/step_rows.hpp"
 #include "analytic/steps/dense_output.hpp"
-#include "analytic/steps/step_rule.hpp"
+#include "analytic/steps/taylor_step.hpp"
 
 namespace rockstack {
 

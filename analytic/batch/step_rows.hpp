@@ -62,4 +62,13 @@ struct StepRows {
   PerBlock<CoefficientRows> angles, right, left, normal, tangential;
 };
 
+/// The steps of one to three blocks by one instruction set.
+struct StepKernels {
+  void (*one_block)(StepRows<1>&);
+  void (*two_blocks)(StepRows<2>&);
+  void (*three_blocks)(StepRows<3>&);
+};
+
+extern const StepKernels sse2_kernels, avx2_kernels, avx512_kernels;
+
 }  // namespace rockstack

@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "analytic/mechanics/constrained_mass.hpp"
+#include "analytic/mechanics/linkage.hpp"
 
 namespace rockstack {
 

@@ -1,8 +1,59 @@
 #pragma once
 
-#include "analytic/mechanics/constrained_mass.hpp"
+#include "analytic/scene/kinematics.hpp"
 
 namespace rockstack {
+
+template <class Real, int N>
+using PerBlock = std::array<Real, static_cast<std::size_t>(capacity(N))>;
+
+/// The mass matrix of relative angles, kg·m², with closed interfaces held: their rows and columns are those
+/// of the identity. As factors L D Lᵀ.
+template <class Real, int N>
+class ConstrainedMass {
+ public:
+  /// `free` is 1 where an interface is open, 0 where it is closed; `mass(i, j)` is the matrix, i ≥ j.
+  template <class Mass>
+  void factorise(std::size_t blocks, const PerBlock<Real, N>& free, const Mass& mass) {
+    blocks_ = blocks;
+    for (std::size_t i = 0; i < size(); ++i) {
+      free_[i] = free[i];
+      for (std::size_t j = 0; j <= i; ++j) {
+        Real sum = mass(i, j) * free[i] * free[j];
+        if (i == j) sum += Real(1) - free[i];
+        for (std::size_t m = 0; m < j; ++m) sum -= factors_[i][m] * factors_[m][m] * factors_[j][m];
+        factors_[i][j] = i == j ? sum : sum * inverse_[j];
+      }
+      inverse_[i] = Real(1) / factors_[i][i];
+    }
+  }
+
+  /// Of D: what is left of a diagonal entry when the motions of the interfaces below are taken out of it.
+  const Real& diagonal(std::size_t k) const { return factors_[k][k]; }
+
+  /// The relative motions that take up generalised momenta; zero where an interface is closed. Series ask for
+  /// them at every order, and a call costs more than the answer.
+  [[gnu::always_inline]] PerBlock<Real, N> solve(const PerBlock<Real, N>& momenta) const {
+    PerBlock<Real, N> x;
+    for (std::size_t i = 0; i < size(); ++i) {
+      x[i] = momenta[i] * free_[i];
+      for (std::size_t m = 0; m < i; ++m) x[i] -= factors_[i][m] * x[m];
+    }
+    for (std::size_t i = size(); i-- > 0;) {
+      x[i] *= inverse_[i];
+      for (std::size_t m = i + 1; m < size(); ++m) x[i] -= factors_[m][i] * x[m];
+    }
+    return x;
+  }
+
+ private:
+  std::size_t size() const { return N == Eigen::Dynamic ? blocks_ : static_cast<std::size_t>(N); }
+
+  std::size_t blocks_ = 0;
+  PerBlock<Real, N> free_;
+  std::array<PerBlock<Real, N>, capacity(N)> factors_;  ///< L below the diagonal, D on it
+  PerBlock<Real, N> inverse_;                           ///< of D
+};
 
 /// What a stack is while its pattern lasts: a chain of pendulums. Block k turns by ψₖ about its pivot. With
 /// constant Lₖ (from its pivot to the next) and the first moment of mass Sₖ = mₖrₖ + (mass above) Lₖ in its
@@ -60,5 +111,64 @@ Linkage<Real, N> make_linkage(const Stack<Real, N>& stack, const Sides& pattern)
   }
   return linkage;
 }
+
+template <class Real>
+struct PlaneVector {
+  Real x, y;
+
+  friend PlaneVector operator+(const PlaneVector& a, const PlaneVector& b) { return {a.x + b.x, a.y + b.y}; }
+  friend PlaneVector operator*(const Real& factor, const PlaneVector& a) {
+    return {factor * a.x, factor * a.y};
+  }
+};
+
+/// (x, y) of a block's frame as it stands, from the cosine and the sine of its angle; or a derivative of it,
+/// from theirs.
+template <class Real>
+PlaneVector<Real> turned(const PlaneVector<Real>& direction, const Real& x, const Real& y) {
+  return {x * direction.x + y * direction.y, y * direction.x - x * direction.y};
+}
+
+/// a⊥ · b, with ⊥ the quarter turn that an increasing angle makes.
+template <class Real>
+Real across(const PlaneVector<Real>& a, const PlaneVector<Real>& b) {
+  return a.y * b.x - a.x * b.y;
+}
+
+/// The mass matrix of a chain's relative angles.
+template <class Real, int N>
+struct ChainMass {
+  using Point2 = PlaneVector<Real>;
+  PerBlock<Point2, N> links, moments;  ///< L and S of the linkage as they stand, m and kg·m
+  std::array<PerBlock<Real, N>, capacity(N)> matrix;
+  ConstrainedMass<Real, N> constrained;
+
+  /// From the cosine and the sine of each block's angle.
+  void factorise(const Linkage<Real, N>& linkage, const PerBlock<Point2, N>& directions) {
+    fill(linkage, directions);
+    constrained.factorise(linkage.size(), linkage.free,
+                          [&](std::size_t i, std::size_t j) { return matrix[i][j]; });
+  }
+
+ private:
+  /// The matrix of absolute angles, then sums over all blocks from either index up: those that turn with a
+  /// relative angle.
+  void fill(const Linkage<Real, N>& linkage, const PerBlock<Point2, N>& directions) {
+    const std::size_t size = linkage.size();
+    for (std::size_t j = 0; j < size; ++j) {
+      links[j] = turned(directions[j], linkage.link_x[j], linkage.link_y[j]);
+      const Point2 moment = moments[j] = turned(directions[j], linkage.moment_x[j], linkage.moment_y[j]);
+      matrix[j][j] = linkage.inertia[j];
+      for (std::size_t i = 0; i < j; ++i)
+        matrix[i][j] = matrix[j][i] = links[i].x * moment.x + links[i].y * moment.y;
+    }
+    for (std::size_t i = size - 1; i-- > 0;) {
+      for (std::size_t j = 0; j < size; ++j) matrix[i][j] += matrix[i + 1][j];
+    }
+    for (std::size_t j = size - 1; j-- > 0;) {
+      for (std::size_t i = 0; i < size; ++i) matrix[i][j] += matrix[i][j + 1];
+    }
+  }
+};
 
 }  // namespace rockstack

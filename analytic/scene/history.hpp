@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analytic/scene/pattern.hpp"
@@ -29,6 +30,8 @@ enum class EventKind {
 };
 
 std::string name(EventKind kind);
+/// What a name() stands for, here and below. @throws std::invalid_argument where that is nothing.
+EventKind named_event(std::string_view name);
 
 /// Whether the history ends with it.
 inline bool ends_motion(EventKind kind) {
@@ -46,6 +49,7 @@ enum class Consistency {
 };
 
 std::string name(Consistency consistency);
+Consistency named_consistency(std::string_view name);
 
 /// One event with the state on both sides of it, unless that was not asked for: then its vectors are empty.
 /// `interface` counts from 1; for `topple` it is the block.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace rockstack {
 
@@ -56,5 +57,8 @@ inline bool is_closed(const Pattern& pattern) {
 /// a letter an interface from the ground up, L, C or R, and "-" where it is apart; "<" or ">" after it shows
 /// the way that it slides.
 std::string name(const Pattern& pattern);
+
+/// The pattern of `size` blocks with that name. @throws std::invalid_argument where there is none.
+Pattern named_pattern(std::string_view name, int size);
 
 }  // namespace rockstack

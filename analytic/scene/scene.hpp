@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analytic/scene/ground/ground_motion.hpp"
-#include "analytic/scene/messages/field_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 

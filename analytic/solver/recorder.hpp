@@ -3,7 +3,7 @@
 #include "analytic/events/first_event.hpp"
 #include "analytic/events/lone_chatter.hpp"
 #include "analytic/events/rest.hpp"
-#include "analytic/polynomials/maximum.hpp"
+#include "analytic/polynomials/crossing.hpp"
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/solver/validity.hpp"
 #include "analytic/steps/ground_pieces.hpp"

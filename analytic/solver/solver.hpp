@@ -10,7 +10,6 @@
 #include "analytic/events/first_event.hpp"
 #include "analytic/events/lone_chatter.hpp"
 #include "analytic/events/rest.hpp"
-#include "analytic/events/stall_guard.hpp"
 #include "analytic/events/tie_breaker.hpp"
 #include "analytic/mechanics/impact.hpp"
 #include "analytic/scene/messages/number_text.hpp"

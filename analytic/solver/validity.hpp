@@ -2,7 +2,6 @@
 
 #include "analytic/mechanics/pattern_solution.hpp"
 #include "analytic/polynomials/crossing.hpp"
-#include "analytic/polynomials/maximum.hpp"
 #include "analytic/scene/history.hpp"
 #include "analytic/steps/dense_output.hpp"
 

@@ -3,7 +3,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "analytic/mechanics/chain_mass.hpp"
+#include "analytic/mechanics/linkage.hpp"
 #include "analytic/steps/body_force.hpp"
 
 namespace rockstack {

@@ -1,9 +1,105 @@
 #pragma once
 
-#include "analytic/unilateral/contact_chatter.hpp"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analytic/unilateral/contact/contact_modes.hpp"
 #include "analytic/unilateral/first_change.hpp"
 
 namespace rockstack {
+
+/// Chatter ends as in analytic/events/chatter.hpp: where what an impact parts would part no further than the
+/// resolution ρ before it comes back, u²/(2a) ≤ ρ, or at 500 ε √(g/H), it stays together. Gaps count as what
+/// they would turn a block by across its width.
+template <class Real>
+class ContactChatter {
+ public:
+  /// Keeps a reference to `stack`. Resolution 0 is the rounding of 1.
+  ContactChatter(const BasicFrictionStack<Real>& stack, const Real& gravity, const Real& resolution)
+      : stack_(stack), resolution_(resolution > 0 ? resolution : std::numeric_limits<Real>::epsilon()) {
+    using std::sqrt;
+    Real height = 0;
+    for (const Block& block : stack.blocks) height += 2 * block.half_height;
+    rate_ = gravity / height;
+    const Real rounding = std::min<Real>(resolution_, std::numeric_limits<double>::epsilon());
+    settling_speed_ = 500 * rounding * sqrt(rate_);
+    negligible_gap_ = std::max<Real>(tolerance<Real>(1e-13),
+                                     Real(1e-13) * (rounding / Real(std::numeric_limits<double>::epsilon())));
+  }
+
+  /// What is apart by less has not parted, in shares of a block's half-width: some roundings of it.
+  const Real& negligible_gap() const { return negligible_gap_; }
+
+  /// Open by what rounding makes of angles and speeds.
+  bool negligibly_open(const BasicJoint<Real>& joint, const Real& angle, const Real& angle_rate) const {
+    using std::abs;
+    return joint.pivots() && abs(angle_rate) <= settling_speed_ &&
+           abs(angle) * rate_ <= settling_speed_ * settling_speed_;
+  }
+
+  /// A mode that follows an impact of `touching`, with the joints held that part too slowly to be followed.
+  /// `free` is the acceleration without contact.
+  Joints<Real> without_slow(const Joints<Real>& touching, const Joints<Real>& mode,
+                            const BasicBodies<Real>& after, const BasicFreeVector<Real>& free) const {
+    const BasicFreeVector<Real> acceleration =
+        respond(stack_, mode, after, free, Sought::accelerations).motion;
+    const BasicFreeVector<Real> rates = vector_of(after.rate);
+    Joints<Real> result = mode;
+    for (int k = 0; k < stack_.size(); ++k) {
+      const auto index = static_cast<std::size_t>(k);
+      if (!parts_slowly(k, touching[index], mode[index], after, acceleration)) continue;
+      BasicJoint<Real>& joint = result[index];
+      const int slip = joint.slip;
+      joint = touching[index];
+      joint.slip = slip;
+      if (mode[index].touches()) continue;
+      const Real speed =
+          rows_of(stack_.blocks, after, held_point(stack_.blocks, k, joint)).slip_row.dot(rates);
+      const Real still = settling_speed_ * half_width_of<Real>(stack_.blocks, k);
+      joint.slip = (speed > still) - (speed < -still);
+      meet_face(stack_, k, joint);
+    }
+    return result;
+  }
+
+ private:
+  bool parts_slowly(int interface, const BasicJoint<Real>& touching, const BasicJoint<Real>& mode,
+                    const BasicBodies<Real>& after, const BasicFreeVector<Real>& acceleration) const {
+    using std::abs;
+    const auto slow = [&](const Real& speed, const Real& back, const Real& unit) {
+      return speed <= settling_speed_ * unit || speed * speed <= -2 * resolution_ * unit * back;
+    };
+    const auto lower = [&](const BasicFreeVector<Real>& vector, int at) -> Real {
+      return interface == 0 ? Real(0) : vector[Eigen::Index{3} * interface - 3 + at];
+    };
+    const BasicFreeVector<Real> rates = vector_of(after.rate);
+    if (mode.pivots() && touching.touch == Touch::flat) {
+      const Real speed = abs(rates[Eigen::Index{3} * interface + 2] - lower(rates, 2));
+      return slow(speed,
+                  mode.side() * (acceleration[Eigen::Index{3} * interface + 2] - lower(acceleration, 2)), 1);
+    }
+    if (mode.touches() || !touching.touches()) return false;
+    const Real width = 2 * half_width_of<Real>(stack_.blocks, interface);
+    for (const int side : {-1, 1}) {
+      if (touching.pivots() && side != touching.side()) continue;
+      BasicJoint<Real> end = touching;
+      end.touch = static_cast<Touch>(side);
+      if (touching.touch == Touch::flat)
+        end.corner_below = corner_is_below(stack_, interface, touching.offset, side);
+      const BasicPointRows<Real> rows =
+          rows_of(stack_.blocks, after, held_point(stack_.blocks, interface, end));
+      if (!slow(rows.gap_row.dot(rates), rows.gap_row.dot(acceleration) + rows.gap_bias, width)) return false;
+    }
+    return true;
+  }
+
+  const BasicFrictionStack<Real>& stack_;
+  Real resolution_;        ///< rad
+  Real rate_{};            ///< g/H, 1/s²
+  Real settling_speed_{};  ///< rad/s
+  Real negligible_gap_{};
+};
 
 /// A joint that a corner of an interface has come to by landing.
 template <class Real>

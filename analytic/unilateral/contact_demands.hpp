@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analytic/polynomials/maximum.hpp"
+#include "analytic/polynomials/crossing.hpp"
 #include "analytic/scene/history.hpp"
-#include "analytic/unilateral/contact/mode_response.hpp"
+#include "analytic/unilateral/contact/contact_problem.hpp"
 #include "analytic/unilateral/series/mode_series.hpp"
 
 namespace rockstack {

@@ -5,7 +5,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "analytic/unilateral/contact/bodies.hpp"
-#include "analytic/unilateral/springs/spring_state.hpp"
+#include "analytic/unilateral/springs/spring_energy.hpp"
 
 namespace rockstack {
 

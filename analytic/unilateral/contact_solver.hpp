@@ -3,13 +3,11 @@
 #include <stdexcept>
 
 #include "analytic/scene/solve_options.hpp"
-#include "analytic/unilateral/contact/conditioning.hpp"
+#include "analytic/unilateral/contact/contact_problem.hpp"
 #include "analytic/unilateral/contact_changes.hpp"
 #include "analytic/unilateral/contact_decision.hpp"
-#include "analytic/unilateral/contact_impact.hpp"
 #include "analytic/unilateral/contact_recorder.hpp"
 #include "analytic/unilateral/series/mode_step.hpp"
-#include "analytic/unilateral/springs/spring_changes.hpp"
 
 namespace rockstack {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analytic/scene/in_double.hpp"
+#include "analytic/solver/to_double.hpp"
 #include "analytic/unilateral/contact_history.hpp"
 
 namespace rockstack {

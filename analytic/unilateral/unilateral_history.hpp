@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "analytic/scene/history.hpp"
-#include "analytic/unilateral/contact/mode_response.hpp"
+#include "analytic/unilateral/contact/contact_problem.hpp"
 #include "analytic/unilateral/contact_history.hpp"
 
 namespace rockstack {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "analytic/scene/input/fields.hpp"
-#include "analytic/scene/messages/near_word.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/build.hpp"
 #include "engines/worker/installation.hpp"
 

@@ -16,7 +16,6 @@
 #include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "analytic/scene/messages/near_word.hpp"
 #include "engines/worker/installation.hpp"
 
 namespace rockstack {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analytic/scene/messages/field_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "analytic/scene/messages/field_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analytic/scene/messages/near_word.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "analytic/unilateral/contact/bodies.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
-#include "analytic/unilateral/contact/tolerance.hpp"
 
 namespace rockstack {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analytic/unilateral/contact/corner_pairs.hpp"
+#include "analytic/unilateral/contact/contact_laws.hpp"
 
 namespace rockstack {
 

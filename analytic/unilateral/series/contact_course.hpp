@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "analytic/unilateral/contact/corner_pairs.hpp"
-#include "analytic/unilateral/contact/tolerance.hpp"
+#include "analytic/unilateral/contact/bodies.hpp"
+#include "analytic/unilateral/contact/contact_laws.hpp"
 #include "analytic/unilateral/series/mode_series.hpp"
 
 namespace rockstack {

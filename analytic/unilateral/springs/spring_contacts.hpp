@@ -1,11 +1,10 @@
 #pragma once
 
 #include "analytic/scene/spring_checks.hpp"
-#include "analytic/unilateral/springs/corner_pass.hpp"
-#include "analytic/unilateral/springs/settle.hpp"
 #include "analytic/unilateral/springs/spring_courses.hpp"
 #include "analytic/unilateral/springs/spring_energy.hpp"
-#include "analytic/unilateral/springs/spring_state.hpp"
+#include "analytic/unilateral/springs/spring_rounding.hpp"
+#include "analytic/unilateral/springs/static_equilibrium.hpp"
 
 namespace rockstack {
 

@@ -5,6 +5,13 @@
 
 namespace rockstack {
 
+/// What the springs of an interface do at one time; of a rigid interface nothing.
+template <class Real>
+struct BasicSpringState {
+  BasicReaction<Real> reaction;
+  BasicSpringEnergy<Real> energy;
+};
+
 /// ∫ first · second ds from 0 to s, without loss of terms.
 template <class Real>
 Real integral_of_product(const Polynomial<Real>& first, const Polynomial<Real>& second, const Real& s) {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "analytic/unilateral/contact/friction_stack.hpp"
-#include "analytic/unilateral/contact/point_rows.hpp"
+#include "analytic/unilateral/contact/contact_kinematics.hpp"
+#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/springs/winkler_bed.hpp"
 
 namespace rockstack {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analytic/polynomials/crossing.hpp"
-#include "analytic/unilateral/contact/tolerance.hpp"
+#include "analytic/unilateral/contact/bodies.hpp"
 #include "analytic/unilateral/springs/spring_point.hpp"
 
 namespace rockstack {
@@ -71,6 +71,76 @@ std::optional<Real> told_crossing(Polynomial<Real> series, const Real& rounding)
   const std::optional<Real> leaves = first_crossing(line(rounding, -1, series));
   if (leaves && *leaves < *crossing) return crossing;
   return first_crossing(line(rounding, 1, series));
+}
+
+// Where one corner takes over from another, and what goes over with it.
+//
+// At an end of an interface two corners may push: A of the block above on the face below, and B of the block
+// below under the face above. With A a distance a inside the end of its face, at which B is, and δ deep, and
+// the upper block turned by φ against the lower one to the side of that end, B is
+//
+//     a′ = δ sin φ − a cos φ  inside the end of its face,  δ′ = δ cos φ + a sin φ  deep.
+//
+// While a slider moves outward, the corner pushes that is farther inside its face. Both are as far inside
+// where a = δ tan(φ/2), and there they are as deep, δ′ = δ. So the springs across both faces hold the same;
+// and as the stretch τ goes over, so do those along them, and |k_t τ| against μN is what it was: the law is
+// continuous.
+//
+// A slider that stands still may be left behind by its corner, as by that of a block of equal width, which
+// starts at a = 0. As it comes to move outward, the corner may be beyond that place, and the depth changes at
+// once. What the springs hold together goes over: k_t τ′² = k_t τ² + k (δ² − δ′²). For k_t = k that is one
+// spring between the corner and its slider, which the turn of the face leaves as it is. To first order in φ,
+// k_t τ changes by N φ for any k_t, as the turn of the force has it. Three cases remain:
+//
+//   - B is not in its face, δ′ ≤ 0: nothing pushes, and what springs held is lost.
+//   - Without a dashpot, a stretch beyond μN slips back to it at once, and is rubbed; one below it sticks.
+//   - Springs hold less than the depth of B stands for, k_t τ² + k δ² < k δ′². Then τ′ = 0, and the law
+//   itself
+//     jumps: the motion gains the difference. δ′ > δ for φ < 0 alone, where both ends press and φ is small.
+//     With the slider at the end, τ = −a, the gain ½k (δ′² − δ²) − ½k_t a² is largest for one a: it is at
+//     most ½k δ² sin²φ (1 − r)/(r − sin²φ), r = k_t/k > sin²φ. It counts as damped, with its sign.
+
+/// Puts a point that pushes on the corner of the other block at its end; `bodies` are where they are.
+template <class Real>
+void pass_to_other_corner(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies,
+                          SpringPoint<Real>& point) {
+  using std::copysign;
+  using std::sqrt;
+  const BasicPointRows<Real> before = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+  const Real stretch = before.slip - point.slider;
+  point.corner_below = !point.corner_below;
+  const BasicPointRows<Real> after = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+  point.slider = after.slip;
+  if (!(after.gap < 0)) {
+    point.press = Press::off;
+    point.slide = 0;
+    return;
+  }
+  const PointLaw<Real> law = law_of(stack, point.interface);
+  if (law.friction == 0) return;
+  const Real freed = (before.gap - after.gap) * (before.gap + after.gap);
+  const Real square = stretch * stretch + law.stiffness / law.tangential_stiffness * freed;
+  point.slider -= copysign(sqrt(std::max<Real>(square, 0)), stretch);
+}
+
+/// Without a dashpot along the face, which would let it take time, a slider moves at once to where friction
+/// holds it, or stands still where it holds already. Returns what that rubs, J.
+template <class Real>
+Real slip_at_once(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies,
+                  SpringPoint<Real>& point) {
+  using std::abs;
+  const PointLaw<Real> law = law_of(stack, point.interface);
+  if (!point.pushes() || point.slide == 0 || law.tangential_damping > 0) return 0;
+  const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+  const Real stretch = rows.slip - point.slider;
+  const Real most = law.friction * law.stiffness * -rows.gap / law.tangential_stiffness;
+  const Real beyond = point.slide * stretch - most;
+  if (law.tangential_stiffness * beyond < -SpringRounding<Real>(stack, bodies).strength(law)) {
+    point.slide = 0;
+    return 0;
+  }
+  point.slider = rows.slip - point.slide * most;
+  return law.tangential_stiffness * beyond * (point.slide * stretch + most) / 2;
 }
 
 }  // namespace rockstack

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "analytic/unilateral/series/series_arithmetic.hpp"
+#include "analytic/polynomials/polynomial.hpp"
 
 namespace rockstack {
 

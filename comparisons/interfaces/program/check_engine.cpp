@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "analytic/scene/messages/near_word.hpp"
-#include "analytic/scene/messages/quantity_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "engines/conformance/check.hpp"
 #include "engines/conformance/known_limits.hpp"

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "analytic/scene/input/document.hpp"
-#include "analytic/scene/messages/near_word.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/options.hpp"
 #include "comparisons/interfaces/program/output.hpp"
 #include "engines/worker/registry.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analytic/scene/messages/quantity_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/metrics/centres.hpp"
 #include "comparisons/measures/metrics/contact/contact_summary.hpp"
 #include "comparisons/measures/metrics/toppling.hpp"

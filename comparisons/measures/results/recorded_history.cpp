@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "analytic/scene/history.hpp"
 #include "analytic/scene/messages/input_error.hpp"
-#include "analytic/scene/named.hpp"
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack {

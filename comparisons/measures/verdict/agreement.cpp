@@ -7,7 +7,7 @@
 #include <functional>
 #include <map>
 
-#include "analytic/scene/messages/quantity_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack {

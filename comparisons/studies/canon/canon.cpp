@@ -16,7 +16,6 @@
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
-#include "analytic/scene/messages/quantity_text.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/results/csv_writer.hpp"

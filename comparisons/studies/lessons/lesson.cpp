@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "analytic/scene/messages/near_word.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {

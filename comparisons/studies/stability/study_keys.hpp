@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analytic/scene/input/key.hpp"
+#include "analytic/scene/input/fields.hpp"
 
 namespace rockstack {
 

@@ -1,5 +1,4 @@
 #include "analytic/polynomials/crossing.hpp"
-#include "analytic/polynomials/maximum.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analytic/scene/named.hpp"
+#include "analytic/scene/history.hpp"
 
 namespace rockstack {
 namespace {

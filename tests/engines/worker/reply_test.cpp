@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "analytic/scene/messages/field_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/one_line.hpp"
 #include "engines/trajectory.hpp"
 

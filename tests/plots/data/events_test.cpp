@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analytic/scene/named.hpp"
+#include "analytic/scene/history.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
 #include "tests/plots/sample.hpp"

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "analytic/scene/ground/records/record.hpp"
@@ -15,11 +16,16 @@ struct Format {
   std::vector<Record> (*read)(Cursor cursor);
 };
 
+extern const Format knet, esm, cosmos, smc, volume2, peer, plain_columns;
+
 /// The names of all layouts, for messages.
 inline constexpr std::string_view known_formats =
     "PEER AT2, COSMOS, CSMIP volume 2, USGS SMC, ESM, K-NET/KiK-net, columns of numbers";
 
 /// Samples times a factor to m/s².
-Record make_record(double interval, std::vector<double> samples, double factor, std::string format);
+inline Record make_record(double interval, std::vector<double> samples, double factor, std::string format) {
+  for (double& sample : samples) sample *= factor;
+  return {interval, std::move(samples), std::move(format)};
+}
 
 }  // namespace rockstack::records

@@ -1,14 +1,87 @@
 #include "analytic/scene/ground/records/record_file.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <system_error>
 #include <utility>
 
 #include "analytic/scene/files/file_text.hpp"
-#include "analytic/scene/ground/records/formats.hpp"
+#include "analytic/scene/ground/records/format.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
+namespace records {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// Without the bytes that fill the last block of a file that comes from DOS: its ends of file, zeros.
+std::string_view without_padding(std::string_view text) {
+  const std::size_t last = text.find_last_not_of(std::string_view("\x1A\0\r\n", 4));
+  const std::size_t end = text.find_first_not_of("\r\n", last + 1);  // npos + 1 is 0
+  return text.substr(0, end);
+}
+
+/// Refuses what is not text, at its first control character.
+void check_text(std::string_view file, std::string_view text) {
+  const auto is_binary = [](char c) {
+    return (c >= 0 && c < ' ' && std::string_view("\t\n\v\f\r").find(c) == std::string_view::npos) ||
+           c == '\x7F';
+  };
+  const auto bad = std::find_if(text.begin(), text.end(), is_binary);
+  if (bad == text.end()) return;
+  const auto line = static_cast<std::size_t>(std::count(text.begin(), bad, '\n')) + 1;
+  Cursor(file, text).fail_at(line, "byte " + std::to_string(static_cast<int>(*bad)) + ": not a text file");
+}
+
+bool ends_in_digit(std::string_view text) {
+  return !text.empty() && text.back() >= '0' && text.back() <= '9';
+}
+
+/// Whether a number of this line ends before `column`.
+bool ends_number(std::string_view line, std::size_t column) {
+  if (line.size() < column || !ends_in_digit(line.substr(0, column))) return false;
+  return line.size() == column || std::string_view(" -\r").find(line[column]) != std::string_view::npos;
+}
+
+/// Refuses a file that ends without a line end inside what may be the first part of a number: only where
+/// numbers are lined up by their ends does its own end show that it is whole.
+void check_last_line(std::string_view file, std::string_view text) {
+  const bool open = ends_in_digit(text) || text.ends_with('.');
+  const std::size_t start = text.rfind('\n') + 1;  // 0 in a file of one line
+  const std::string_view last = text.substr(start);
+  const bool numbers = last.find_first_not_of("0123456789+-.eEdD,; \t") == std::string_view::npos;
+  if (!open || !numbers) return;
+  const std::string_view before = start == 0 ? "" : text.substr(0, start - 1);
+  const std::string_view above = before.substr(before.rfind('\n') + 1);
+  const bool lined_up = last.starts_with(' ') || above.starts_with(' ');
+  if (lined_up && ends_number(last, last.size()) && ends_number(above, last.size())) return;
+  const auto line = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+  Cursor(file, text).fail_at(line, "this line has no end: its last number may be cut short");
+}
+
+}  // namespace
+
+std::vector<Record> read_series(std::string_view file, std::string_view text) {
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  text = without_padding(text);
+  const Cursor cursor(file, text);
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) cursor.fail("the file is empty");
+  check_text(file, text);
+  const std::array formats{&knet, &esm, &cosmos, &smc, &volume2, &peer, &plain_columns};
+  for (const Format* format : formats) {
+    if (!format->recognises(cursor)) continue;
+    std::vector<Record> series = format->read(cursor);
+    check_last_line(file, text);
+    if (series.empty()) cursor.fail("holds no series of acceleration");
+    return series;
+  }
+  cursor.fail("not a known format: must be " + std::string(known_formats));
+}
+
+}  // namespace records
+
 namespace {
 
 struct Place {

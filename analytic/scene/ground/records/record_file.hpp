@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
+#include <vector>
 
 #include "analytic/scene/ground/records/record.hpp"
 
@@ -17,4 +19,12 @@ std::filesystem::path record_file(const std::filesystem::path& name);
 /// format or units, a channel that is not there.
 Record read_record(const std::filesystem::path& name);
 
+namespace records {
+
+/// All series of acceleration in the text of a record, in the order of the text. `file` is its name in
+/// errors.
+/// @throws InputError as read_record().
+std::vector<Record> read_series(std::string_view file, std::string_view text);
+
+}  // namespace records
 }  // namespace rockstack

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "analytic/scene/spring_checks.hpp"
-#include "analytic/scene/spring_rates.hpp"
 
 namespace rockstack {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analytic/scene/input/key.hpp"
+#include "analytic/scene/input/fields.hpp"
 
 namespace rockstack {
 

@@ -1,4 +1,4 @@
-#include "analytic/scene/messages/near_word.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "analytic/unilateral/solve_unilateral.hpp"
-#include "analytic/unilateral/springs/corner_pass.hpp"
 #include "analytic/unilateral/springs/spring_energy.hpp"
+#include "analytic/unilateral/springs/spring_rounding.hpp"
 #include "tests/analytic/unilateral/scenes.hpp"
 #include "tests/analytic/unilateral/springs/random_springs.hpp"
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "analytic/scene/history.hpp"
 #include "analytic/scene/messages/input_error.hpp"
-#include "analytic/scene/named.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "tests/temporary_folder.hpp"
 

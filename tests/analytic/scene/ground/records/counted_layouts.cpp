@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analytic/scene/ground/records/formats.hpp"
+#include "analytic/scene/ground/records/record_file.hpp"
 #include "tests/analytic/scene/ground/records/layouts.hpp"
 
 namespace rockstack {

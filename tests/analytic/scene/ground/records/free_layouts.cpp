@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "analytic/scene/ground/ground_motion.hpp"
-#include "analytic/scene/ground/records/formats.hpp"
+#include "analytic/scene/ground/records/record_file.hpp"
 #include "tests/analytic/scene/ground/records/layouts.hpp"
 
 namespace rockstack {

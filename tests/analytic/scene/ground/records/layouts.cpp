@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "analytic/scene/ground/records/formats.hpp"
+#include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analytic/scene/ground/records/formats.hpp"
+#include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 #include "tests/analytic/scene/ground/records/layouts.hpp"
 

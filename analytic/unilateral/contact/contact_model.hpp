@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "analytic/unilateral/contact/bodies.hpp"
-#include "analytic/unilateral/contact/tolerance.hpp"
 
 namespace rockstack {
 

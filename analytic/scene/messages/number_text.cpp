@@ -1,4 +1,4 @@
-#include "analytic/scene/messages/quantity_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 
 #include <array>
 #include <charconv>

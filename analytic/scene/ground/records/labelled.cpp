@@ -1,0 +1,210 @@
+#include <cmath>
+#include <numeric>
+
+#include "analytic/scene/ground/records/format.hpp"
+#include "analytic/scene/ground/records/units.hpp"
+
+namespace rockstack::records {
+namespace {
+
+constexpr int longest_peer_header = 60;
+
+bool is_comment(std::string_view line) {
+  const std::string_view text = trimmed(line);
+  return text.empty() || std::string_view("#%!/;").find(text.front()) != std::string_view::npos;
+}
+
+bool announces_values(std::string_view line) {
+  return contains(line, "npts") && !is_comment(line);
+}
+
+bool is_peer(Cursor cursor) {
+  for (int k = 0; k < longest_peer_header && !cursor.at_end(); ++k) {
+    if (announces_values(cursor.next({}))) return true;
+  }
+  return false;
+}
+
+struct Announced {
+  std::size_t values = 0;
+  double interval = 0;
+};
+
+/// "NPTS=  4000, DT= .01000 SEC", or the older "4000  .01000  NPTS, DT".
+Announced read_announcement(const Cursor& cursor, std::string_view line) {
+  std::string_view values = field_after(line, "npts");
+  std::string_view interval = field_after(line, "dt");
+  const auto fields = words(line);
+  if (values.empty() && fields.size() > 2) {
+    values = fields[0];
+    interval = fields[1];
+  }
+  if (interval.empty()) cursor.fail("NPTS without DT: the time step is missing");
+  return {count(cursor, values), read_interval(cursor, line, interval)};
+}
+
+/// Some copies end with "*** End Data ***"; overflown values are asterisks too, but alone.
+bool is_end_marker(std::string_view line) {
+  return starts_with(line, "***") && contains(line, "end");
+}
+
+std::vector<double> read_samples(Cursor& cursor) {
+  std::vector<double> values;
+  while (!cursor.at_end()) {
+    const std::string_view line = cursor.next({});
+    if (!is_end_marker(line)) append_values(cursor, line, values);
+  }
+  return values;
+}
+
+std::vector<Record> read_peer(Cursor cursor) {
+  HeaderUnit unit;
+  std::string_view line;
+  while (!announces_values(line)) {
+    line = cursor.next("NPTS and DT");
+    unit.read(cursor, line);
+  }
+  const Announced announced = read_announcement(cursor, line);
+  const double factor = unit.factor(cursor);
+  const std::size_t header_end = cursor.line_number();
+  std::vector<double> values = read_samples(cursor);
+  if (values.size() == announced.values + 1) values.pop_back();
+  if (values.empty() || values.size() + 1 != announced.values) {
+    check_count(cursor, values.size(), announced.values, header_end);
+  }
+  return {make_record(announced.interval, std::move(values), factor, "PEER AT2")};
+}
+
+}  // namespace
+
+/// PEER AT2 and files like it: any number of header lines up to one that names NPTS and DT, then values in
+/// free layout. The unit must be named in the header ("UNITS OF G"), g being 9.80665 m/s². NGA files exist
+/// whose last line is filled up with one value more than NPTS, and others that lack one: a surplus value is
+/// dropped, a missing one shortens the record; any larger difference is refused.
+const Format peer{is_peer, read_peer};
+
+namespace {
+
+bool is_esm(Cursor cursor) {
+  return starts_with(cursor.peek(), "event_name:");
+}
+
+struct EsmHeader {
+  std::optional<double> factor;
+  std::optional<double> interval;
+  std::size_t samples = 0;
+  std::size_t samples_line = 0;
+};
+
+void read_esm_field(const Cursor& cursor, std::string_view line, EsmHeader& header) {
+  const std::string_view key = line.substr(0, line.find(':'));
+  const std::string_view value = trimmed(line.substr(key.size() + 1));
+  if (key == "DATA_TYPE" && lower(value) != "acceleration") {
+    cursor.fail("DATA_TYPE is " + quoted(value) + ": must be ACCELERATION");
+  }
+  if (key == "UNITS") {
+    header.factor = unit_factor(value);
+    if (!header.factor)
+      cursor.fail("UNITS " + quoted(value) + " are not known as acceleration: cm/s^2, m/s^2, g are");
+  }
+  if (key == "SAMPLING_INTERVAL_S") header.interval = checked_interval(cursor, number(cursor, value));
+  if (key == "NDATA") {
+    header.samples = count(cursor, value);
+    header.samples_line = cursor.line_number();
+  }
+}
+
+/// A key is in capitals, with digits and a few signs.
+bool is_esm_field(std::string_view line) {
+  const std::size_t colon = line.find(':');
+  return colon != std::string_view::npos && colon > 0 && line[0] >= 'A' && line[0] <= 'Z';
+}
+
+std::vector<Record> read_esm(Cursor cursor) {
+  EsmHeader header;
+  while (is_esm_field(cursor.peek())) read_esm_field(cursor, cursor.next({}), header);
+  if (!header.factor) cursor.fail("the header ends here without UNITS");
+  if (!header.interval) cursor.fail("the header ends here without SAMPLING_INTERVAL_S");
+  if (header.samples == 0) cursor.fail("the header ends here without NDATA");
+  std::vector<double> samples = read_values(cursor);
+  check_count(cursor, samples.size(), header.samples, header.samples_line);
+  return {make_record(*header.interval, std::move(samples), *header.factor, "ESM ASCII")};
+}
+
+}  // namespace
+
+/// ASCII of the Engineering Strong-Motion database and of ITACA: "KEY: value" lines (64 in DYNA 1.2), then
+/// one value a line. Used are DATA_TYPE, UNITS, SAMPLING_INTERVAL_S and NDATA.
+const Format esm{is_esm, read_esm};
+
+namespace {
+
+bool is_knet(Cursor cursor) {
+  return starts_with(cursor.peek(), "origin time");
+}
+
+struct KnetHeader {
+  double frequency = 0;  ///< Hz
+  double duration = 0;   ///< s
+  double factor = 0;     ///< gal a count
+};
+
+double positive(const Cursor& cursor, std::string_view field) {
+  const double value = number(cursor, field);
+  if (!(value > 0)) cursor.fail(quoted(field) + ": must be > 0");
+  return value;
+}
+
+/// "3920(gal)/6182761".
+double scale_factor(const Cursor& cursor, std::string_view field) {
+  constexpr std::string_view middle = "(gal)/";
+  const std::size_t cut = field.find(middle);
+  if (cut == std::string_view::npos)
+    cursor.fail("scale factor " + quoted(field) + ": must be like 3920(gal)/6182761");
+  return positive(cursor, field.substr(0, cut)) / positive(cursor, field.substr(cut + middle.size()));
+}
+
+KnetHeader read_knet_header(Cursor& cursor) {
+  constexpr std::size_t label_width = 18;
+  KnetHeader header;
+  for (std::string_view line; !starts_with(line, "memo");) {
+    line = cursor.next("the line \"Memo.\"");
+    const std::string_view value = line.size() < label_width ? "" : trimmed(line.substr(label_width));
+    if (starts_with(line, "sampling freq")) {
+      header.frequency = positive(cursor, value.substr(0, value.find_first_of("Hh")));
+    } else if (starts_with(line, "duration time")) {
+      header.duration = positive(cursor, value);
+    } else if (starts_with(line, "scale factor")) {
+      header.factor = scale_factor(cursor, value);
+    }
+  }
+  if (header.frequency == 0) cursor.fail("the header ends here without \"Sampling Freq(Hz)\"");
+  if (header.duration == 0) cursor.fail("the header ends here without \"Duration Time(s)\"");
+  if (header.factor == 0) cursor.fail("the header ends here without \"Scale Factor\"");
+  return header;
+}
+
+std::vector<Record> read_knet(Cursor cursor) {
+  const KnetHeader header = read_knet_header(cursor);
+  const double interval = checked_interval(cursor, 1 / header.frequency);
+  std::vector<double> samples = read_values(cursor);
+  const double announced = header.frequency * header.duration;
+  if (samples.empty() || !(std::abs(static_cast<double>(samples.size()) - announced) < 0.5)) {
+    cursor.fail("the file ends after " + std::to_string(samples.size()) +
+                " values; frequency and duration announce " + shown(announced));
+  }
+  const double sum = std::accumulate(samples.begin(), samples.end(), 0.0);
+  const double offset = sum / static_cast<double>(samples.size());
+  for (double& sample : samples) sample -= offset;
+  return {make_record(interval, std::move(samples), header.factor * centimetre_per_second_squared,
+                      "K-NET/KiK-net ASCII")};
+}
+
+}  // namespace
+
+/// K-NET and KiK-net ASCII: labelled header lines up to "Memo.", then counts of the recorder. Acceleration in
+/// gal is count × "Scale Factor"; the recorder's offset is the mean of the record and is taken off, as the
+/// network does for its "Max. Acc.". The number of samples is that of the duration.
+const Format knet{is_knet, read_knet};
+
+}  // namespace rockstack::records
