@@ -6,7 +6,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solver/solver.hpp"
 #include "analytic/solver/to_double.hpp"
-#include "analytic/unilateral/solve_unilateral.hpp"
+#include "analytic/unilateral/solve_contacts.hpp"
 #include "analytic/unilateral/unilateral_history.hpp"
 
 namespace rockstack {
@@ -45,10 +45,10 @@ History solve_in_double(const Scene& scene, const SolveOptions& options) {
 }
 
 template <class Real>
-History contacts_in(const Scene& scene, const ContactOptions& options) {
+History contacts_in(const Scene& scene, const SolveOptions& options) {
   try {
     return to_double(history_of(scene, solve_contacts<Real>(scene, options)));
-  } catch (const BasicUnfinishedContacts<Real>& unfinished) {
+  } catch (const UnfinishedContacts<Real>& unfinished) {
     throw Unfinished(unfinished.what(), to_double(history_of(scene, unfinished.history)));
   }
 }
@@ -57,12 +57,7 @@ History solve_with_contacts(const Scene& scene, const SolveOptions& options) {
   validate(options);
   if (options.integrator != Integrator::taylor)
     throw std::invalid_argument("integrator = rk4: must be taylor under law " + std::string(name(scene.law)));
-  const ContactOptions asked{.sample_times = options.sample_times,
-                             .resolution = options.resolution,
-                             .validity = options.validity,
-                             .peaks = options.peaks,
-                             .unwanted = options.unwanted};
-  return double_does(scene) ? contacts_in<double>(scene, asked) : contacts_in<long double>(scene, asked);
+  return double_does(scene) ? contacts_in<double>(scene, options) : contacts_in<long double>(scene, options);
 }
 
 }  // namespace

@@ -21,9 +21,9 @@ class Unfinished : public std::runtime_error {
 /// The exact motion of a scene in double precision; where block masses or sizes lie too far apart for that,
 /// in long double, rounded. Other number types: Solver<Real> in solver.hpp.
 /// @throws FieldError for a scene out of range; std::invalid_argument for options out of range;
-/// Unfinished where the model cannot go on; Stopped where it is unwanted; IllConditioned where masses or
+/// Unfinished where the model cannot go on; Stopped where it is cancelled; IllConditioned where masses or
 /// sizes are too far apart for long double too, under law unilateral std::domain_error
-/// (solve_unilateral.hpp).
+/// (solve_contacts.hpp).
 History solve(const Scene& scene, const SolveOptions& options = {});
 
 /// 0, interval, 2 interval, … up to and including the duration (to within a millionth of the interval). s.

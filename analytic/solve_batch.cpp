@@ -51,7 +51,7 @@ class Lanes {
     attempt(lane, [&] {
       validate(run.scene);
       run.lane.emplace(run.scene, options_);
-      stop_if_unwanted(options_.unwanted);
+      stop_if_cancelled(options_.cancelled);
       return run.lane->start(rows_, lane);
     });
   }
@@ -72,7 +72,7 @@ class Lanes {
     for (std::size_t lane = 0; lane < batch_lanes; ++lane) {
       if (!runs_[lane]) continue;
       attempt(lane, [&] {
-        stop_if_unwanted(options_.unwanted);
+        stop_if_cancelled(options_.cancelled);
         return runs_[lane]->lane->advance(rows_, lane);
       });
     }

@@ -114,7 +114,8 @@ void append_places(History& history, const BodyAccount& account) {
     history.slips.push_back(state.slip);
     history.gaps.push_back(-state.depth);
   }
-  for (const BlockPose& pose : account.poses()) history.places.insert(history.places.end(), {pose.x, pose.y});
+  for (const BlockPose& pose : account.poses())
+    history.centres.insert(history.centres.end(), {pose.x, pose.y});
 }
 
 }  // namespace

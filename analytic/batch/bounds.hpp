@@ -138,12 +138,12 @@ Roots<Real> bracketed_roots(const Polynomial<Real>& polynomial, const typename R
     low = select(height > Real(0), s, low);
     high = select(height > Real(0), high, s);
     const Real newton = s - height / slope;
-    const auto settled = abs(newton - s) <= rounding * s;
+    const auto converged = abs(newton - s) <= rounding * s;
     const Real clamped = select(newton < low, low, select(high < newton, high, newton));
     const Real halfway = (low + high) / 2;
     const Real within = select((newton > low) & (newton < high), newton, halfway);
-    const Real next = select(settled, clamped, within);
-    const auto ends = settled | (abs(next - s) <= rounding * s);
+    const Real next = select(converged, clamped, within);
+    const auto ends = converged | (abs(next - s) <= rounding * s);
     s = select(open, next, s);
     open = open & ~ends;
   }
@@ -172,7 +172,7 @@ Roots<Real> first_crossings(const Polynomial<Real>& whole, const typename Real::
 /// The opening angle of the one interface that may close, lane by lane; and which it is, from 0.
 template <class Real>
 struct Closing {
-  Polynomial<Real> course;
+  Polynomial<Real> angle;
   Real interface = 0;
   typename Real::Mask alone;  ///< whether there is one such interface, and no other
 };
@@ -181,14 +181,14 @@ template <class Real, std::size_t N>
 Closing<Real> closing(const std::array<Polynomial<Real>, N>& angles, const std::array<Real, N>& sides,
                       const std::array<typename Real::Mask, N>& may_close) {
   Closing<Real> result;
-  result.course.terms = angles[0].terms;
+  result.angle.terms = angles[0].terms;
   Real count = 0;
   for (std::size_t k = 0; k < N; ++k) {
     count += select(may_close[k], Real(1), Real(0));
     result.interface = select(may_close[k], Real(static_cast<double>(k)), result.interface);
-    for (std::size_t i = 0; i < result.course.terms; ++i) {
+    for (std::size_t i = 0; i < result.angle.terms; ++i) {
       const Real coefficient = angles[k][i] * sides[k];
-      result.course[i] = k == 0 ? coefficient : select(may_close[k], coefficient, result.course[i]);
+      result.angle[i] = k == 0 ? coefficient : select(may_close[k], coefficient, result.angle[i]);
     }
   }
   result.alone = count == Real(1);

@@ -72,8 +72,8 @@ class StepKernel {
 
   /// What the steps of the others are.
   void tell() {
-    const auto put = [&](const Polynomial<Real>& course, CoefficientRows& rows) {
-      for (std::size_t n = 0; n < course.terms; ++n) store(course[n], rows[n]);
+    const auto put = [&](const Polynomial<Real>& polynomial, CoefficientRows& rows) {
+      for (std::size_t n = 0; n < polynomial.terms; ++n) store(polynomial[n], rows[n]);
     };
     for (std::size_t k = 0; k < blocks; ++k) {
       put(angles_[k], rows_.angles[k]);
@@ -254,7 +254,7 @@ class StepKernel {
     const Closing<Real> falling = closing<Real, blocks>(angles_, start_.sides, closes_);
     lands_ = lands_ & falling.alone;
     if (any(lands_)) {
-      const Roots<Real> roots = first_crossings(falling.course, lands_);
+      const Roots<Real> roots = first_crossings(falling.angle, lands_);
       lands_ = roots.found;
       for (std::size_t k = 0; k < blocks; ++k) {
         const auto [angle, advance] = tangent(angles_[k], roots.s);
@@ -273,8 +273,8 @@ class StepKernel {
   Mask plain_, lands_;
   std::array<Mask, blocks> closes_;  ///< open interfaces that may close
   std::array<Polynomial<Real>, blocks> angles_;
-  std::array<MarginCourses<Real>, blocks> margins_;
-  std::array<ForceCourses<Real>, blocks> forces_;
+  std::array<MarginPolynomials<Real>, blocks> margins_;
+  std::array<ForcePolynomials<Real>, blocks> forces_;
   struct End {
     Real angle, velocity, peak;
   };

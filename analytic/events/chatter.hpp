@@ -12,7 +12,7 @@ namespace rockstack {
 /// many it stands for, the motion after it is off by some ρ at most; the closure comes 2u/(a(1 − η)) s early.
 /// Where one interface chatters alone, the motion after it is off by less, in proportion to u³: the other
 /// angles and their momenta are continuous through its impacts, flights change their rates by terms in φ̇, φ
-/// and φ̇², φ̇ adds up to nothing over a flight, and ∫φ dt and ∫φ̇² dt go with u³ (lone_chatter.hpp makes use
+/// and φ̇², φ̇ adds up to nothing over a flight, and ∫φ dt and ∫φ̇² dt go with u³ (zeno_summation.hpp makes use
 /// of it). As each impact takes its share of the speed, the number of impacts is at most ln(u₀/u)/ln(1/η),
 /// for a speed u₀ at first and a velocity ratio η.
 ///
@@ -26,7 +26,7 @@ class EndOfChatter {
   EndOfChatter(const Model<Real, N>& model, const Real& resolution) : model_(model), resolution_(resolution) {
     using std::sqrt;
     rate_ = model.gravity / (2 * model.stack.half_height.sum());
-    settling_speed_ = 500 * std::min(resolution, Real(std::numeric_limits<double>::epsilon())) * sqrt(rate_);
+    slow_speed_ = 500 * std::min(resolution, Real(std::numeric_limits<double>::epsilon())) * sqrt(rate_);
     acceleration_gain_ = 2 * sqrt(model.stack.mass.sum() / model.stack.inertia.minCoeff());
     links_length_ = 2 * (model.stack.half_width + model.stack.half_height).sum();
   }
@@ -44,8 +44,8 @@ class EndOfChatter {
   /// of them would push each other open for ever.
   bool negligibly_open(const State<Real, N>& state, int k) const {
     using std::abs;
-    return state.pattern[k] != Contact::closed && abs(state.velocities[k]) <= settling_speed_ &&
-           abs(state.angles[k]) * rate_ <= settling_speed_ * settling_speed_;
+    return state.pattern[k] != Contact::closed && abs(state.velocities[k]) <= slow_speed_ &&
+           abs(state.angles[k]) * rate_ <= slow_speed_ * slow_speed_;
   }
 
   /// The pattern after an impact with the interfaces closed that part too slowly to be followed. `directions`
@@ -58,7 +58,7 @@ class EndOfChatter {
     for (int k = 0; k < after.size(); ++k) {
       if (!touching.test(static_cast<std::size_t>(k)) || pattern[k] == Contact::closed) continue;
       const Real speed = abs(after.velocities[k]);
-      bool slow = speed <= settling_speed_;
+      bool slow = speed <= slow_speed_;
       if (!slow && speed * speed <= 2 * resolution_ * fastest) {
         const Vector<Real, N> back = accelerations(model_, after, directions, ground);
         slow = speed * speed <= -2 * resolution_ * back[k] * Real(sign(pattern[k]));
@@ -72,7 +72,7 @@ class EndOfChatter {
   const Model<Real, N>& model_;
   Real resolution_;           ///< rad
   Real rate_{};               ///< g/H, 1/s²
-  Real settling_speed_{};     ///< rad/s
+  Real slow_speed_{};         ///< rad/s
   Real acceleration_gain_{};  ///< relative angular acceleration to that of free blocks, at most, 1/m
   Real links_length_{};       ///< of all links together, at most, m
 };

@@ -12,12 +12,12 @@ namespace rockstack {
 /// whether it crosses; nothing where it clearly does, or clearly does not, and where the step starts or ends
 /// that close. `crossing` is its first crossing. Precondition: it has terms.
 template <class Real>
-std::optional<Real> grazing(const Polynomial<Real>& course, const std::optional<Real>& crossing) {
-  const Real extent = reach(course);
-  const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (course[0] + extent);
-  if (course[0] - extent > rounding || course[0] <= rounding || value(course, Real(1)) <= rounding)
+std::optional<Real> grazing(const Polynomial<Real>& guard, const std::optional<Real>& crossing) {
+  const Real extent = reach(guard);
+  const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (guard[0] + extent);
+  if (guard[0] - extent > rounding || guard[0] <= rounding || value(guard, Real(1)) <= rounding)
     return std::nullopt;
-  Polynomial<Real> shifted = course;
+  Polynomial<Real> shifted = guard;
   shifted[0] += crossing ? rounding : -rounding;
   const std::optional<Real> other = first_crossing(shifted);
   if (crossing) return other ? std::nullopt : crossing;
@@ -68,10 +68,10 @@ void find_closing(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>&
     const auto interface = static_cast<std::size_t>(k);
     if (pattern[k] == Contact::closed || cleared.test(interface)) continue;
     if (stays_clear(output.angles[interface], hulls[interface], sign(pattern[k]))) continue;
-    const Polynomial<Real>& course = angles[interface] = opening_angle(output, k);
-    const auto crossing = first_crossing(course);
+    const Polynomial<Real>& guard = angles[interface] = opening_angle(output, k);
+    const auto crossing = first_crossing(guard);
     if (event.admit(crossing)) event.closing.set(interface);
-    if (const auto s = grazing(course, crossing)) event.grazes.push_back({*s, EventKind::impact, k + 1});
+    if (const auto s = grazing(guard, crossing)) event.grazes.push_back({*s, EventKind::impact, k + 1});
   }
   if (event.closing.none()) return;
   // What rounding has carried past zero by then closes at the same time.
@@ -86,10 +86,10 @@ void find_opening(const DenseOutput<Real, N>& output, FirstEvent<Real>& event) {
   for (int k = 0; k < output.start.size(); ++k) {
     const auto& margin = output.margins[static_cast<std::size_t>(k)];
     for (const Contact side : {Contact::right, Contact::left}) {
-      const Polynomial<Real>& course = side == Contact::right ? margin.right : margin.left;
-      if (course.terms == 0 || stays_clear(course, hull_beyond_zero(course))) continue;
-      const auto crossing = first_crossing(course);
-      if (const auto s = grazing(course, crossing)) event.grazes.push_back({*s, EventKind::opening, k + 1});
+      const Polynomial<Real>& guard = side == Contact::right ? margin.right : margin.left;
+      if (guard.terms == 0 || stays_clear(guard, hull_beyond_zero(guard))) continue;
+      const auto crossing = first_crossing(guard);
+      if (const auto s = grazing(guard, crossing)) event.grazes.push_back({*s, EventKind::opening, k + 1});
       if (!event.admit(crossing)) continue;
       event.opening.set(static_cast<std::size_t>(k));
       event.opened[k] = side;

@@ -132,12 +132,12 @@ class TieBreaker {
 /// diagnosis. Columns of 20 equal blocks have been seen to come to rest after 25,000 in one thousandth.
 /// Events at one instant are counted by the tie breaker.
 template <class Real>
-class StallGuard {
+class EventLimit {
  public:
   static constexpr int most_of_block = 10000;
 
   template <int N>
-  explicit StallGuard(const Model<Real, N>& model) : most_(most_of_block * model.stack.size()) {
+  explicit EventLimit(const Model<Real, N>& model) : most_(most_of_block * model.stack.size()) {
     using std::sqrt;
     window_ = sqrt(2 * model.stack.half_height.sum() / model.gravity) / 1000;
   }

@@ -40,21 +40,21 @@ struct Impact {
 
 /// What an impact finds, whatever pattern follows.
 template <class Real, int N = Eigen::Dynamic>
-struct Approach {
+struct BeforeImpact {
   Directions<Real, N> directions;
   Motion<Real, N> motion;
 };
 
 template <class Real, int N>
-Approach<Real, N> approach(const Model<Real, N>& model, const State<Real, N>& before,
-                           const Directions<Real, N>& directions) {
+BeforeImpact<Real, N> before_impact(const Model<Real, N>& model, const State<Real, N>& before,
+                                    const Directions<Real, N>& directions) {
   const Vector<Real, N> rates = absolute(before.velocities);
   return {directions, {centre_velocities(make_chain(model.stack, before.pattern, directions), rates), rates}};
 }
 
 template <class Real, int N>
-Approach<Real, N> approach(const Model<Real, N>& model, const State<Real, N>& before) {
-  return approach(model, before, directions_at(model, before.angles));
+BeforeImpact<Real, N> before_impact(const Model<Real, N>& model, const State<Real, N>& before) {
+  return before_impact(model, before, directions_at(model, before.angles));
 }
 
 /// Where one interface alone is open before an impact and no other opens in it, all above that interface
@@ -62,7 +62,7 @@ Approach<Real, N> approach(const Model<Real, N>& model, const State<Real, N>& be
 /// about its other end. Nothing where other interfaces are open, or open.
 template <class Real, int N>
 std::optional<PatternSolution<Real, N>> restored(const Model<Real, N>& model, const Impact<Real, N>& impact,
-                                                 const Approach<Real, N>& before, const Pattern& after,
+                                                 const BeforeImpact<Real, N>& before, const Pattern& after,
                                                  const std::vector<double>& ratios) {
   const Pattern& from = impact.before.pattern;
   int rocking = -1;
@@ -77,13 +77,13 @@ std::optional<PatternSolution<Real, N>> restored(const Model<Real, N>& model, co
   relative[rocking] = Real(ratios[static_cast<std::size_t>(rocking)]) * impact.before.velocities[rocking];
   Pattern pattern = from;
   pattern[rocking] = relative[rocking] == 0 ? Contact::closed : opposite(from[rocking]);
-  return brought_about(model, pattern, before.directions, make_chain(model.stack, pattern, before.directions),
-                       before.motion, relative);
+  return solution_for(model, pattern, before.directions, make_chain(model.stack, pattern, before.directions),
+                      before.motion, relative);
 }
 
 /// The velocities that follow if `pattern` does, in rad/s, and the impulses that bring them about, in N·s.
 template <class Real, int N>
-PatternSolution<Real, N> velocities_after(const Model<Real, N>& model, const Approach<Real, N>& before,
+PatternSolution<Real, N> velocities_after(const Model<Real, N>& model, const BeforeImpact<Real, N>& before,
                                           const Pattern& pattern) {
   return respond(model, pattern, before.directions, make_chain(model.stack, pattern, before.directions),
                  before.motion);
@@ -92,7 +92,7 @@ PatternSolution<Real, N> velocities_after(const Model<Real, N>& model, const App
 template <class Real, int N>
 PatternSolution<Real, N> velocities_after(const Model<Real, N>& model, const Impact<Real, N>& impact,
                                           const Pattern& pattern) {
-  return velocities_after(model, approach(model, impact.before), pattern);
+  return velocities_after(model, before_impact(model, impact.before), pattern);
 }
 
 /// True where every touching interface that is open opens towards its side.
@@ -110,7 +110,7 @@ bool kinematically_admissible(const PatternSolution<Real, N>& solution, const In
 template <class Real, int N>
 std::optional<PatternSolution<Real, N>> consistent_solution(const Model<Real, N>& model,
                                                             const Impact<Real, N>& impact,
-                                                            const Approach<Real, N>& before) {
+                                                            const BeforeImpact<Real, N>& before) {
   Pattern guess = impact.before.pattern;
   for (int k = 0; k < impact.before.size(); ++k) {
     if (impact.impacting.test(static_cast<std::size_t>(k))) guess[k] = opposite(guess[k]);
@@ -125,7 +125,7 @@ std::optional<PatternSolution<Real, N>> consistent_solution(const Model<Real, N>
 template <class Real, int N>
 std::optional<PatternSolution<Real, N>> consistent_solution(const Model<Real, N>& model,
                                                             const Impact<Real, N>& impact) {
-  return consistent_solution(model, impact, approach(model, impact.before));
+  return consistent_solution(model, impact, before_impact(model, impact.before));
 }
 
 /// The paper's order: open, joined, closed. `evaluate` maps a pattern to its solution.
@@ -155,7 +155,7 @@ PatternSolution<Real, N> paper_solution(const Impact<Real, N>& impact, const Eva
 
 template <class Real, int N>
 PatternSolution<Real, N> paper_solution(const Model<Real, N>& model, const Impact<Real, N>& impact) {
-  const Approach<Real, N> before = approach(model, impact.before);
+  const BeforeImpact<Real, N> before = before_impact(model, impact.before);
   return paper_solution<Real, N>(
       impact, [&](const Pattern& pattern) { return velocities_after(model, before, pattern); });
 }
@@ -169,7 +169,7 @@ struct Resolution {
 
 template <class Real, int N>
 Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& impact,
-                            const Approach<Real, N>& before, Law law) {
+                            const BeforeImpact<Real, N>& before, Law law) {
   const auto consistent = consistent_solution(model, impact, before);
   if (law == Law::consistent && consistent) return {*consistent, Consistency::consistent};
   const PatternSolution<Real, N> chosen = paper_solution<Real, N>(impact, [&](const Pattern& pattern) {
@@ -182,7 +182,7 @@ Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& 
 
 template <class Real, int N>
 Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& impact, Law law) {
-  return resolve(model, impact, approach(model, impact.before), law);
+  return resolve(model, impact, before_impact(model, impact.before), law);
 }
 
 }  // namespace rockstack

@@ -74,9 +74,9 @@ struct PatternSolution {
 /// A motion that the pattern allows, and what brings it about in place of `free` (with any bias already taken
 /// off).
 template <class Real, int N>
-PatternSolution<Real, N> brought_about(const Model<Real, N>& model, const Pattern& pattern,
-                                       const Directions<Real, N>& directions, const Chain<Real, N>& chain,
-                                       const Motion<Real, N>& free, const Vector<Real, N>& relative_motion) {
+PatternSolution<Real, N> solution_for(const Model<Real, N>& model, const Pattern& pattern,
+                                      const Directions<Real, N>& directions, const Chain<Real, N>& chain,
+                                      const Motion<Real, N>& free, const Vector<Real, N>& relative_motion) {
   const Vector<Real, N> rotation = absolute(relative_motion);
   const Motion<Real, N> change{centre_velocities(chain, rotation) - free.centre, rotation - free.rotation};
   Vector<Real, N> rounding = free.centre.colwise().norm().transpose().cwiseProduct(model.stack.mass);
@@ -90,8 +90,8 @@ template <class Real, int N>
 PatternSolution<Real, N> respond(const Model<Real, N>& model, const Pattern& pattern,
                                  const Directions<Real, N>& directions, const Chain<Real, N>& chain,
                                  const Motion<Real, N>& free) {
-  return brought_about<Real, N>(model, pattern, directions, chain, free,
-                                nearest_allowed(model.stack, pattern, chain, free));
+  return solution_for<Real, N>(model, pattern, directions, chain, free,
+                               nearest_allowed(model.stack, pattern, chain, free));
 }
 
 /// The accelerations of a moving stack and the forces it is under; `directions` are directions_at() the

@@ -123,7 +123,7 @@ struct BasicHistory {
   std::vector<Real> slips;  ///< how far each block has slipped to the right along what is below it, m
   std::vector<Real> gaps;   ///< between each block and what is below it, m; infinite over nothing
   /// Centres of mass, x and y in turn, from the middle of the ground's interface, m, and their rates, m/s.
-  std::vector<Real> places, place_rates;
+  std::vector<Real> centres, centre_velocities;
   std::vector<BasicReaction<Real>> reactions;            ///< times.size() × blocks
   std::vector<BasicSpringEnergy<Real>> spring_energies;  ///< likewise, of law `compliant`; else empty
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for

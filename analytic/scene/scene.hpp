@@ -65,7 +65,7 @@ struct InitialState {
   std::vector<double> velocities;  ///< rad/s, one a block
   /// Of each block along what is below it, m/s, to the right positive, or none; of laws with friction alone.
   std::vector<double> slip_velocities = {};
-  bool settled = true;  ///< springs carry what rests on them at the start; else they are not loaded yet
+  bool preloaded = true;  ///< springs carry what rests on them at the start; else they are not loaded yet
 };
 
 /// Springs and dashpots at the corners of each interface, or in a Winkler bed along it, from the ground up;

@@ -40,17 +40,19 @@ struct SolveOptions {
   bool peaks = false;
   /// Chatter ends where a flight would stay below it, rad, ≥ 0; 0: the rounding of 1.
   double resolution = 0;
+  /// Of laws that leave pivots: an event decides for so much later, √(H/g), ≥ 0; 0: 6.7 √ε.
+  double look_ahead = 0;
   /// Of taylor: the share of the velocity that a step may leave out, ≥ 0; 0: rounding.
   double tolerance = 0;
   /// Of rk4: the longest step, s, > 0.
   double step = 2e-4;
   /// Asked before every step: true ends the motion, which throws Stopped; null: none.
-  const std::function<bool()>* unwanted = nullptr;
+  const std::function<bool()>* cancelled = nullptr;
 };
 
 /// @throws Stopped where it is so.
-inline void stop_if_unwanted(const std::function<bool()>* unwanted) {
-  if (unwanted != nullptr && (*unwanted)()) throw Stopped();
+inline void stop_if_cancelled(const std::function<bool()>* cancelled) {
+  if (cancelled != nullptr && (*cancelled)()) throw Stopped();
 }
 
 /// @throws std::invalid_argument for what is out of range, with its name, value and range.

@@ -70,7 +70,7 @@ void require_no_springs(const Scene& scene) {
   refuse_any_but(springs.bed_stiffness, rigid, "contact.bed_stiffness", reason);
   refuse_any_but(springs.bed_damping, 0, "contact.bed_damping", reason);
   refuse(springs.tangential != 1, "contact.tangential", number_text(springs.tangential), reason);
-  refuse(!scene.initial.settled, "initial.springs", "unloaded", reason);
+  refuse(!scene.initial.preloaded, "initial.springs", "unloaded", reason);
 }
 
 /// Values that only do something beside others. A stiffness that is infinite may be compared with others.
@@ -217,7 +217,7 @@ void validate_springs(const Scene& scene) {
   require_effect(springs);
   validate_depths(scene);
   validate_steps(scene);
-  if (!scene.initial.settled) validate_unloaded(scene);
+  if (!scene.initial.preloaded) validate_unloaded(scene);
 }
 
 }  // namespace rockstack

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "analytic/events/first_event.hpp"
-#include "analytic/events/lone_chatter.hpp"
 #include "analytic/events/rest.hpp"
+#include "analytic/events/zeno_summation.hpp"
 #include "analytic/polynomials/crossing.hpp"
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/solver/validity.hpp"

@@ -8,9 +8,9 @@
 
 #include "analytic/events/chatter.hpp"
 #include "analytic/events/first_event.hpp"
-#include "analytic/events/lone_chatter.hpp"
 #include "analytic/events/rest.hpp"
 #include "analytic/events/tie_breaker.hpp"
+#include "analytic/events/zeno_summation.hpp"
 #include "analytic/mechanics/impact.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solver/recorder.hpp"
@@ -32,14 +32,14 @@ class Solver {
         pieces_(scene),
         steps_(model_, options),
         recorder_(model_, options, options.validity ? friction_of(scene) : std::vector<double>()),
-        stall_guard_(model_),
+        event_limit_(model_),
         ties_(model_),
         resting_(model_),
-        unwanted_(options.unwanted),
+        cancelled_(options.cancelled),
         upright_(upright_model(scene)),
         end_of_chatter_(model_, resolution_of(options)),
-        lone_chatter_(model_, resolution_of(options)),
-        sums_chatter_(options.events == EventsKept::summed && lone_chatter_.pays() && !upright_) {
+        zeno_(model_, resolution_of(options)),
+        sums_chatter_(options.events == EventsKept::summed && zeno_.pays() && !upright_) {
     validate(options);
     const auto vector = [](const std::vector<double>& values) -> Vector<Real, N> {
       return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
@@ -58,7 +58,7 @@ class Solver {
   BasicHistory<Real> run() {
     start();
     while (!finished()) {
-      stop_if_unwanted(unwanted_);
+      stop_if_cancelled(cancelled_);
       advance();
     }
     return std::move(*this).history();
@@ -270,8 +270,8 @@ class Solver {
     update_directions();
     const Impact<Real, N> impact{state_, closing};
     const Model<Real, N>& model = upright_ ? *upright_ : model_;
-    const Approach<Real, N> before =
-        upright_ ? approach(model, state_) : approach(model, state_, directions_);
+    const BeforeImpact<Real, N> before =
+        upright_ ? before_impact(model, state_) : before_impact(model, state_, directions_);
     Resolution<Real, N> resolution = resolve(model, impact, before, scene_.law);
     PatternSolution<Real, N>& solution = resolution.solution;
     if (!scene_.restitution.empty()) {
@@ -305,14 +305,14 @@ class Solver {
 
   /// What is left of chatter, where it neither moves the motion nor holds what is asked for.
   std::optional<RestOfChatter<Real, N>> negligible_rest(const Impact<Real, N>& impact,
-                                                        const Approach<Real, N>& before,
+                                                        const BeforeImpact<Real, N>& before,
                                                         const PatternSolution<Real, N>& after) {
     const GroundPiece<Real>& piece = pieces_.current();
-    const typename LoneChatter<Real, N>::Landing landing{impact, before,  after,
-                                                         piece,  offset_, recorder_.events()};
-    if (!lone_chatter_.harmless(landing) || recorder_.keeps(after)) return std::nullopt;
+    const typename ZenoSummation<Real, N>::Landing landing{impact, before,  after,
+                                                           piece,  offset_, recorder_.events()};
+    if (!zeno_.harmless(landing) || recorder_.keeps(after)) return std::nullopt;
     const State<Real, N> open{after.pattern, state_.angles, after.relative};
-    auto rest = lone_chatter_.rest(landing, end_of_chatter_.fastest_return(open, piece.at(offset_)));
+    auto rest = zeno_.rest(landing, end_of_chatter_.fastest_return(open, piece.at(offset_)));
     if (rest && recorder_.wants(*rest, time())) rest.reset();
     return rest;
   }
@@ -355,7 +355,7 @@ class Solver {
 
   void record_event(EventKind kind, int interface, const Pattern& from, const Vector<Real, N>& before,
                     Consistency consistency) {
-    stall_guard_.note_event(time());
+    event_limit_.note_event(time());
     recorder_.note_event(time(), kind, interface + 1, from, before, state_, consistency);
   }
 
@@ -364,13 +364,13 @@ class Solver {
   GroundPieces<Real> pieces_;
   Steps<Real, N> steps_;
   Recorder<Real, N> recorder_;
-  StallGuard<Real> stall_guard_;
+  EventLimit<Real> event_limit_;
   TieBreaker<Real> ties_;
   RestingStack<Real, N> resting_;
-  const std::function<bool()>* unwanted_;
+  const std::function<bool()>* cancelled_;
   std::optional<Model<Real, N>> upright_;  ///< of impacts, where they need one of their own
   EndOfChatter<Real, N> end_of_chatter_;
-  LoneChatter<Real, N> lone_chatter_;
+  ZenoSummation<Real, N> zeno_;
   bool sums_chatter_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;

@@ -69,8 +69,8 @@ History to_double(const BasicHistory<Real>& history) {
     result.choices.push_back({number(choice.time), choice.kind, choice.interface});
   result.slips = in_double(history.slips);
   result.gaps = in_double(history.gaps);
-  result.places = in_double(history.places);
-  result.place_rates = in_double(history.place_rates);
+  result.centres = in_double(history.centres);
+  result.centre_velocities = in_double(history.centre_velocities);
   result.reactions = in_double(history.reactions);
   result.spring_energies = in_double(history.spring_energies);
   result.peaks = in_double(history.peaks);

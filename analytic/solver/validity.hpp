@@ -1,9 +1,8 @@
 #pragma once
 
 #include "analytic/mechanics/pattern_solution.hpp"
-#include "analytic/polynomials/crossing.hpp"
-#include "analytic/scene/history.hpp"
 #include "analytic/steps/dense_output.hpp"
+#include "analytic/steps/force_extremes.hpp"
 
 namespace rockstack {
 
@@ -18,15 +17,8 @@ void note_demand(BasicDemand<Real>& demand, const Real& raw, const Real& tangent
   using std::abs;
   const Real normal = abs(raw) <= rounding ? Real(0) : raw;
   if (normal == 0 && abs(tangential) <= rounding) return;
-  if (normal < demand.least_normal) {
-    demand.least_normal = normal;
-    demand.least_normal_time = time;
-  }
   const Real ratio = normal > 0 ? abs(tangential) / normal : std::numeric_limits<Real>::infinity();
-  if (ratio > demand.friction) {
-    demand.friction = ratio;
-    demand.friction_time = time;
-  }
+  raise_demand(demand, normal, ratio, time);
 }
 
 /// Whether an interface has come to pull, or to need more than the friction that surfaces have, and it is not
@@ -65,7 +57,7 @@ void note_demands(std::vector<BasicDemand<Real>>& demands, const PatternSolution
 /// Since when, along a step up to `end` of its length, the interface pulls, or needs more than `available`
 /// friction: `start` and `length` are those of the step, s.
 template <class Real>
-void note_first_along(BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& end,
+void note_first_along(BasicDemand<Real>& demand, const ForcePolynomials<Real>& force, const Real& end,
                       const Real& available, const Real& start, const Real& length) {
   // Where `share` · N + side · T first falls below zero.
   const auto first_below = [&](const Real& share, const Real& side) {
@@ -84,7 +76,8 @@ void note_first_along(BasicDemand<Real>& demand, const ForceCourses<Real>& force
 /// True where sums of coefficients, which bound a polynomial (Hull), tell that a step demands
 /// no more than was known.
 template <class Real>
-bool demands_no_more(const BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& rounding) {
+bool demands_no_more(const BasicDemand<Real>& demand, const ForcePolynomials<Real>& force,
+                     const Real& rounding) {
   const bool bounded = demand.friction <= std::numeric_limits<Real>::max();
   const Real ratio = bounded ? demand.friction : Real(0);
   const Real least = demand.least_normal - rounding;
@@ -101,40 +94,21 @@ bool demands_no_more(const BasicDemand<Real>& demand, const ForceCourses<Real>& 
   return true;
 }
 
-/// The greatest demands along a step up to `end` of its length, to rounding: where the normal force is least,
-/// and where ±T/N is largest. The latter is the ratio μ at which the maximum of ±T − μN comes down to zero
-/// (Dinkelbach 1967, Management Science 13, 492–498). `start` and `length` are those of the step, s.
+/// The greatest demands along a step up to `end` of its length; `start` and `length` are those of the step,
+/// s.
 template <class Real>
-void note_demand_along(BasicDemand<Real>& demand, const ForceCourses<Real>& force, const Real& end,
+void note_demand_along(BasicDemand<Real>& demand, const ForcePolynomials<Real>& force, const Real& end,
                        const Real& rounding, const Real& available, const Real& start, const Real& length) {
   if (demands_no_more(demand, force, rounding)) return;
   if (end < 1) {
-    ForceCourses<Real> part = force;
+    ForcePolynomials<Real> part = force;
     rescale(part.normal, end);
     rescale(part.tangential, end);
     if (demands_no_more(demand, part, rounding)) return;
   }
-  const auto note_at = [&](const Real& s) {
+  note_extremes(demand, force.normal, force.tangential, end, rounding, [&](const Real& s) {
     note_demand(demand, value(force.normal, s), value(force.tangential, s), rounding, start + s * length);
-  };
-  // Where normal · N + tangential · T passes `least` most.
-  const auto note_maximum = [&](const Real& normal, const Real& tangential, const Real& least,
-                                const Real& slack) {
-    Polynomial<Real> sum;
-    sum.terms = force.normal.terms;
-    for (std::size_t n = 0; n < sum.terms; ++n)
-      sum[n] = normal * force.normal[n] + tangential * force.tangential[n];
-    rescale(sum, end);
-    if (const auto top = maximum<Real>(sum, least, slack)) note_at(top->s * end);
-  };
-  note_maximum(-1, 0, rounding - demand.least_normal, rounding);
-  for (const Real& side : {Real(1), Real(-1)}) {
-    for (Real before = -1; demand.friction > before && demand.friction <= std::numeric_limits<Real>::max();) {
-      before = demand.friction;
-      const Real negligible = rounding * (1 + before);
-      note_maximum(-before, side, negligible, negligible);
-    }
-  }
+  });
   if (first_to_note(demand, available)) note_first_along(demand, force, end, available, start, length);
 }
 

@@ -143,21 +143,21 @@ struct ScaledBodyForce {
   Polynomial<Real> x, y;
 };
 
-/// A component of it, from `offset` s into the ground's course on: of the course and of what acts `at_rest`,
+/// A component of it, from `offset` s into the ground's motion on: of that and of what acts `at_rest`,
 /// without a change that is negligible, m/s².
 template <class Real>
-Polynomial<Real> body_force_along(const GroundCourse<Real>& course, const Real& at_rest,
+Polynomial<Real> body_force_along(const GroundComponent<Real>& component, const Real& at_rest,
                                   const Real& negligible, const Real& offset, const Real& length) {
   using std::abs;
   const Real scale = -(length * length);
-  if (!course.pulse) [[likely]] {
-    const Real first = (course.line_at(offset) + at_rest) * scale;
-    const Real change = course.rate * length;
+  if (!component.pulse) [[likely]] {
+    const Real first = (component.line_at(offset) + at_rest) * scale;
+    const Real change = component.rate * length;
     if (abs(change) <= negligible) return {first};
     return {first, change * scale};
   }
-  Polynomial<Real> series = series_of<Real>(*course.pulse, course.elapsed + offset, length);
-  series[0] += at_rest + course.value;
+  Polynomial<Real> series = series_of<Real>(*component.pulse, component.elapsed + offset, length);
+  series[0] += at_rest + component.value;
   for (Real& coefficient : series) coefficient *= scale;
   return series;
 }

@@ -8,13 +8,13 @@ namespace rockstack {
 /// How far the centre of pressure of a closed interface stays from either end, times the normal force, as
 /// polynomials up to a positive factor: N (w − x) and N (w + x). Without terms where nobody watches.
 template <class Real>
-struct MarginCourses {
+struct MarginPolynomials {
   Polynomial<Real> right, left;
 };
 
 /// The forces on the block above an interface, N, as polynomials. Without terms where nobody asks.
 template <class Real>
-struct ForceCourses {
+struct ForcePolynomials {
   Polynomial<Real> normal, tangential;
 };
 
@@ -31,9 +31,9 @@ template <class Real, int N = Eigen::Dynamic>
 struct DenseOutput {
   Real length;  ///< s
   State<Real, N> start;
-  std::array<Polynomial<Real>, capacity(N)> angles{};      ///< of open interfaces; without terms where closed
-  std::array<MarginCourses<Real>, capacity(N)> margins{};  ///< of closed interfaces
-  std::array<ForceCourses<Real>, capacity(N)> forces{};    ///< of all interfaces
+  std::array<Polynomial<Real>, capacity(N)> angles{};  ///< of open interfaces; without terms where closed
+  std::array<MarginPolynomials<Real>, capacity(N)> margins{};  ///< of closed interfaces
+  std::array<ForcePolynomials<Real>, capacity(N)> forces{};    ///< of all interfaces
 
   State<Real, N> at(const Real& s) const {
     State<Real, N> state = start;

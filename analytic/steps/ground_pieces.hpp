@@ -13,7 +13,7 @@ namespace rockstack {
 /// One component of the ground's acceleration over a stretch of time: a straight line, or part of a pulse. As
 /// gravity along an inclined ground acts like an acceleration of it the other way, it is in here too.
 template <class Real>
-struct GroundCourse {
+struct GroundComponent {
   Real end = std::numeric_limits<Real>::infinity();  ///< s
   Real value = 0;                                    ///< at the start, m/s²; beside a pulse a constant
   Real rate = 0;                                     ///< its change, m/s³
@@ -31,7 +31,7 @@ template <class Real>
 struct GroundPiece {
   Real start;   ///< s
   Real length;  ///< s, > 0
-  GroundCourse<Real> horizontal, vertical;
+  GroundComponent<Real> horizontal, vertical;
 
   /// (ẍg, ÿg), m/s².
   Point<Real> at(const Real& offset) const { return {horizontal.at(offset), vertical.at(offset)}; }
@@ -84,20 +84,20 @@ class GroundPieces {
     piece_.length = end_ - piece_.start;
   }
 
-  /// A component from the start of the piece on: its course goes on to the next sample, from `sample` on;
+  /// A component from the start of the piece on: it goes on to the next sample, from `sample` on;
   /// where the other component has ended the piece before, the sample is found anew. `constant` is added to
   /// it.
   void follow(const GroundMotion& motion, const Real& constant, std::ptrdiff_t& sample,
-              GroundCourse<Real>& course) const {
+              GroundComponent<Real>& component) const {
     if (motion.pulse) {
-      course = pulse_course(*motion.pulse, constant);
+      component = pulse_component(*motion.pulse, constant);
     } else if (!motion.samples.empty()) {
-      sample = course.end == piece_.start ? sample + 1 : last_sample(motion);
-      course = line_course(motion, constant, sample);
+      sample = component.end == piece_.start ? sample + 1 : last_sample(motion);
+      component = line_component(motion, constant, sample);
     }
   }
 
-  GroundCourse<Real> pulse_course(const Pulse& pulse, const Real& constant) const {
+  GroundComponent<Real> pulse_component(const Pulse& pulse, const Real& constant) const {
     const Real start(pulse.start);
     const Real end = start + Real(length(pulse));
     if (piece_.start < start) return {start, constant};
@@ -114,12 +114,12 @@ class GroundPieces {
     return Real(sample + 1) * interval <= piece_.start ? sample + 1 : sample;
   }
 
-  static GroundCourse<Real> still(const Real& constant) {
+  static GroundComponent<Real> still(const Real& constant) {
     return {std::numeric_limits<Real>::infinity(), constant};
   }
 
-  GroundCourse<Real> line_course(const GroundMotion& motion, const Real& constant,
-                                 std::ptrdiff_t sample) const {
+  GroundComponent<Real> line_component(const GroundMotion& motion, const Real& constant,
+                                       std::ptrdiff_t sample) const {
     if (sample + 1 >= std::ssize(motion.samples)) return still(constant);
     const Real interval(motion.interval);
     const auto samples = motion.samples.begin() + sample;

@@ -96,9 +96,9 @@ class Convergence {
   Real allowed_ = 0;
 };
 
-/// Makes steps from Taylor series: as long as the ground's course is smooth, or as the highest order allows.
-/// The order is the lowest whose last coefficients are below the tolerance, and that leaves none of the
-/// body force's out; where there is none, the step is shorter (body_force.hpp).
+/// Makes steps from Taylor series: as long as the ground's acceleration is smooth, or as the highest order
+/// allows. The order is the lowest whose last coefficients are below the tolerance, and that leaves none of
+/// the body force's out; where there is none, the step is shorter (body_force.hpp).
 template <class Real, int N>
 class TaylorSteps {
  public:
@@ -208,7 +208,7 @@ class TaylorSteps {
       if (forces_) forces_at_rest(linkage.mass[k], body_force, output.length, output.forces[k]);
       if (!watched.test(k)) continue;
       const Real push = linkage.mass[k] * model_.stack.half_width[static_cast<int>(k)];
-      MarginCourses<Real>& margin = output.margins[k];
+      MarginPolynomials<Real>& margin = output.margins[k];
       margin.right.terms = margin.left.terms = std::max(body_force.x.terms, body_force.y.terms);
       for (std::size_t n = 0; n < margin.right.terms; ++n) {
         const Real upright = n < body_force.y.terms ? -body_force.y[n] * push : Real(0);
@@ -222,7 +222,7 @@ class TaylorSteps {
 
   /// What an interface carries of a mass that is at rest above it.
   static void forces_at_rest(const Real& mass, const ScaledBodyForce<Real>& body_force, const Real& length,
-                             ForceCourses<Real>& force) {
+                             ForcePolynomials<Real>& force) {
     const Real scale = -mass / (length * length);
     force.normal.terms = force.tangential.terms = std::max(body_force.x.terms, body_force.y.terms);
     for (std::size_t n = 0; n < force.normal.terms; ++n) {
@@ -241,7 +241,7 @@ class TaylorSteps {
         angle[1] = start.advances[k];
         for (std::size_t n = 0; n < orders; ++n) angle[n + 2] = series.angle(k, n);
       } else if (watched.test(k)) {
-        MarginCourses<Real>& margin = output.margins[k];
+        MarginPolynomials<Real>& margin = output.margins[k];
         margin.right.terms = margin.left.terms = orders;
         for (std::size_t n = 0; n < orders; ++n) {
           const auto coefficient = series.margin(k, n);
@@ -256,12 +256,12 @@ class TaylorSteps {
                    DenseOutput<Real, N>& output) const {
     const Real scale = 1 / (output.length * output.length);
     for (int k = 0; k < model_.stack.size(); ++k) {
-      ForceCourses<Real>& course = output.forces[static_cast<std::size_t>(k)];
-      course.normal.terms = course.tangential.terms = orders;
+      ForcePolynomials<Real>& force_series = output.forces[static_cast<std::size_t>(k)];
+      force_series.normal.terms = force_series.tangential.terms = orders;
       for (std::size_t n = 0; n < orders; ++n) {
         const auto force = series.force(static_cast<std::size_t>(k), face(model_.stack, k), n);
-        course.normal[n] = force.normal * scale;
-        course.tangential[n] = force.tangential * scale;
+        force_series.normal[n] = force.normal * scale;
+        force_series.tangential[n] = force.tangential * scale;
       }
     }
   }

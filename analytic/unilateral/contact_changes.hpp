@@ -16,14 +16,12 @@ template <class Real>
 class ContactChatter {
  public:
   /// Keeps a reference to `stack`. Resolution 0 is the rounding of 1.
-  ContactChatter(const BasicFrictionStack<Real>& stack, const Real& gravity, const Real& resolution)
+  ContactChatter(const ContactModel<Real>& stack, const Real& gravity, const Real& resolution)
       : stack_(stack), resolution_(resolution > 0 ? resolution : std::numeric_limits<Real>::epsilon()) {
     using std::sqrt;
-    Real height = 0;
-    for (const Block& block : stack.blocks) height += 2 * block.half_height;
-    rate_ = gravity / height;
+    rate_ = gravity / stack.height();
     const Real rounding = std::min<Real>(resolution_, std::numeric_limits<double>::epsilon());
-    settling_speed_ = 500 * rounding * sqrt(rate_);
+    slow_speed_ = 500 * rounding * sqrt(rate_);
     negligible_gap_ = std::max<Real>(tolerance<Real>(1e-13),
                                      Real(1e-13) * (rounding / Real(std::numeric_limits<double>::epsilon())));
   }
@@ -32,31 +30,30 @@ class ContactChatter {
   const Real& negligible_gap() const { return negligible_gap_; }
 
   /// Open by what rounding makes of angles and speeds.
-  bool negligibly_open(const BasicJoint<Real>& joint, const Real& angle, const Real& angle_rate) const {
+  bool negligibly_open(const Joint<Real>& joint, const Real& angle, const Real& angle_rate) const {
     using std::abs;
-    return joint.pivots() && abs(angle_rate) <= settling_speed_ &&
-           abs(angle) * rate_ <= settling_speed_ * settling_speed_;
+    return joint.pivots() && abs(angle_rate) <= slow_speed_ &&
+           abs(angle) * rate_ <= slow_speed_ * slow_speed_;
   }
 
   /// A mode that follows an impact of `touching`, with the joints held that part too slowly to be followed.
   /// `free` is the acceleration without contact.
-  Joints<Real> without_slow(const Joints<Real>& touching, const Joints<Real>& mode,
-                            const BasicBodies<Real>& after, const BasicFreeVector<Real>& free) const {
-    const BasicFreeVector<Real> acceleration =
-        respond(stack_, mode, after, free, Sought::accelerations).motion;
-    const BasicFreeVector<Real> rates = vector_of(after.rate);
+  Joints<Real> without_slow(const Joints<Real>& touching, const Joints<Real>& mode, const Bodies<Real>& after,
+                            const FreeVector<Real>& free) const {
+    const FreeVector<Real> acceleration =
+        respond<Real>({stack_, after, free, ContactLevel::accelerations}, mode).motion;
+    const FreeVector<Real> rates = vector_of(after.rate);
     Joints<Real> result = mode;
     for (int k = 0; k < stack_.size(); ++k) {
       const auto index = static_cast<std::size_t>(k);
       if (!parts_slowly(k, touching[index], mode[index], after, acceleration)) continue;
-      BasicJoint<Real>& joint = result[index];
+      Joint<Real>& joint = result[index];
       const int slip = joint.slip;
       joint = touching[index];
       joint.slip = slip;
       if (mode[index].touches()) continue;
-      const Real speed =
-          rows_of(stack_.blocks, after, held_point(stack_.blocks, k, joint)).slip_row.dot(rates);
-      const Real still = settling_speed_ * half_width_of<Real>(stack_.blocks, k);
+      const Real speed = kinematics_of(stack_, after, stack_.held_point(k, joint)).slip_row.dot(rates);
+      const Real still = slow_speed_ * stack_.half_width(k);
       joint.slip = (speed > still) - (speed < -still);
       meet_face(stack_, k, joint);
     }
@@ -64,50 +61,49 @@ class ContactChatter {
   }
 
  private:
-  bool parts_slowly(int interface, const BasicJoint<Real>& touching, const BasicJoint<Real>& mode,
-                    const BasicBodies<Real>& after, const BasicFreeVector<Real>& acceleration) const {
+  bool parts_slowly(int interface, const Joint<Real>& touching, const Joint<Real>& mode,
+                    const Bodies<Real>& after, const FreeVector<Real>& acceleration) const {
     using std::abs;
     const auto slow = [&](const Real& speed, const Real& back, const Real& unit) {
-      return speed <= settling_speed_ * unit || speed * speed <= -2 * resolution_ * unit * back;
+      return speed <= slow_speed_ * unit || speed * speed <= -2 * resolution_ * unit * back;
     };
-    const auto lower = [&](const BasicFreeVector<Real>& vector, int at) -> Real {
+    const auto lower = [&](const FreeVector<Real>& vector, int at) -> Real {
       return interface == 0 ? Real(0) : vector[Eigen::Index{3} * interface - 3 + at];
     };
-    const BasicFreeVector<Real> rates = vector_of(after.rate);
+    const FreeVector<Real> rates = vector_of(after.rate);
     if (mode.pivots() && touching.touch == Touch::flat) {
       const Real speed = abs(rates[Eigen::Index{3} * interface + 2] - lower(rates, 2));
       return slow(speed,
                   mode.side() * (acceleration[Eigen::Index{3} * interface + 2] - lower(acceleration, 2)), 1);
     }
     if (mode.touches() || !touching.touches()) return false;
-    const Real width = 2 * half_width_of<Real>(stack_.blocks, interface);
+    const Real width = 2 * stack_.half_width(interface);
     for (const int side : {-1, 1}) {
       if (touching.pivots() && side != touching.side()) continue;
-      BasicJoint<Real> end = touching;
+      Joint<Real> end = touching;
       end.touch = static_cast<Touch>(side);
       if (touching.touch == Touch::flat)
         end.corner_below = corner_is_below(stack_, interface, touching.offset, side);
-      const BasicPointRows<Real> rows =
-          rows_of(stack_.blocks, after, held_point(stack_.blocks, interface, end));
+      const ContactKinematics<Real> rows = kinematics_of(stack_, after, stack_.held_point(interface, end));
       if (!slow(rows.gap_row.dot(rates), rows.gap_row.dot(acceleration) + rows.gap_bias, width)) return false;
     }
     return true;
   }
 
-  const BasicFrictionStack<Real>& stack_;
-  Real resolution_;        ///< rad
-  Real rate_{};            ///< g/H, 1/s²
-  Real settling_speed_{};  ///< rad/s
+  const ContactModel<Real>& stack_;
+  Real resolution_;    ///< rad
+  Real rate_{};        ///< g/H, 1/s²
+  Real slow_speed_{};  ///< rad/s
   Real negligible_gap_{};
 };
 
 /// A joint that a corner of an interface has come to by landing.
 template <class Real>
-void land(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies, int interface, bool below,
+void land(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface, bool below,
           Joints<Real>& joints) {
   using std::abs;
   const auto k = static_cast<std::size_t>(interface);
-  BasicJoint<Real>& joint = joints[k];
+  Joint<Real>& joint = joints[k];
   const Real angle = relative_angle(bodies.at, k);
   joint.slip = 0;
   if (abs(angle) <= flat_angle<Real>()) {
@@ -116,19 +112,19 @@ void land(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies
     joint.touch = angle > 0 ? Touch::right : Touch::left;
     joint.corner_below = below;
   }
-  joint.offset = offset_of(stack.blocks, bodies, interface, joint);
+  joint.offset = offset_of(stack, bodies, interface, joint);
 }
 
 /// The other corner takes over where one has come to the end of its face; true where it meets the face.
 template <class Real>
-bool pass_corner(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies, int interface,
+bool pass_corner(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
                  Joints<Real>& joints) {
-  BasicJoint<Real>& joint = joints[static_cast<std::size_t>(interface)];
+  Joint<Real>& joint = joints[static_cast<std::size_t>(interface)];
   if (!joint.pivots()) return false;
   joint.corner_below = !joint.corner_below;
-  joint.offset = offset_of(stack.blocks, bodies, interface, joint);
-  const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, held_point(stack.blocks, interface, joint));
-  const BasicFreeVector<Real> rates = vector_of(bodies.rate);
+  joint.offset = offset_of(stack, bodies, interface, joint);
+  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, stack.held_point(interface, joint));
+  const FreeVector<Real> rates = vector_of(bodies.rate);
   const Real speed = rows.gap_row.dot(rates);
   const Real rounding = tolerance<Real>(1e-13) * (rows.gap_row.cwiseAbs().dot(rates.cwiseAbs()));
   if (speed > rounding) {
@@ -140,7 +136,7 @@ bool pass_corner(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>&
 
 /// Lands what is above its face by no more than `gap`, m.
 template <class Real>
-void land_negligible(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies, int interface,
+void land_negligible(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
                      const Real& gap, Joints<Real>& joints) {
   using std::abs;
   const Real angle = relative_angle(bodies.at, static_cast<std::size_t>(interface));
@@ -148,10 +144,9 @@ void land_negligible(const BasicFrictionStack<Real>& stack, const BasicBodies<Re
     if (below && interface == 0) continue;
     for (const int side : {-1, 1}) {
       if (side * angle < -flat_angle<Real>()) continue;
-      const CornerOnFace<Real> corner = below ? lower_corner<Real>(stack.blocks, interface, side)
-                                              : upper_corner<Real>(stack.blocks, interface, side);
-      const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner);
-      if (abs(rows.gap) <= gap && abs(rows.slip) <= half_width_of<Real>(stack.blocks, corner.face) + gap)
+      const CornerOnFace<Real> corner = stack.corner(interface, side, below);
+      const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner);
+      if (abs(rows.gap) <= gap && abs(rows.slip) <= stack.half_width(corner.face) + gap)
         land(stack, bodies, interface, below, joints);
     }
   }
@@ -159,35 +154,35 @@ void land_negligible(const BasicFrictionStack<Real>& stack, const BasicBodies<Re
 
 /// Closes what is open by rounding, so that all that meets at one instant is one impact.
 template <class Real>
-void close_negligible(const BasicFrictionStack<Real>& stack, const ContactChatter<Real>& chatter,
-                      const BasicBodies<Real>& bodies, Joints<Real>& joints) {
+void close_negligible(const ContactModel<Real>& stack, const ContactChatter<Real>& chatter,
+                      const Bodies<Real>& bodies, Joints<Real>& joints) {
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const auto interface = static_cast<int>(k);
-    const Real gap = chatter.negligible_gap() * half_width_of<Real>(stack.blocks, interface);
+    const Real gap = chatter.negligible_gap() * stack.half_width(interface);
     if (!joints[k].touches() && !stack.soft(k)) land_negligible(stack, bodies, interface, gap, joints);
     if (chatter.negligibly_open(joints[k], relative_angle(bodies.at, k), relative_angle(bodies.rate, k)))
       joints[k].touch = Touch::flat;
   }
 }
 
-/// Changes joints as the courses that end say; true where blocks meet.
+/// Changes joints as the guards that end say; true where blocks meet.
 template <class Real>
-bool apply(const FirstChange<Real>& found, const BasicFrictionStack<Real>& stack,
-           const BasicBodies<Real>& bodies, Joints<Real>& joints) {
+bool apply(const FirstChange<Real>& found, const ContactModel<Real>& stack, const Bodies<Real>& bodies,
+           Joints<Real>& joints) {
   bool meets = false;
-  for (const Course<Real>& course : found.courses) {
-    BasicJoint<Real>& joint = joints[static_cast<std::size_t>(course.interface)];
-    switch (course.change) {
+  for (const Guard<Real>& guard : found.guards) {
+    Joint<Real>& joint = joints[static_cast<std::size_t>(guard.interface)];
+    switch (guard.change) {
       case Change::closing:
         joint.touch = Touch::flat;
         meets = true;
         break;
       case Change::landing:
-        if (!joint.touches()) land(stack, bodies, course.interface, course.below, joints);
+        if (!joint.touches()) land(stack, bodies, guard.interface, guard.below, joints);
         meets = true;
         break;
       case Change::corner:
-        if (pass_corner(stack, bodies, course.interface, joints)) meets = true;
+        if (pass_corner(stack, bodies, guard.interface, joints)) meets = true;
         break;
       case Change::halt:
         joint.slip = 0;

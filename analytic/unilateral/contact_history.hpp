@@ -1,22 +1,21 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
-#include "analytic/unilateral/contact/bodies.hpp"
+#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/springs/spring_energy.hpp"
 
 namespace rockstack {
 
 /// One event with the motion on both sides of it. `interface` counts from 1; of topple it is the block.
-template <class Real>
-struct BasicContactEvent {
+template <class Real = double>
+struct ContactEvent {
   Real time = 0;  ///< s
   EventKind kind{};
   int interface = 0;
   Joints<Real> from, to;
-  Placements<Real> at, before, after;  ///< placements, and their rates
+  Poses<Real> at, before, after;  ///< poses, and their rates
   /// What theory has to say: one motion; several, of which the one named by find_mode() follows; or none
   /// without an impulse, of which the limit of Moreau's time steps follows.
   Consistency consistency = Consistency::consistent;
@@ -24,22 +23,22 @@ struct BasicContactEvent {
 
 /// The motion at one time.
 template <class Real>
-struct BasicContactSample {
+struct ContactSample {
   Real time;  ///< s
-  BasicBodies<Real> bodies;
+  Bodies<Real> bodies;
   Joints<Real> joints;
   std::vector<Real> slips, gaps;  ///< of each interface, m; where apart, the slip that it parted with
   // Of stacks with springs, else empty.
-  std::vector<BasicSpringState<Real>> springs;  ///< of each interface
-  BasicFreeVector<Real> spring_accelerations;   ///< what all springs make of the motion
+  std::vector<SpringState<Real>> springs;  ///< of each interface
+  FreeVector<Real> spring_accelerations;   ///< what all springs make of the motion
 };
 
 /// A stack's motion under a law that leaves pivots.
-template <class Real>
-struct BasicContactHistory {
-  using Sample = BasicContactSample<Real>;
+template <class Real = double>
+struct ContactHistory {
+  using Sample = ContactSample<Real>;
   std::vector<Sample> samples;
-  std::vector<BasicContactEvent<Real>> events;
+  std::vector<ContactEvent<Real>> events;
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
   /// Likewise the slip of each interface at the end, and its largest finite gap, m.
   std::vector<Real> slips_left, lifts;
@@ -47,21 +46,8 @@ struct BasicContactHistory {
   /// of zero is that of blocks that part; nothing pulls, and nothing rubs more than its friction, so that
   /// first times are infinite. Of impulses that of chatter, less than a millionth of a fall's, is not told.
   std::vector<BasicDemand<Real>> forces, impulses;
-  BasicBodies<Real> last;  ///< at the end
-  Real end_time{};         ///< s
-};
-
-using ContactEvent = BasicContactEvent<double>;
-using ContactHistory = BasicContactHistory<double>;
-
-/// What the scene does not say.
-struct ContactOptions {
-  std::vector<double> sample_times = {};  ///< s, ascending from ≥ 0; none: events alone
-  double resolution = 0;                  ///< chatter ends below it, rad, ≥ 0; 0: the rounding of 1
-  double moment = 0;      ///< an event decides for so much later, √(H/g), ≥ 0; 0: 6.7 √ε
-  bool validity = false;  ///< whether to keep what acts at each interface
-  bool peaks = false;     ///< whether to keep largest angles, slips left and lifts
-  const std::function<bool()>* unwanted = nullptr;  ///< as of SolveOptions
+  Bodies<Real> last;  ///< at the end
+  Real end_time{};    ///< s
 };
 
 }  // namespace rockstack

@@ -1,20 +1,84 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "analytic/scene/ground/pulse.hpp"
-#include "analytic/unilateral/contact_demands.hpp"
+#include "analytic/scene/solve_options.hpp"
+#include "analytic/steps/force_extremes.hpp"
 #include "analytic/unilateral/contact_history.hpp"
 #include "analytic/unilateral/springs/spring_contacts.hpp"
 
 namespace rockstack {
 
+/// Takes what one interface bears at one time into account. Where the normal force is `rounding` or less, it
+/// is zero, and nothing rubs.
+template <class Real>
+void note_bearing(BasicDemand<Real>& demand, const Real& normal, const Real& tangential, const Real& rounding,
+                  const Real& time) {
+  using std::abs;
+  const bool bears = normal > rounding;
+  raise_demand(demand, bears ? normal : Real(0), bears ? Real(abs(tangential) / normal) : Real(0), time);
+}
+
+/// What acts at the interfaces over a motion: the least normal force, which is zero where blocks part, and
+/// the largest ratio of tangential to normal force. No interface pulls or bears more than its friction.
+template <class Real>
+class ContactDemands {
+ public:
+  ContactDemands(const ContactModel<Real>& stack, double gravity)
+      : forces_(stack.blocks.size()), impulses_(forces_) {
+    using std::sqrt;
+    Real mass = 0;
+    for (const Block& block : stack.blocks) mass += block.mass;
+    rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * mass * gravity;
+    negligible_impulse_ = Real(1e-6) * mass * sqrt(gravity * stack.height());
+  }
+
+  /// A step up to `end` of its length; `start` in s.
+  void note_step(const Joints<Real>& joints, const ModeSeries<Real>& series, const Real& end,
+                 const Real& start) {
+    for (std::size_t k = 0; k < forces_.size(); ++k) {
+      if (!joints[k].touches()) {
+        note_bearing<Real>(forces_[k], 0, 0, rounding_, start);
+        continue;
+      }
+      ForceSeries<Real> force = series.forces[k];
+      for (Polynomial<Real>* part : {&force.normal, &force.tangential})
+        for (Real& coefficient : *part) coefficient *= series.force_unit;
+      note_extremes(forces_[k], force.normal, force.tangential, end, rounding_, [&](const Real& s) {
+        note_bearing<Real>(forces_[k], value(force.normal, s), value(force.tangential, s), rounding_,
+                           start + s * series.length);
+      });
+    }
+  }
+
+  /// Impulses of one impact. Of less than a millionth of the momentum that the stack has after falling its
+  /// own size, those of chatter, nothing is told.
+  void note_impact(const std::vector<ContactForce<Real>>& impulses, const Real& time) {
+    for (std::size_t k = 0; k < impulses_.size(); ++k) {
+      const ContactForce<Real>& impulse = impulses[k];
+      if (impulse.normal > negligible_impulse_)
+        note_bearing(impulses_[k], impulse.normal, impulse.tangential, negligible_impulse_, time);
+    }
+  }
+
+  const std::vector<BasicDemand<Real>>& forces() const { return forces_; }
+  const std::vector<BasicDemand<Real>>& impulses() const { return impulses_; }
+
+ private:
+  std::vector<BasicDemand<Real>> forces_, impulses_;
+  Real rounding_{};            ///< of forces, N
+  Real negligible_impulse_{};  ///< N·s
+};
+
 /// The least gap of blocks that are apart, over all corners that are over a face, m; infinite where there are
 /// none, or where one block has turned past a right angle to the other, so that their faces no longer meet.
 template <class Real>
-Real gap_of(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies, int interface) {
+Real gap_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface) {
   using std::abs;
   Real gap = std::numeric_limits<Real>::infinity();
   const auto k = static_cast<std::size_t>(interface);
@@ -23,10 +87,9 @@ Real gap_of(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodi
   for (const bool below : {false, true}) {
     for (const int side : {-1, 1}) {
       if (below && interface == 0) continue;
-      const CornerOnFace<Real> point = below ? lower_corner<Real>(stack.blocks, interface, side)
-                                             : upper_corner<Real>(stack.blocks, interface, side);
-      const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, point);
-      if (abs(rows.slip) <= half_width_of<Real>(stack.blocks, point.face) * (1 + tolerance<Real>(1e-12)))
+      const CornerOnFace<Real> point = stack.corner(interface, side, below);
+      const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
+      if (abs(rows.slip) <= stack.half_width(point.face) * (1 + tolerance<Real>(1e-12)))
         gap = std::min(gap, rows.gap);
     }
   }
@@ -38,9 +101,9 @@ template <class Real>
 class ContactRecorder {
  public:
   /// Keeps references to `stack` and `options`.
-  ContactRecorder(const Scene& scene, const BasicFrictionStack<Real>& stack, const ContactOptions& options)
+  ContactRecorder(const Scene& scene, const ContactModel<Real>& stack, const SolveOptions& options)
       : stack_(stack), options_(options) {
-    if (options.validity) demands_.emplace(scene, scene.blocks.size());
+    if (options.validity) demands_.emplace(stack, scene.gravity);
     if (options.peaks) history_.peaks = history_.lifts = std::vector<Real>(scene.blocks.size(), Real(0));
   }
 
@@ -64,8 +127,8 @@ class ContactRecorder {
   }
 
   /// Impulses that bring about a mode.
-  void note_impact(const Joints<Real>& mode, const BasicBodies<Real>& bodies,
-                   std::vector<BasicContactForce<Real>> impulses, const Real& time) {
+  void note_impact(const Joints<Real>& mode, const Bodies<Real>& bodies,
+                   std::vector<ContactForce<Real>> impulses, const Real& time) {
     if (!demands_) return;
     demands_->note_impact(impulses, time);
     for (const int k : sticking_pairs(mode)) {
@@ -75,7 +138,7 @@ class ContactRecorder {
     demands_->note_impact(impulses, time);
   }
 
-  void note_event(BasicContactEvent<Real> event) { history_.events.push_back(std::move(event)); }
+  void note_event(ContactEvent<Real> event) { history_.events.push_back(std::move(event)); }
 
   /// The samples at the end of the scene.
   void note_rest(const ContactState<Real>& state, const SpringContacts<Real>& springs, double duration) {
@@ -83,13 +146,13 @@ class ContactRecorder {
   }
 
   /// The motion up to where it has come.
-  BasicContactHistory<Real> history(const ContactState<Real>& last, const Real& end_time) && {
+  ContactHistory<Real> history(const ContactState<Real>& last, const Real& end_time) && {
     if (demands_) {
       history_.forces = demands_->forces();
       history_.impulses = demands_->impulses();
     }
     if (options_.peaks)
-      for (const BasicJoint<Real>& joint : last.joints) history_.slips_left.push_back(joint.offset);
+      for (const Joint<Real>& joint : last.joints) history_.slips_left.push_back(joint.offset);
     history_.last = last.bodies;
     history_.end_time = end_time;
     return std::move(history_);
@@ -97,7 +160,7 @@ class ContactRecorder {
 
  private:
   std::vector<int> sticking_pairs(const Joints<Real>& joints) const {
-    return open_pairs(stack_, joints, Sought::accelerations);
+    return open_pairs(stack_, joints, ContactLevel::accelerations);
   }
 
   /// Pairs of corners need the friction of either face.
@@ -126,20 +189,20 @@ class ContactRecorder {
   }
 
   void note_sample(ContactState<Real> state, const SpringContacts<Real>& springs) {
-    place(stack_.blocks, state.joints, state.bodies);
-    std::vector<BasicSpringState<Real>> spring_states = springs.states(state.bodies);
-    BasicFreeVector<Real> spring_accelerations;
+    place(stack_, state.joints, state.bodies);
+    std::vector<SpringState<Real>> spring_states = springs.states(state.bodies);
+    FreeVector<Real> spring_accelerations;
     if (!springs.empty()) spring_accelerations = springs.accelerations(state.bodies);
     state.joints = springs.shown(std::move(state.joints));
-    BasicContactSample<Real> sample{Real(options_.sample_times[next_sample_++]),
-                                    std::move(state.bodies),
-                                    std::move(state.joints),
-                                    {},
-                                    {},
-                                    std::move(spring_states),
-                                    std::move(spring_accelerations)};
+    ContactSample<Real> sample{Real(options_.sample_times[next_sample_++]),
+                               std::move(state.bodies),
+                               std::move(state.joints),
+                               {},
+                               {},
+                               std::move(spring_states),
+                               std::move(spring_accelerations)};
     for (int k = 0; k < stack_.size(); ++k) {
-      const BasicJoint<Real>& joint = sample.joints[static_cast<std::size_t>(k)];
+      const Joint<Real>& joint = sample.joints[static_cast<std::size_t>(k)];
       sample.slips.push_back(joint.offset);
       sample.gaps.push_back(joint.touches() ? Real(0) : gap_of(stack_, sample.bodies, k));
     }
@@ -170,10 +233,9 @@ class ContactRecorder {
     for (const bool below : {false, true}) {
       for (const int side : {-1, 1}) {
         if (below && interface == 0) continue;
-        const CornerOnFace<Real> point = below ? lower_corner<Real>(stack_.blocks, interface, side)
-                                               : upper_corner<Real>(stack_.blocks, interface, side);
-        Polynomial<Real> gap = line(-half_height_of<Real>(stack_.blocks, point.face), point.upward,
-                                    corner_series(stack_.blocks, series, point).above);
+        const CornerOnFace<Real> point = stack_.corner(interface, side, below);
+        Polynomial<Real> gap =
+            line(-stack_.half_height(point.face), point.upward, corner_series(stack_, series, point).above);
         rescale(gap, end_s);
         if (const auto top = maximum(gap, lift)) note_at(top->s * end_s);
       }
@@ -188,11 +250,11 @@ class ContactRecorder {
     }
   }
 
-  const BasicFrictionStack<Real>& stack_;
-  const ContactOptions& options_;
+  const ContactModel<Real>& stack_;
+  const SolveOptions& options_;
   std::size_t next_sample_ = 0;
   std::optional<ContactDemands<Real>> demands_;  ///< where they are asked for
-  BasicContactHistory<Real> history_;
+  ContactHistory<Real> history_;
 };
 
 }  // namespace rockstack

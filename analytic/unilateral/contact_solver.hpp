@@ -14,16 +14,16 @@ namespace rockstack {
 /// Goes from event to event of a stack that may slip and lift off.
 ///
 /// An event leaves a force, a gap or a speed at zero to rounding, so that what follows is decided by how it
-/// goes on: by the laws of contact as they stand a moment later (6.7 √ε √(H/g), 10⁻⁷ √(H/g) in double) on the
-/// course that just ended. Of what starts at zero by such a decision, courses are looked at from
-/// that moment on.
+/// goes on: by the laws of contact as they stand a look-ahead time later (6.7 √ε √(H/g), 10⁻⁷ √(H/g) in
+/// double) on the motion that just ended. Of what starts at zero by such a decision, guards are looked at
+/// from then on.
 template <class Real>
 class ContactSolver {
  public:
   /// Keeps references to `scene` and `options`. @throws std::domain_error as require_digits().
-  ContactSolver(const Scene& scene, const ContactOptions& options)
+  ContactSolver(const Scene& scene, const SolveOptions& options)
       : scene_(scene),
-        stack_(friction_stack_of<Real>(scene)),
+        stack_(contact_model_of<Real>(scene)),
         smooth_(scene.blocks, std::vector<double>(scene.blocks.size(), 0)),
         pieces_(scene),
         chatter_(stack_, scene.gravity, options.resolution),
@@ -31,19 +31,16 @@ class ContactSolver {
         state_(initial_contacts(stack_, scene.initial)),
         springs_(scene, stack_, state_),
         recorder_(scene, stack_, options),
-        unwanted_(options.unwanted) {
+        cancelled_(options.cancelled) {
     using std::cos;
     using std::sqrt;
     require_digits(stack_);
     across_ = Real(scene.gravity) * cos(Real(scene.inclination));
-    Real height = 0;
-    for (int k = 0; k < stack_.size(); ++k) {
-      height += 2 * stack_.blocks[static_cast<std::size_t>(k)].half_height;
-      toppling_angles_.push_back(Real(toppling_angle(scene, k)));
-    }
-    unit_time_ = sqrt(height / Real(scene.gravity));
-    shortest_moment_ = (options.moment > 0 ? Real(options.moment) : root_tolerance<Real>(1e-7)) * unit_time_;
-    moment_ = shortest_moment_;
+    for (int k = 0; k < stack_.size(); ++k) toppling_angles_.push_back(Real(toppling_angle(scene, k)));
+    unit_time_ = sqrt(stack_.height() / Real(scene.gravity));
+    shortest_look_ahead_ =
+        (options.look_ahead > 0 ? Real(options.look_ahead) : root_tolerance<Real>(1e-7)) * unit_time_;
+    look_ahead_ = shortest_look_ahead_;
     shortest_step_ = tolerance<Real>(1e-13) * unit_time_;
     longest_ = unit_time_ / 8;
   }
@@ -52,14 +49,14 @@ class ContactSolver {
   void run() {
     decide(Joints<Real>(state_.joints), state_.bodies, 0);
     while (!ended_ && !pieces_.finished()) {
-      stop_if_unwanted(unwanted_);
+      stop_if_cancelled(cancelled_);
       advance();
     }
     if (!ended_) recorder_.note_rest(state_, springs_, scene_.duration);
   }
 
   /// Up to the end, or to where the motion could not go on.
-  BasicContactHistory<Real> history() && {
+  ContactHistory<Real> history() && {
     state_.joints = springs_.shown(std::move(state_.joints));
     return std::move(recorder_).history(state_, pieces_.finished() ? Real(scene_.duration) : time());
   }
@@ -73,27 +70,24 @@ class ContactSolver {
     if (!springs_.empty()) length = std::min(length, springs_.longest_step(state_.bodies));
     const ScaledBodyForce<Real> body_force = scaled_body_force(across_, piece, offset_, length);
     SpringSeries<Real> springs(stack_, springs_.points(), state_.bodies);
-    NoForces none;
-    const ModeStep<Real> step =
-        springs_.empty() ? mode_step(stack_, state_.joints, state_.bodies, body_force, length, none)
-                         : mode_step(stack_, state_.joints, state_.bodies, body_force, length, springs);
+    const ModeStep<Real> step = mode_step(stack_, state_.joints, state_.bodies, body_force, length, springs);
     if (step.lengthens && length == longest_) longest_ *= Real(1.25);
     if (step.series.length < length) longest_ = step.series.length;
     if (longest_ < shortest_step_) return jam();
     const FirstChange<Real> found =
-        first_change(courses_of(stack_, state_.joints, toppling_angles_, step.series), step.series, fresh_,
-                     time(), decided_, std::min<Real>(moment_ / step.series.length, 1));
+        first_change(guards_of(stack_, state_.joints, toppling_angles_, step.series), step.series, fresh_,
+                     time(), decided_, std::min<Real>(look_ahead_ / step.series.length, 1));
     if (!springs_.empty()) {
       const FirstSpringChange<Real> change =
-          SpringCourses<Real>(stack_, springs_.points(), state_.bodies, step.series, springs).first();
-      if (!change.courses.empty() && (found.courses.empty() || change.s < found.s)) {
+          SpringGuards<Real>(stack_, springs_.points(), state_.bodies, step.series, springs).first();
+      if (!change.guards.empty() && (found.guards.empty() || change.s < found.s)) {
         go(step.series, springs, change.s);
         return handle(change);
       }
     }
     const bool whole = found.s == 1 && step.series.length >= remaining;
     go(step.series, springs, found.s);
-    if (!found.courses.empty()) {
+    if (!found.guards.empty()) {
       handle(found, step.series);
     } else if (whole) {
       next_piece();
@@ -106,12 +100,12 @@ class ContactSolver {
     note_stall();
     const Real length = std::min<Real>(32 * shortest_step_, pieces_.current().length - offset_);
     for (std::size_t k = 0; k < state_.bodies.at.size(); ++k) {
-      BasicBodyPlacement<Real>& at = state_.bodies.at[k];
-      const BasicBodyPlacement<Real>& rate = state_.bodies.rate[k];
+      Pose<Real>& at = state_.bodies.at[k];
+      const Pose<Real>& rate = state_.bodies.rate[k];
       at = {at.x + length * rate.x, at.y + length * rate.y, at.angle + length * rate.angle};
     }
     offset_ += length;
-    place(stack_.blocks, state_.joints, state_.bodies);
+    place(stack_, state_.joints, state_.bodies);
     const Joints<Real> before = state_.joints;
     longest_ = unit_time_ / 8;
     const Joints<Real> following = follow_without_solution(before);
@@ -126,13 +120,13 @@ class ContactSolver {
   /// Goes up to s of a step.
   void go(const ModeSeries<Real>& series, const SpringSeries<Real>& springs, const Real& s) {
     using std::isfinite;
-    BasicBodies<Real> next = series.at(s);
-    for (const BasicBodyPlacement<Real>& rate : next.rate)
+    Bodies<Real> next = series.at(s);
+    for (const Pose<Real>& rate : next.rate)
       if (!isfinite(rate.x) || !isfinite(rate.y) || !isfinite(rate.angle))
         stop("velocities have become too large for numbers at");
     recorder_.note_step(state_.joints, series, springs_, springs, s, time());
-    const BasicBodies<Real> before = std::exchange(state_.bodies, std::move(next));
-    place(stack_.blocks, state_.joints, state_.bodies);
+    const Bodies<Real> before = std::exchange(state_.bodies, std::move(next));
+    place(stack_, state_.joints, state_.bodies);
     if (!springs_.empty()) springs_.go(springs, s, before, state_.bodies);
     offset_ += s * series.length;
     if (s > 0) decided_ = false;
@@ -143,21 +137,21 @@ class ContactSolver {
     note_stall();
     const Joints<Real> before = springs_.shown(state_.joints);
     std::vector<bool> passes(before.size(), false);
-    for (const SpringCourse<Real>& course : found.courses) {
-      const int interface = springs_.points()[course.point].interface;
-      if (course.change == SpringChange::fall) {
+    for (const SpringGuard<Real>& guard : found.guards) {
+      const int interface = springs_.points()[guard.point].interface;
+      if (guard.change == SpringChange::fall) {
         ended_ = true;
         return note_shown(EventKind::fall, interface + 1, before, state_.bodies.rate);
       }
-      if (course.change == SpringChange::pass) passes[static_cast<std::size_t>(interface)] = true;
-      springs_.apply(course, state_.bodies);
+      if (guard.change == SpringChange::pass) passes[static_cast<std::size_t>(interface)] = true;
+      springs_.apply(guard, state_.bodies);
     }
     springs_.show();
     const Joints<Real> after = springs_.shown(state_.joints);
     for (std::size_t k = 0; k < before.size(); ++k)
       if (const auto kind = change_of(before[k], after[k], passes[k]))
         note_shown(*kind, static_cast<int>(k) + 1, before, state_.bodies.rate);
-    const auto touches = [](const BasicJoint<Real>& joint) { return joint.touches(); };
+    const auto touches = [](const Joint<Real>& joint) { return joint.touches(); };
     if (std::any_of(state_.joints.begin(), state_.joints.end(), touches))
       decide(Joints<Real>(state_.joints), state_.bodies, 0);
   }
@@ -165,57 +159,55 @@ class ContactSolver {
   void handle(const FirstChange<Real>& found, const ModeSeries<Real>& series) {
     note_stall();
     const Joints<Real> before = state_.joints;
-    for (const Course<Real>& course : found.courses) {
-      if (course.change != Change::topple && course.change != Change::fall) continue;
+    for (const Guard<Real>& guard : found.guards) {
+      if (guard.change != Change::topple && guard.change != Change::fall) continue;
       ended_ = true;
-      return note(course.change == Change::topple ? EventKind::topple : EventKind::fall, course.interface + 1,
+      return note(guard.change == Change::topple ? EventKind::topple : EventKind::fall, guard.interface + 1,
                   before, state_.bodies.rate);
     }
     Joints<Real> touching = state_.joints;
-    const int interface = found.courses.front().interface + 1;
+    const int interface = found.guards.front().interface + 1;
     if (apply(found, stack_, state_.bodies, touching)) return meet(before, std::move(touching), interface);
-    // A decision that does not last beyond its moment is taken for a later one, unless an impact ended it.
-    // What lasts longer is motion, however small: to look beyond its next event would make energy.
-    const Real longest_moment = Real(1e-4) * unit_time_;
-    const Real moment_and_rounding = Real(1.001) * moment_;
-    moment_ = last_decision_ >= 0 && time() - last_decision_ <= moment_and_rounding
-                  ? std::min<Real>(2 * moment_, longest_moment)
-                  : shortest_moment_;
-    moment_ = std::min(moment_, longest_);
+    // A decision that does not last beyond its look-ahead time is taken for a later one, unless an impact
+    // ended it. What lasts longer is motion, however small: to look beyond its next event would make energy.
+    const Real longest_look_ahead = Real(1e-4) * unit_time_;
+    const Real look_ahead_and_rounding = Real(1.001) * look_ahead_;
+    look_ahead_ = last_decision_ >= 0 && time() - last_decision_ <= look_ahead_and_rounding
+                      ? std::min<Real>(2 * look_ahead_, longest_look_ahead)
+                      : shortest_look_ahead_;
+    look_ahead_ = std::min(look_ahead_, longest_);
     last_decision_ = time();
-    const auto passes = [](const Course<Real>& course) { return course.change == Change::corner; };
+    const auto passes = [](const Guard<Real>& guard) { return guard.change == Change::corner; };
     state_.joints = std::move(touching);
     hold();
-    if (std::any_of(found.courses.begin(), found.courses.end(), passes))
+    if (std::any_of(found.guards.begin(), found.guards.end(), passes))
       note(EventKind::corner, interface, before, state_.bodies.rate);
-    decide(before, series.at(found.s + moment_ / series.length), moment_);
+    decide(before, series.at(found.s + look_ahead_ / series.length), look_ahead_);
   }
 
   /// Puts bodies onto joints, and takes from velocities what joints do not leave.
   void hold() {
-    const Placements<Real> rates = state_.bodies.rate;
-    place(stack_.blocks, state_.joints, state_.bodies);
+    const Poses<Real> rates = state_.bodies.rate;
+    place(stack_, state_.joints, state_.bodies);
     state_.bodies.rate = rates;
     state_.bodies.rate = held_rates(smooth_, state_.joints, state_.bodies);
-    place(stack_.blocks, state_.joints, state_.bodies);
+    place(stack_, state_.joints, state_.bodies);
   }
 
   /// An impact of joints that touch.
   void meet(const Joints<Real>& before, Joints<Real> touching, int interface) {
     last_decision_ = -1;
-    const Placements<Real> rates = state_.bodies.rate;
+    const Poses<Real> rates = state_.bodies.rate;
     close_negligible(stack_, chatter_, state_.bodies, touching);
-    place(stack_.blocks, touching, state_.bodies);
+    place(stack_, touching, state_.bodies);
     state_.bodies.rate = rates;
     const auto impact =
         collide(stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies));
     if (!impact) stop("no impulses end an impact at");
     recorder_.note_impact(impact->found, state_.bodies, impact->impulses, time());
     state_ = {{state_.bodies.at, impact->rates}, impact->mode};
-    place(stack_.blocks, state_.joints, state_.bodies);
-    const auto still = [](const BasicJoint<Real>& joint) {
-      return joint.touch == Touch::flat && joint.slip == 0;
-    };
+    place(stack_, state_.joints, state_.bodies);
+    const auto still = [](const Joint<Real>& joint) { return joint.touch == Touch::flat && joint.slip == 0; };
     note(!impact->closes                                                ? EventKind::impact
          : std::all_of(impact->mode.begin(), impact->mode.end(), still) ? EventKind::rest
                                                                         : EventKind::closure,
@@ -223,22 +215,23 @@ class ContactSolver {
     decide(impact->mode, state_.bodies, 0);
   }
 
-  /// Decides by the laws of contact for the moment `later`, s.
-  void decide(const Joints<Real>& before, BasicBodies<Real> moment, const Real& later) {
+  /// Decides by the laws of contact as they stand `later`, s, where bodies will be by then.
+  void decide(const Joints<Real>& before, Bodies<Real> bodies, const Real& later) {
     decided_ = true;
     const Joints<Real> touching = state_.joints;
-    const BasicFreeVector<Real> free = free_acceleration(later, moment);
-    const Joints<Real> joined = later > 0 ? fresh_.joined(touching, time(), 2 * moment_) : touching;
+    const FreeVector<Real> free = free_acceleration(later, bodies);
+    const Joints<Real> joined = later > 0 ? fresh_.joined(touching, time(), 2 * look_ahead_) : touching;
     Joints<Real> joints = joined;
-    auto mode = find_mode(stack_, joints, moment, free, Sought::accelerations);
+    const ContactQuestion<Real> question{stack_, bodies, free, ContactLevel::accelerations};
+    auto mode = find_mode(question, joints);
     if (!mode) {
       joints = follow_without_solution(joints);
-      moment = state_.bodies;
-      mode = find_mode(stack_, joints, moment, free, Sought::accelerations);
+      bodies = state_.bodies;
+      mode = find_mode(question, joints);
       if (!mode) stop("no forces let the motion go on at");
     }
-    const bool others = has_others(stack_, joints, *mode, moment, free);
-    const Placements<Real> rates = state_.bodies.rate;
+    const bool others = has_others(question, joints, *mode);
+    const Poses<Real> rates = state_.bodies.rate;
     state_.joints = *mode;
     fresh_.mark(touching, joined, state_.joints, time());
     hold();
@@ -249,21 +242,21 @@ class ContactSolver {
 
   /// The impulse that lets the motion go on where no forces do: that of a vanishing step of Moreau's.
   Joints<Real> follow_without_solution(const Joints<Real>& joints) {
-    const Placements<Real> rates = state_.bodies.rate;
-    const BasicFreeVector<Real> velocities = vector_of(rates);
-    const BasicFreeVector<Real> kicked = velocities + shortest_moment_ * free_acceleration(0, state_.bodies);
-    const auto mode = find_mode(stack_, joints, state_.bodies, kicked, Sought::velocities);
+    const Poses<Real> rates = state_.bodies.rate;
+    const FreeVector<Real> velocities = vector_of(rates);
+    const FreeVector<Real> kicked = velocities + shortest_look_ahead_ * free_acceleration(0, state_.bodies);
+    const auto mode = find_mode<Real>({stack_, state_.bodies, kicked, ContactLevel::velocities}, joints);
     if (!mode) stop("no impulses let the motion go on at");
-    const BasicModeResponse<Real> response =
-        respond(stack_, *mode, state_.bodies, velocities, Sought::velocities);
+    const ModeResponse<Real> response =
+        respond<Real>({stack_, state_.bodies, velocities, ContactLevel::velocities}, *mode);
     recorder_.note_impact(*mode, state_.bodies, response.forces, time());
     // The mode is that of the kicked velocities. Where its impulses on those without the kick would gain
     // energy, what joints do not leave is taken without friction.
-    const auto twice_energy = [&](const BasicFreeVector<Real>& motion) -> Real {
+    const auto twice_energy = [&](const FreeVector<Real>& motion) -> Real {
       return (motion.array().square() / stack_.inverse_mass.array()).sum();
     };
     state_.bodies.rate = twice_energy(response.motion) <= twice_energy(velocities)
-                             ? placements_of(response.motion)
+                             ? poses_of(response.motion)
                              : held_rates(smooth_, *mode, state_.bodies);
     state_.joints = *mode;
     if (!same_modes(joints, state_.joints))
@@ -272,9 +265,9 @@ class ContactSolver {
   }
 
   /// Without rigid contacts; springs have bodies where they are at that time.
-  BasicFreeVector<Real> free_acceleration(const Real& later, const BasicBodies<Real>& bodies) const {
+  FreeVector<Real> free_acceleration(const Real& later, const Bodies<Real>& bodies) const {
     const Point<Real> ground = pieces_.current().at(offset_ + later);
-    BasicFreeVector<Real> result(Eigen::Index{3} * stack_.size());
+    FreeVector<Real> result(Eigen::Index{3} * stack_.size());
     for (int k = 0; k < stack_.size(); ++k)
       result.template segment<3>(Eigen::Index{3} * k) << -ground.x(), -(across_ + ground.y()), Real(0);
     if (!springs_.empty()) result += springs_.accelerations(bodies);
@@ -282,12 +275,12 @@ class ContactSolver {
   }
 
   /// An event of rigid contacts.
-  void note(EventKind kind, int interface, const Joints<Real>& from, const Placements<Real>& before,
+  void note(EventKind kind, int interface, const Joints<Real>& from, const Poses<Real>& before,
             Consistency consistency = Consistency::consistent) {
     note_shown(kind, interface, springs_.shown(from), before, consistency);
   }
 
-  void note_shown(EventKind kind, int interface, const Joints<Real>& from, const Placements<Real>& before,
+  void note_shown(EventKind kind, int interface, const Joints<Real>& from, const Poses<Real>& before,
                   Consistency consistency = Consistency::consistent) {
     recorder_.note_event({time(), kind, interface, from, springs_.shown(state_.joints), state_.bodies.at,
                           before, state_.bodies.rate, consistency});
@@ -309,19 +302,19 @@ class ContactSolver {
   Real time() const { return pieces_.current().start + offset_; }
 
   const Scene& scene_;
-  BasicFrictionStack<Real> stack_;
-  BasicFrictionStack<Real> smooth_;  ///< the stack without friction
+  ContactModel<Real> stack_;
+  ContactModel<Real> smooth_;  ///< the stack without friction
   GroundPieces<Real> pieces_;
   ContactChatter<Real> chatter_;
   FreshJoints<Real> fresh_;
   std::vector<Real> toppling_angles_;
-  Real across_{};           ///< gravity across the ground, m/s²
-  Real unit_time_{};        ///< √(H/g), s
-  Real shortest_moment_{};  ///< s
-  Real moment_{};           ///< s
-  Real shortest_step_{};    ///< s
-  Real longest_{};          ///< step, s
-  Real offset_ = 0;         ///< into the current piece, s
+  Real across_{};               ///< gravity across the ground, m/s²
+  Real unit_time_{};            ///< √(H/g), s
+  Real shortest_look_ahead_{};  ///< s
+  Real look_ahead_{};           ///< s
+  Real shortest_step_{};        ///< s
+  Real longest_{};              ///< step, s
+  Real offset_ = 0;             ///< into the current piece, s
   ContactState<Real> state_;
   SpringContacts<Real> springs_;
   bool decided_ = false;     ///< the step starts at an event
@@ -330,7 +323,7 @@ class ContactSolver {
   int burst_ = 0;
   bool ended_ = false;
   ContactRecorder<Real> recorder_;
-  const std::function<bool()>* unwanted_;
+  const std::function<bool()>* cancelled_;
 };
 
 }  // namespace rockstack

@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "analytic/polynomials/crossing.hpp"
-#include "analytic/unilateral/series/contact_course.hpp"
+#include "analytic/unilateral/series/guards.hpp"
 
 namespace rockstack {
 
-/// Which joints have just parted, or started to slide, from rest by a decision: their courses start at zero
+/// Which joints have just parted, or started to slide, from rest by a decision: their guards start at zero
 /// to rounding.
 template <class Real>
 class FreshJoints {
@@ -22,7 +22,7 @@ class FreshJoints {
             const Real& time) {
     for (std::size_t k = 0; k < after.size(); ++k) {
       if (before[k].slip == 0 && after[k].slip != 0) slid_[k] = time;
-      const auto stays = [&](const BasicJoint<Real>& joint) { return joint.touch == after[k].touch; };
+      const auto stays = [&](const Joint<Real>& joint) { return joint.touch == after[k].touch; };
       if (stays(before[k]) || stays(joined[k]) || !before[k].touches()) continue;
       parted_[k] = time;
       parted_from_[k] = joined[k];
@@ -30,11 +30,11 @@ class FreshJoints {
     }
   }
 
-  /// Whether a course may start at zero because of what was decided at this time; `decided` tells whether the
+  /// Whether a guard may start at zero because of what was decided at this time; `decided` tells whether the
   /// last event was there.
-  bool starts(const Course<Real>& course, const Real& time, bool decided) const {
-    const auto k = static_cast<std::size_t>(course.interface);
-    switch (course.change) {
+  bool starts(const Guard<Real>& guard, const Real& time, bool decided) const {
+    const auto k = static_cast<std::size_t>(guard.interface);
+    switch (guard.change) {
       case Change::force:
       case Change::corner:
         return decided;
@@ -43,7 +43,7 @@ class FreshJoints {
       case Change::closing:
         return parted_[k] == time;
       case Change::landing:
-        return parted_[k] == time && (!parted_from_[k].pivots() || parted_from_[k].side() == course.side);
+        return parted_[k] == time && (!parted_from_[k].pivots() || parted_from_[k].side() == guard.side);
       default:
         return false;
     }
@@ -76,7 +76,7 @@ Real flat_angle() {
 template <class Real>
 struct FirstChange {
   Real s = 1;
-  std::vector<Course<Real>> courses;  ///< those that end there
+  std::vector<Guard<Real>> guards;  ///< those that end there
 };
 
 /// p(first + (1 − first) u) as a polynomial in u.
@@ -99,33 +99,33 @@ bool is_inside(const Polynomial<Real>& within, const Real& s, const Real& roundi
 
 /// Whether a corner that meets a face is the one that the block above leans to, and on the face.
 template <class Real>
-bool lands(const ModeSeries<Real>& series, const Course<Real>& course, const Real& s) {
-  const auto k = static_cast<std::size_t>(course.interface);
+bool lands(const ModeSeries<Real>& series, const Guard<Real>& guard, const Real& s) {
+  const auto k = static_cast<std::size_t>(guard.interface);
   const Real angle =
       value(series.bodies[k].angle, s) - (k > 0 ? value(series.bodies[k - 1].angle, s) : Real(0));
-  if (course.side * angle < -flat_angle<Real>()) return false;
-  return course.within.terms == 0 ||
-         (is_inside(course.within, s, course.rounding) && is_inside(course.within_other, s, course.rounding));
+  if (guard.side * angle < -flat_angle<Real>()) return false;
+  return guard.within.terms == 0 ||
+         (is_inside(guard.within, s, guard.rounding) && is_inside(guard.within_other, s, guard.rounding));
 }
 
-/// The changes that end a step. Courses that start at zero by a decision at `time` are looked at from
+/// The changes that end a step. Guards that start at zero by a decision at `time` are looked at from
 /// `skipped` of the step on.
 template <class Real>
-FirstChange<Real> first_change(std::vector<Course<Real>> courses, const ModeSeries<Real>& series,
+FirstChange<Real> first_change(std::vector<Guard<Real>> guards, const ModeSeries<Real>& series,
                                const FreshJoints<Real>& fresh, const Real& time, bool decided,
                                const Real& skipped) {
   FirstChange<Real> found;
-  for (Course<Real>& course : courses) {
-    Polynomial<Real>& whole = course.series;
-    const bool starts = fresh.starts(course, time, decided);
+  for (Guard<Real>& guard : guards) {
+    Polynomial<Real>& whole = guard.series;
+    const bool starts = fresh.starts(guard, time, decided);
     Real first = starts ? skipped : Real(0);
-    const bool lower = course.change == Change::landing && whole[0] < -course.rounding;
+    const bool lower = guard.change == Change::landing && whole[0] < -guard.rounding;
     if (lower) {
       // Beside its face a corner may be lower, and come up before it lands.
       const std::optional<Real> above = first_crossing(times(-1, whole));
       if (!above) continue;
       first = *above;
-    } else if (course.change == Change::landing && whole[0] <= (starts ? course.rounding : Real(0))) {
+    } else if (guard.change == Change::landing && whole[0] <= (starts ? guard.rounding : Real(0))) {
       // A corner that has not just parted may come down from within rounding above the face.
       whole[0] = 0;
     }
@@ -134,9 +134,9 @@ FirstChange<Real> first_change(std::vector<Course<Real>> courses, const ModeSeri
     std::optional<Real> crossing = first_crossing(rest);
     if (crossing) *crossing = first + (1 - first) * *crossing;
     if (!crossing || *crossing > found.s) continue;
-    if (course.change == Change::landing && !lands(series, course, *crossing)) continue;
+    if (guard.change == Change::landing && !lands(series, guard, *crossing)) continue;
     if (*crossing < found.s) found = {*crossing, {}};
-    found.courses.push_back(std::move(course));
+    found.guards.push_back(std::move(guard));
   }
   return found;
 }

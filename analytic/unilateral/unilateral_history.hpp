@@ -19,20 +19,20 @@ Pattern pattern_of(const Joints<Real>& joints) {
 }
 
 template <class Real>
-std::vector<Real> angles_of(const Placements<Real>& placements) {
+std::vector<Real> angles_of(const Poses<Real>& poses) {
   std::vector<Real> angles;
-  angles.reserve(placements.size());
-  for (const BasicBodyPlacement<Real>& placement : placements) angles.push_back(placement.angle);
+  angles.reserve(poses.size());
+  for (const Pose<Real>& pose : poses) angles.push_back(pose.angle);
   return angles;
 }
 
 /// What the joints of a sample carry.
 template <class Real>
-std::vector<BasicReaction<Real>> reactions_of(const Scene& scene, const BasicFrictionStack<Real>& stack,
-                                              const BasicContactSample<Real>& sample) {
+std::vector<BasicReaction<Real>> reactions_of(const Scene& scene, const ContactModel<Real>& stack,
+                                              const ContactSample<Real>& sample) {
   const Gravity gravity = gravity_of(scene);
   const auto time = static_cast<double>(sample.time);
-  BasicFreeVector<Real> free(Eigen::Index{3} * stack.size());
+  FreeVector<Real> free(Eigen::Index{3} * stack.size());
   for (int k = 0; k < stack.size(); ++k)
     free.template segment<3>(Eigen::Index{3} * k)
         << Real(gravity.along - acceleration(scene.horizontal, time)),
@@ -41,7 +41,8 @@ std::vector<BasicReaction<Real>> reactions_of(const Scene& scene, const BasicFri
   for (std::size_t k = 0; k < rigid.size(); ++k)
     if (stack.soft(k)) rigid[k].touch = Touch::apart;
   if (!sample.springs.empty()) free += sample.spring_accelerations;
-  const BasicModeResponse<Real> response = respond(stack, rigid, sample.bodies, free, Sought::accelerations);
+  const ModeResponse<Real> response =
+      respond<Real>({stack, sample.bodies, free, ContactLevel::accelerations}, rigid);
   std::vector<BasicReaction<Real>> reactions;
   reactions.reserve(sample.joints.size());
   for (int k = 0; k < stack.size(); ++k) {
@@ -49,11 +50,11 @@ std::vector<BasicReaction<Real>> reactions_of(const Scene& scene, const BasicFri
       reactions.push_back(sample.springs[static_cast<std::size_t>(k)].reaction);
       continue;
     }
-    const BasicJoint<Real>& joint = sample.joints[static_cast<std::size_t>(k)];
-    const BasicContactForce<Real>& force = response.forces[static_cast<std::size_t>(k)];
+    const Joint<Real>& joint = sample.joints[static_cast<std::size_t>(k)];
+    const ContactForce<Real>& force = response.forces[static_cast<std::size_t>(k)];
     const int corner = joint.corner_below ? k - 1 : k;
-    const Real pivot = joint.side() * half_width_of<Real>(stack.blocks, corner) -
-                       (joint.corner_below ? joint.offset : Real(0));
+    const Real pivot =
+        joint.side() * stack.half_width(corner) - (joint.corner_below ? joint.offset : Real(0));
     const Real centre = joint.touch == Touch::flat ? Real(-force.moment / force.normal) : pivot;
     reactions.push_back(
         {force.normal, force.tangential, force.normal > 0 ? centre : std::numeric_limits<Real>::quiet_NaN()});
@@ -62,28 +63,27 @@ std::vector<BasicReaction<Real>> reactions_of(const Scene& scene, const BasicFri
 }
 
 template <class Real>
-void add_sample(const Scene& scene, const BasicFrictionStack<Real>& stack,
-                const BasicContactSample<Real>& sample, BasicHistory<Real>& history) {
+void add_sample(const Scene& scene, const ContactModel<Real>& stack, const ContactSample<Real>& sample,
+                BasicHistory<Real>& history) {
   history.times.push_back(sample.time);
   history.patterns.push_back(pattern_of(sample.joints));
   history.slips.insert(history.slips.end(), sample.slips.begin(), sample.slips.end());
   history.gaps.insert(history.gaps.end(), sample.gaps.begin(), sample.gaps.end());
   for (std::size_t k = 0; k < sample.joints.size(); ++k) {
-    const BasicBodyPlacement<Real>& at = sample.bodies.at[k];
-    const BasicBodyPlacement<Real>& rate = sample.bodies.rate[k];
+    const Pose<Real>& at = sample.bodies.at[k];
+    const Pose<Real>& rate = sample.bodies.rate[k];
     history.angles.push_back(at.angle);
     history.velocities.push_back(rate.angle);
-    history.places.insert(history.places.end(), {at.x, at.y});
-    history.place_rates.insert(history.place_rates.end(), {rate.x, rate.y});
+    history.centres.insert(history.centres.end(), {at.x, at.y});
+    history.centre_velocities.insert(history.centre_velocities.end(), {rate.x, rate.y});
   }
   const std::vector<BasicReaction<Real>> reactions = reactions_of(scene, stack, sample);
   history.reactions.insert(history.reactions.end(), reactions.begin(), reactions.end());
-  for (const BasicSpringState<Real>& springs : sample.springs)
-    history.spring_energies.push_back(springs.energy);
+  for (const SpringState<Real>& springs : sample.springs) history.spring_energies.push_back(springs.energy);
 }
 
 template <class Real>
-BasicEvent<Real> event_of(const BasicContactEvent<Real>& event) {
+BasicEvent<Real> event_of(const ContactEvent<Real>& event) {
   return {event.time,           event.kind,          event.interface,         pattern_of(event.from),
           pattern_of(event.to), angles_of(event.at), angles_of(event.before), angles_of(event.after),
           event.consistency};
@@ -92,12 +92,12 @@ BasicEvent<Real> event_of(const BasicContactEvent<Real>& event) {
 /// The motion as other laws tell theirs, with slips, gaps, places and reactions of its samples. Reactions are
 /// to the rounding of double.
 template <class Real>
-BasicHistory<Real> history_of(const Scene& scene, const BasicContactHistory<Real>& motion) {
-  const BasicFrictionStack<Real> stack = friction_stack_of<Real>(scene);
+BasicHistory<Real> history_of(const Scene& scene, const ContactHistory<Real>& motion) {
+  const ContactModel<Real> stack = contact_model_of<Real>(scene);
   BasicHistory<Real> history;
   history.blocks = stack.size();
-  for (const BasicContactSample<Real>& sample : motion.samples) add_sample(scene, stack, sample, history);
-  for (const BasicContactEvent<Real>& event : motion.events) history.events.push_back(event_of(event));
+  for (const ContactSample<Real>& sample : motion.samples) add_sample(scene, stack, sample, history);
+  for (const ContactEvent<Real>& event : motion.events) history.events.push_back(event_of(event));
   history.peaks = motion.peaks;
   history.slips_left = motion.slips_left;
   history.lifts = motion.lifts;

@@ -185,7 +185,7 @@ Scene Variant::apply(Scene scene) const {
   if (choice == Choice::unilateral || choice == Choice::friction) scene.law = Law::unilateral;
   if (scene.law != Law::compliant) {
     scene.springs = {};
-    scene.initial.settled = true;
+    scene.initial.preloaded = true;
   }
   if (choice == Choice::friction) scene.friction.assign(scene.blocks.size(), friction);
   return scene;

@@ -90,7 +90,7 @@ Json player_track(const History& history, std::size_t stride) {
   const auto blocks = static_cast<std::size_t>(history.blocks);
   Json track{{"times", packed(history.times, 1, stride)}, {"angles", packed(history.angles, blocks, stride)}};
   if (!history.slips.empty()) track["slips"] = packed(history.slips, blocks, stride);
-  if (!history.places.empty()) track["places"] = packed(history.places, 2 * blocks, stride);
+  if (!history.centres.empty()) track["places"] = packed(history.centres, 2 * blocks, stride);
   return track;
 }
 
@@ -116,12 +116,12 @@ History with_events(const History& history) {
       merged.times.push_back(event->time);
       append(event->angles, blocks, 0, merged.angles);
       append_between(history.slips, blocks, i, part, merged.slips);
-      append_between(history.places, 2 * blocks, i, part, merged.places);
+      append_between(history.centres, 2 * blocks, i, part, merged.centres);
     }
     merged.times.push_back(history.times[i]);
     append(history.angles, blocks, i, merged.angles);
     append(history.slips, blocks, i, merged.slips);
-    append(history.places, 2 * blocks, i, merged.places);
+    append(history.centres, 2 * blocks, i, merged.centres);
   }
   return merged;
 }

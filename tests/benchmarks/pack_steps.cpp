@@ -52,7 +52,7 @@ class Avx2Steps final : public PackSteps<N> {
 
   void follow(std::size_t lane, const GroundPiece<double>& piece, double offset) override {
     // A motion may start or end with a jump; where it does not, derivatives go on.
-    const auto set = [&](const GroundCourse<double>& course, Line& line) {
+    const auto set = [&](const GroundComponent<double>& course, Line& line) {
       const double before = get(line.value, lane) + get(offset_, lane) * get(line.rate, lane);
       fresh_ = fresh_ || std::abs(course.line_at(offset) - before) >= continuous_ground;
       put(line.value, lane, course.value);

@@ -16,8 +16,8 @@
 #include <string>
 
 #include "analytic/unilateral/contact_solver.hpp"
-#include "analytic/unilateral/solve_unilateral.hpp"
 #include "engines/engine.hpp"
+#include "tests/analytic/unilateral/solve_unilateral.hpp"
 #include "tests/benchmarks/processor_time.hpp"
 #include "tests/benchmarks/sprung_block.hpp"
 #include "tests/engines/linked_engines.hpp"
@@ -35,7 +35,7 @@ Scene sprung_scene(double stiffness, double damping_ratio) {
   scene.blocks = {make_block(0.5, 1, 2500)};
   scene.initial = {{0.1}, {0}};
   scene.friction = {1};
-  scene.initial.settled = false;  // as engines place blocks
+  scene.initial.preloaded = false;  // as engines place blocks
   scene.springs.stiffness = {stiffness};
   scene.springs.damping = {2 * damping_ratio * std::sqrt(stiffness * scene.blocks.front().mass)};
   return scene;
@@ -43,7 +43,7 @@ Scene sprung_scene(double stiffness, double damping_ratio) {
 
 template <class Real>
 std::vector<double> angles_by(const Scene& scene, const std::vector<double>& samples) {
-  const ContactOptions options{.sample_times = samples};
+  const SolveOptions options{.sample_times = samples};
   ContactSolver<Real> solver(scene, options);
   solver.run();
   std::vector<double> angles;

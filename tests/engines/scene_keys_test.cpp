@@ -30,7 +30,7 @@ std::string outcome(const Scene& scene) {
   const History history = solve(scene, {.sample_times = regular_times(0.05, scene.duration)});
   std::vector<double> numbers = history.times;
   numbers.insert(numbers.end(), history.angles.begin(), history.angles.end());
-  numbers.insert(numbers.end(), history.places.begin(), history.places.end());
+  numbers.insert(numbers.end(), history.centres.begin(), history.centres.end());
   // Engines take no others.
   const bool for_engines = scene.restitution.empty() && scene.blocks.front().offset_x == 0;
   if (for_engines) add(set_up(scene, 0.01, {}), numbers);

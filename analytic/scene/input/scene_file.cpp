@@ -63,7 +63,7 @@ InitialState read_initial(const Node& root, std::size_t size) {
   if (const Node* velocities = find(*table, "velocities")) initial.velocities = numbers(*velocities);
   if (const Node* slips = find(*table, "slip_velocities")) initial.slip_velocities = one_each(*slips);
   if (const Node* springs = find(*table, "springs"))
-    initial.settled = choice<bool>(*springs, {{"loaded", true}, {"unloaded", false}});
+    initial.preloaded = choice<bool>(*springs, {{"loaded", true}, {"unloaded", false}});
   return initial;
 }
 

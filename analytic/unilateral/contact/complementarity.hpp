@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "analytic/unilateral/contact/bodies.hpp"
+#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
 
 namespace rockstack {
@@ -12,7 +12,7 @@ namespace rockstack {
 /// z ≥ 0 with w = q + Az ≥ 0 and zᵀw = 0.
 template <class Real>
 struct ComplementarySolution {
-  BasicFreeVector<Real> z, w;
+  FreeVector<Real> z, w;
 };
 
 /// w − Az − e z₀ = q with columns w, z, z₀, q: Lemke's.
@@ -51,8 +51,7 @@ struct Tableau {
     return false;
   }
   ComplementarySolution<Real> solution() const {
-    ComplementarySolution<Real> result{BasicFreeVector<Real>::Zero(size()),
-                                       BasicFreeVector<Real>::Zero(size())};
+    ComplementarySolution<Real> result{FreeVector<Real>::Zero(size()), FreeVector<Real>::Zero(size())};
     for (Eigen::Index i = 0; i < size(); ++i) {
       const Eigen::Index column = basis[static_cast<std::size_t>(i)];
       if (column < size())
@@ -69,8 +68,8 @@ struct Tableau {
 /// Lemke's method from one covering vector, of a problem whose entries are of the size of one.
 template <class Real>
 std::optional<ComplementarySolution<Real>> lemke(const SquareMatrix<Real>& matrix,
-                                                 const BasicFreeVector<Real>& vector,
-                                                 const BasicFreeVector<Real>& covering) {
+                                                 const FreeVector<Real>& vector,
+                                                 const FreeVector<Real>& covering) {
   const Eigen::Index size = vector.size();
   Tableau<Real> tableau{SquareMatrix<Real>::Zero(size, 2 * size + 2), {}};
   tableau.table.leftCols(size).setIdentity();
@@ -99,9 +98,9 @@ std::optional<ComplementarySolution<Real>> lemke(const SquareMatrix<Real>& matri
 
 /// Factors for unknowns and their conditions that bring the diagonal to one; where it is zero, the row.
 template <class Real>
-BasicFreeVector<Real> balance(const SquareMatrix<Real>& matrix) {
+FreeVector<Real> balance(const SquareMatrix<Real>& matrix) {
   using std::sqrt;
-  BasicFreeVector<Real> factors = BasicFreeVector<Real>::Ones(matrix.rows());
+  FreeVector<Real> factors = FreeVector<Real>::Ones(matrix.rows());
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
     if (matrix(i, i) > 0) factors[i] = 1 / sqrt(matrix(i, i));
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
@@ -117,18 +116,18 @@ BasicFreeVector<Real> balance(const SquareMatrix<Real>& matrix) {
 /// Stewart & Trinkle 1996, Int. J. Numer. Meth. Engng 39, 2673–2691.
 template <class Real>
 std::optional<ComplementarySolution<Real>> solve_complementarity(const SquareMatrix<Real>& matrix,
-                                                                 const BasicFreeVector<Real>& vector) {
+                                                                 const FreeVector<Real>& vector) {
   const Eigen::Index size = vector.size();
   if (size == 0 || vector.minCoeff() >= 0)
-    return ComplementarySolution<Real>{BasicFreeVector<Real>::Zero(size), vector};
-  const BasicFreeVector<Real> factors = balance(matrix);
+    return ComplementarySolution<Real>{FreeVector<Real>::Zero(size), vector};
+  const FreeVector<Real> factors = balance(matrix);
   const SquareMatrix<Real> balanced = factors.asDiagonal() * matrix * factors.asDiagonal();
-  const BasicFreeVector<Real> right_side = factors.cwiseProduct(vector);
+  const FreeVector<Real> right_side = factors.cwiseProduct(vector);
   const Real scale = right_side.template lpNorm<Eigen::Infinity>();
   // Where rounding leads one path into a ray, another may get through.
   constexpr int paths = 8;
   for (int path = 0; path < paths; ++path) {
-    BasicFreeVector<Real> covering = BasicFreeVector<Real>::Ones(size);
+    FreeVector<Real> covering = FreeVector<Real>::Ones(size);
     for (Eigen::Index i = 0; i < size; ++i) covering[i] += Real(0.5 * std::sin(double(path) * double(i + 1)));
     auto solution = lemke<Real>(balanced, right_side / scale, covering);
     if (!solution) continue;

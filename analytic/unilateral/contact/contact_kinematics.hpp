@@ -1,19 +1,17 @@
 #pragma once
 
-#include "analytic/unilateral/contact/bodies.hpp"
+#include "analytic/unilateral/contact/contact_model.hpp"
 
 namespace rockstack {
 
-/// The distance of a point from a face and its place along it, upper against lower body, with their gradients
+/// The distance of a point from a face and its place along it, upper against lower body, with their jacobian
 /// and with the second derivatives that velocities alone make. m, m/s².
-template <class Real>
-struct BasicPointRows {
+template <class Real = double>
+struct ContactKinematics {
   Real gap = 0, slip = 0;
   Real gap_bias = 0, slip_bias = 0;
   FreeRow<Real> gap_row, slip_row;
 };
-
-using PointRows = BasicPointRows<double>;
 
 /// A body vector turned clockwise by an angle.
 template <class Real>
@@ -26,17 +24,16 @@ Point<Real> turned(const Point<Real>& vector, const Real& angle) {
 }
 
 template <class Real>
-BasicPointRows<Real> rows_of(const std::vector<Block>& blocks, const BasicBodies<Real>& bodies,
-                             const CornerOnFace<Real>& corner) {
+ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies,
+                                      const CornerOnFace<Real>& corner) {
   using Plane = Point<Real>;
-  const BasicBodyPlacement<Real> face = placement(bodies.at, corner.face);
-  const BasicBodyPlacement<Real> face_rate = placement(bodies.rate, corner.face);
-  const BasicBodyPlacement<Real> body = placement(bodies.at, corner.body);
-  const BasicBodyPlacement<Real> body_rate = placement(bodies.rate, corner.body);
+  const Pose<Real> face = pose_of(bodies.at, corner.face);
+  const Pose<Real> face_rate = pose_of(bodies.rate, corner.face);
+  const Pose<Real> body = pose_of(bodies.at, corner.body);
+  const Pose<Real> body_rate = pose_of(bodies.rate, corner.body);
   const Plane tangent = turned<Real>({Real(1), Real(0)}, face.angle);
   const Plane normal = turned<Real>({Real(0), Real(1)}, face.angle);
-  const Plane arm =
-      turned<Real>(Plane(corner.x, corner.y) - centre_of<Real>(blocks, corner.body), body.angle);
+  const Plane arm = turned<Real>(Plane(corner.x, corner.y) - stack.centre(corner.body), body.angle);
   const Plane turn = quarter_turned(arm);
   const Plane apart = Plane(body.x - face.x, body.y - face.y) + arm;
   const Plane speed = Plane(body_rate.x - face_rate.x, body_rate.y - face_rate.y) + turn * body_rate.angle;
@@ -44,17 +41,17 @@ BasicPointRows<Real> rows_of(const std::vector<Block>& blocks, const BasicBodies
   // From the centre of mass of the face's body.
   const Real along = apart.dot(tangent);
   const Real above = apart.dot(normal);
-  const Plane centre = centre_of<Real>(blocks, corner.face);
+  const Plane centre = stack.centre(corner.face);
   const Real turning = face_rate.angle;
   const Real along_rate = speed.dot(tangent) - turning * above;
   const Real above_rate = speed.dot(normal) + turning * along;
   const Real sign = corner.upward;
-  BasicPointRows<Real> rows;
-  rows.gap = sign * (above + centre.y()) - half_height_of<Real>(blocks, corner.face);
+  ContactKinematics<Real> rows;
+  rows.gap = sign * (above + centre.y()) - stack.half_height(corner.face);
   rows.slip = sign * (along + centre.x());
   rows.gap_bias = sign * (bend.dot(normal) + turning * speed.dot(tangent) + turning * along_rate);
   rows.slip_bias = sign * (bend.dot(tangent) - turning * speed.dot(normal) - turning * above_rate);
-  rows.gap_row = rows.slip_row = FreeRow<Real>::Zero(3 * static_cast<Eigen::Index>(blocks.size()));
+  rows.gap_row = rows.slip_row = FreeRow<Real>::Zero(Eigen::Index{3} * stack.size());
   const auto set = [](FreeRow<Real>& row, int at, const Real& x, const Real& y, const Real& angle) {
     row.template segment<3>(Eigen::Index{3} * at) << x, y, angle;
   };
@@ -71,44 +68,42 @@ BasicPointRows<Real> rows_of(const std::vector<Block>& blocks, const BasicBodies
 
 /// How a joint's slip coordinate, that of its held point, differs from its offset.
 template <class Real>
-Real slip_from_offset(const std::vector<Block>& blocks, int interface, const BasicJoint<Real>& joint) {
-  if (joint.corner_below && joint.pivots()) return -joint.side() * half_width_of<Real>(blocks, interface - 1);
-  return joint.side() * half_width_of<Real>(blocks, interface);
+Real slip_from_offset(const ContactModel<Real>& stack, int interface, const Joint<Real>& joint) {
+  if (joint.corner_below && joint.pivots()) return -joint.side() * stack.half_width(interface - 1);
+  return joint.side() * stack.half_width(interface);
 }
 
 /// The offset of a joint that touches, from where its held point is.
 template <class Real>
-Real offset_of(const std::vector<Block>& blocks, const BasicBodies<Real>& bodies, int interface,
-               const BasicJoint<Real>& joint) {
-  return rows_of(blocks, bodies, held_point(blocks, interface, joint)).slip -
-         slip_from_offset(blocks, interface, joint);
+Real offset_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
+               const Joint<Real>& joint) {
+  return kinematics_of(stack, bodies, stack.held_point(interface, joint)).slip -
+         slip_from_offset(stack, interface, joint);
 }
 
 /// Puts the upper block of an interface exactly onto its joint, at its offset, with this slip rate.
 template <class Real>
-void place_upper(const std::vector<Block>& blocks, const BasicJoint<Real>& joint, int k,
-                 const Real& slip_rate, BasicBodies<Real>& bodies) {
+void place_upper(const ContactModel<Real>& stack, const Joint<Real>& joint, int k, const Real& slip_rate,
+                 Bodies<Real>& bodies) {
   using Plane = Point<Real>;
   const auto block = static_cast<std::size_t>(k);
-  const CornerOnFace<Real> point = held_point(blocks, k, joint);
-  const BasicBodyPlacement<Real> lower = placement(bodies.at, k - 1);
-  const BasicBodyPlacement<Real> lower_rate = placement(bodies.rate, k - 1);
-  BasicBodyPlacement<Real>& upper = bodies.at[block];
-  BasicBodyPlacement<Real>& upper_rate = bodies.rate[block];
+  const CornerOnFace<Real> point = stack.held_point(k, joint);
+  const Pose<Real> lower = pose_of(bodies.at, k - 1);
+  const Pose<Real> lower_rate = pose_of(bodies.rate, k - 1);
+  Pose<Real>& upper = bodies.at[block];
+  Pose<Real>& upper_rate = bodies.rate[block];
   if (joint.touch == Touch::flat) {
     upper.angle = lower.angle;
     upper_rate.angle = lower_rate.angle;
   }
-  const Real lower_top = half_height_of<Real>(blocks, k - 1);
-  const Real upper_bottom = -half_height_of<Real>(blocks, k);
+  const Real lower_top = stack.half_height(k - 1);
+  const Real upper_bottom = -stack.half_height(k);
   const bool below = point.upward < 0;
   // The contact point from the middle of either block.
   const Real on_upper = below ? Real(point.x - joint.offset) : point.x;
   const Real on_lower = below ? point.x : Real(point.x + joint.offset);
-  const Plane lower_arm =
-      turned<Real>(Plane(on_lower, lower_top) - centre_of<Real>(blocks, k - 1), lower.angle);
-  const Plane upper_arm =
-      turned<Real>(Plane(on_upper, upper_bottom) - centre_of<Real>(blocks, k), upper.angle);
+  const Plane lower_arm = turned<Real>(Plane(on_lower, lower_top) - stack.centre(k - 1), lower.angle);
+  const Plane upper_arm = turned<Real>(Plane(on_upper, upper_bottom) - stack.centre(k), upper.angle);
   const Plane tangent = turned<Real>({Real(1), Real(0)}, below ? upper.angle : lower.angle);
   upper.x = lower.x + (lower_arm.x() - upper_arm.x());
   upper.y = lower.y + (lower_arm.y() - upper_arm.y());
@@ -121,17 +116,17 @@ void place_upper(const std::vector<Block>& blocks, const BasicJoint<Real>& joint
 /// Puts every block that touches exactly onto its joint: sticking at its offset, sliding at the offset that
 /// it has reached, which it notes. Velocities likewise. So roundings of the motion do not add up to gaps.
 template <class Real>
-void place(const std::vector<Block>& blocks, Joints<Real>& joints, BasicBodies<Real>& bodies) {
-  for (int k = 0; k < static_cast<int>(blocks.size()); ++k) {
-    BasicJoint<Real>& joint = joints[static_cast<std::size_t>(k)];
+void place(const ContactModel<Real>& stack, Joints<Real>& joints, Bodies<Real>& bodies) {
+  for (int k = 0; k < stack.size(); ++k) {
+    Joint<Real>& joint = joints[static_cast<std::size_t>(k)];
     if (!joint.touches()) continue;
     Real slip_rate = 0;
     if (joint.slip != 0) {
-      const BasicPointRows<Real> rows = rows_of(blocks, bodies, held_point(blocks, k, joint));
+      const ContactKinematics<Real> rows = kinematics_of(stack, bodies, stack.held_point(k, joint));
       slip_rate = rows.slip_row.dot(vector_of(bodies.rate));
-      joint.offset = rows.slip - slip_from_offset(blocks, k, joint);
+      joint.offset = rows.slip - slip_from_offset(stack, k, joint);
     }
-    place_upper(blocks, joint, k, slip_rate, bodies);
+    place_upper(stack, joint, k, slip_rate, bodies);
   }
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "analytic/unilateral/contact/bodies.hpp"
+#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
 
 namespace rockstack {
@@ -14,22 +14,21 @@ namespace rockstack {
 
 /// What the joint of one interface can become.
 template <class Real>
-Joints<Real> choices(const BasicFrictionStack<Real>& stack, int interface, const BasicJoint<Real>& joint,
-                     Sought sought) {
+Joints<Real> choices(const ContactQuestion<Real>& question, int interface, const Joint<Real>& joint) {
   if (!joint.touches()) return {joint};
-  BasicJoint<Real> apart = joint;
+  Joint<Real> apart = joint;
   apart.touch = Touch::apart;
   apart.slip = 0;
   Joints<Real> result{apart};
   for (const Touch touch : {Touch::left, Touch::flat, Touch::right}) {
     if (joint.pivots() && touch != joint.touch) continue;
     for (const int slip : {-1, 0, 1}) {
-      if (slip_before(joint, sought) != 0 && slip != joint.slip) continue;
-      BasicJoint<Real> next = joint;
+      if (question.slip_before(joint) != 0 && slip != joint.slip) continue;
+      Joint<Real> next = joint;
       next.touch = touch;
       next.slip = slip;
       if (joint.touch == Touch::flat && next.pivots())
-        next.corner_below = corner_is_below(stack, interface, joint.offset, next.side(), slip);
+        next.corner_below = corner_is_below(question.stack, interface, joint.offset, next.side(), slip);
       result.push_back(next);
     }
   }
@@ -38,30 +37,27 @@ Joints<Real> choices(const BasicFrictionStack<Real>& stack, int interface, const
 
 /// True where every law of contact holds in a mode, of `joints` that could be in another.
 template <class Real>
-bool obeys(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints, const Joints<Real>& mode,
-           const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free, Sought sought) {
-  const BasicModeResponse<Real> response = respond(stack, mode, bodies, free, sought);
+bool obeys(const ContactQuestion<Real>& question, const Joints<Real>& joints, const Joints<Real>& mode) {
   using std::abs;
-  Real size = 0;
-  for (const BasicContactForce<Real>& force : response.forces)
-    size = std::max<Real>({size, Real(abs(force.normal)), Real(abs(force.tangential))});
-  const Real motion_rounding = tolerance<Real>(1e-9) * free.template lpNorm<Eigen::Infinity>();
-  const Real force_rounding = tolerance<Real>(1e-9) * size;
-  for (const TouchingPoints<Real>& contact : touching_points(stack, joints, bodies, sought)) {
+  const ModeResponse<Real> response = respond(question, mode);
+  const Real motion_rounding = tolerance<Real>(1e-9) * question.free.template lpNorm<Eigen::Infinity>();
+  const Real force_rounding = tolerance<Real>(1e-9) * response.largest_force();
+  for (const TouchingPoints<Real>& contact : touching_points(question, joints)) {
     const auto index = static_cast<std::size_t>(contact.interface);
-    const BasicJoint<Real>& joint = mode[index];
-    const BasicContactForce<Real>& force = response.forces[index];
-    for (std::size_t i = 0; i < contact.normals.size(); ++i)
-      if (contact.normals[i].dot(response.motion) + contact.normal_biases[i] < -motion_rounding) return false;
+    const Joint<Real>& joint = mode[index];
+    const ContactForce<Real>& force = response.forces[index];
+    for (const FreeRow<Real>& normal : contact.normals)
+      if (normal.dot(response.motion) + contact.normal_bias < -motion_rounding) return false;
     if (force.normal < -force_rounding) return false;
     if (abs(force.tangential) > contact.friction * force.normal + force_rounding) return false;
     if (joint.touch == Touch::flat) {
-      const Overlap<Real> ends = overlap(stack, contact.interface, joint.offset);
-      if (force.normal * ends.right + force.moment < -force_rounding * (ends.right - ends.left)) return false;
-      if (-force.moment - force.normal * ends.left < -force_rounding * (ends.right - ends.left)) return false;
+      const Overlap<Real> ends = overlap(question.stack, contact.interface, joint.offset);
+      const Real moment_rounding = force_rounding * (ends.right - ends.left);
+      if (force.normal * ends.right + force.moment < -moment_rounding) return false;
+      if (-force.moment - force.normal * ends.left < -moment_rounding) return false;
     }
     const Real slip = contact.slip.dot(response.motion) + contact.slip_bias;
-    if (joint.slip != 0 && slip_before(joints[index], sought) == 0 && slip * joint.slip < -motion_rounding)
+    if (joint.slip != 0 && question.slip_before(joints[index]) == 0 && slip * joint.slip < -motion_rounding)
       return false;
   }
   return true;
@@ -70,13 +66,12 @@ bool obeys(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints, co
 /// All modes that obey, each tried: of what touches, each part, pivot or stay, and what sticks may slide.
 /// Nothing is tried where that were more than `most`.
 template <class Real>
-std::vector<Joints<Real>> modes_that_obey(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-                                          const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free,
-                                          Sought sought, std::size_t most) {
+std::vector<Joints<Real>> modes_that_obey(const ContactQuestion<Real>& question, const Joints<Real>& joints,
+                                          std::size_t most) {
   std::vector<Joints<Real>> modes{{}};
   for (std::size_t k = 0; k < joints.size(); ++k) {
     std::vector<Joints<Real>> longer;
-    for (const BasicJoint<Real>& choice : choices(stack, static_cast<int>(k), joints[k], sought)) {
+    for (const Joint<Real>& choice : choices(question, static_cast<int>(k), joints[k])) {
       for (const auto& mode : modes) {
         longer.push_back(mode);
         longer.back().push_back(choice);
@@ -85,7 +80,7 @@ std::vector<Joints<Real>> modes_that_obey(const BasicFrictionStack<Real>& stack,
     if (longer.size() > most) return {};
     modes = std::move(longer);
   }
-  std::erase_if(modes, [&](const auto& mode) { return !obeys(stack, joints, mode, bodies, free, sought); });
+  std::erase_if(modes, [&](const auto& mode) { return !obeys(question, joints, mode); });
   return modes;
 }
 
@@ -110,33 +105,33 @@ std::vector<Joints<Real>> modes_that_obey(const BasicFrictionStack<Real>& stack,
 
 /// Whether the corners of both blocks at a pivot are at one place.
 template <class Real>
-bool is_corner_pair(const BasicFrictionStack<Real>& stack, int interface, const BasicJoint<Real>& joint) {
+bool is_corner_pair(const ContactModel<Real>& stack, int interface, const Joint<Real>& joint) {
   return joint.pivots() && overhang(stack, interface, joint.offset, joint.side()) == 0;
 }
 
 /// Gives a pair of corners the face that its slip goes along.
 template <class Real>
-void meet_face(const BasicFrictionStack<Real>& stack, int interface, BasicJoint<Real>& joint) {
+void meet_face(const ContactModel<Real>& stack, int interface, Joint<Real>& joint) {
   if (is_corner_pair(stack, interface, joint))
     joint.corner_below = corner_is_below(stack, interface, joint.offset, joint.side(), joint.slip);
 }
 
-/// The pairs of corners whose face is to be found, by their interfaces.
+/// The pairs of corners that do not slide, by their interfaces; of velocities any whose face is to be found.
 template <class Real>
-std::vector<int> open_pairs(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-                            Sought sought) {
+std::vector<int> open_pairs(const ContactModel<Real>& stack, const Joints<Real>& joints, ContactLevel level) {
   std::vector<int> pairs;
   for (int k = 1; k < stack.size(); ++k) {
-    const BasicJoint<Real>& joint = joints[static_cast<std::size_t>(k)];
-    if (slip_before(joint, sought) == 0 && is_corner_pair(stack, k, joint)) pairs.push_back(k);
+    const Joint<Real>& joint = joints[static_cast<std::size_t>(k)];
+    const bool open = joint.slip == 0 || level == ContactLevel::velocities;
+    if (open && is_corner_pair(stack, k, joint)) pairs.push_back(k);
   }
   return pairs;
 }
 
 /// What an interface's pivot bears along and across the other face of its pair of corners.
 template <class Real>
-BasicContactForce<Real> on_other_face(const BasicContactForce<Real>& force, const BasicJoint<Real>& joint,
-                                      const Real& relative_angle) {
+ContactForce<Real> on_other_face(const ContactForce<Real>& force, const Joint<Real>& joint,
+                                 const Real& relative_angle) {
   const Point<Real> other = turned<Real>({force.normal, force.tangential},
                                          joint.corner_below ? Real(-relative_angle) : relative_angle);
   return {other.x(), other.y(), force.moment};
@@ -144,34 +139,31 @@ BasicContactForce<Real> on_other_face(const BasicContactForce<Real>& force, cons
 
 /// Whether a pair of corners slides off its face.
 template <class Real>
-bool slides_off(const BasicJoint<Real>& pair) {
+bool slides_off(const Joint<Real>& pair) {
   return pair.touches() && pair.slip == (pair.corner_below ? -pair.side() : pair.side());
 }
 
 /// Whether a pair of corners slides off its face, or sticks there where it would slide along the other one.
 /// `joint` is what it becomes, `force` what that takes.
 template <class Real>
-bool changes_face(const BasicJoint<Real>& joint, const BasicContactForce<Real>& force,
-                  const Real& relative_angle, const Real& friction, const Real& rounding) {
+bool changes_face(const Joint<Real>& joint, const ContactForce<Real>& force, const Real& relative_angle,
+                  const Real& friction, const Real& rounding) {
   if (!joint.touches() || joint.slip != 0) return slides_off(joint);
-  const BasicContactForce<Real> other = on_other_face(force, joint, relative_angle);
+  const ContactForce<Real> other = on_other_face(force, joint, relative_angle);
   const int against = joint.corner_below ? joint.side() : -joint.side();
   return against * other.tangential > friction * other.normal + rounding;
 }
 
 /// The first of `pairs` that changes its face in a mode, or −1.
 template <class Real>
-int first_to_change(const BasicFrictionStack<Real>& stack, const std::vector<int>& pairs,
-                    const Joints<Real>& mode, const BasicBodies<Real>& bodies,
-                    const BasicModeResponse<Real>& response) {
-  using std::abs;
-  Real size = 0;
-  for (const BasicContactForce<Real>& force : response.forces)
-    size = std::max<Real>({size, Real(abs(force.normal)), Real(abs(force.tangential))});
+int first_to_change(const ContactQuestion<Real>& question, const std::vector<int>& pairs,
+                    const Joints<Real>& mode) {
+  const ModeResponse<Real> response = respond(question, mode);
+  const Real rounding = tolerance<Real>(1e-12) * response.largest_force();
   for (const int k : pairs) {
     const auto index = static_cast<std::size_t>(k);
-    if (changes_face(mode[index], response.forces[index], relative_angle(bodies.at, index),
-                     stack.friction[index], Real(tolerance<Real>(1e-12) * size)))
+    if (changes_face(mode[index], response.forces[index], relative_angle(question.bodies.at, index),
+                     question.stack.friction[index], rounding))
       return k;
   }
   return -1;

@@ -1,15 +1,131 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
+#include <vector>
 
-#include "analytic/unilateral/contact/bodies.hpp"
+#include "analytic/scene/kinematics.hpp"
 
 namespace rockstack {
 
+/// What roundings make of numbers, in a number type, from what it is in double.
+template <class Real>
+Real tolerance(double in_double) {
+  return Real(in_double) *
+         (std::numeric_limits<Real>::epsilon() / Real(std::numeric_limits<double>::epsilon()));
+}
+
+/// What goes with the root of roundings: the time over which a force or a gap comes to be told from them.
+template <class Real>
+Real root_tolerance(double in_double) {
+  using std::sqrt;
+  return Real(in_double) *
+         sqrt(std::numeric_limits<Real>::epsilon() / Real(std::numeric_limits<double>::epsilon()));
+}
+
+/// Where the block above an interface touches what is below: nowhere, at the left or right end of their
+/// overlap, or along all of it.
+enum class Touch : std::int8_t { left = -1, flat = 0, right = 1, apart = 2 };
+
+/// The contact of one interface under Coulomb friction.
+///
+/// The offset s is how far the middle of the block above has slipped to the right along the face below. After
+/// it the faces overlap on [max(−b, −b' − s), min(b, b' − s)] from the middle of the block above, b and b'
+/// the half-widths above and below. A pivot is an end of that overlap: a corner of the block above on the
+/// face below, or a corner of the block below under the face above; the face gives the normal.
+template <class Real = double>
+struct Joint {
+  Touch touch = Touch::flat;
+  int slip = 0;               ///< the way the upper block slides: −1 left, 1 right; 0: it sticks
+  bool corner_below = false;  ///< the pivot is a corner of the block below
+  Real offset = 0;            ///< s, m, while it touches
+
+  bool touches() const { return touch != Touch::apart; }
+  bool sticks() const { return touches() && slip == 0; }
+  bool pivots() const { return touch == Touch::left || touch == Touch::right; }
+  /// The end that the pivot is at, −1 or 1; 0 where there is no pivot.
+  int side() const { return pivots() ? static_cast<int>(touch) : 0; }
+  /// The same contact, wherever it has slipped to.
+  bool same_mode(const Joint& other) const {
+    return touch == other.touch && slip == other.slip && (corner_below == other.corner_below || !pivots());
+  }
+};
+
+/// The joints of all interfaces, from the ground up: a mode.
+template <class Real>
+using Joints = std::vector<Joint<Real>>;
+
+/// A block as a free body in the frame of the ground: its centre of mass from the middle of the ground's
+/// interface, and its angle, clockwise positive; or the rates of the three. SI units.
+template <class Real = double>
+struct Pose {
+  Real x = 0, y = 0, angle = 0;
+};
+
+/// Of all blocks, bottom to top.
+template <class Real = double>
+using Poses = std::vector<Pose<Real>>;
+
+/// Positions and velocities of all blocks.
+template <class Real = double>
+struct Bodies {
+  Poses<Real> at, rate;
+};
+
+/// Three numbers a block: x, y and angle.
+template <class Real = double>
+using FreeVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+/// A row of a Jacobian: what multiplies them.
+template <class Real>
+using FreeRow = Eigen::Matrix<Real, 1, Eigen::Dynamic>;
+
+template <class Real>
+FreeVector<Real> vector_of(const Poses<Real>& poses) {
+  FreeVector<Real> vector(3 * static_cast<Eigen::Index>(poses.size()));
+  for (std::size_t k = 0; k < poses.size(); ++k)
+    vector.template segment<3>(3 * static_cast<Eigen::Index>(k)) << poses[k].x, poses[k].y, poses[k].angle;
+  return vector;
+}
+
+template <class Real>
+Poses<Real> poses_of(const FreeVector<Real>& vector) {
+  Poses<Real> poses(static_cast<std::size_t>(vector.size() / 3));
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const auto first = 3 * static_cast<Eigen::Index>(k);
+    poses[k] = {vector[first], vector[first + 1], vector[first + 2]};
+  }
+  return poses;
+}
+
+/// The pose of a body, or of the ground, −1.
+template <class Real>
+Pose<Real> pose_of(const Poses<Real>& poses, int body) {
+  return body < 0 ? Pose<Real>{} : poses[static_cast<std::size_t>(body)];
+}
+
+/// The angle between an interface's upper and lower block, or its rate.
+template <class Real>
+Real relative_angle(const Poses<Real>& poses, std::size_t interface) {
+  return poses[interface].angle - (interface > 0 ? poses[interface - 1].angle : Real(0));
+}
+
+/// A point of one body over the face of another; −1 is the ground.
+template <class Real>
+struct CornerOnFace {
+  int face = -1;  ///< the body that has the face
+  int body = 0;   ///< the body that has the point
+  Real x = 0;     ///< the point from the middle of its body, in that body's frame, m
+  Real y = 0;
+  int upward = 1;  ///< 1 for the top face of the lower body, −1 for the bottom face of the upper one
+};
+
 /// A spring and a dashpot at each corner of an interface, or a bed along it, or rigid faces. SI units.
 template <class Real>
-struct BasicSpringLaw {
+struct SpringLaw {
   Real stiffness = std::numeric_limits<Real>::infinity();  ///< N/m, across the face; infinite: rigid
   Real damping = 0;                                        ///< N·s/m, likewise
   Real tangential = 1;  ///< stiffness and damping along the face over those across it
@@ -18,15 +134,16 @@ struct BasicSpringLaw {
   bool soft() const { return stiffness < std::numeric_limits<Real>::infinity(); }
 };
 
-/// The stack that contacts hold, with the friction coefficient of each interface.
-template <class Real>
-struct BasicFrictionStack {
+/// The stack that contacts hold, with the friction coefficient of each interface. Bodies count from 0; −1 is
+/// the ground, endless and without height, whose centre of mass is its middle.
+template <class Real = double>
+struct ContactModel {
   std::vector<Block> blocks;
   std::vector<Real> friction;
-  std::vector<BasicSpringLaw<Real>> springs;  ///< of each interface; empty where all are rigid
-  BasicFreeVector<Real> inverse_mass;         ///< three a block
+  std::vector<SpringLaw<Real>> springs;  ///< of each interface; empty where all are rigid
+  FreeVector<Real> inverse_mass;         ///< three a block
 
-  BasicFrictionStack(std::vector<Block> stacked, const std::vector<double>& coefficients)
+  ContactModel(std::vector<Block> stacked, const std::vector<double>& coefficients)
       : blocks(std::move(stacked)),
         friction(coefficients.begin(), coefficients.end()),
         inverse_mass(3 * static_cast<Eigen::Index>(blocks.size())) {
@@ -40,14 +157,48 @@ struct BasicFrictionStack {
   int size() const { return static_cast<int>(blocks.size()); }
   /// Whether springs hold an interface. Its joint is `apart`, as rigid contacts see it.
   bool soft(std::size_t interface) const { return !springs.empty() && springs[interface].soft(); }
-};
 
-using FrictionStack = BasicFrictionStack<double>;
+  /// What a unit force along one row does along another, 1/kg.
+  Real effect(const FreeRow<Real>& row, const FreeRow<Real>& direction) const {
+    return (row.array() * inverse_mass.transpose().array() * direction.array()).sum();
+  }
+
+  /// Of all blocks, m.
+  Real height() const {
+    Real sum = 0;
+    for (const Block& block : blocks) sum += 2 * Real(block.half_height);
+    return sum;
+  }
+  Real half_width(int body) const {
+    return body < 0 ? std::numeric_limits<Real>::infinity()
+                    : Real(blocks[static_cast<std::size_t>(body)].half_width);
+  }
+  Real half_height(int body) const {
+    return body < 0 ? Real(0) : Real(blocks[static_cast<std::size_t>(body)].half_height);
+  }
+  /// The centre of mass of a body from its middle, m.
+  Point<Real> centre(int body) const {
+    if (body < 0) return {Real(0), Real(0)};
+    const Block& block = blocks[static_cast<std::size_t>(body)];
+    return {Real(block.offset_x), Real(block.offset_y)};
+  }
+
+  /// A corner at an end of an interface: of the block above, or of the block below under its face.
+  CornerOnFace<Real> corner(int interface, int side, bool below) const {
+    const int lower = interface - 1;
+    if (below) return {interface, lower, side * half_width(lower), half_height(lower), -1};
+    return {lower, interface, side * half_width(interface), -half_height(interface), 1};
+  }
+  /// The point whose gap and slip a joint holds: its pivot, or the middle of the upper block's face.
+  CornerOnFace<Real> held_point(int interface, const Joint<Real>& joint) const {
+    return corner(interface, joint.side(), joint.pivots() && joint.corner_below);
+  }
+};
 
 /// The stack of a scene.
 template <class Real>
-BasicFrictionStack<Real> friction_stack_of(const Scene& scene) {
-  BasicFrictionStack<Real> stack(scene.blocks, friction_of(scene));
+ContactModel<Real> contact_model_of(const Scene& scene) {
+  ContactModel<Real> stack(scene.blocks, friction_of(scene));
   const CornerSprings& springs = scene.springs;
   if (springs.stiffness.empty() && springs.bed_stiffness.empty()) return stack;
   const auto of = [](const std::vector<double>& values, std::size_t k, double standard) {
@@ -55,8 +206,7 @@ BasicFrictionStack<Real> friction_stack_of(const Scene& scene) {
   };
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     constexpr double rigid = std::numeric_limits<double>::infinity();
-    BasicSpringLaw<Real> law{of(springs.stiffness, k, rigid), of(springs.damping, k, 0),
-                             Real(springs.tangential)};
+    SpringLaw<Real> law{of(springs.stiffness, k, rigid), of(springs.damping, k, 0), Real(springs.tangential)};
     const Real bed = of(springs.bed_stiffness, k, rigid);
     if (bed < std::numeric_limits<Real>::infinity()) {
       const Real width = 2 * Real(interface_half_width(scene, static_cast<int>(k)));
@@ -74,26 +224,26 @@ struct Overlap {
 };
 
 template <class Real>
-Overlap<Real> overlap(const BasicFrictionStack<Real>& stack, int interface, const Real& offset) {
-  const Real upper = half_width_of<Real>(stack.blocks, interface);
-  const Real lower = half_width_of<Real>(stack.blocks, interface - 1);
+Overlap<Real> overlap(const ContactModel<Real>& stack, int interface, const Real& offset) {
+  const Real upper = stack.half_width(interface);
+  const Real lower = stack.half_width(interface - 1);
   return {std::max<Real>(-upper, -lower - offset), std::min<Real>(upper, lower - offset)};
 }
 
 /// How far the end of the lower face is beyond that of the upper one, m; zero where roundings alone part
 /// them.
 template <class Real>
-Real overhang(const BasicFrictionStack<Real>& stack, int interface, const Real& offset, int side) {
+Real overhang(const ContactModel<Real>& stack, int interface, const Real& offset, int side) {
   using std::abs;
-  const Real upper = half_width_of<Real>(stack.blocks, interface);
-  const Real beyond = half_width_of<Real>(stack.blocks, interface - 1) - side * offset - upper;
+  const Real upper = stack.half_width(interface);
+  const Real beyond = stack.half_width(interface - 1) - side * offset - upper;
   return abs(beyond) <= tolerance<Real>(1e-13) * upper ? Real(0) : beyond;
 }
 
 /// A pivot at an end of a flat contact: which block has the corner. Even ends: the one whose corner stays on
 /// the other's face in the slip, the upper one where nothing slips.
 template <class Real>
-bool corner_is_below(const BasicFrictionStack<Real>& stack, int interface, const Real& offset, int side,
+bool corner_is_below(const ContactModel<Real>& stack, int interface, const Real& offset, int side,
                      int slip = 0) {
   const Real beyond = overhang(stack, interface, offset, side);
   return beyond < 0 || (beyond == 0 && slip * side > 0);

@@ -12,8 +12,8 @@ namespace rockstack {
 
 /// A mode from what is active: which points push, and which way the interface slides.
 template <class Real>
-void set_mode(const BasicFrictionStack<Real>& stack, const TouchingPoints<Real>& contact,
-              const std::vector<bool>& pushes, int slip, BasicJoint<Real>& joint) {
+void set_mode(const ContactModel<Real>& stack, const TouchingPoints<Real>& contact,
+              const std::vector<bool>& pushes, int slip, Joint<Real>& joint) {
   const bool any = std::find(pushes.begin(), pushes.end(), true) != pushes.end();
   if (!any) {
     joint.touch = Touch::apart;
@@ -26,32 +26,34 @@ void set_mode(const BasicFrictionStack<Real>& stack, const TouchingPoints<Real>&
   joint.corner_below = corner_is_below(stack, contact.interface, joint.offset, joint.side(), slip);
 }
 
+/// Adds the points of a contact that slides, or sticks, with what friction adds to their forces.
+template <class Real>
+void add_points(const TouchingPoints<Real>& contact, int slip, ContactProblem<Real>& problem) {
+  for (const FreeRow<Real>& normal : contact.normals)
+    problem.add(normal, normal - contact.friction * slip * contact.slip, contact.normal_bias);
+}
+
 /// The mode in which all that sticks goes on to, if its forces allow that.
 template <class Real>
-std::optional<Joints<Real>> sticking_mode(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-                                          const std::vector<TouchingPoints<Real>>& contacts,
-                                          const BasicFreeVector<Real>& free, Sought sought) {
-  ContactProblem<Real> held, points;
+std::optional<Joints<Real>> sticking_mode(const ContactQuestion<Real>& question, const Joints<Real>& joints,
+                                          const std::vector<TouchingPoints<Real>>& contacts) {
+  ContactProblem<Real> problem;  // what is held, then points
   std::vector<Eigen::Index> held_at;
   for (const TouchingPoints<Real>& contact : contacts) {
-    const int slip = slip_before(joints[static_cast<std::size_t>(contact.interface)], sought);
-    held_at.push_back(slip == 0 ? held.size() : -1);
-    if (slip == 0) held.add(contact.slip, contact.slip, contact.slip_bias);
-    for (std::size_t i = 0; i < contact.normals.size(); ++i)
-      points.add(contact.normals[i], contact.normals[i] - contact.friction * slip * contact.slip,
-                 contact.normal_biases[i]);
+    const bool sticks = question.slip_before(joints[static_cast<std::size_t>(contact.interface)]) == 0;
+    held_at.push_back(sticks ? problem.size() : -1);
+    if (sticks) problem.add(contact.slip, contact.slip, contact.slip_bias);
   }
-  const Eigen::Index held_size = held.size();
-  ContactProblem<Real> all = held;
-  for (std::size_t i = 0; i < points.gradients.size(); ++i)
-    all.add(points.gradients[i], points.actions[i], points.biases[i]);
-  const SquareMatrix<Real> matrix = all.matrix(stack);
-  const BasicFreeVector<Real> vector = all.free(free);
-  const Eigen::Index size = points.size();
+  const Eigen::Index held_size = problem.size();
+  for (const TouchingPoints<Real>& contact : contacts)
+    add_points(contact, question.slip_before(joints[static_cast<std::size_t>(contact.interface)]), problem);
+  const SquareMatrix<Real> matrix = problem.matrix(question.stack);
+  const FreeVector<Real> vector = problem.free(question.free);
+  const Eigen::Index size = problem.size() - held_size;
   SquareMatrix<Real> reduced = matrix.bottomRightCorner(size, size);
-  BasicFreeVector<Real> reduced_vector = vector.tail(size);
+  FreeVector<Real> reduced_vector = vector.tail(size);
   SquareMatrix<Real> tangential_per_normal(held_size, size);
-  BasicFreeVector<Real> tangential(held_size);
+  FreeVector<Real> tangential(held_size);
   if (held_size > 0) {
     const Eigen::PartialPivLU<SquareMatrix<Real>> lu(matrix.topLeftCorner(held_size, held_size));
     tangential_per_normal = -lu.solve(matrix.topRightCorner(held_size, size));
@@ -62,7 +64,7 @@ std::optional<Joints<Real>> sticking_mode(const BasicFrictionStack<Real>& stack,
   const Real scale = reduced.diagonal().cwiseAbs().maxCoeff();
   const auto solution = solve_complementarity<Real>(reduced / scale, reduced_vector);
   if (!solution) return std::nullopt;
-  const BasicFreeVector<Real> normals = solution->z / scale;
+  const FreeVector<Real> normals = solution->z / scale;
   tangential += tangential_per_normal * normals;
   const Real parting = tolerance<Real>(1e-12) * (reduced_vector.template lpNorm<Eigen::Infinity>() +
                                                  vector.template lpNorm<Eigen::Infinity>());
@@ -73,15 +75,15 @@ std::optional<Joints<Real>> sticking_mode(const BasicFrictionStack<Real>& stack,
   Eigen::Index at = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const TouchingPoints<Real>& contact = contacts[c];
-    BasicJoint<Real>& joint = mode[static_cast<std::size_t>(contact.interface)];
+    Joint<Real>& joint = mode[static_cast<std::size_t>(contact.interface)];
     std::vector<bool> pushes;
     Real normal = 0;
     for (std::size_t i = 0; i < contact.normals.size(); ++i, ++at) {
       pushes.push_back(!(solution->w[at] > parting));
       normal += normals[at];
     }
-    const int slip = slip_before(joint, sought);
-    set_mode(stack, contact, pushes, slip, joint);
+    const int slip = question.slip_before(joint);
+    set_mode(question.stack, contact, pushes, slip, joint);
     using std::abs;
     if (slip == 0 && abs(tangential[held_at[c]]) > contact.friction * normal + force_rounding)
       return std::nullopt;
@@ -91,26 +93,23 @@ std::optional<Joints<Real>> sticking_mode(const BasicFrictionStack<Real>& stack,
 
 /// A mode by Lemke's method, for each interface points, friction to the right and to the left, and slip.
 template <class Real>
-std::optional<Joints<Real>> rubbing_mode(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-                                         const std::vector<TouchingPoints<Real>>& contacts,
-                                         const BasicFreeVector<Real>& free, Sought sought) {
+std::optional<Joints<Real>> rubbing_mode(const ContactQuestion<Real>& question, const Joints<Real>& joints,
+                                         const std::vector<TouchingPoints<Real>>& contacts) {
   ContactProblem<Real> problem;
   std::vector<Eigen::Index> cones;  // of each contact: where its friction stands, or −1
-  const FreeRow<Real> none = FreeRow<Real>::Zero(Eigen::Index{3} * stack.size());
+  const FreeRow<Real> none = FreeRow<Real>::Zero(Eigen::Index{3} * question.stack.size());
   for (const TouchingPoints<Real>& contact : contacts) {
-    const int slip = slip_before(joints[static_cast<std::size_t>(contact.interface)], sought);
-    for (std::size_t i = 0; i < contact.normals.size(); ++i)
-      problem.add(contact.normals[i], contact.normals[i] - contact.friction * slip * contact.slip,
-                  contact.normal_biases[i]);
+    const int slip = question.slip_before(joints[static_cast<std::size_t>(contact.interface)]);
+    add_points(contact, slip, problem);
     cones.push_back(slip == 0 ? problem.size() : -1);
     if (slip != 0) continue;
     problem.add(contact.slip, contact.slip, contact.slip_bias);
     problem.add(-contact.slip, -contact.slip, -contact.slip_bias);
     problem.add(none, none, 0);
   }
-  SquareMatrix<Real> matrix = problem.matrix(stack);
+  SquareMatrix<Real> matrix = problem.matrix(question.stack);
   matrix /= matrix.diagonal().cwiseAbs().maxCoeff();
-  const BasicFreeVector<Real> vector = problem.free(free);
+  const FreeVector<Real> vector = problem.free(question.free);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (cones[c] < 0) continue;
     const Eigen::Index slack = cones[c] + 2;
@@ -125,32 +124,30 @@ std::optional<Joints<Real>> rubbing_mode(const BasicFrictionStack<Real>& stack, 
   Joints<Real> mode = joints;
   Eigen::Index at = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    BasicJoint<Real>& joint = mode[static_cast<std::size_t>(contacts[c].interface)];
+    Joint<Real>& joint = mode[static_cast<std::size_t>(contacts[c].interface)];
     std::vector<bool> pushes;
     for (std::size_t i = 0; i < contacts[c].normals.size(); ++i, ++at)
       pushes.push_back(!(solution->w[at] > parting));
-    int slip = slip_before(joint, sought);
+    int slip = question.slip_before(joint);
     if (cones[c] >= 0) {
       // Of the two conditions slack ± slip ≥ 0, that of the way it does not slide is met with equality.
       if (solution->z[at + 2] > parting) slip = solution->w[at] > solution->w[at + 1] ? 1 : -1;
       at += 3;
     }
-    set_mode(stack, contacts[c], pushes, slip, joint);
+    set_mode(question.stack, contacts[c], pushes, slip, joint);
   }
   return mode;
 }
 
 /// Of all modes that obey, the one whose forces change the motion least.
 template <class Real>
-std::optional<Joints<Real>> nearest_mode(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-                                         const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free,
-                                         Sought sought) {
+std::optional<Joints<Real>> nearest_mode(const ContactQuestion<Real>& question, const Joints<Real>& joints) {
   constexpr std::size_t most = 100000;
   std::optional<Joints<Real>> nearest;
   Real least = std::numeric_limits<Real>::infinity();
-  for (auto& mode : modes_that_obey(stack, joints, bodies, free, sought, most)) {
-    const BasicFreeVector<Real> change = respond(stack, mode, bodies, free, sought).motion - free;
-    const Real size = change.cwiseAbs2().cwiseQuotient(stack.inverse_mass).sum();
+  for (auto& mode : modes_that_obey(question, joints, most)) {
+    const FreeVector<Real> change = respond(question, mode).motion - question.free;
+    const Real size = change.cwiseAbs2().cwiseQuotient(question.stack.inverse_mass).sum();
     if (!(size < least)) continue;
     least = size;
     nearest = std::move(mode);
@@ -160,15 +157,13 @@ std::optional<Joints<Real>> nearest_mode(const BasicFrictionStack<Real>& stack, 
 
 /// The mode on given faces of all pairs of corners; see find_mode().
 template <class Real>
-std::optional<Joints<Real>> mode_on_faces(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-                                          const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free,
-                                          Sought sought) {
-  const std::vector<TouchingPoints<Real>> contacts = touching_points(stack, joints, bodies, sought);
+std::optional<Joints<Real>> mode_on_faces(const ContactQuestion<Real>& question, const Joints<Real>& joints) {
+  const std::vector<TouchingPoints<Real>> contacts = touching_points(question, joints);
   if (contacts.empty()) return joints;
-  if (auto mode = sticking_mode(stack, joints, contacts, free, sought)) return mode;
-  auto mode = rubbing_mode(stack, joints, contacts, free, sought);
-  if (mode && obeys(stack, joints, *mode, bodies, free, sought)) return mode;
-  auto other = nearest_mode(stack, joints, bodies, free, sought);
+  if (auto mode = sticking_mode(question, joints, contacts)) return mode;
+  auto mode = rubbing_mode(question, joints, contacts);
+  if (mode && obeys(question, joints, *mode)) return mode;
+  auto other = nearest_mode(question, joints);
   return other ? other : mode;
 }
 
@@ -177,27 +172,25 @@ std::optional<Joints<Real>> mode_on_faces(const BasicFrictionStack<Real>& stack,
 /// sticks goes on to stick comes first, then the one that Lemke's method finds, then, where rounding leads
 /// that astray, of all others the one nearest to the motion without contact in the metric of kinetic energy.
 /// Where none does to rounding, what Lemke's method finds all the same; nothing where it finds none, which
-/// happens for accelerations alone (Painlevé). Pairs of corners slide by the rule of corner_pairs.hpp, found
+/// happens for accelerations alone (Painlevé). Pairs of corners slide by the rule of contact_laws.hpp, found
 /// as Murty's least-index method finds what is active: the first pair that changes its face does.
 template <class Real>
-std::optional<Joints<Real>> find_mode(const BasicFrictionStack<Real>& stack, Joints<Real> joints,
-                                      const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free,
-                                      Sought sought) {
-  auto first = mode_on_faces(stack, joints, bodies, free, sought);
-  const std::vector<int> pairs = open_pairs(stack, joints, sought);
+std::optional<Joints<Real>> find_mode(const ContactQuestion<Real>& question, Joints<Real> joints) {
+  auto first = mode_on_faces(question, joints);
+  const std::vector<int> pairs = open_pairs(question.stack, joints, question.level);
   if (pairs.empty() || !first) return first;
   auto mode = first;
   int changing = -1;
   for (std::size_t changes = 0; changes <= 4 * pairs.size(); ++changes) {
-    changing = first_to_change(stack, pairs, *mode, bodies, respond(stack, *mode, bodies, free, sought));
+    changing = first_to_change(question, pairs, *mode);
     if (changing < 0) break;
     bool& below = joints[static_cast<std::size_t>(changing)].corner_below;
     below = !below;
-    mode = mode_on_faces(stack, joints, bodies, free, sought);
+    mode = mode_on_faces(question, joints);
     if (!mode) break;
   }
   if (!mode || changing >= 0) mode = first;
-  for (const int k : pairs) meet_face(stack, k, (*mode)[static_cast<std::size_t>(k)]);
+  for (const int k : pairs) meet_face(question.stack, k, (*mode)[static_cast<std::size_t>(k)]);
   return mode;
 }
 
@@ -205,24 +198,23 @@ std::optional<Joints<Real>> find_mode(const BasicFrictionStack<Real>& stack, Joi
 /// one that goes on along its faces, where there are few to try. Where a force has just left its cone,
 /// motions are yet alike, and modes tell them apart.
 template <class Real>
-bool faces_differ(const BasicFrictionStack<Real>& stack, Joints<Real> joints, const Joints<Real>& mode,
-                  const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free, Sought sought) {
-  const std::vector<int> pairs = open_pairs(stack, joints, sought);
+bool faces_differ(const ContactQuestion<Real>& question, Joints<Real> joints, const Joints<Real>& mode) {
+  const std::vector<int> pairs = open_pairs(question.stack, joints, question.level);
   const auto any_pair = [&](const auto& is) {
     return std::any_of(pairs.begin(), pairs.end(), [&](int k) { return is(static_cast<std::size_t>(k)); });
   };
   constexpr std::size_t most = 7;  // 128 ways
   if (pairs.size() > most || !any_pair([&](std::size_t k) { return !mode[k].sticks(); })) return false;
-  const BasicFreeVector<Real> motion = respond(stack, mode, bodies, free, sought).motion;
-  const Real same = Real(1e-6) * free.template lpNorm<Eigen::Infinity>();
+  const FreeVector<Real> motion = respond(question, mode).motion;
+  const Real same = Real(1e-6) * question.free.template lpNorm<Eigen::Infinity>();
   for (unsigned faces = 0; faces < 1U << pairs.size(); ++faces) {
     for (std::size_t i = 0; i < pairs.size(); ++i)
       joints[static_cast<std::size_t>(pairs[i])].corner_below = (faces >> i & 1U) != 0;
-    const auto other = mode_on_faces(stack, joints, bodies, free, sought);
-    if (!other || !obeys(stack, joints, *other, bodies, free, sought)) continue;
-    if (sought == Sought::accelerations && any_pair([&](std::size_t k) { return slides_off((*other)[k]); }))
+    const auto other = mode_on_faces(question, joints);
+    if (!other || !obeys(question, joints, *other)) continue;
+    if (question.of_accelerations() && any_pair([&](std::size_t k) { return slides_off((*other)[k]); }))
       continue;
-    const BasicFreeVector<Real> moves = respond(stack, *other, bodies, free, sought).motion;
+    const FreeVector<Real> moves = respond(question, *other).motion;
     if ((moves - motion).template lpNorm<Eigen::Infinity>() > same ||
         any_pair([&](std::size_t k) { return mode[k].sticks() != (*other)[k].sticks(); }))
       return true;

@@ -1,63 +1,74 @@
 #pragma once
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
-#include <utility>
 
 #include "analytic/unilateral/contact/contact_kinematics.hpp"
-#include "analytic/unilateral/contact/contact_model.hpp"
 
 namespace rockstack {
 
 // Motion and impact are one rule for free bodies: M (v' − v) = Wᵀ λ, with v' the accelerations or the
-// velocities after, v those that there would be without contact, and W the gradients of gaps and slips.
+// velocities after, v those that there would be without contact, and W the Jacobian of gaps and slips.
 
 /// Whether velocities or accelerations are sought: the latter have a part that velocities alone make.
-enum class Sought { velocities, accelerations };
+enum class ContactLevel { velocities, accelerations };
+
+/// What is asked of the laws of contact at one instant: the motion that follows from the one without contact.
+template <class Real = double>
+struct ContactQuestion {
+  const ContactModel<Real>& stack;
+  const Bodies<Real>& bodies;
+  const FreeVector<Real>& free;  ///< the motion without contact
+  ContactLevel level;
+
+  bool of_accelerations() const { return level == ContactLevel::accelerations; }
+  /// The way an interface slides: a direction, or 0 where it is to be found.
+  int slip_before(const Joint<Real>& joint) const { return of_accelerations() ? joint.slip : 0; }
+  ContactKinematics<Real> kinematics(int interface, const Joint<Real>& joint) const {
+    return kinematics_of(stack, bodies, stack.held_point(interface, joint));
+  }
+};
 
 template <class Real>
 using SquareMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Unknowns λ with their gradients, what they do, and what else stands in their conditions W v' + bias.
+/// Unknowns λ with their rows of W, those of what they do, and what else stands in their conditions W v' +
+/// bias.
 template <class Real>
 struct ContactProblem {
-  std::vector<FreeRow<Real>> gradients, actions;
-  std::vector<Real> biases;
+  std::vector<FreeRow<Real>> jacobian, directions;
+  std::vector<Real> bias;
 
-  void add(const FreeRow<Real>& gradient, const FreeRow<Real>& action, const Real& bias) {
-    gradients.push_back(gradient);
-    actions.push_back(action);
-    biases.push_back(bias);
+  void add(const FreeRow<Real>& row, const FreeRow<Real>& direction, const Real& own_bias) {
+    jacobian.push_back(row);
+    directions.push_back(direction);
+    bias.push_back(own_bias);
   }
 
-  Eigen::Index size() const { return static_cast<Eigen::Index>(gradients.size()); }
+  Eigen::Index size() const { return static_cast<Eigen::Index>(jacobian.size()); }
 
-  /// What unit unknowns, the columns, change of conditions, the rows.
-  SquareMatrix<Real> matrix(const BasicFrictionStack<Real>& stack) const {
+  /// W M⁻¹ Wᵀ: what unit unknowns, the columns, change of conditions, the rows.
+  SquareMatrix<Real> matrix(const ContactModel<Real>& stack) const {
     SquareMatrix<Real> result(size(), size());
     for (Eigen::Index i = 0; i < size(); ++i)
       for (Eigen::Index j = 0; j < size(); ++j)
-        result(i, j) = (gradients[static_cast<std::size_t>(i)].array() *
-                        stack.inverse_mass.transpose().array() * actions[static_cast<std::size_t>(j)].array())
-                           .sum();
+        result(i, j) =
+            stack.effect(jacobian[static_cast<std::size_t>(i)], directions[static_cast<std::size_t>(j)]);
     return result;
   }
 
   /// The conditions without contact.
-  BasicFreeVector<Real> free(const BasicFreeVector<Real>& motion) const {
-    BasicFreeVector<Real> result(size());
+  FreeVector<Real> free(const FreeVector<Real>& motion) const {
+    FreeVector<Real> result(size());
     for (Eigen::Index i = 0; i < size(); ++i)
-      result[i] = gradients[static_cast<std::size_t>(i)].dot(motion) + biases[static_cast<std::size_t>(i)];
+      result[i] = jacobian[static_cast<std::size_t>(i)].dot(motion) + bias[static_cast<std::size_t>(i)];
     return result;
   }
 };
 
-/// The gradient of the angle between an interface's upper and lower block, times a factor.
+/// The Jacobian of the angle between an interface's upper and lower block, times a factor.
 template <class Real>
-FreeRow<Real> angle_row(const BasicFrictionStack<Real>& stack, int interface, const Real& factor = 1) {
+FreeRow<Real> angle_row(const ContactModel<Real>& stack, int interface, const Real& factor = 1) {
   FreeRow<Real> row = FreeRow<Real>::Zero(Eigen::Index{3} * stack.size());
   row[Eigen::Index{3} * interface + 2] = factor;
   if (interface > 0) row[Eigen::Index{3} * interface - 1] = -factor;
@@ -69,74 +80,75 @@ template <class Real>
 struct TouchingPoints {
   int interface;
   std::vector<FreeRow<Real>> normals;
-  std::vector<Real> normal_biases;
+  Real normal_bias;
   FreeRow<Real> slip;
   Real slip_bias;
   Real friction;
 };
 
 template <class Real>
-std::vector<TouchingPoints<Real>> touching_points(const BasicFrictionStack<Real>& stack,
-                                                  const Joints<Real>& joints, const BasicBodies<Real>& bodies,
-                                                  Sought sought) {
+std::vector<TouchingPoints<Real>> touching_points(const ContactQuestion<Real>& question,
+                                                  const Joints<Real>& joints) {
   std::vector<TouchingPoints<Real>> contacts;
-  const Real bias = sought == Sought::accelerations ? 1 : 0;
-  for (int k = 0; k < stack.size(); ++k) {
+  const Real bias = question.of_accelerations() ? 1 : 0;
+  for (int k = 0; k < question.stack.size(); ++k) {
     const auto index = static_cast<std::size_t>(k);
-    const BasicJoint<Real>& joint = joints[index];
+    const Joint<Real>& joint = joints[index];
     if (!joint.touches()) continue;
-    const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, held_point(stack.blocks, k, joint));
-    TouchingPoints<Real> contact{k, {}, {}, rows.slip_row, bias * rows.slip_bias, stack.friction[index]};
+    const ContactKinematics<Real> rows = question.kinematics(k, joint);
+    TouchingPoints<Real> contact{k,
+                                 {rows.gap_row},
+                                 bias * rows.gap_bias,
+                                 rows.slip_row,
+                                 bias * rows.slip_bias,
+                                 question.stack.friction[index]};
     if (joint.touch == Touch::flat) {
-      const Overlap<Real> ends = overlap(stack, k, joint.offset);
-      const FreeRow<Real> turn = angle_row(stack, k);
+      const Overlap<Real> ends = overlap(question.stack, k, joint.offset);
+      const FreeRow<Real> turn = angle_row(question.stack, k);
       contact.normals = {rows.gap_row - ends.left * turn, rows.gap_row - ends.right * turn};
-    } else {
-      contact.normals = {rows.gap_row};
     }
-    contact.normal_biases.assign(contact.normals.size(), bias * rows.gap_bias);
     contacts.push_back(std::move(contact));
   }
   return contacts;
 }
 
-/// The way an interface slides: a direction, or 0 where it is to be found.
-template <class Real>
-int slip_before(const BasicJoint<Real>& joint, Sought sought) {
-  return sought == Sought::velocities ? 0 : joint.slip;
-}
-
 /// What one interface does to the block above it: forces in N and N·m, or impulses; the moment is about its
 /// held point, and that of a pivot is zero.
 template <class Real>
-struct BasicContactForce {
+struct ContactForce {
   Real normal = 0, tangential = 0, moment = 0;
 };
 
 /// What a mode leads to.
-template <class Real>
-struct BasicModeResponse {
-  BasicFreeVector<Real> motion;
-  std::vector<BasicContactForce<Real>> forces;
-};
+template <class Real = double>
+struct ModeResponse {
+  FreeVector<Real> motion;
+  std::vector<ContactForce<Real>> forces;
 
-using ModeResponse = BasicModeResponse<double>;
+  /// The largest part of a force along or across a face.
+  Real largest_force() const {
+    using std::abs;
+    Real size = 0;
+    for (const ContactForce<Real>& force : forces)
+      size = std::max<Real>({size, Real(abs(force.normal)), Real(abs(force.tangential))});
+    return size;
+  }
+};
 
 /// What joints hold, as equations for what holds it.
 template <class Real>
-ContactProblem<Real> held_by(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-                             const BasicBodies<Real>& bodies, Sought sought) {
+ContactProblem<Real> held_by(const ContactQuestion<Real>& question, const Joints<Real>& joints) {
   ContactProblem<Real> problem;
-  const Real bias = sought == Sought::accelerations ? 1 : 0;
-  for (int k = 0; k < stack.size(); ++k) {
+  const Real bias = question.of_accelerations() ? 1 : 0;
+  for (int k = 0; k < question.stack.size(); ++k) {
     const auto index = static_cast<std::size_t>(k);
-    const BasicJoint<Real>& joint = joints[index];
+    const Joint<Real>& joint = joints[index];
     if (!joint.touches()) continue;
-    const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, held_point(stack.blocks, k, joint));
+    const ContactKinematics<Real> rows = question.kinematics(k, joint);
     // Turned by its half-width, all rows are of one unit.
-    const FreeRow<Real> turn = angle_row(stack, k, half_width_of<Real>(stack.blocks, k));
+    const FreeRow<Real> turn = angle_row(question.stack, k, question.stack.half_width(k));
     if (joint.touch == Touch::flat) problem.add(turn, turn, 0);
-    problem.add(rows.gap_row, rows.gap_row - joint.slip * stack.friction[index] * rows.slip_row,
+    problem.add(rows.gap_row, rows.gap_row - joint.slip * question.stack.friction[index] * rows.slip_row,
                 bias * rows.gap_bias);
     if (joint.slip == 0) problem.add(rows.slip_row, rows.slip_row, bias * rows.slip_bias);
   }
@@ -145,21 +157,20 @@ ContactProblem<Real> held_by(const BasicFrictionStack<Real>& stack, const Joints
 
 /// The motion that is left of a free one where joints hold as they say.
 template <class Real>
-BasicModeResponse<Real> respond(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-                                const BasicBodies<Real>& bodies, const BasicFreeVector<Real>& free,
-                                Sought sought) {
-  const ContactProblem<Real> problem = held_by(stack, joints, bodies, sought);
-  BasicModeResponse<Real> response{free, std::vector<BasicContactForce<Real>>(joints.size())};
+ModeResponse<Real> respond(const ContactQuestion<Real>& question, const Joints<Real>& joints) {
+  const ContactModel<Real>& stack = question.stack;
+  const ContactProblem<Real> problem = held_by(question, joints);
+  ModeResponse<Real> response{question.free, std::vector<ContactForce<Real>>(joints.size())};
   if (problem.size() == 0) return response;
-  const BasicFreeVector<Real> forces =
-      Eigen::PartialPivLU<SquareMatrix<Real>>(problem.matrix(stack)).solve(-problem.free(free));
+  const FreeVector<Real> forces =
+      Eigen::PartialPivLU<SquareMatrix<Real>>(problem.matrix(stack)).solve(-problem.free(question.free));
   for (Eigen::Index i = 0; i < forces.size(); ++i)
-    response.motion +=
-        forces[i] * stack.inverse_mass.cwiseProduct(problem.actions[static_cast<std::size_t>(i)].transpose());
+    response.motion += forces[i] * stack.inverse_mass.cwiseProduct(
+                                       problem.directions[static_cast<std::size_t>(i)].transpose());
   Eigen::Index at = 0;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     if (!joints[k].touches()) continue;
-    BasicContactForce<Real>& force = response.forces[k];
+    ContactForce<Real>& force = response.forces[k];
     if (joints[k].touch == Touch::flat) force.moment = forces[at++] * Real(stack.blocks[k].half_width);
     force.normal = forces[at++];
     force.tangential =
@@ -171,12 +182,14 @@ BasicModeResponse<Real> respond(const BasicFrictionStack<Real>& stack, const Joi
 /// A rounding over what it makes of contact forces, in shares of them, of a stack that stands and sticks: the
 /// reciprocal condition number, by largest rows' sums, of what forces do, each in the unit of its own effect.
 template <class Real>
-Real conditioning(const BasicFrictionStack<Real>& stack) {
+Real conditioning(const ContactModel<Real>& stack) {
   Joints<Real> joints(stack.blocks.size());
-  BasicBodies<Real> bodies{Placements<Real>(joints.size()), Placements<Real>(joints.size())};
-  place(stack.blocks, joints, bodies);
-  const SquareMatrix<Real> effects = held_by(stack, joints, bodies, Sought::velocities).matrix(stack);
-  const BasicFreeVector<Real> units = effects.diagonal().cwiseSqrt().cwiseInverse();
+  Bodies<Real> bodies{Poses<Real>(joints.size()), Poses<Real>(joints.size())};
+  place(stack, joints, bodies);
+  const FreeVector<Real> none;
+  const SquareMatrix<Real> effects =
+      held_by<Real>({stack, bodies, none, ContactLevel::velocities}, joints).matrix(stack);
+  const FreeVector<Real> units = effects.diagonal().cwiseSqrt().cwiseInverse();
   const SquareMatrix<Real> scaled = units.asDiagonal() * effects * units.asDiagonal();
   const SquareMatrix<Real> inverse = Eigen::PartialPivLU<SquareMatrix<Real>>(scaled).inverse();
   const auto size = [](const SquareMatrix<Real>& matrix) {
@@ -185,21 +198,18 @@ Real conditioning(const BasicFrictionStack<Real>& stack) {
   return 1 / (size(scaled) * size(inverse));
 }
 
-/// A rounding of places over what it makes of the smallest half-size, in shares of that.
+/// A rounding of poses over what it makes of the smallest half-size, in shares of that.
 template <class Real>
-Real fineness(const BasicFrictionStack<Real>& stack) {
-  Real height = 0;
+Real fineness(const ContactModel<Real>& stack) {
   Real smallest = std::numeric_limits<Real>::infinity();
-  for (const Block& block : stack.blocks) {
-    height += 2 * block.half_height;
+  for (const Block& block : stack.blocks)
     smallest = std::min<Real>(smallest, std::min(block.half_width, block.half_height));
-  }
-  return smallest / height;
+  return smallest / stack.height();
 }
 
 /// Whether contact forces and sizes keep so many digits of a number type.
 template <class Real>
-bool keeps_digits(const BasicFrictionStack<Real>& stack, int digits) {
+bool keeps_digits(const ContactModel<Real>& stack, int digits) {
   using std::pow;
   return std::min(conditioning(stack), fineness(stack)) >=
          pow(Real(10), digits) * std::numeric_limits<Real>::epsilon();
@@ -208,7 +218,7 @@ bool keeps_digits(const BasicFrictionStack<Real>& stack, int digits) {
 /// @throws std::domain_error where masses or sizes are so far apart that contact forces or sizes keep fewer
 /// than six digits.
 template <class Real>
-void require_digits(const BasicFrictionStack<Real>& stack) {
+void require_digits(const ContactModel<Real>& stack) {
   if (!keeps_digits(stack, 6))
     throw std::domain_error(
         "block masses or sizes are too far apart: rounding would leave contact forces fewer than six digits");

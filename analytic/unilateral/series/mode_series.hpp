@@ -1,11 +1,11 @@
 #pragma once
 
 #include "analytic/polynomials/polynomial.hpp"
-#include "analytic/unilateral/contact/bodies.hpp"
+#include "analytic/unilateral/contact/contact_model.hpp"
 
 namespace rockstack {
 
-/// A block's placement over a step, with the cosine and sine of its angle.
+/// A block's pose over a step, with the cosine and sine of its angle.
 template <class Real>
 struct BodySeries {
   Polynomial<Real> x, y, angle, cosine, sine;
@@ -40,7 +40,7 @@ struct FaceSeries {
   Polynomial<Real> along, above;
 };
 
-/// What an interface carries over a step, in units of the step's own; see BasicContactForce.
+/// What an interface carries over a step, in units of the step's own; see ContactForce.
 template <class Real>
 struct ForceSeries {
   Polynomial<Real> normal, tangential, moment;
@@ -72,11 +72,11 @@ struct GrowingPoint {
   FaceSeries<Real> place;             ///< from there too
   Polynomial<Real> force_x, force_y;  ///< on the point's body
 
-  GrowingPoint(const std::vector<Block>& blocks, const CornerOnFace<Real>& point,
+  GrowingPoint(const ContactModel<Real>& stack, const CornerOnFace<Real>& point,
                const BodySeries<Real>* face_body, const BodySeries<Real>* point_body)
       : corner(point),
-        body_arm(Point<Real>(point.x, point.y) - centre_of<Real>(blocks, point.body)),
-        face_centre(centre_of<Real>(blocks, point.face)),
+        body_arm(Point<Real>(point.x, point.y) - stack.centre(point.body)),
+        face_centre(stack.centre(point.face)),
         face(face_body),
         body(point_body) {}
 
@@ -109,7 +109,7 @@ struct GrowingPoint {
   }
 
   /// Adds coefficient n of the force, and of its moment, on both bodies.
-  void add_force(const ForceSeries<Real>& force, std::size_t n, BasicFreeVector<Real>& result) const {
+  void add_force(const ForceSeries<Real>& force, std::size_t n, FreeVector<Real>& result) const {
     if (corner.body >= 0) {
       result[Eigen::Index{3} * corner.body] += force_x[n];
       result[Eigen::Index{3} * corner.body + 1] += force_y[n];
@@ -138,8 +138,8 @@ struct ModeSeries {
   std::vector<ForceSeries<Real>> forces;
   std::vector<FaceSeries<Real>> held;  ///< of held points; empty where apart
 
-  BasicBodies<Real> at(const Real& s) const {
-    BasicBodies<Real> result;
+  Bodies<Real> at(const Real& s) const {
+    Bodies<Real> result;
     for (const BodySeries<Real>& body : bodies) {
       const auto x = tangent(body.x, s);
       const auto y = tangent(body.y, s);
@@ -153,13 +153,13 @@ struct ModeSeries {
 
 /// Any corner over any face along a step.
 template <class Real>
-FaceSeries<Real> corner_series(const std::vector<Block>& blocks, const ModeSeries<Real>& series,
+FaceSeries<Real> corner_series(const ContactModel<Real>& stack, const ModeSeries<Real>& series,
                                const CornerOnFace<Real>& corner) {
   const BodySeries<Real> ground = ground_series<Real>();
   const auto of = [&](int body) {
     return body < 0 ? &ground : &series.bodies[static_cast<std::size_t>(body)];
   };
-  GrowingPoint<Real> point(blocks, corner, of(corner.face), of(corner.body));
+  GrowingPoint<Real> point(stack, corner, of(corner.face), of(corner.body));
   for (std::size_t n = 0; n < series.bodies.front().x.terms; ++n) point.extend(n);
   return point.place_from_middle();
 }

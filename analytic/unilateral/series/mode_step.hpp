@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "analytic/steps/body_force.hpp"
-#include "analytic/unilateral/contact/bodies.hpp"
+#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
 #include "analytic/unilateral/series/mode_series.hpp"
 
@@ -14,16 +14,16 @@ namespace rockstack {
 template <class Real>
 class HeldRows {
  public:
-  explicit HeldRows(const BasicFrictionStack<Real>& stack) : stack_(stack) {}
+  explicit HeldRows(const ContactModel<Real>& stack) : stack_(stack) {}
 
   /// The joint of an interface, whose held point is `point` of the series and has these rows at the start.
-  void add(const BasicJoint<Real>& joint, std::size_t point, const BasicPointRows<Real>& rows,
+  void add(const Joint<Real>& joint, std::size_t point, const ContactKinematics<Real>& rows,
            std::size_t interface) {
     const Row row{Kind::gap, joint.slip, interface, point};
     const auto k = static_cast<int>(interface);
     if (joint.touch == Touch::flat) {
       // Turned by its half-width, all rows are of one unit.
-      const FreeRow<Real> turn = angle_row(stack_, k, half_width_of<Real>(stack_.blocks, k));
+      const FreeRow<Real> turn = angle_row(stack_, k, stack_.half_width(k));
       push({Kind::turn, row.sliding, interface, point}, turn, turn);
     }
     push(row, rows.gap_row, rows.gap_row - joint.slip * stack_.friction[interface] * rows.slip_row);
@@ -36,23 +36,23 @@ class HeldRows {
     SquareMatrix<Real> matrix(size, size);
     for (Eigen::Index i = 0; i < size; ++i)
       for (Eigen::Index j = 0; j < size; ++j)
-        matrix(i, j) = gradients_[static_cast<std::size_t>(i)].dot(effects_[static_cast<std::size_t>(j)]);
+        matrix(i, j) = jacobian_[static_cast<std::size_t>(i)].dot(effects_[static_cast<std::size_t>(j)]);
     lu_.compute(matrix);
   }
 
   /// Changes coefficient n of accelerations so that what is held stays zero at order n + 2, and notes the
   /// forces that do it.
-  void constrain(const std::vector<GrowingPoint<Real>>& points, std::size_t n, BasicFreeVector<Real>& motion,
+  void constrain(const std::vector<GrowingPoint<Real>>& points, std::size_t n, FreeVector<Real>& motion,
                  std::vector<ForceSeries<Real>>& forces) const {
     if (rows_.empty()) return;
     const Real factor = Real(n + 2) * Real(n + 1);
     const auto size = static_cast<Eigen::Index>(rows_.size());
-    BasicFreeVector<Real> violation(size);
+    FreeVector<Real> violation(size);
     for (Eigen::Index i = 0; i < size; ++i) {
       const auto row = static_cast<std::size_t>(i);
-      violation[i] = gradients_[row].dot(motion) + factor * known(rows_[row], points, n + 2);
+      violation[i] = jacobian_[row].dot(motion) + factor * known(rows_[row], points, n + 2);
     }
-    const BasicFreeVector<Real> unknowns = lu_.solve(-violation);
+    const FreeVector<Real> unknowns = lu_.solve(-violation);
     for (Eigen::Index i = 0; i < size; ++i) motion += unknowns[i] * effects_[static_cast<std::size_t>(i)];
     for (std::size_t i = 0; i < rows_.size(); ++i)
       note_force(rows_[i], unknowns[static_cast<Eigen::Index>(i)], n, forces);
@@ -69,7 +69,7 @@ class HeldRows {
 
   void push(const Row& row, const FreeRow<Real>& gradient, const FreeRow<Real>& action) {
     rows_.push_back(row);
-    gradients_.push_back(gradient);
+    jacobian_.push_back(gradient);
     effects_.emplace_back(stack_.inverse_mass.cwiseProduct(action.transpose()));
   }
 
@@ -98,32 +98,20 @@ class HeldRows {
     }
   }
 
-  const BasicFrictionStack<Real>& stack_;
+  const ContactModel<Real>& stack_;
   std::vector<Row> rows_;
-  std::vector<FreeRow<Real>> gradients_;
-  std::vector<BasicFreeVector<Real>> effects_;
+  std::vector<FreeRow<Real>> jacobian_;
+  std::vector<FreeVector<Real>> effects_;
   Eigen::PartialPivLU<SquareMatrix<Real>> lu_;
 };
 
-/// Where nothing but contacts holds blocks, no forces are known.
-struct NoForces {
-  void begin(const auto& /*body_of*/, const auto& /*length*/) const {}
-  void extend_places(std::size_t /*m*/) const {}
-  void extend_forces(std::size_t /*n*/, const auto& /*forces*/) const {}
-  void add_forces(std::size_t /*n*/, const auto& /*result*/) const {}
-  int size_of(std::size_t /*m*/) const { return 0; }
-  std::size_t silent_orders() const { return 0; }
-  void rescale_by(const auto& /*ratio*/) const {}
-};
-
-/// Lets the series of a step grow, order by order. `known` are the forces of springs, or none: each order of
+/// Lets the series of a step grow, order by order. `known` are the forces of springs: each order of
 /// theirs follows from the same order of places and velocities.
 template <class Real, class Known>
 class SeriesMaker {
  public:
-  SeriesMaker(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-              const BasicBodies<Real>& start, const ScaledBodyForce<Real>& body_force, const Real& length,
-              Known& known)
+  SeriesMaker(const ContactModel<Real>& stack, const Joints<Real>& joints, const Bodies<Real>& start,
+              const ScaledBodyForce<Real>& body_force, const Real& length, Known& known)
       : stack_(stack),
         joints_(joints),
         body_force_(body_force),
@@ -155,7 +143,7 @@ class SeriesMaker {
     }
     known_.extend_places(m);
     known_.extend_forces(n, series_.forces);
-    BasicFreeVector<Real> motion = stack_.inverse_mass.cwiseProduct(forces(n));
+    FreeVector<Real> motion = stack_.inverse_mass.cwiseProduct(forces(n));
     held_.constrain(points_, n, motion, series_.forces);
     for (std::size_t k = 0; k < series_.bodies.size(); ++k) {
       BodySeries<Real>& body = series_.bodies[k];
@@ -211,8 +199,7 @@ class SeriesMaker {
   }
 
  private:
-  void begin(BodySeries<Real>& body, const BasicBodyPlacement<Real>& at,
-             const BasicBodyPlacement<Real>& rate) const {
+  void begin(BodySeries<Real>& body, const Pose<Real>& at, const Pose<Real>& rate) const {
     using std::cos;
     using std::sin;
     const Real length = series_.length;
@@ -228,22 +215,22 @@ class SeriesMaker {
     return body < 0 ? &ground_ : &series_.bodies[static_cast<std::size_t>(body)];
   }
 
-  void start_points(const BasicBodies<Real>& start) {
+  void start_points(const Bodies<Real>& start) {
     for (std::size_t k = 0; k < joints_.size(); ++k) {
-      const BasicJoint<Real>& joint = joints_[k];
+      const Joint<Real>& joint = joints_[k];
       if (!joint.touches()) continue;
-      const CornerOnFace<Real> corner = held_point(stack_.blocks, static_cast<int>(k), joint);
-      points_.emplace_back(stack_.blocks, corner, body_of(corner.face), body_of(corner.body));
+      const CornerOnFace<Real> corner = stack_.held_point(static_cast<int>(k), joint);
+      points_.emplace_back(stack_, corner, body_of(corner.face), body_of(corner.body));
       points_.back().extend(0);
       points_.back().extend(1);
-      held_.add(joint, points_.size() - 1, rows_of(stack_.blocks, start, corner), k);
+      held_.add(joint, points_.size() - 1, kinematics_of(stack_, start, corner), k);
     }
     held_.prepare();
   }
 
   /// Coefficient n of all forces and moments, of those contact forces that are known.
-  BasicFreeVector<Real> forces(std::size_t n) const {
-    BasicFreeVector<Real> result = BasicFreeVector<Real>::Zero(Eigen::Index{3} * stack_.size());
+  FreeVector<Real> forces(std::size_t n) const {
+    FreeVector<Real> result = FreeVector<Real>::Zero(Eigen::Index{3} * stack_.size());
     for (int k = 0; k < stack_.size(); ++k) {
       const Real mass = stack_.blocks[static_cast<std::size_t>(k)].mass;
       result[Eigen::Index{3} * k] = mass * coefficient(body_force_.x, n);
@@ -255,7 +242,7 @@ class SeriesMaker {
     return result;
   }
 
-  const BasicFrictionStack<Real>& stack_;
+  const ContactModel<Real>& stack_;
   const Joints<Real>& joints_;
   const ScaledBodyForce<Real>& body_force_;
   Known& known_;
@@ -289,11 +276,10 @@ class LeftOut {
 /// The series over `length`, or less of it where they would leave out more than rounding of positions, or of
 /// forces, their second derivatives, more than what events need.
 template <class Real, class Known>
-ModeStep<Real> mode_step(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-                         const BasicBodies<Real>& bodies, const ScaledBodyForce<Real>& body_force,
+ModeStep<Real> mode_step(const ContactModel<Real>& stack, const Joints<Real>& joints,
+                         const Bodies<Real>& bodies, const ScaledBodyForce<Real>& body_force,
                          const Real& length, Known& known) {
-  Real unit = 0;
-  for (const Block& block : stack.blocks) unit += 2 * block.half_height;
+  const Real unit = stack.height();
   SeriesMaker<Real, Known> maker(stack, joints, bodies, body_force, length, known);
   const std::size_t body_force_terms = std::max(body_force.x.terms, body_force.y.terms);
   constexpr std::size_t most = max_orders<Real>;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "analytic/scene/spring_checks.hpp"
-#include "analytic/unilateral/springs/spring_courses.hpp"
 #include "analytic/unilateral/springs/spring_energy.hpp"
+#include "analytic/unilateral/springs/spring_guards.hpp"
 #include "analytic/unilateral/springs/spring_rounding.hpp"
 #include "analytic/unilateral/springs/static_equilibrium.hpp"
 
@@ -14,11 +14,11 @@ class SpringContacts {
  public:
   /// Keeps a reference to `stack`. Puts blocks onto their springs, and takes the joints of soft interfaces
   /// from rigid contacts.
-  SpringContacts(const Scene& scene, const BasicFrictionStack<Real>& stack, ContactState<Real>& state)
+  SpringContacts(const Scene& scene, const ContactModel<Real>& stack, ContactState<Real>& state)
       : stack_(stack), lost_(stack.blocks.size()), shown_(state.joints) {
     if (stack.springs.empty()) return;
     points_ = initial_points(stack, state);
-    if (scene.initial.settled) settle(scene, stack, state, points_);
+    if (scene.initial.preloaded) preload(scene, stack, state, points_);
     for (std::size_t k = 0; k < state.joints.size(); ++k)
       if (stack.soft(k)) state.joints[k] = {Touch::apart, 0, false, 0};
     show();
@@ -35,19 +35,19 @@ class SpringContacts {
   }
 
   /// The longest step over which series tell the fastest motion there may be, to rounding.
-  Real longest_step(const BasicBodies<Real>& bodies) const {
+  Real longest_step(const Bodies<Real>& bodies) const {
     const Real rate = fastest_rate(stack_, points_, bodies);
     return rate > 0 ? Real(steps_per_rate) / rate : std::numeric_limits<Real>::infinity();
   }
 
   /// What springs make of bodies' acceleration.
-  BasicFreeVector<Real> accelerations(const BasicBodies<Real>& bodies) const {
+  FreeVector<Real> accelerations(const Bodies<Real>& bodies) const {
     return stack_.inverse_mass.cwiseProduct(forces_of(stack_, points_, bodies));
   }
 
   /// Goes up to s of a step, over which bodies go from `before` to `after`.
-  void go(const SpringSeries<Real>& series, const Real& s, const BasicBodies<Real>& before,
-          const BasicBodies<Real>& after) {
+  void go(const SpringSeries<Real>& series, const Real& s, const Bodies<Real>& before,
+          const Bodies<Real>& after) {
     for (SpringPoint<Real>& point : points_) {
       if (s > 0) point.move_on();
       if (point.is_bed())
@@ -60,24 +60,24 @@ class SpringContacts {
       SpringPoint<Real>& point = points_[spring.index];
       add_losses(spring, series, s, losses(point));
       if (point.slide == 0 && spring.law.friction > 0) continue;
-      const Real slip = rows_of(stack_.blocks, after, corner_of(stack_.blocks, point)).slip;
+      const Real slip = kinematics_of(stack_, after, corner_of(stack_, point)).slip;
       point.slider = spring.law.friction == 0 ? slip : slip - value(spring.stretch, s);
     }
     show();
   }
 
-  /// Changes a point as its course says; not where another course at the same time has changed it.
-  void apply(const SpringCourse<Real>& course, const BasicBodies<Real>& bodies) {
-    SpringPoint<Real>& point = points_[course.point];
+  /// Changes a point as its guard says; not where another guard at the same time has changed it.
+  void apply(const SpringGuard<Real>& guard, const Bodies<Real>& bodies) {
+    SpringPoint<Real>& point = points_[guard.point];
     const PointLaw<Real> law = law_of(stack_, point.interface);
-    if (course.change >= SpringChange::bed_depth) return apply_to_bed(course, bodies);
-    if (point.press != pressed_before(course.change)) return;
+    if (guard.change >= SpringChange::bed_depth) return apply_to_bed(guard, bodies);
+    if (point.press != pressed_before(guard.change)) return;
     const bool moves = point.slide != 0 || law.friction == 0;
-    if (course.change == SpringChange::slide ? moves : course.change >= SpringChange::grip && !moves) return;
+    if (guard.change == SpringChange::slide ? moves : guard.change >= SpringChange::grip && !moves) return;
     const Real held = elastic_energy(stack_, point, bodies);
-    switch (course.change) {
+    switch (guard.change) {
       case SpringChange::touch:
-        point.corner_below = course.below;
+        point.corner_below = guard.below;
         start_pushing(point, bodies);
         point.at_face = is_at_face(point, bodies);
         break;
@@ -95,7 +95,7 @@ class SpringContacts {
         point.at_face = true;
         break;
       case SpringChange::slide:
-        point.slide = course.way;
+        point.slide = guard.way;
         break;
       case SpringChange::grip:
         point.slide = 0;
@@ -107,7 +107,7 @@ class SpringContacts {
         break;
     }
     losses(point).damped += held - elastic_energy(stack_, point, bodies);
-    if (course.change == SpringChange::pass) losses(point).rubbed += slip_at_once(stack_, bodies, point);
+    if (guard.change == SpringChange::pass) losses(point).rubbed += slip_at_once(stack_, bodies, point);
   }
 
   /// Tells how soft interfaces touch now.
@@ -116,7 +116,7 @@ class SpringContacts {
     for (const SpringPoint<Real>& point : points_) {
       if (!point.pushes()) continue;
       const auto k = static_cast<std::size_t>(point.interface);
-      BasicJoint<Real>& joint = shown_[k];
+      Joint<Real>& joint = shown_[k];
       if (point.is_bed()) {
         ends[k] = 2;
         joint = {touch_of(point.bed), point.slide, point.corner_below, point.slider};
@@ -126,7 +126,7 @@ class SpringContacts {
       joint.touch = static_cast<Touch>(point.side);
       joint.corner_below = point.corner_below;
       joint.slip = first || joint.slip == point.slide ? point.slide : 0;
-      const Real offset = point.slider - slip_from_offset(stack_.blocks, point.interface, joint);
+      const Real offset = point.slider - slip_from_offset(stack_, point.interface, joint);
       joint.offset = first ? offset : Real((joint.offset + offset) / 2);
       if (!first) joint.touch = Touch::flat;
     }
@@ -135,14 +135,14 @@ class SpringContacts {
   }
 
   /// What the springs of each interface do.
-  std::vector<BasicSpringState<Real>> states(const BasicBodies<Real>& bodies) const {
+  std::vector<SpringState<Real>> states(const Bodies<Real>& bodies) const {
     if (points_.empty()) return {};
-    std::vector<BasicSpringState<Real>> result(stack_.blocks.size());
+    std::vector<SpringState<Real>> result(stack_.blocks.size());
     for (std::size_t k = 0; k < result.size(); ++k) result[k].energy = lost_[k];
     for (const SpringPoint<Real>& point : points_) {
-      BasicSpringState<Real>& state = result[static_cast<std::size_t>(point.interface)];
-      const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
-      const BasicPointRows<Real> rows = rows_of(stack_.blocks, bodies, corner);
+      SpringState<Real>& state = result[static_cast<std::size_t>(point.interface)];
+      const CornerOnFace<Real> corner = corner_of(stack_, point);
+      const ContactKinematics<Real> rows = kinematics_of(stack_, bodies, corner);
       const PointForce<Real> force = force_of(stack_, point, bodies, rows);
       state.reaction.normal += force.normal;
       state.reaction.tangential += force.tangential;
@@ -168,32 +168,32 @@ class SpringContacts {
   }
 
   Real bed_width(const SpringPoint<Real>& point) const {
-    return 2 * half_width_of<Real>(stack_.blocks, corner_of(stack_.blocks, point).body);
+    return 2 * stack_.half_width(corner_of(stack_, point).body);
   }
 
-  /// A sign of a bed changes, not where another course at the same time has changed it. The other end's does
+  /// A sign of a bed changes, not where another guard at the same time has changed it. The other end's does
   /// so too where it is as near to zero as rounding.
-  void apply_to_bed(const SpringCourse<Real>& course, const BasicBodies<Real>& bodies) {
+  void apply_to_bed(const SpringGuard<Real>& guard, const Bodies<Real>& bodies) {
     using std::abs;
-    SpringPoint<Real>& point = points_[course.point];
+    SpringPoint<Real>& point = points_[guard.point];
     BedState& bed = point.bed;
     const PointLaw<Real> law = law_of(stack_, point.interface);
-    const auto rows = bed_rows(stack_.blocks, point, bodies);
+    const auto rows = bed_rows(stack_, point, bodies);
     const GrowingBed<Real> now = bed_at(law, point, rows, vector_of(bodies.rate));
     const Real held = elastic_energy(stack_, point, bodies);
-    const bool above = course.way > 0;
+    const bool above = guard.way > 0;
     const SpringRounding<Real> rounding(stack_, bodies);
-    if (course.change == SpringChange::bed_crossing) {
+    if (guard.change == SpringChange::bed_crossing) {
       if (bed.crossed != above) return;
       bed.crossed = !above;
       bed.at_crossing = true;
     } else {
-      const bool depth = course.change == SpringChange::bed_depth;
+      const bool depth = guard.change == SpringChange::bed_depth;
       for (std::size_t end = 0; end < 2; ++end) {
         BedEnd& here = bed.ends[end];
         if ((depth ? here.deep : here.presses) != above) continue;
         const Real left = depth ? now.depth[end][0] : now.pressure[end][0];
-        if (end != course.end && abs(left) > 2 * (depth ? rounding.place : rounding.normal(law))) continue;
+        if (end != guard.end && abs(left) > 2 * (depth ? rounding.place : rounding.normal(law))) continue;
         // Without dashpots both quantities are one.
         if (depth || law.damping == 0) {
           here.deep = !above;
@@ -231,19 +231,19 @@ class SpringContacts {
   }
 
   /// Whether the depth is zero to rounding.
-  bool is_at_face(const SpringPoint<Real>& point, const BasicBodies<Real>& bodies) const {
+  bool is_at_face(const SpringPoint<Real>& point, const Bodies<Real>& bodies) const {
     using std::abs;
-    return abs(rows_of(stack_.blocks, bodies, corner_of(stack_.blocks, point)).gap) <=
+    return abs(kinematics_of(stack_, bodies, corner_of(stack_, point)).gap) <=
            SpringRounding<Real>(stack_, bodies).place;
   }
 
-  void start_pushing(SpringPoint<Real>& point, const BasicBodies<Real>& bodies) {
+  void start_pushing(SpringPoint<Real>& point, const Bodies<Real>& bodies) {
     point.press = Press::pushing;
     point.slide = 0;
-    point.slider = rows_of(stack_.blocks, bodies, corner_of(stack_.blocks, point)).slip;
+    point.slider = kinematics_of(stack_, bodies, corner_of(stack_, point)).slip;
   }
 
-  const BasicFrictionStack<Real>& stack_;
+  const ContactModel<Real>& stack_;
   SpringPoints<Real> points_;
   std::vector<BasicSpringEnergy<Real>> lost_;
   Joints<Real> shown_;

@@ -7,7 +7,7 @@ namespace rockstack {
 
 /// What the springs of an interface do at one time; of a rigid interface nothing.
 template <class Real>
-struct BasicSpringState {
+struct SpringState {
   BasicReaction<Real> reaction;
   BasicSpringEnergy<Real> energy;
 };
@@ -28,20 +28,20 @@ Real integral_of_product(const Polynomial<Real>& first, const Polynomial<Real>& 
 }
 
 template <class Real>
-Real elastic_energy_of_bed(const BasicFrictionStack<Real>& stack, const SpringPoint<Real>& point,
-                           const BasicBodies<Real>& bodies) {
-  const auto rows = bed_rows(stack.blocks, point, bodies);
+Real elastic_energy_of_bed(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
+                           const Bodies<Real>& bodies) {
+  const auto rows = bed_rows(stack, point, bodies);
   return elastic_energy_of_bed<Real>(law_of(stack, point.interface).stiffness, {-rows[0].gap, -rows[1].gap});
 }
 
 /// What a point's springs hold, J. A spring that is left behind keeps what its depth stands for, and loses it
 /// as the corner backs away.
 template <class Real>
-Real elastic_energy(const BasicFrictionStack<Real>& stack, const SpringPoint<Real>& point,
-                    const BasicBodies<Real>& bodies) {
+Real elastic_energy(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
+                    const Bodies<Real>& bodies) {
   if (point.press == Press::off && !point.is_bed()) return 0;
   const PointLaw<Real> law = law_of(stack, point.interface);
-  const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner_of(stack, point));
   Real energy = point.is_bed() ? elastic_energy_of_bed(stack, point, bodies)
                                : Real(law.stiffness * rows.gap * rows.gap / 2);
   if (point.pushes() && law.friction > 0) {

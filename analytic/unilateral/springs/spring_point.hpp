@@ -44,9 +44,8 @@ template <class Real>
 using SpringPoints = std::vector<SpringPoint<Real>>;
 
 template <class Real>
-CornerOnFace<Real> corner_of(const std::vector<Block>& blocks, const SpringPoint<Real>& point) {
-  return point.corner_below ? lower_corner<Real>(blocks, point.interface, point.side)
-                            : upper_corner<Real>(blocks, point.interface, point.side);
+CornerOnFace<Real> corner_of(const ContactModel<Real>& stack, const SpringPoint<Real>& point) {
+  return stack.corner(point.interface, point.side, point.corner_below);
 }
 
 /// The law of a point, with its friction.
@@ -58,35 +57,35 @@ struct PointLaw {
 };
 
 template <class Real>
-PointLaw<Real> law_of(const BasicFrictionStack<Real>& stack, int interface) {
+PointLaw<Real> law_of(const ContactModel<Real>& stack, int interface) {
   const auto k = static_cast<std::size_t>(interface);
-  const BasicSpringLaw<Real>& law = stack.springs[k];
+  const SpringLaw<Real>& law = stack.springs[k];
   return {law.stiffness, law.damping, law.stiffness * law.tangential, law.damping * law.tangential,
           stack.friction[k]};
 }
 
 /// The ends of a bed, left and right, against the face of the other block.
 template <class Real>
-std::array<CornerOnFace<Real>, 2> bed_corners(const std::vector<Block>& blocks,
+std::array<CornerOnFace<Real>, 2> bed_corners(const ContactModel<Real>& stack,
                                               const SpringPoint<Real>& point) {
   SpringPoint<Real> left = point;
   SpringPoint<Real> right = point;
   left.side = -1;
   right.side = 1;
-  return {corner_of(blocks, left), corner_of(blocks, right)};
+  return {corner_of(stack, left), corner_of(stack, right)};
 }
 
 template <class Real>
-std::array<BasicPointRows<Real>, 2> bed_rows(const std::vector<Block>& blocks, const SpringPoint<Real>& point,
-                                             const BasicBodies<Real>& bodies) {
-  const auto corners = bed_corners(blocks, point);
-  return {rows_of(blocks, bodies, corners[0]), rows_of(blocks, bodies, corners[1])};
+std::array<ContactKinematics<Real>, 2> bed_rows(const ContactModel<Real>& stack,
+                                                const SpringPoint<Real>& point, const Bodies<Real>& bodies) {
+  const auto corners = bed_corners(stack, point);
+  return {kinematics_of(stack, bodies, corners[0]), kinematics_of(stack, bodies, corners[1])};
 }
 
 /// A bed at one instant.
 template <class Real>
 GrowingBed<Real> bed_at(const PointLaw<Real>& law, const SpringPoint<Real>& point,
-                        const std::array<BasicPointRows<Real>, 2>& rows, const BasicFreeVector<Real>& rates) {
+                        const std::array<ContactKinematics<Real>, 2>& rows, const FreeVector<Real>& rates) {
   GrowingBed<Real> bed;
   bed.stretch = stretch_of(point.bed);
   for (std::size_t end = 0; end < 2; ++end) {
@@ -106,14 +105,14 @@ struct PointForce {
 };
 
 template <class Real>
-PointForce<Real> force_of(const BasicFrictionStack<Real>& stack, const SpringPoint<Real>& point,
-                          const BasicBodies<Real>& bodies, const BasicPointRows<Real>& rows) {
+PointForce<Real> force_of(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
+                          const Bodies<Real>& bodies, const ContactKinematics<Real>& rows) {
   if (!point.pushes()) return {0, 0};
   const PointLaw<Real> law = law_of(stack, point.interface);
-  const BasicFreeVector<Real> rates = vector_of(bodies.rate);
+  const FreeVector<Real> rates = vector_of(bodies.rate);
   PointForce<Real> force{-(law.stiffness * rows.gap + law.damping * rows.gap_row.dot(rates)), 0};
   if (point.is_bed()) {
-    const GrowingBed<Real> bed = bed_at(law, point, bed_rows(stack.blocks, point, bodies), rates);
+    const GrowingBed<Real> bed = bed_at(law, point, bed_rows(stack, point, bodies), rates);
     force = {bed.normal[0], 0, bed.couple[0]};
   }
   if (point.slide != 0) {
@@ -127,16 +126,16 @@ PointForce<Real> force_of(const BasicFrictionStack<Real>& stack, const SpringPoi
 
 /// The forces of all points on bodies, and moments.
 template <class Real>
-BasicFreeVector<Real> forces_of(const BasicFrictionStack<Real>& stack, const SpringPoints<Real>& points,
-                                const BasicBodies<Real>& bodies) {
-  BasicFreeVector<Real> forces = BasicFreeVector<Real>::Zero(Eigen::Index{3} * stack.size());
+FreeVector<Real> forces_of(const ContactModel<Real>& stack, const SpringPoints<Real>& points,
+                           const Bodies<Real>& bodies) {
+  FreeVector<Real> forces = FreeVector<Real>::Zero(Eigen::Index{3} * stack.size());
   for (const SpringPoint<Real>& point : points) {
     if (!point.pushes()) continue;
-    const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+    const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner_of(stack, point));
     const PointForce<Real> force = force_of(stack, point, bodies, rows);
     forces += force.normal * rows.gap_row.transpose() + force.tangential * rows.slip_row.transpose();
     if (!point.is_bed()) continue;
-    const auto ends = bed_rows(stack.blocks, point, bodies);
+    const auto ends = bed_rows(stack, point, bodies);
     forces += force.couple * (ends[1].gap_row - ends[0].gap_row).transpose();
   }
   return forces;
@@ -145,8 +144,8 @@ BasicFreeVector<Real> forces_of(const BasicFrictionStack<Real>& stack, const Spr
 /// No oscillation of the stack on points that push is faster than this, and nothing dies out faster, 1/s:
 /// from the trace of M⁻¹K and that of M⁻¹C; and k/c, by which a stretch relaxes while its slider moves.
 template <class Real>
-Real fastest_rate(const BasicFrictionStack<Real>& stack, const SpringPoints<Real>& points,
-                  const BasicBodies<Real>& bodies) {
+Real fastest_rate(const ContactModel<Real>& stack, const SpringPoints<Real>& points,
+                  const Bodies<Real>& bodies) {
   using std::abs;
   using std::sqrt;
   Real square = 0;
@@ -155,13 +154,13 @@ Real fastest_rate(const BasicFrictionStack<Real>& stack, const SpringPoints<Real
   for (const SpringPoint<Real>& point : points) {
     if (!point.pushes()) continue;
     const PointLaw<Real> law = law_of(stack, point.interface);
-    const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+    const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner_of(stack, point));
     const auto product = [&](const FreeRow<Real>& a, const FreeRow<Real>& b) -> Real {
       return (a.array() * stack.inverse_mass.transpose().array() * b.array()).sum();
     };
     Real across = product(rows.gap_row, rows.gap_row);
     if (point.is_bed()) {
-      const auto ends = bed_rows(stack.blocks, point, bodies);
+      const auto ends = bed_rows(stack, point, bodies);
       const FreeRow<Real> turning = (ends[1].gap_row - ends[0].gap_row) / 2;
       across += product(turning, turning) / 3;
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analytic/polynomials/crossing.hpp"
-#include "analytic/unilateral/contact/bodies.hpp"
+#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/springs/spring_point.hpp"
 
 namespace rockstack {
@@ -33,12 +33,12 @@ struct SpringRounding {
   Real place = 0;  ///< ρ, m
   Real speed = 0;  ///< ν, m/s
 
-  SpringRounding(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies) {
+  SpringRounding(const ContactModel<Real>& stack, const Bodies<Real>& bodies) {
     using std::abs;
     Real height = 0;
     for (const Block& block : stack.blocks) height += 2 * Real(block.half_height);
     Real fastest = 0;
-    for (const BasicBodyPlacement<Real>& rate : bodies.rate)
+    for (const Pose<Real>& rate : bodies.rate)
       fastest = std::max<Real>(fastest, abs(rate.x) + abs(rate.y) + height * abs(rate.angle));
     place = tolerance<Real>(2e-15) * height;
     speed = tolerance<Real>(2e-15) * fastest;
@@ -102,14 +102,14 @@ std::optional<Real> told_crossing(Polynomial<Real> series, const Real& rounding)
 
 /// Puts a point that pushes on the corner of the other block at its end; `bodies` are where they are.
 template <class Real>
-void pass_to_other_corner(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies,
+void pass_to_other_corner(const ContactModel<Real>& stack, const Bodies<Real>& bodies,
                           SpringPoint<Real>& point) {
   using std::copysign;
   using std::sqrt;
-  const BasicPointRows<Real> before = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+  const ContactKinematics<Real> before = kinematics_of(stack, bodies, corner_of(stack, point));
   const Real stretch = before.slip - point.slider;
   point.corner_below = !point.corner_below;
-  const BasicPointRows<Real> after = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+  const ContactKinematics<Real> after = kinematics_of(stack, bodies, corner_of(stack, point));
   point.slider = after.slip;
   if (!(after.gap < 0)) {
     point.press = Press::off;
@@ -126,12 +126,11 @@ void pass_to_other_corner(const BasicFrictionStack<Real>& stack, const BasicBodi
 /// Without a dashpot along the face, which would let it take time, a slider moves at once to where friction
 /// holds it, or stands still where it holds already. Returns what that rubs, J.
 template <class Real>
-Real slip_at_once(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies,
-                  SpringPoint<Real>& point) {
+Real slip_at_once(const ContactModel<Real>& stack, const Bodies<Real>& bodies, SpringPoint<Real>& point) {
   using std::abs;
   const PointLaw<Real> law = law_of(stack, point.interface);
   if (!point.pushes() || point.slide == 0 || law.tangential_damping > 0) return 0;
-  const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner_of(stack, point));
   const Real stretch = rows.slip - point.slider;
   const Real most = law.friction * law.stiffness * -rows.gap / law.tangential_stiffness;
   const Real beyond = point.slide * stretch - most;

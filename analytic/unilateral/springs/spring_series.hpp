@@ -33,8 +33,7 @@ template <class Real>
 class SpringSeries {
  public:
   /// Keeps references to all but `bodies`.
-  SpringSeries(const BasicFrictionStack<Real>& stack, const SpringPoints<Real>& points,
-               const BasicBodies<Real>& bodies)
+  SpringSeries(const ContactModel<Real>& stack, const SpringPoints<Real>& points, const Bodies<Real>& bodies)
       : stack_(stack), points_(points), bodies_(bodies) {}
 
   /// `body_of` tells a body's series.
@@ -46,19 +45,18 @@ class SpringSeries {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const SpringPoint<Real>& point = points_[i];
       if (!point.pushes()) continue;
-      const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
-      growing_.push_back(
-          {i,
-           point,
-           law_of(stack_, point.interface),
-           GrowingPoint<Real>(stack_.blocks, corner, body_of(corner.face), body_of(corner.body)),
-           {},
-           {},
-           {},
-           {},
-           {},
-           {}});
-      const BasicPointRows<Real> rows = rows_of(stack_.blocks, bodies_, corner);
+      const CornerOnFace<Real> corner = corner_of(stack_, point);
+      growing_.push_back({i,
+                          point,
+                          law_of(stack_, point.interface),
+                          GrowingPoint<Real>(stack_, corner, body_of(corner.face), body_of(corner.body)),
+                          {},
+                          {},
+                          {},
+                          {},
+                          {},
+                          {}});
+      const ContactKinematics<Real> rows = kinematics_of(stack_, bodies_, corner);
       GrowingSpring<Real>& spring = growing_.back();
       put(spring.depth, 0, point.at_face ? Real(0) : Real(-rows.gap));
       put(spring.slip, 0, rows.slip);
@@ -109,7 +107,7 @@ class SpringSeries {
     }
   }
 
-  void add_forces(std::size_t n, BasicFreeVector<Real>& result) const {
+  void add_forces(std::size_t n, FreeVector<Real>& result) const {
     for (const GrowingSpring<Real>& spring : growing_) {
       spring.point.add_force(spring.force, n, result);
       if (!spring.start.is_bed()) continue;
@@ -154,12 +152,12 @@ class SpringSeries {
   template <class BodyOf>
   void begin_bed(const BodyOf& body_of, const SpringPoint<Real>& point, GrowingSpring<Real>& spring) const {
     spring.bed.stretch = stretch_of(point.bed);
-    const auto corners = bed_corners(stack_.blocks, point);
+    const auto corners = bed_corners(stack_, point);
     for (std::size_t end = 0; end < 2; ++end) {
       const CornerOnFace<Real>& corner = corners[end];
       spring.ends.push_back(
-          {GrowingPoint<Real>(stack_.blocks, corner, body_of(corner.face), body_of(corner.body)), {}});
-      const Real gap = rows_of(stack_.blocks, bodies_, corner).gap;
+          {GrowingPoint<Real>(stack_, corner, body_of(corner.face), body_of(corner.body)), {}});
+      const Real gap = kinematics_of(stack_, bodies_, corner).gap;
       put(spring.bed.depth[end], 0, point.bed.ends[end].at_face ? Real(0) : Real(-gap));
     }
   }
@@ -202,9 +200,9 @@ class SpringSeries {
     }
   }
 
-  const BasicFrictionStack<Real>& stack_;
+  const ContactModel<Real>& stack_;
   const SpringPoints<Real>& points_;
-  const BasicBodies<Real>& bodies_;
+  const Bodies<Real>& bodies_;
   Real length_ = 0;
   Real unit_ = 0;
   std::vector<GrowingSpring<Real>> growing_;

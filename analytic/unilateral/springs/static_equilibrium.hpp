@@ -9,11 +9,9 @@ namespace rockstack {
 
 /// Signs of a bed's ends by where bodies are and go.
 template <class Real>
-void note_signs(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies,
-                SpringPoint<Real>& point) {
+void note_signs(const ContactModel<Real>& stack, const Bodies<Real>& bodies, SpringPoint<Real>& point) {
   const PointLaw<Real> law = law_of(stack, point.interface);
-  const GrowingBed<Real> bed =
-      bed_at(law, point, bed_rows(stack.blocks, point, bodies), vector_of(bodies.rate));
+  const GrowingBed<Real> bed = bed_at(law, point, bed_rows(stack, point, bodies), vector_of(bodies.rate));
   for (std::size_t end = 0; end < 2; ++end)
     point.bed.ends[end] = {bed.depth[end][0] > 0, bed.pressure[end][0] > 0};
   point.bed.crossed = law.damping > 0 && bed.crosses();
@@ -22,31 +20,30 @@ void note_signs(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& 
 
 /// A bed before it is loaded: the ends that touch are at its surface.
 template <class Real>
-SpringPoint<Real> initial_bed(const BasicFrictionStack<Real>& stack, int interface,
-                              const BasicJoint<Real>& joint, const BasicBodies<Real>& bodies) {
+SpringPoint<Real> initial_bed(const ContactModel<Real>& stack, int interface, const Joint<Real>& joint,
+                              const Bodies<Real>& bodies) {
   SpringPoint<Real> point;
   point.interface = interface;
-  point.corner_below =
-      half_width_of<Real>(stack.blocks, interface - 1) < half_width_of<Real>(stack.blocks, interface);
+  point.corner_below = stack.half_width(interface - 1) < stack.half_width(interface);
   note_signs(stack, bodies, point);
   for (const int side : {-1, 1})
     if (joint.touch == Touch::flat || joint.side() == side)
       point.bed.ends[side < 0 ? 0 : 1] = {true, true, true};
   if (joint.touches()) point.press = Press::pushing;
   if (law_of(stack, interface).friction > 0) point.slide = joint.slip;
-  point.slider = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point)).slip;
+  point.slider = kinematics_of(stack, bodies, corner_of(stack, point)).slip;
   return point;
 }
 
 /// The points of soft interfaces, where rigid contacts would touch; they push, but not yet. Those that slip
 /// from the start slide.
 template <class Real>
-SpringPoints<Real> initial_points(const BasicFrictionStack<Real>& stack, const ContactState<Real>& state) {
+SpringPoints<Real> initial_points(const ContactModel<Real>& stack, const ContactState<Real>& state) {
   SpringPoints<Real> points;
   for (std::size_t k = 0; k < state.joints.size(); ++k) {
     if (!stack.soft(k)) continue;
     const auto interface = static_cast<int>(k);
-    const BasicJoint<Real>& joint = state.joints[k];
+    const Joint<Real>& joint = state.joints[k];
     const PointLaw<Real> law = law_of(stack, interface);
     if (stack.springs[k].bed) {
       points.push_back(initial_bed(stack, interface, joint, state.bodies));
@@ -60,7 +57,7 @@ SpringPoints<Real> initial_points(const BasicFrictionStack<Real>& stack, const C
       if (joint.touch == Touch::flat || joint.side() == side) {
         point.press = Press::pushing;
         point.slide = law.friction > 0 ? joint.slip : 0;
-        point.slider = rows_of(stack.blocks, state.bodies, corner_of(stack.blocks, point)).slip;
+        point.slider = kinematics_of(stack, state.bodies, corner_of(stack, point)).slip;
         point.at_face = true;
       }
       points.push_back(point);
@@ -72,7 +69,7 @@ SpringPoints<Real> initial_points(const BasicFrictionStack<Real>& stack, const C
 /// Moves all blocks from one up, and turns them about a point.
 template <class Real>
 void move_above(std::size_t first, const Point<Real>& about, const Point<Real>& by, const Real& angle,
-                Placements<Real>& at) {
+                Poses<Real>& at) {
   for (std::size_t k = first; k < at.size(); ++k) {
     const Point<Real> arm = turned<Real>({at[k].x - about.x(), at[k].y - about.y()}, angle);
     at[k] = {about.x() + arm.x() + by.x(), about.y() + arm.y() + by.y(), at[k].angle + angle};
@@ -81,8 +78,8 @@ void move_above(std::size_t first, const Point<Real>& about, const Point<Real>& 
 
 /// Where the search for equilibrium ends, and whether the stack stands there.
 template <class Real>
-struct Settling {
-  Placements<Real> at;
+struct Equilibrium {
+  Poses<Real> at;
   bool stands = false;
 };
 
@@ -90,14 +87,14 @@ struct Settling {
 /// unknown are the displacement and the turn of all above each soft interface. It does not stand where the
 /// method does not converge, where a corner would have to pull, or a slider would move.
 template <class Real>
-Settling<Real> find_equilibrium(const Scene& scene, const BasicFrictionStack<Real>& stack,
-                                BasicBodies<Real> bodies, const SpringPoints<Real>& points) {
+Equilibrium<Real> find_equilibrium(const Scene& scene, const ContactModel<Real>& stack, Bodies<Real> bodies,
+                                   const SpringPoints<Real>& points) {
   const Gravity gravity = gravity_of(scene);
   std::vector<std::size_t> soft;
   for (std::size_t k = 0; k < stack.blocks.size(); ++k)
     if (stack.soft(k)) soft.push_back(k);
   const auto size = static_cast<Eigen::Index>(3 * soft.size());
-  BasicFreeVector<Real> weight(Eigen::Index{3} * stack.size());
+  FreeVector<Real> weight(Eigen::Index{3} * stack.size());
   Real height = 0;
   for (int k = 0; k < stack.size(); ++k) {
     const Block& block = stack.blocks[static_cast<std::size_t>(k)];
@@ -106,10 +103,9 @@ Settling<Real> find_equilibrium(const Scene& scene, const BasicFrictionStack<Rea
     height += 2 * Real(block.half_height);
   }
   const auto foot = [&](std::size_t k) -> Point<Real> {
-    const Point<Real> arm =
-        turned<Real>(Point<Real>(0, -half_height_of<Real>(stack.blocks, static_cast<int>(k))) -
-                         centre_of<Real>(stack.blocks, static_cast<int>(k)),
-                     bodies.at[k].angle);
+    const Point<Real> arm = turned<Real>(
+        Point<Real>(0, -stack.half_height(static_cast<int>(k))) - stack.centre(static_cast<int>(k)),
+        bodies.at[k].angle);
     return {bodies.at[k].x + arm.x(), bodies.at[k].y + arm.y()};
   };
   SpringPoints<Real> standing = points;
@@ -135,7 +131,7 @@ Settling<Real> find_equilibrium(const Scene& scene, const BasicFrictionStack<Rea
     SquareMatrix<Real> stiffness = SquareMatrix<Real>::Zero(size, size);
     for (const SpringPoint<Real>& point : standing) {
       const PointLaw<Real> law = law_of(stack, point.interface);
-      const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
+      const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner_of(stack, point));
       const FreeRow<Real> across = rows.gap_row * motions;
       const FreeRow<Real> along = rows.slip_row * motions;
       stiffness += law.tangential_stiffness * along.transpose() * along;
@@ -143,15 +139,15 @@ Settling<Real> find_equilibrium(const Scene& scene, const BasicFrictionStack<Rea
         stiffness += law.stiffness * across.transpose() * across;
         continue;
       }
-      const auto ends = bed_rows(stack.blocks, point, bodies);
+      const auto ends = bed_rows(stack, point, bodies);
       const FreeRow<Real> turning = (ends[1].gap_row - ends[0].gap_row) / 2 * motions;
       const auto& [whole, first, second] = moments_in_contact(-ends[0].gap, -ends[1].gap);
       stiffness += law.stiffness * (whole * across.transpose() * across +
                                     first * (turning.transpose() * across + across.transpose() * turning) +
                                     second * turning.transpose() * turning);
     }
-    const BasicFreeVector<Real> forces = weight + forces_of(stack, standing, bodies);
-    const BasicFreeVector<Real> change =
+    const FreeVector<Real> forces = weight + forces_of(stack, standing, bodies);
+    const FreeVector<Real> change =
         Eigen::PartialPivLU<SquareMatrix<Real>>(stiffness).solve(motions.transpose() * forces);
     for (std::size_t c = soft.size(); c-- > 0;) {
       const auto column = static_cast<Eigen::Index>(3 * c);
@@ -168,7 +164,7 @@ Settling<Real> find_equilibrium(const Scene& scene, const BasicFrictionStack<Rea
     using std::abs;
     const PointLaw<Real> law = law_of(stack, point.interface);
     const PointForce<Real> force =
-        force_of(stack, point, bodies, rows_of(stack.blocks, bodies, corner_of(stack.blocks, point)));
+        force_of(stack, point, bodies, kinematics_of(stack, bodies, corner_of(stack, point)));
     if (!(force.normal > 0)) return {bodies.at, false};
     if (abs(force.tangential) > law.friction * force.normal) return {bodies.at, false};
   }
@@ -192,18 +188,18 @@ struct GivingWay {
 };
 
 template <class Real>
-GivingWay<Real> give_way(const BasicFrictionStack<Real>& stack, const BasicBodies<Real>& bodies,
-                         const Real& weight, const std::vector<SpringPoint<Real>*>& ends) {
+GivingWay<Real> give_way(const ContactModel<Real>& stack, const Bodies<Real>& bodies, const Real& weight,
+                         const std::vector<SpringPoint<Real>*>& ends) {
   const SpringPoint<Real>& first = *ends.front();
   const PointLaw<Real> law = law_of(stack, first.interface);
   if (first.is_bed()) {
-    const auto rows = bed_rows(stack.blocks, first, bodies);
+    const auto rows = bed_rows(stack, first, bodies);
     const Real lower = std::min(rows[0].gap, rows[1].gap);
     return {lower + depth_under<Real>(weight, law.stiffness, std::max(rows[0].gap, rows[1].gap) - lower), 1};
   }
   SpringPoint<Real>& other = *ends.back();
   if (other.pushes()) return {weight / law.stiffness / 2, 2};
-  const BasicPointRows<Real> rows = rows_of(stack.blocks, bodies, corner_of(stack.blocks, other));
+  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner_of(stack, other));
   if (!(rows.gap * law.stiffness < weight)) return {weight / law.stiffness, 1};
   other.press = Press::pushing;
   other.slide = first.slide;
@@ -214,16 +210,16 @@ GivingWay<Real> give_way(const BasicFrictionStack<Real>& stack, const BasicBodie
 /// Lets one soft interface bear the weight above it without velocity: N and T across and along its face, by
 /// the corners that touch or the bed. A corner that is open by less than that presses it in touches too.
 template <class Real>
-void settle_interface(const Gravity& gravity, const BasicFrictionStack<Real>& stack, std::size_t interface,
-                      BasicBodies<Real>& bodies, SpringPoints<Real>& points) {
+void preload_interface(const Gravity& gravity, const ContactModel<Real>& stack, std::size_t interface,
+                       Bodies<Real>& bodies, SpringPoints<Real>& points) {
   const PointLaw<Real> law = law_of(stack, static_cast<int>(interface));
   std::vector<SpringPoint<Real>*> ends;
   for (SpringPoint<Real>& point : points)
     if (point.interface == static_cast<int>(interface)) ends.push_back(&point);
   if (!ends.front()->pushes()) std::swap(ends.front(), ends.back());
   const SpringPoint<Real>& first = *ends.front();
-  const int face = corner_of(stack.blocks, first).face;
-  const Real angle = placement(bodies.at, face).angle;
+  const int face = corner_of(stack, first).face;
+  const Real angle = pose_of(bodies.at, face).angle;
   Real mass = 0;
   for (std::size_t k = interface; k < bodies.at.size(); ++k) mass += Real(stack.blocks[k].mass);
   const Point<Real> load = turned<Real>({mass * Real(gravity.along), -mass * Real(gravity.across)}, -angle);
@@ -236,7 +232,7 @@ void settle_interface(const Gravity& gravity, const BasicFrictionStack<Real>& st
     for (SpringPoint<Real>* end : ends) end->slider -= stretch;
   const Point<Real> moved = turned<Real>({first.slide != 0 ? Real(0) : stretch, -depth}, angle);
   move_above<Real>(interface, {Real(0), Real(0)}, moved, 0, bodies.at);
-  const Point<Real> turning = quarter_turned(moved) * placement(bodies.rate, face).angle;
+  const Point<Real> turning = quarter_turned(moved) * pose_of(bodies.rate, face).angle;
   for (std::size_t k = interface; k < bodies.at.size(); ++k) {
     bodies.rate[k].x += turning.x();
     bodies.rate[k].y += turning.y();
@@ -246,22 +242,22 @@ void settle_interface(const Gravity& gravity, const BasicFrictionStack<Real>& st
 /// Puts blocks onto their springs. A stack that is upright and still goes to its equilibrium, if it has one.
 /// Any other keeps its angles.
 template <class Real>
-void settle(const Scene& scene, const BasicFrictionStack<Real>& stack, ContactState<Real>& state,
-            SpringPoints<Real>& points) {
-  BasicBodies<Real>& bodies = state.bodies;
+void preload(const Scene& scene, const ContactModel<Real>& stack, ContactState<Real>& state,
+             SpringPoints<Real>& points) {
+  Bodies<Real>& bodies = state.bodies;
   bool still = true;
   for (std::size_t k = 0; k < bodies.at.size(); ++k) {
-    const BasicBodyPlacement<Real>& rate = bodies.rate[k];
+    const Pose<Real>& rate = bodies.rate[k];
     still = still && state.joints[k].touch == Touch::flat && rate.x == 0 && rate.y == 0 && rate.angle == 0;
   }
   for (SpringPoint<Real>& point : points) point.at_face = false;
   if (still) {
-    const Settling<Real> found = find_equilibrium(scene, stack, bodies, points);
+    const Equilibrium<Real> found = find_equilibrium(scene, stack, bodies, points);
     if (found.stands) bodies.at = found.at;
     still = found.stands;
   }
   for (std::size_t k = 0; k < bodies.at.size(); ++k)
-    if (stack.soft(k) && !still) settle_interface(gravity_of(scene), stack, k, bodies, points);
+    if (stack.soft(k) && !still) preload_interface(gravity_of(scene), stack, k, bodies, points);
   for (SpringPoint<Real>& point : points)
     if (point.is_bed()) note_signs(stack, bodies, point);
 }

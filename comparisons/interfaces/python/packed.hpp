@@ -29,7 +29,7 @@ auto fields_of(A<Event> auto& event) {
 auto fields_of(A<History> auto& history) {
   return std::tie(history.blocks, history.times, history.angles, history.velocities, history.patterns,
                   history.events, history.grazes, history.choices, history.slips, history.gaps,
-                  history.places, history.place_rates, history.reactions, history.spring_energies,
+                  history.centres, history.centre_velocities, history.reactions, history.spring_energies,
                   history.peaks, history.slips_left, history.lifts, history.forces, history.impulses);
 }
 

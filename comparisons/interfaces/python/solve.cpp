@@ -100,7 +100,7 @@ Outcome solve_one(const ScenePointer& scene, const Asked& asked) {
     const py::gil_scoped_release free;
     SolveOptions options = asked.of(scene->scene);
     const std::function<bool()> unwanted = Interrupts();
-    options.unwanted = &unwanted;
+    options.cancelled = &unwanted;
     return outcome_of(scene, [&] { return solve(scene->scene, options); });
   } catch (const Stopped&) {
     throw py::error_already_set();
@@ -134,7 +134,7 @@ class Pile {
 
   Outcome alone(const ScenePointer& scene) const {
     SolveOptions options = asked_.of(scene->scene);
-    options.unwanted = &unwanted_;
+    options.cancelled = &unwanted_;
     return outcome_of(scene, [&] { return solve(scene->scene, options); });
   }
 
@@ -147,7 +147,7 @@ class Pile {
       return scenes_[*number]->scene;
     };
     SolveOptions options = asked_.options;
-    options.unwanted = &unwanted_;
+    options.cancelled = &unwanted_;
     solve_batch(give, options, [&](Solved&& solved) {
       const std::size_t number = numbers[solved.number];
       outcomes[number] = outcome_of(scenes_[number], [&] {

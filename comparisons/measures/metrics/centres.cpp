@@ -8,10 +8,10 @@ namespace rockstack {
 
 Centres centres_at(const Stack<double>& stack, const History& history, std::size_t sample) {
   const int size = stack.size();
-  if (!history.places.empty()) {
+  if (!history.centres.empty()) {
     const auto first = static_cast<std::ptrdiff_t>(2 * sample * static_cast<std::size_t>(size));
-    return {Points<double>::Map(history.places.data() + first, 2, size),
-            Points<double>::Map(history.place_rates.data() + first, 2, size)};
+    return {Points<double>::Map(history.centres.data() + first, 2, size),
+            Points<double>::Map(history.centre_velocities.data() + first, 2, size)};
   }
   const Chain<double> chain =
       make_chain(stack, history.patterns[sample],
@@ -21,7 +21,7 @@ Centres centres_at(const Stack<double>& stack, const History& history, std::size
 }
 
 std::vector<double> centres_of(const Scene& scene, const History& history) {
-  if (!history.places.empty()) return history.places;
+  if (!history.centres.empty()) return history.centres;
   const Stack<double> stack = make_stack<double>(scene);
   std::vector<double> result;
   result.reserve(2 * history.angles.size());

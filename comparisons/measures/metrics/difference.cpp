@@ -55,7 +55,7 @@ History up_to(History history, double time) {
   shorten(history.patterns, count);
   for (auto* values : {&history.angles, &history.velocities, &history.slips, &history.gaps})
     shorten(*values, count * blocks);
-  for (auto* values : {&history.places, &history.place_rates}) shorten(*values, 2 * count * blocks);
+  for (auto* values : {&history.centres, &history.centre_velocities}) shorten(*values, 2 * count * blocks);
   shorten(history.reactions, count * blocks);
   shorten(history.spring_energies, count * blocks);
   std::erase_if(history.events, [&](const Event& event) { return event.time > time; });

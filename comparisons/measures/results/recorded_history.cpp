@@ -123,7 +123,7 @@ History samples_in(const fs::path& file) {
         line.add(velocities, history.velocities);
         line.add(slips, history.slips);
         line.add(gaps, history.gaps);
-        line.add(places, history.places);
+        line.add(places, history.centres);
         if (!pattern) return;
         const std::string& text = line.text(*pattern);
         history.patterns.push_back(text == last ? history.patterns.back()

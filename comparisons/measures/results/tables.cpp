@@ -84,7 +84,7 @@ std::string history_csv(const History& history) {
   const bool patterns = !history.patterns.empty();
   const bool slips = !history.slips.empty();
   const bool gaps = !history.gaps.empty();
-  const bool places = !history.places.empty();
+  const bool places = !history.centres.empty();
   const auto width = static_cast<std::size_t>(history.blocks);
   const auto row = [width](const std::vector<double>& values, std::size_t sample) {
     return std::span<const double>(values).subspan(sample * width, width);
@@ -102,7 +102,7 @@ std::string history_csv(const History& history) {
     if (patterns) csv.add(name(history.patterns[i]));
     if (slips) csv.add(row(history.slips, i));
     if (gaps) csv.add(row(history.gaps, i));
-    if (places) csv.add(row(history.places, 2 * i), row(history.places, 2 * i + 1));
+    if (places) csv.add(row(history.centres, 2 * i), row(history.centres, 2 * i + 1));
     csv.end_line();
   }
   return csv.text();

@@ -89,7 +89,7 @@ void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, Mo
                const std::function<void(const RunResult&)>& take, const std::function<bool()>* unwanted) {
   Runs runs(ensemble, first, last, library, take);
   SolveOptions options = run_options(ensemble.tolerance);
-  options.unwanted = unwanted;
+  options.cancelled = unwanted;
   solve_batch([&] { return runs.next_scene(); }, options, [&](const Solved& solved) { runs.take(solved); });
 }
 

@@ -97,7 +97,7 @@ std::string drawn(const Stage& stage, std::size_t index, double time) {
   const Actor& actor = stage.actors[index];
   const History& history = *actor.history;
   const std::vector<double> angles = values_at(history, history.angles, time);
-  const Points<double> middles = middles_at(stage, angles, values_at(history, history.places, time));
+  const Points<double> middles = middles_at(stage, angles, values_at(history, history.centres, time));
   const double middle = (2 * static_cast<double>(index) + 1) * stage.side;
   std::string text;
   for (Eigen::Index k = 0; k < middles.cols(); ++k)

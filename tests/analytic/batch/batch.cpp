@@ -186,7 +186,7 @@ TEST_P(Batch, OfAMotionThatCannotGoOnItTellsWhatIsKnown) {
 
 TEST_P(Batch, EndsWhatIsUnwanted) {
   const std::function<bool()> unwanted = [] { return true; };
-  for (const std::string& text : together(mixed_scenes(500, 12), {.unwanted = &unwanted}, GetParam()))
+  for (const std::string& text : together(mixed_scenes(500, 12), {.cancelled = &unwanted}, GetParam()))
     EXPECT_EQ(text, Stopped().what());
 }
 

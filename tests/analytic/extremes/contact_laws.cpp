@@ -10,20 +10,20 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-bool all_finite(const std::vector<BodyPlacement>& placements) {
-  return std::all_of(placements.begin(), placements.end(), [](const BodyPlacement& placement) {
-    return std::isfinite(placement.x) && std::isfinite(placement.y) && std::isfinite(placement.angle);
+bool all_finite(const std::vector<Pose>& poses) {
+  return std::all_of(poses.begin(), poses.end(), [](const Pose<>& pose) {
+    return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.angle);
   });
 }
 
-double kinetic(Scene scene, const std::vector<BodyPlacement>& rates) {
+double kinetic(Scene scene, const std::vector<Pose>& rates) {
   scene.gravity = 0;
   return energy(scene, {rates, rates});
 }
 
 /// How deep a block is in the one below, in shares of the largest length in the scene. Blocks that lie on
 /// each other's sides have no gap.
-double depth(const Scene& scene, const ContactHistory::Sample& sample) {
+double depth(const Scene& scene, const ContactHistory<>::Sample& sample) {
   double length = 0;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k)
     length = std::max({length, std::abs(sample.bodies.at[k].x), std::abs(sample.bodies.at[k].y),
@@ -38,9 +38,9 @@ double depth(const Scene& scene, const ContactHistory::Sample& sample) {
   return -least / length;
 }
 
-std::string broken(const Scene& scene, const ContactHistory& history) {
+std::string broken(const Scene& scene, const ContactHistory<>& history) {
   double time = 0;
-  for (const ContactEvent& event : history.events) {
+  for (const ContactEvent<>& event : history.events) {
     if (!std::isfinite(event.time) || !all_finite(event.at) || !all_finite(event.before) ||
         !all_finite(event.after))
       return "an event holds a number that is none";
@@ -60,13 +60,13 @@ std::string broken(const Scene& scene, const ContactHistory& history) {
 
 }  // namespace
 
-Breaches breaches(const Scene& scene, const ContactHistory& history) {
+Breaches breaches(const Scene& scene, const ContactHistory<>& history) {
   Breaches found;
   found.fault = broken(scene, history);
   found.events = history.events.size();
   const bool still = scene.horizontal.empty() && scene.vertical.empty();
   double left = std::numeric_limits<double>::infinity();
-  for (const ContactEvent& event : history.events) {
+  for (const ContactEvent<>& event : history.events) {
     const double before = kinetic(scene, event.before);
     const double total = energy(scene, {event.at, event.before});
     found.impact_gain =

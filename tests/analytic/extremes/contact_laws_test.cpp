@@ -114,8 +114,8 @@ TEST(SlipperyExtremes, ALargerStackDoesTheSameMoreSlowly) {
       motion->pulse->period *= 2;
       motion->pulse->start *= 2;
     }
-    const ContactHistory one = solve_unilateral(scene);
-    const ContactHistory other = solve_unilateral(large);
+    const ContactHistory<> one = solve_unilateral(scene);
+    const ContactHistory<> other = solve_unilateral(large);
     ASSERT_EQ(one.events.size(), other.events.size()) << seed;
     for (std::size_t i = 0; i < one.events.size(); ++i)
       EXPECT_EQ(2 * one.events[i].time, other.events[i].time) << seed;

@@ -4,7 +4,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
-#include "analytic/unilateral/solve_unilateral.hpp"
+#include "tests/analytic/unilateral/solve_unilateral.hpp"
 
 namespace rockstack::testing {
 
@@ -24,7 +24,7 @@ Breaches breaches(const Scene& scene, const History& history);
 
 /// Likewise of a motion with friction: no event gains kinetic energy, none is gained between events on still
 /// ground, and no block sinks into another. Roundings are those of the whole stack's energies.
-Breaches breaches(const Scene& scene, const ContactHistory& history);
+Breaches breaches(const Scene& scene, const ContactHistory<>& history);
 
 /// By how much a rounding in the solver's operations may weigh more than one of the scene's own numbers. The
 /// momentum of a block about its own pivot, m r × the velocity that what is below it has at height H, is

@@ -126,7 +126,7 @@ bool makes(const Agreement& response, const Agreement& wanted) {
   if (wanted.parts && !parts) return false;
   const std::size_t count = std::min(wanted.events.size(), parts ? *response.parts : wanted.events.size());
   constexpr double small = 1e-10;  // s, or of the state
-  constexpr double nearly = 1.01;  // what takes the same other course is off by as much
+  constexpr double nearly = 1.01;  // what takes the same other guard is off by as much
   Deviation largest;
   for (std::size_t i = 0; i < count; ++i) {
     take_larger(largest, response.events[i]);

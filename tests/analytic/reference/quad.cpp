@@ -7,7 +7,7 @@
 namespace rockstack::testing {
 namespace {
 
-QuadHistory reference_of_contacts(const Scene& scene, const ContactOptions& options) {
+QuadHistory reference_of_contacts(const Scene& scene, const SolveOptions& options) {
   ContactSolver<Quad> solver(scene, options);
   solver.run();
   return history_of(scene, std::move(solver).history());
@@ -15,11 +15,11 @@ QuadHistory reference_of_contacts(const Scene& scene, const ContactOptions& opti
 
 }  // namespace
 
-QuadHistory reference(const Scene& scene, std::vector<double> sample_times, double moment) {
+QuadHistory reference(const Scene& scene, std::vector<double> sample_times, double look_ahead) {
   constexpr double resolution = std::numeric_limits<double>::epsilon();
   if (leaves_pivots(scene.law))
     return reference_of_contacts(
-        scene, {.sample_times = std::move(sample_times), .resolution = resolution, .moment = moment});
+        scene, {.sample_times = std::move(sample_times), .resolution = resolution, .look_ahead = look_ahead});
   SolveOptions options;
   options.resolution = resolution;
   options.sample_times = std::move(sample_times);

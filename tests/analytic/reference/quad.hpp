@@ -16,6 +16,6 @@ using QuadHistory = BasicHistory<Quad>;
 /// rounding of an angle in double, so that both count the same events. Under law unilateral events decide for
 /// `moment` √(H/g) later; 0: for what goes with 113 bits.
 /// @throws std::runtime_error where the model cannot go on.
-QuadHistory reference(const Scene& scene, std::vector<double> sample_times = {}, double moment = 0);
+QuadHistory reference(const Scene& scene, std::vector<double> sample_times = {}, double look_ahead = 0);
 
 }  // namespace rockstack::testing

@@ -174,7 +174,7 @@ TEST(Robustness, AMotionThatIsGivenUpIsKnownUpToThere) {
 TEST(Robustness, EventsThatMayComeTogetherGoWithTheNumberOfBlocks) {
   for (const int blocks : {1, 20}) {
     testing::Draw draw(1);
-    StallGuard<double> guard(make_model<double>(testing::random_stack(draw, blocks)));
+    EventLimit<double> guard(make_model<double>(testing::random_stack(draw, blocks)));
     for (int i = 0; i < 10000 * blocks; ++i) guard.note_event(0);
     EXPECT_THROW(guard.note_event(0), std::runtime_error) << blocks;
   }

@@ -251,10 +251,10 @@ TEST(Unwanted, MotionsEndBeforeTheirNextStep) {
     if (law == Law::compliant) scene.springs.stiffness = {1e7};
     int asked = 0;
     const std::function<bool()> at_the_third = [&] { return ++asked == 3; };
-    EXPECT_THROW(solve(scene, {.unwanted = &at_the_third}), Stopped) << name(law);
+    EXPECT_THROW(solve(scene, {.cancelled = &at_the_third}), Stopped) << name(law);
     EXPECT_EQ(asked, 3) << name(law);
     const std::function<bool()> never = [] { return false; };
-    EXPECT_EQ(solve(scene, {.sample_times = {2}, .unwanted = &never}).angles,
+    EXPECT_EQ(solve(scene, {.sample_times = {2}, .cancelled = &never}).angles,
               solve(scene, {.sample_times = {2}}).angles)
         << name(law);
   }

@@ -63,7 +63,7 @@ TEST(Forces, DemandsAlongAStepAreTheGreatestOfAScanAndAreMet) {
                               make_linkage(model.stack, state.pattern), piece, 0, 0.1, {});
     const double weight = model.gravity * model.stack.mass.sum();
     const double end = draw.between(0.1, 1);
-    for (const ForceCourses<double>& force : output.forces) {
+    for (const ForcePolynomials<double>& force : output.forces) {
       if (force.normal.terms == 0) continue;
       Demand found, scanned;
       note_demand_along(found, force, end, 1e-12 * weight, 1e3, 0.0, output.length);

@@ -14,7 +14,7 @@ using testing::single;
 using testing::with_friction;
 
 std::string first_mode(const Scene& scene, double friction) {
-  const ContactHistory history = solve_unilateral(with_friction(scene, friction));
+  const ContactHistory<> history = solve_unilateral(with_friction(scene, friction));
   return history.events.empty() ? "" : name(history.events.front().to);
 }
 
@@ -43,21 +43,21 @@ TEST(UnilateralClosedForms, SlideRockFromRestHasItsAccelerations) {
   const double b = 1;
   const double h = 2;
   const double friction = 0.6;
-  const FrictionStack stack(scene.blocks, {friction});
+  const ContactModel<> stack(scene.blocks, {friction});
   std::vector<Joint> joints(1);
-  Bodies bodies{{{}}, {{}}};
-  place(stack.blocks, joints, bodies);
-  FreeVector free(3);
+  Bodies<> bodies{{{}}, {{}}};
+  place(stack, joints, bodies);
+  FreeVector<> free(3);
   free << -g, -g, 0;
-  const auto mode = find_mode(stack, joints, bodies, free, Sought::accelerations);
+  const auto mode = find_mode(stack, joints, bodies, free, ContactLevel::accelerations);
   ASSERT_TRUE(mode);
   EXPECT_EQ(name(*mode), "L<");
-  const ModeResponse response = respond(stack, *mode, bodies, free, Sought::accelerations);
+  const ModeResponse<> response = respond(stack, *mode, bodies, free, ContactLevel::accelerations);
   const double turning = 3 * g * (friction * h - b) / (4 * b * b + h * h - 3 * friction * b * h);
   EXPECT_NEAR(-response.motion[2], turning, round_off * g);
   EXPECT_NEAR(response.forces[0].normal, scene.blocks[0].mass * (g + b * turning),
               round_off * scene.blocks[0].mass * g);
-  const PointRows rows = rows_of(stack.blocks, bodies, held_point(stack.blocks, 0, (*mode)[0]));
+  const ContactKinematics<> rows = kinematics_of(stack, bodies, stack.held_point(0, (*mode)[0]));
   EXPECT_NEAR(-rows.slip_row.dot(response.motion), g - friction * (g + b * turning) - h * turning,
               round_off * g);
 }
@@ -67,17 +67,17 @@ TEST(UnilateralClosedForms, ARockingImpactKeepsItsShareOfTheVelocity) {
     const Scene scene = single(0.5, 0.5 * r, 1);
     const double sticks = 3 * r / (1 + 4 * r * r);
     for (const double friction : {0.1, 0.9 * sticks, 1.1 * sticks, 2.0}) {
-      const FrictionStack stack(scene.blocks, {friction});
+      const ContactModel<> stack(scene.blocks, {friction});
       std::vector<Joint> joints(1);
       joints[0].touch = Touch::right;
-      Bodies bodies{{{}}, {{}}};
+      Bodies<> bodies{{{}}, {{}}};
       bodies.rate[0].angle = -1;
-      place(stack.blocks, joints, bodies);
-      const FreeVector before = vector_of(bodies.rate);
+      place(stack, joints, bodies);
+      const FreeVector<> before = vector_of(bodies.rate);
       joints[0].touch = Touch::flat;
-      const auto mode = find_mode(stack, joints, bodies, before, Sought::velocities);
+      const auto mode = find_mode(stack, joints, bodies, before, ContactLevel::velocities);
       ASSERT_TRUE(mode);
-      const FreeVector after = respond(stack, *mode, bodies, before, Sought::velocities).motion;
+      const FreeVector<> after = respond(stack, *mode, bodies, before, ContactLevel::velocities).motion;
       const double sliding = (r * r - 2 + 3 * friction * r) / (4 + r * r - 3 * friction * r);
       if (r * r + 3 * friction * r <= 2) continue;
       EXPECT_NEAR(-after[2], friction >= sticks ? 1 - 1.5 / (1 + r * r) : sliding, round_off)
@@ -94,7 +94,7 @@ TEST(UnilateralClosedForms, ABlockUnderARectangularPulseSlidesItsWay) {
     const double time = 0.4;
     Scene scene = single(1, 0.8, 3);
     scene.horizontal = pulse_of(PulseShape::rectangle, side * push * scene.gravity, time, 0.1);
-    const ContactHistory history = solve_unilateral(with_friction(scene, friction));
+    const ContactHistory<> history = solve_unilateral(with_friction(scene, friction));
     EXPECT_NEAR(history.events.back().to[0].offset,
                 -side * push * scene.gravity * time * time * (push / friction - 1) / 2, round_off);
     EXPECT_NEAR(history.events.back().time, 0.1 + push / friction * time, round_off);
@@ -106,7 +106,7 @@ TEST(UnilateralClosedForms, ASlidingBlockStops) {
   const double speed = 1.5;
   Scene scene = with_friction(single(1, 0.8, 3), friction);
   scene.initial.slip_velocities = {speed};
-  const ContactHistory history = solve_unilateral(scene);
+  const ContactHistory<> history = solve_unilateral(scene);
   EXPECT_NEAR(history.last.at[0].x, speed * speed / (2 * friction * scene.gravity), round_off);
   EXPECT_NEAR(history.events.back().time, speed / (friction * scene.gravity), round_off);
   EXPECT_EQ(name(history.events.back().to), "C");
@@ -121,9 +121,10 @@ TEST(UnilateralClosedForms, AThrownBlockFliesItsParabolaAndLandsWithFriction) {
   scene.initial.slip_velocities = {speed};
   const double g = scene.gravity;
   scene.vertical = pulse_of(PulseShape::rectangle, -2 * g, time);
-  const ContactHistory history = solve_unilateral(scene, {.sample_times = {0.1, 0.3, 0.4}, .validity = true});
+  const ContactHistory<> history =
+      solve_unilateral(scene, {.sample_times = {0.1, 0.3, 0.4}, .validity = true});
   ASSERT_GE(history.events.size(), 2U);
-  const ContactEvent& landing = history.events[1];
+  const ContactEvent<>& landing = history.events[1];
   EXPECT_EQ(history.events[0].kind, EventKind::lift_off);
   EXPECT_EQ(history.events[0].time, 0);
   EXPECT_EQ(landing.kind, EventKind::impact);
@@ -151,9 +152,9 @@ TEST(UnilateralClosedForms, AThrownBlockFliesItsParabolaAndLandsWithFriction) {
 TEST(UnilateralClosedForms, TheLastEventsOfASlowDescentAreThoseOfHousner) {
   Scene scene = single(0.5, 1, 3);
   scene.initial.angles = {0.1};
-  const ContactHistory history = solve_unilateral(with_friction(scene, 10));
+  const ContactHistory<> history = solve_unilateral(with_friction(scene, 10));
   for (std::size_t i = 0; i < 5; ++i) {
-    const ContactEvent& event = history.events[i];
+    const ContactEvent<>& event = history.events[i];
     EXPECT_EQ(event.kind, EventKind::impact);
     EXPECT_NEAR(event.after[0].angle / event.before[0].angle, 0.7, round_off);
   }
@@ -173,7 +174,7 @@ TEST(UnilateralClosedForms, AnEndPassesAnotherOnce) {
     const double speed = std::sqrt(2 * braking * (std::abs(apart) + 0.1));
     scene.initial.slip_velocities = {0, draw.coin() ? speed : -speed};
     std::vector<double> times;
-    for (const ContactEvent& event : solve_unilateral(scene).events)
+    for (const ContactEvent<>& event : solve_unilateral(scene).events)
       if (event.kind == EventKind::corner) times.push_back(event.time);
     ASSERT_EQ(times.size(), 1U) << seed;
     EXPECT_NEAR(times.front(), (speed - std::sqrt(0.2 * braking)) / braking, 1e-12) << seed;

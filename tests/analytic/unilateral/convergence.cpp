@@ -27,7 +27,7 @@ Scene thrown(std::uint64_t seed) {
   return scene;
 }
 
-double distance(const Bodies& one, const Bodies& other) {
+double distance(const Bodies<>& one, const Bodies<>& other) {
   double largest = 0;
   for (std::size_t k = 0; k < one.at.size(); ++k) {
     largest = std::max({largest, std::abs(one.at[k].x - other.at[k].x), std::abs(one.at[k].y - other.at[k].y),
@@ -53,11 +53,11 @@ double slope(const std::vector<std::pair<double, double>>& points) {
   return above / below;
 }
 
-bool slips_and_flies(const ContactHistory& history) {
+bool slips_and_flies(const ContactHistory<>& history) {
   bool slips = false;
   bool flies = false;
-  for (const ContactEvent& event : history.events) {
-    for (const Joint& joint : event.to) {
+  for (const ContactEvent<>& event : history.events) {
+    for (const Joint<>& joint : event.to) {
       slips |= joint.slip != 0;
       flies |= !joint.touches();
     }
@@ -74,7 +74,7 @@ TEST(UnilateralConvergence, TimeStepsOfMoreauApproachItWithOrderOne) {
   double squares = 0;
   for (std::uint64_t seed = 0; seed < scenes; ++seed) {
     const Scene scene = thrown(seed);
-    const ContactHistory history = solve_unilateral(scene);
+    const ContactHistory<> history = solve_unilateral(scene);
     EXPECT_TRUE(slips_and_flies(history)) << seed;
     ASSERT_EQ(history.end_time, scene.duration) << seed;
     std::vector<std::pair<double, double>> errors;
@@ -100,8 +100,8 @@ TEST(UnilateralConvergence, SweepsOfTheTimeStepperHaveEnded) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Scene scene = thrown(seed);
     const double left_out = 1e-9 * scene.gravity * scene.duration * scene.duration;
-    const Bodies stepped = testing::time_stepped(scene, step);
-    const Bodies swept = testing::time_stepped(scene, step, 1e-12);
+    const Bodies<> stepped = testing::time_stepped(scene, step);
+    const Bodies<> swept = testing::time_stepped(scene, step, 1e-12);
     EXPECT_LT(distance(stepped, swept), left_out) << seed;
     EXPECT_LT(left_out, 1e-3 * distance(solve_unilateral(scene).last, stepped)) << seed;
   }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-double distance(const Bodies& one, const Bodies& other) {
+double distance(const Bodies<>& one, const Bodies<>& other) {
   double largest = 0;
   for (std::size_t k = 0; k < one.at.size(); ++k) {
     largest = std::max({largest, std::abs(one.at[k].x - other.at[k].x), std::abs(one.at[k].y - other.at[k].y),
@@ -25,15 +25,15 @@ double distance(const Bodies& one, const Bodies& other) {
 }
 
 /// The first sample at which motions differ by more, s.
-double parting(const ContactHistory& one, const ContactHistory& other, double largest) {
+double parting(const ContactHistory<>& one, const ContactHistory<>& other, double largest) {
   const std::size_t size = std::min(one.samples.size(), other.samples.size());
   for (std::size_t i = 0; i < size; ++i)
     if (distance(one.samples[i].bodies, other.samples[i].bodies) > largest) return one.samples[i].time;
   return one.samples.size() == other.samples.size() ? never : std::min(one.end_time, other.end_time);
 }
 
-double first_of_several(const ContactHistory& history) {
-  for (const ContactEvent& event : history.events)
+double first_of_several(const ContactHistory<>& history) {
+  for (const ContactEvent<>& event : history.events)
     if (event.consistency != Consistency::consistent) return event.time;
   return never;
 }
@@ -44,14 +44,14 @@ void for_all_ways(const Scene& scene, const Do& work) {
   for (unsigned wider = 0; wider < 1U << (scene.blocks.size() - 1); ++wider) work(wider);
 }
 
-Reason judged(const Scene& scene, const ContactHistory& exact, double step) {
+Reason judged(const Scene& scene, const ContactHistory<>& exact, double step) {
   const double bound = 5 * step;
   const auto off = [&](double length) { return distance(exact.last, time_stepped(scene, length, 1e-10)); };
   if (off(step) < bound) return Reason::agree;
   for (const double part : {4.0, 16.0, 64.0})
     if (off(step / part) < bound / 4) return Reason::coarse;
   if (first_of_several(exact) == never) return Reason::unexplained;
-  const Bodies stepped = time_stepped(scene, step / 4, 1e-10);
+  const Bodies<> stepped = time_stepped(scene, step / 4, 1e-10);
   double nearest = never;
   for_all_ways(scene, [&](unsigned wider) {
     nearest = std::min(nearest, distance(stepped, solve_unilateral(widened(scene, wider, 1e-9)).last));
@@ -110,8 +110,8 @@ Scene widened(Scene scene, unsigned wider, double share) {
 
 std::string LimitTally::add(std::uint64_t seed, double share) {
   const Scene scene = equal_widths(seed);
-  const ContactOptions options{.sample_times = regular_times(scene.duration / 200, scene.duration)};
-  const ContactHistory equal = solve_unilateral(scene, options);
+  const SolveOptions options{.sample_times = regular_times(scene.duration / 200, scene.duration)};
+  const ContactHistory<> equal = solve_unilateral(scene, options);
   std::vector<ContactHistory> limits;
   for_all_ways(scene, [&](unsigned wider) {
     limits.push_back(solve_unilateral(widened(scene, wider, share), options));
@@ -119,7 +119,7 @@ std::string LimitTally::add(std::uint64_t seed, double share) {
   const double largest = 30 * std::sqrt(share);
   double limits_part = never;
   double equal_parts = never;
-  for (const ContactHistory& limit : limits) {
+  for (const ContactHistory<>& limit : limits) {
     limits_part = std::min(limits_part, parting(limits.front(), limit, largest));
     equal_parts = std::min(equal_parts, parting(equal, limit, largest));
   }

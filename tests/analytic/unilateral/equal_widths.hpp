@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "analytic/unilateral/solve_unilateral.hpp"
+#include "tests/analytic/unilateral/solve_unilateral.hpp"
 
 namespace rockstack::testing {
 

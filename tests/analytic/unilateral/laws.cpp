@@ -17,32 +17,32 @@ std::vector<double> regular(double interval, double duration) {
   return regular_times(interval, duration);
 }
 
-bool slips_or_flies(const ContactHistory& history) {
-  for (const ContactEvent& event : history.events)
-    for (const Joint& joint : event.to)
+bool slips_or_flies(const ContactHistory<>& history) {
+  for (const ContactEvent<>& event : history.events)
+    for (const Joint<>& joint : event.to)
       if (!joint.touches() || joint.slip != 0) return true;
   return false;
 }
 
 /// What roundings may make of energies, J: each step and each event leaves some units in the last place of
 /// them; a sample has a few of either before it.
-double rounding(const Scene& scene, const Bodies& bodies) {
+double rounding(const Scene& scene, const Bodies<>& bodies) {
   return 100 * std::numeric_limits<double>::epsilon() * energy(scene, bodies);
 }
 
 TEST(ContactLaws, SamplesAreThoseThatAreAskedFor) {
   const Scene scene = with_friction(testing::single(1, 2, 0.5), 0.4);
   const std::vector<double> times{0, 0.2, 0.2, 0.5, 0.5};
-  const ContactHistory history = solve_unilateral(scene, {.sample_times = times});
+  const ContactHistory<> history = solve_unilateral(scene, {.sample_times = times});
   ASSERT_EQ(history.samples.size(), times.size());
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_EQ(history.samples[i].time, times[i]);
   for (const std::vector<double>& wrong : {std::vector<double>{-1}, {0.3, 0.2}, {std::nan("")}})
     EXPECT_THROW(solve_unilateral(scene, {.sample_times = wrong}), std::invalid_argument);
 }
 
-void expect_no_event_to_add_energy(const Scene& scene, const ContactHistory& history, std::uint64_t seed) {
-  for (const ContactEvent& event : history.events) {
-    const Bodies before{event.at, event.before};
+void expect_no_event_to_add_energy(const Scene& scene, const ContactHistory<>& history, std::uint64_t seed) {
+  for (const ContactEvent<>& event : history.events) {
+    const Bodies<> before{event.at, event.before};
     EXPECT_LE(energy(scene, {event.at, event.after}), energy(scene, before) + rounding(scene, before))
         << seed << ' ' << event.time;
   }
@@ -54,7 +54,7 @@ TEST(UnilateralLaws, EnergyNeverRisesWhereTheGroundIsStill) {
     testing::Draw draw(seed);
     Scene scene = with_friction(testing::random_scene(draw, 1 + draw.below(3), false), 0);
     for (double& friction : scene.friction) friction = draw.between(0.05, 0.8);
-    const ContactHistory history = solve_unilateral(scene, {.sample_times = regular(0.01, scene.duration)});
+    const ContactHistory<> history = solve_unilateral(scene, {.sample_times = regular(0.01, scene.duration)});
     if (slips_or_flies(history)) ++rubbing;
     double last = energy(scene, history.samples.front().bodies);
     for (const auto& sample : history.samples) {
@@ -75,7 +75,7 @@ TEST(UnilateralLaws, ImpactsLeaveEnergyOrTakeIt) {
 }
 
 /// How deep a block is in the one below at any sample, m. Blocks that lie on each other's sides have no gap.
-double deepest(const ContactHistory& history) {
+double deepest(const ContactHistory<>& history) {
   double least = 0;
   for (const auto& sample : history.samples) {
     double below = 0;
@@ -92,7 +92,7 @@ double deepest(const ContactHistory& history) {
 TEST(UnilateralLaws, NoBlockSinksIntoAnother) {
   for (const std::uint64_t seed : {0, 1, 2, 3, 4, 5, 71, 1532, 1561, 1563, 2916, 3751, 3882}) {
     const Scene scene = testing::slippery(testing::seeded_scene(seed), seed);
-    const ContactHistory history =
+    const ContactHistory<> history =
         solve_unilateral(scene, {.sample_times = regular(scene.duration / 50, scene.duration)});
     EXPECT_LT(deepest(history), 1e-13) << seed;
   }
@@ -104,7 +104,7 @@ TEST(UnilateralLaws, FrictionWithoutBoundsLetsMotionsGoOn) {
   for (const std::uint64_t seed : {33, 72, 84, 866, 1224, 1249, 1749, 1763, 2262, 2317, 2326, 2365, 2844}) {
     for (const double friction : {1.0, 5.0, 1000.0}) {
       const Scene scene = with_friction(testing::seeded_scene(seed), friction);
-      const ContactHistory history = solve_unilateral(scene);
+      const ContactHistory<> history = solve_unilateral(scene);
       expect_no_event_to_add_energy(scene, history, seed);
       if (history.end_time == scene.duration) continue;
       const EventKind end = history.events.back().kind;
@@ -118,7 +118,7 @@ TEST(UnilateralLaws, NothingPullsNorRubsMoreThanItsFriction) {
   int slips = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Scene scene = rubbing_scene(seed);
-    const ContactHistory history = solve_unilateral(
+    const ContactHistory<> history = solve_unilateral(
         scene, {.sample_times = regular(0.01, scene.duration), .validity = true, .peaks = true});
     for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
       for (const auto* demands : {&history.forces, &history.impulses}) {
@@ -144,7 +144,7 @@ struct Momenta {
   double x = 0, y = 0, turning = 0;
 };
 
-Momenta momenta(const Scene& scene, const Bodies& bodies) {
+Momenta momenta(const Scene& scene, const Bodies<>& bodies) {
   Momenta result;
   double mass = 0;
   double centre_x = 0;
@@ -170,11 +170,11 @@ TEST(UnilateralLaws, AFlyingStackKeepsItsMomentum) {
     scene.initial.velocities = {0, -12 * angle};
     scene.vertical = testing::pulse_of(PulseShape::rectangle, -3 * scene.gravity, 0.5);
     scene.friction = {0.5, 0.3};
-    const ContactHistory history = solve_unilateral(scene, {.sample_times = regular(0.01, scene.duration)});
+    const ContactHistory<> history = solve_unilateral(scene, {.sample_times = regular(0.01, scene.duration)});
     double mass = 0;
     for (const Block& block : scene.blocks) mass += block.mass;
     int impacts = 0;
-    for (const ContactEvent& event : history.events) {
+    for (const ContactEvent<>& event : history.events) {
       EXPECT_FALSE(event.to[0].touches());
       if (event.kind == EventKind::impact) ++impacts;
     }
@@ -190,16 +190,15 @@ TEST(UnilateralLaws, AFlyingStackKeepsItsMomentum) {
   }
 }
 
-std::vector<BodyPlacement> mirrored(std::vector<BodyPlacement> placements) {
-  for (BodyPlacement& placement : placements) {
-    placement.x = -placement.x;
-    placement.angle = -placement.angle;
+std::vector<Pose> mirrored(std::vector<Pose> poses) {
+  for (Pose<>& pose : poses) {
+    pose.x = -pose.x;
+    pose.angle = -pose.angle;
   }
-  return placements;
+  return poses;
 }
 
-void expect_equal(const std::vector<BodyPlacement>& one, const std::vector<BodyPlacement>& other,
-                  std::uint64_t seed) {
+void expect_equal(const std::vector<Pose>& one, const std::vector<Pose>& other, std::uint64_t seed) {
   for (std::size_t k = 0; k < one.size(); ++k) {
     EXPECT_EQ(one[k].x, other[k].x) << seed;
     EXPECT_EQ(one[k].y, other[k].y) << seed;
@@ -214,8 +213,8 @@ TEST(UnilateralLaws, AMirroredSceneHasTheMirroredHistoryBitForBit) {
     for (auto* values : {&image.initial.angles, &image.initial.velocities, &image.horizontal.samples})
       for (double& value : *values) value = -value;
     if (image.horizontal.pulse) image.horizontal.pulse->amplitude *= -1;
-    const ContactHistory one = solve_unilateral(scene);
-    const ContactHistory other = solve_unilateral(image);
+    const ContactHistory<> one = solve_unilateral(scene);
+    const ContactHistory<> other = solve_unilateral(image);
     ASSERT_EQ(one.events.size(), other.events.size()) << seed;
     for (std::size_t i = 0; i < one.events.size(); ++i) {
       EXPECT_EQ(one.events[i].time, other.events[i].time) << seed;
@@ -249,8 +248,8 @@ TEST(UnilateralLaws, ALargerStackDoesTheSameMoreSlowly) {
       motion->pulse->period *= 2;
       motion->pulse->start *= 2;
     }
-    const ContactHistory one = solve_unilateral(scene);
-    const ContactHistory other = solve_unilateral(large);
+    const ContactHistory<> one = solve_unilateral(scene);
+    const ContactHistory<> other = solve_unilateral(large);
     ASSERT_EQ(one.events.size(), other.events.size()) << seed;
     for (std::size_t i = 0; i < one.events.size(); ++i) {
       EXPECT_EQ(2 * one.events[i].time, other.events[i].time) << seed;

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "analytic/unilateral/solve_unilateral.hpp"
 #include "tests/analytic/solver/stacks.hpp"
+#include "tests/analytic/unilateral/solve_unilateral.hpp"
 
 namespace rockstack::testing {
 

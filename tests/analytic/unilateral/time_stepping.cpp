@@ -163,10 +163,10 @@ void add_corners(const Scene& scene, std::vector<Body>& bodies, std::size_t k, d
 
 }  // namespace
 
-Bodies time_stepped(const Scene& scene, double step, double stop) {
+Bodies<> time_stepped(const Scene& scene, double step, double stop) {
   Scene start = scene;
   start.duration = 1e-9 * scene.duration;
-  const Bodies first = solve_unilateral(start, {.sample_times = {0}}).samples.front().bodies;
+  const Bodies<> first = solve_unilateral(start, {.sample_times = {0}}).samples.front().bodies;
   std::vector<Body> bodies;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const Block& block = scene.blocks[k];
@@ -208,7 +208,7 @@ Bodies time_stepped(const Scene& scene, double step, double stop) {
     }
     move(length / 2);
   }
-  Bodies last;
+  Bodies<> last;
   for (const Body& body : bodies) {
     last.at.push_back({body.at.x, body.at.y, -body.turn});
     last.rate.push_back({body.velocity.x, body.velocity.y, -body.spin});

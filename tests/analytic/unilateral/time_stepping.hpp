@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analytic/unilateral/solve_unilateral.hpp"
+#include "tests/analytic/unilateral/solve_unilateral.hpp"
 
 namespace rockstack::testing {
 
@@ -10,7 +10,7 @@ namespace rockstack::testing {
 /// it is shared with the solver but the question. It converges with order one. Sweeps go on until they
 /// change impulses by less than `stop` times that of all weight in a step: over T seconds they leave out some
 /// stop · gT² of positions.
-/// @returns placements and rates at the end.
-Bodies time_stepped(const Scene& scene, double step, double stop = 1e-9);
+/// @returns poses and rates at the end.
+Bodies<> time_stepped(const Scene& scene, double step, double stop = 1e-9);
 
 }  // namespace rockstack::testing

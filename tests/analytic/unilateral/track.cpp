@@ -6,7 +6,7 @@
 
 #include "analytic/mechanics/impact.hpp"
 #include "analytic/solve.hpp"
-#include "analytic/unilateral/solve_unilateral.hpp"
+#include "tests/analytic/unilateral/solve_unilateral.hpp"
 
 namespace rockstack::testing {
 namespace {
@@ -92,17 +92,16 @@ Track track_of(const Scene& scene, const History& history) {
   return up_to_its_end(std::move(track));
 }
 
-std::vector<double> angles_of(const std::vector<BodyPlacement>& placements) {
-  std::vector<double> angles(placements.size());
-  std::transform(placements.begin(), placements.end(), angles.begin(),
-                 [](const BodyPlacement& placement) { return placement.angle; });
+std::vector<double> angles_of(const std::vector<Pose>& poses) {
+  std::vector<double> angles(poses.size());
+  std::transform(poses.begin(), poses.end(), angles.begin(), [](const Pose<>& pose) { return pose.angle; });
   return angles;
 }
 
-Track track_of(const ContactHistory& history) {
+Track track_of(const ContactHistory<>& history) {
   Track track;
-  for (const ContactEvent& event : history.events) {
-    const auto sticks = [](const Joint& joint) { return joint.touches() && joint.slip == 0; };
+  for (const ContactEvent<>& event : history.events) {
+    const auto sticks = [](const Joint<>& joint) { return joint.touches() && joint.slip == 0; };
     if (!std::all_of(event.to.begin(), event.to.end(), sticks)) {
       track.end = event.time;
       break;
@@ -110,7 +109,7 @@ Track track_of(const ContactHistory& history) {
     std::vector<double> rates = angles_of(event.before);
     const std::vector<double> after = angles_of(event.after);
     rates.insert(rates.end(), after.begin(), after.end());
-    const auto side = [](const Joint& joint) { return joint.side(); };
+    const auto side = [](const Joint<>& joint) { return joint.side(); };
     track.events.push_back({name(event.kind), event.interface, pattern_of(event.to, event.to.size(), side),
                             event.time, angles_of(event.at), rates});
   }
@@ -153,7 +152,7 @@ std::optional<Track> consistent_track(Scene scene, const std::vector<double>& ti
 Track joint_track(const Scene& scene, const std::vector<double>& times) {
   try {
     return track_of(solve_unilateral(scene, {.sample_times = times}));
-  } catch (const UnfinishedContacts& unfinished) {
+  } catch (const UnfinishedContacts<>& unfinished) {
     return track_of(unfinished.history);
   }
 }

@@ -15,7 +15,7 @@ TEST(UnilateralWeight, ABlockSlidesDownInclinedGround) {
     Scene scene = testing::with_friction(testing::single(1, 0.8, 1), friction);
     scene.inclination = inclination;
     const double pull = scene.gravity * (std::sin(std::abs(inclination)) - friction * std::cos(inclination));
-    const ContactHistory history = solve_unilateral(scene, {.validity = true});
+    const ContactHistory<> history = solve_unilateral(scene, {.validity = true});
     ASSERT_EQ(history.events.size(), 1U);
     EXPECT_NEAR(history.last.at[0].x, std::copysign(pull / 2, inclination), round_off * scene.gravity);
     const Demand& force = history.forces[0];
@@ -40,8 +40,8 @@ TEST(UnilateralWeight, InclinedGroundIsAPushAndLessGravity) {
     level.horizontal = testing::pulse_of(PulseShape::rectangle, -gravity.along, 2 * level.duration);
     level.vertical =
         testing::pulse_of(PulseShape::rectangle, gravity.across - level.gravity, 2 * level.duration);
-    const ContactHistory one = solve_unilateral(inclined);
-    const ContactHistory other = solve_unilateral(level);
+    const ContactHistory<> one = solve_unilateral(inclined);
+    const ContactHistory<> other = solve_unilateral(level);
     for (std::size_t i = 0; i < std::min(one.events.size(), other.events.size()); ++i) {
       if (one.events[i].kind != other.events[i].kind) break;
       ++events;
@@ -60,7 +60,7 @@ TEST(UnilateralWeight, ACentreOfMassOffTheMiddleTurnsAboutTheCorner) {
     block.offset_x = offset_x;
     block.offset_y = -0.3;
     scene.initial.angles = {0.1};
-    const ContactHistory history = solve_unilateral(scene);
+    const ContactHistory<> history = solve_unilateral(scene);
     const double arm_x = -0.5 + offset_x;
     const double arm_y = 1 - 0.3;
     const double inertia = block.inertia + block.mass * (arm_x * arm_x + arm_y * arm_y);

@@ -70,7 +70,7 @@ TEST(UnilateralWithoutSlip, DemandsAndPeaksAreThoseOfLawConsistent) {
     scene.law = Law::consistent;
     const History one = solve(scene, {.validity = true, .peaks = true});
     if (!stays_within(one.forces, friction) || !stays_within(one.impulses, friction)) continue;
-    const ContactHistory other =
+    const ContactHistory<> other =
         solve_unilateral(testing::with_friction(scene, friction), {.validity = true, .peaks = true});
     ++scenes;
     expect_same_demands(one.forces, other.forces, seed);

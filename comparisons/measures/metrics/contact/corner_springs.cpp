@@ -40,7 +40,7 @@ Scene with_rigid_contacts(Scene scene, const std::vector<double>& friction) {
   scene.equations = Equations::nonlinear;
   scene.friction = friction;
   scene.springs = {};
-  scene.initial.settled = true;
+  scene.initial.preloaded = true;
   return scene;
 }
 
@@ -51,7 +51,7 @@ Scene with_springs(Scene scene, const std::vector<double>& friction, const Corne
   scene.springs.stiffness.assign(scene.blocks.size(), spring.stiffness);
   scene.springs.damping.assign(scene.blocks.size(), spring.damping);
   scene.springs.tangential = tangential;
-  scene.initial.settled = false;
+  scene.initial.preloaded = false;
   return scene;
 }
 

@@ -18,7 +18,7 @@ struct Rates {
 
 Rates rates_at(const Scene& scene, double time) {
   const History history = solve(scene, {.sample_times = {time}});
-  return {history.place_rates[0], history.place_rates[1]};
+  return {history.centre_velocities[0], history.centre_velocities[1]};
 }
 
 InterfaceSummary summary_of(const Scene& scene) {

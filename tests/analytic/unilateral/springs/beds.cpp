@@ -63,7 +63,7 @@ TEST(WinklerBed, HasItsMomentBeforeAndAfterUplift) {
   constexpr double stiffness = 4e6;
   Scene scene = on_a_bed(stiffness, 0, 1.5);
   scene.horizontal = testing::pulse_of(PulseShape::sine, 0.6 * scene.gravity, 0.6);
-  const ContactHistory history =
+  const ContactHistory<> history =
       solve_unilateral(scene, {.sample_times = regular_times(0.005, scene.duration)});
   const double b = scene.blocks.front().half_width;
   int whole = 0;
@@ -71,7 +71,7 @@ TEST(WinklerBed, HasItsMomentBeforeAndAfterUplift) {
   for (const auto& sample : history.samples) {
     const BasicReaction<double>& reaction = sample.springs.front().reaction;
     const double angle = sample.bodies.at[0].angle;
-    const double moment = reaction.normal * reaction.centre;
+    const double look_ahead = reaction.normal * reaction.centre;
     const double lean = std::sin(std::abs(angle));
     const double uplift = reaction.normal / (2 * stiffness * b * b);
     const bool up = lean > uplift;
@@ -84,7 +84,7 @@ TEST(WinklerBed, HasItsMomentBeforeAndAfterUplift) {
   EXPECT_GT(lifted, 20);
   const auto count = [&](EventKind kind) {
     return std::count_if(history.events.begin(), history.events.end(),
-                         [&](const ContactEvent& event) { return event.kind == kind; });
+                         [&](const ContactEvent<>& event) { return event.kind == kind; });
   };
   EXPECT_GE(count(EventKind::part), 2);
   EXPECT_GE(count(EventKind::touch), 1);
@@ -96,7 +96,7 @@ TEST(WinklerBed, BearsAnEccentricWeightByATriangle) {
   for (const double offset : {-0.12, -0.05, 0.02, 0.12}) {
     Scene scene = on_a_bed(4e7, 1e5, 1);
     scene.blocks.front().offset_x = offset;
-    const ContactHistory history = solve_unilateral(scene, {.sample_times = {0, 1}});
+    const ContactHistory<> history = solve_unilateral(scene, {.sample_times = {0, 1}});
     EXPECT_TRUE(history.events.empty());
     const BasicReaction<double>& reaction = history.samples.front().springs.front().reaction;
     const double weight = scene.blocks.front().mass * scene.gravity;
@@ -116,7 +116,7 @@ TEST(WinklerBed, KeepsItsEnergyOrTellsIt) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Scene scene = testing::bedded_scene(seed);
     if (!scene.horizontal.empty() || !scene.vertical.empty()) continue;
-    const ContactHistory history =
+    const ContactHistory<> history =
         solve_unilateral(scene, {.sample_times = regular_times(scene.duration / 20, scene.duration)});
     double scale = 0;
     for (const Block& block : scene.blocks) scale += 2 * block.mass * scene.gravity * block.half_height;
@@ -143,7 +143,7 @@ TEST(WinklerBed, KeepsItsEnergyOrTellsIt) {
     if (!rigid && std::all_of(dampings.begin(), dampings.end(), [](double c) { return c == 0; })) {
       EXPECT_NEAR(damped, 0, 1e-11 * scale) << seed;
     }
-    for (const ContactEvent& event : history.events) parted += event.kind == EventKind::part ? 1 : 0;
+    for (const ContactEvent<>& event : history.events) parted += event.kind == EventKind::part ? 1 : 0;
   }
   EXPECT_GT(parted, 20);
 }
@@ -155,8 +155,8 @@ TEST(WinklerBed, StopsABlockThatStartsAtItsSurface) {
     Scene scene = on_a_bed(1e7, 0, 0.2);
     scene.initial.angles = {angle};
     scene.friction = {0};
-    scene.initial.settled = false;
-    const ContactHistory history =
+    scene.initial.preloaded = false;
+    const ContactHistory<> history =
         solve_unilateral(scene, {.sample_times = regular_times(0.01, scene.duration)});
     const double scale = 2 * scene.blocks[0].mass * scene.gravity * scene.blocks[0].half_height;
     const double first = energy(scene, history.samples.front().bodies);
@@ -172,7 +172,7 @@ TEST(WinklerBed, RefusesABlockThatLiesFlatWithoutLoadAndTurns) {
   Scene scene = on_a_bed(1e7, 0, 0.2);
   scene.initial.velocities = {0.1};
   EXPECT_NO_THROW(validate(scene));
-  scene.initial.settled = false;
+  scene.initial.preloaded = false;
   try {
     validate(scene);
     FAIL() << "no error";
@@ -188,7 +188,7 @@ TEST(WinklerBed, PartsAndLandsFlat) {
   Scene scene = on_a_bed(1e7, 2e4, 2);
   scene.vertical.samples = {30, 30, -30, -30, 0};
   scene.vertical.interval = 0.05;
-  const ContactHistory history = solve_unilateral(scene);
+  const ContactHistory<> history = solve_unilateral(scene);
   ASSERT_GE(history.events.size(), 2U);
   EXPECT_EQ(history.events[0].kind, EventKind::part);
   EXPECT_EQ(name(history.events[0].from) + name(history.events[0].to), "C-");

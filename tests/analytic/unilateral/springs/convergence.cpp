@@ -4,7 +4,7 @@
 #include <complex>
 #include <limits>
 
-#include "analytic/unilateral/solve_unilateral.hpp"
+#include "tests/analytic/unilateral/solve_unilateral.hpp"
 #include "tests/analytic/unilateral/springs/explicit_steps.hpp"
 #include "tests/analytic/unilateral/springs/random_springs.hpp"
 
@@ -13,9 +13,9 @@ namespace {
 
 /// How far explicit steps end from the exact motion, m or rad: the most of some steps, as where in a step
 /// events come is chance.
-double explicit_error(const Scene& scene, const ContactHistory& history,
+double explicit_error(const Scene& scene, const ContactHistory<>& history,
                       std::initializer_list<double> steps) {
-  const Bodies& start = history.samples.front().bodies;
+  const Bodies<>& start = history.samples.front().bodies;
   std::vector<testing::PlaneBlock> blocks;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k)
     blocks.push_back({{start.at[k].x, start.at[k].y},
@@ -26,7 +26,7 @@ double explicit_error(const Scene& scene, const ContactHistory& history,
   for (const double step : steps) {
     const auto found = testing::explicit_motion(scene, blocks, static_cast<double>(history.end_time), step);
     for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-      const BodyPlacement& exact = history.last.at[k];
+      const Pose<>& exact = history.last.at[k];
       error = std::max({error, std::abs(found[k].place - std::complex<double>(exact.x, exact.y)),
                         std::abs(found[k].angle - exact.angle)});
     }
@@ -46,7 +46,7 @@ TEST_P(SoftScenes, MoveAsExplicitStepsDo) {
   int parted = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Scene scene = testing::soft_scene(seed, GetParam());
-    const ContactHistory history = solve_unilateral(scene, {.sample_times = {0}});
+    const ContactHistory<> history = solve_unilateral(scene, {.sample_times = {0}});
     const double coarse = explicit_error(scene, history, {1e-4, 7.7e-5, 5.9e-5});
     const double fine = explicit_error(scene, history, {1.7e-5, 1.3e-5, 1e-5});
     double height = 0;
@@ -54,7 +54,7 @@ TEST_P(SoftScenes, MoveAsExplicitStepsDo) {
     const double rounding = scene.duration / 1e-5 * std::numeric_limits<double>::epsilon() * height;
     EXPECT_LT(fine, std::max(coarse / 3, rounding)) << seed;
     EXPECT_LT(coarse, 1e-3) << seed;
-    for (const ContactEvent& event : history.events) {
+    for (const ContactEvent<>& event : history.events) {
       slid += event.kind == EventKind::slip ? 1 : 0;
       parted += event.kind == EventKind::part ? 1 : 0;
     }

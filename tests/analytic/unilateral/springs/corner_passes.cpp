@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analytic/unilateral/solve_unilateral.hpp"
 #include "analytic/unilateral/springs/spring_energy.hpp"
 #include "analytic/unilateral/springs/spring_rounding.hpp"
 #include "tests/analytic/unilateral/scenes.hpp"
+#include "tests/analytic/unilateral/solve_unilateral.hpp"
 #include "tests/analytic/unilateral/springs/random_springs.hpp"
 
 namespace rockstack {
@@ -15,14 +15,12 @@ namespace {
 /// The right end of an interface: a corner of the upper block that slides to the right.
 struct SlidingEnd {
   Scene scene;
-  FrictionStack stack;
-  Bodies bodies;
+  ContactModel<> stack;
+  Bodies<> bodies;
   SpringPoint<double> point;
 
   double elastic() const { return elastic_energy(stack, point, bodies); }
-  BasicPointRows<double> rows() const {
-    return rows_of(stack.blocks, bodies, corner_of(stack.blocks, point));
-  }
+  ContactKinematics<double> rows() const { return kinematics_of(stack, bodies, corner_of(stack, point)); }
   double stretch() const { return rows().slip - point.slider; }
 };
 
@@ -38,7 +36,7 @@ SlidingEnd sliding_end(double angle, double inside, double depth, double stretch
   scene.springs.stiffness = {1e6, 1e6};
   scene.springs.damping = {0, damping};
   scene.springs.tangential = tangential;
-  SlidingEnd end{scene, friction_stack_of<double>(scene), {}, {}};
+  SlidingEnd end{scene, contact_model_of<double>(scene), {}, {}};
   const Point<double> corner(0.55 - inside, 0.8 - depth);
   const Point<double> middle = corner - turned<double>({0.45, -0.65}, angle);
   end.bodies.at = {{0, 0.4, 0}, {middle.x(), middle.y(), angle}};
@@ -169,7 +167,7 @@ Scene sliding_scene(std::uint64_t seed) {
     scene.springs.stiffness.push_back(stiffness);
     scene.springs.damping.push_back(2 * ratio * std::sqrt(stiffness * mass));
   }
-  scene.initial.settled = draw.coin();
+  scene.initial.preloaded = draw.coin();
   scene.springs.tangential = std::pow(10, draw.between(-1, 0.7));
   scene.inclination = draw.below(2) * draw.between(-0.12, 0.12);
   return scene;
@@ -180,7 +178,7 @@ TEST(CornerPass, NeitherLosesEnergyNorMakesAnyInRandomScenes) {
   int frictionless = 0;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
     const Scene scene = sliding_scene(seed);
-    const ContactHistory history =
+    const ContactHistory<> history =
         solve_unilateral(scene, {.sample_times = regular_times(0.01, scene.duration)});
     const double rounding = 1e-11 * testing::weight_times_height(scene);
     const double first = testing::energy_with_losses(scene, history.samples.front());
@@ -192,7 +190,7 @@ TEST(CornerPass, NeitherLosesEnergyNorMakesAnyInRandomScenes) {
       EXPECT_GE(now, taken - rounding) << seed << ' ' << sample.time;
       taken = now;
     }
-    for (const ContactEvent& event : history.events) {
+    for (const ContactEvent<>& event : history.events) {
       if (event.kind != EventKind::corner) continue;
       ++passes;
       frictionless += scene.friction[static_cast<std::size_t>(event.interface - 1)] == 0 ? 1 : 0;

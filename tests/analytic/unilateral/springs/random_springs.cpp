@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "analytic/unilateral/contact_energy.hpp"
 #include "tests/analytic/solver/stacks.hpp"
+#include "tests/analytic/unilateral/solve_unilateral.hpp"
 
 namespace rockstack::testing {
 namespace {
@@ -64,7 +64,7 @@ Scene soft_scene(std::uint64_t seed, bool beds) {
     scene.friction.push_back(draw.between(0.2, 0.8));
   }
   scene.springs.tangential = draw.between(0.4, 1);
-  scene.initial.settled = false;
+  scene.initial.preloaded = false;
   scene.duration = 0.3;
   if (!beds) return scene;
   put_on_beds(scene);
@@ -75,7 +75,7 @@ Scene soft_scene(std::uint64_t seed, bool beds) {
   return scene;
 }
 
-double energy_with_losses(const Scene& scene, const ContactHistory::Sample& sample) {
+double energy_with_losses(const Scene& scene, const ContactHistory<>::Sample& sample) {
   double sum = energy(scene, sample.bodies);
   for (const auto& springs : sample.springs)
     sum += springs.energy.elastic + springs.energy.damped + springs.energy.rubbed;

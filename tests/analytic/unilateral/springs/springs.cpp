@@ -27,10 +27,10 @@ TEST(CornerSprings, RestoreWhatADampedImpactLeaves) {
     const double mass = scene.blocks.front().mass;
     scene.springs.damping = {ratio * std::sqrt(2 * stiffness * mass)};
     scene.gravity = 1e-10;
-    scene.initial.settled = false;
+    scene.initial.preloaded = false;
     scene.vertical.samples = {-10, -10, 10, 10, 0};
     scene.vertical.interval = 0.1;
-    const ContactHistory history = solve_unilateral(scene);
+    const ContactHistory<> history = solve_unilateral(scene);
     const auto touch = std::find_if(history.events.begin(), history.events.end(), [](const auto& event) {
       return event.kind == EventKind::touch && event.time > 0.4;
     });
@@ -52,7 +52,7 @@ TEST(CornerSprings, CarryABlockUpAndDownAtItsFrequency) {
   scene.vertical = testing::pulse_of(PulseShape::rectangle, scene.gravity / 5, 1);
   const double frequency = std::sqrt(2 * 1e7 / scene.blocks.front().mass);
   const std::vector<double> times = regular_times(0.01, scene.duration);
-  const ContactHistory history = solve_unilateral(scene, {.sample_times = times});
+  const ContactHistory<> history = solve_unilateral(scene, {.sample_times = times});
   const double rest = history.samples.front().bodies.at[0].y;
   EXPECT_NEAR(rest, 0.5 - scene.gravity / (frequency * frequency), 1e-15);
   EXPECT_TRUE(history.events.empty());
@@ -69,7 +69,7 @@ TEST(CornerSprings, SlideAsFarAsOnRigidGround) {
   Scene scene = on_springs(1, 0.05, 1e7, 0, 1);
   scene.friction = {0.4};
   scene.initial.slip_velocities = {1};
-  const ContactHistory history = solve_unilateral(scene, {.peaks = true});
+  const ContactHistory<> history = solve_unilateral(scene, {.peaks = true});
   // The slider stops while the block moves on against the springs and back: within μ mg/(2k) of that.
   const double elastic = 0.4 * scene.blocks[0].mass * scene.gravity / (2 * 1e7);
   EXPECT_NEAR(history.slips_left[0], 1 / (2 * 0.4 * scene.gravity), 2 * elastic);
@@ -85,12 +85,12 @@ TEST(CornerSprings, AStackThatHasSettledRests) {
     // Stiff enough not to fall over: at 10⁷ N/m a tonne a stack of metres has 2kb² > mgh.
     for (double& stiffness : scene.springs.stiffness) stiffness *= 100;
     scene.inclination = seed % 2 == 0 ? 0 : 1e-3;
-    const ContactHistory history =
+    const ContactHistory<> history =
         solve_unilateral(scene, {.sample_times = {0, scene.duration / 2, scene.duration}});
     EXPECT_TRUE(history.events.empty()) << seed << ' ' << name(history.events.front().kind);
     for (const auto& sample : history.samples)
       for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-        const BodyPlacement& start = history.samples.front().bodies.at[k];
+        const Pose<>& start = history.samples.front().bodies.at[k];
         const double rounding = 1e-11;
         EXPECT_NEAR(sample.bodies.at[k].x, start.x, rounding) << seed;
         EXPECT_NEAR(sample.bodies.at[k].y, start.y, rounding) << seed;
@@ -112,7 +112,7 @@ TEST(CornerSprings, EnergyIsKeptOrTold) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Scene scene = testing::springy_scene(seed);
     if (!scene.horizontal.empty() || !scene.vertical.empty()) continue;
-    const ContactHistory history =
+    const ContactHistory<> history =
         solve_unilateral(scene, {.sample_times = regular_times(scene.duration / 20, scene.duration)});
     const double scale = testing::weight_times_height(scene);
     double last = testing::energy_with_losses(scene, history.samples.front());
@@ -143,8 +143,8 @@ TEST(CornerSprings, MirrorImagesMoveAlike) {
   int events = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Scene scene = testing::springy_scene(seed);
-    const ContactHistory one = solve_unilateral(scene);
-    const ContactHistory other = solve_unilateral(mirrored(scene));
+    const ContactHistory<> one = solve_unilateral(scene);
+    const ContactHistory<> other = solve_unilateral(mirrored(scene));
     const std::size_t count = std::min<std::size_t>({one.events.size(), other.events.size(), 12});
     for (std::size_t i = 0; i < count; ++i) {
       EXPECT_EQ(one.events[i].kind, other.events[i].kind) << seed << ' ' << i;
@@ -164,12 +164,12 @@ TEST(CornerSprings, StiffOnesComeToRigidFaces) {
   scene.law = Law::compliant;
   scene.friction = {0.9, 0.9};
   scene.springs = {{1e7, INFINITY}, {1e5, 0}};
-  const ContactHistory rigid = solve_unilateral(scene);
+  const ContactHistory<> rigid = solve_unilateral(scene);
   double before = INFINITY;
   for (const double stiffness : {1e9, 1e10, 1e11}) {
     scene.springs.stiffness[1] = stiffness;
     scene.springs.damping[1] = 2 * std::sqrt(stiffness * 1000);
-    const ContactHistory soft = solve_unilateral(scene);
+    const ContactHistory<> soft = solve_unilateral(scene);
     const double difference = std::abs(soft.last.at[1].angle - rigid.last.at[1].angle);
     EXPECT_LT(difference, before / 2) << stiffness;
     before = difference;
@@ -206,7 +206,7 @@ TEST(CornerSprings, PartOnceFromADepthNearRounding) {
   block.offset_x = block.half_width - arm;
   scene.horizontal.samples = {-acceleration, -acceleration};
   scene.horizontal.interval = scene.duration;
-  const ContactHistory history = solve_unilateral(scene, {.sample_times = {0}});
+  const ContactHistory<> history = solve_unilateral(scene, {.sample_times = {0}});
   ASSERT_EQ(history.events.size(), 1);
   EXPECT_EQ(history.events.front().kind, EventKind::part);
   // It turns about the other corner, which gives way along the face as it takes up the ground's motion.

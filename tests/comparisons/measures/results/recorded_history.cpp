@@ -32,7 +32,7 @@ History made_up(int blocks, bool leaves_pivots) {
   if (leaves_pivots) {
     history.slips = rows(samples * blocks), history.gaps = rows(samples * blocks);
     history.gaps.back() = std::numeric_limits<double>::infinity();
-    history.places = rows(2 * samples * blocks);
+    history.centres = rows(2 * samples * blocks);
     history.patterns[1].contacts[0] = Contact::apart;
   }
   for (const EventKind kind : {EventKind::impact, EventKind::slip, EventKind::rest})
@@ -49,7 +49,7 @@ void expect_same(const History& read, const History& history) {
   EXPECT_EQ(read.patterns, history.patterns);
   EXPECT_EQ(read.slips, history.slips);
   EXPECT_EQ(read.gaps, history.gaps);
-  EXPECT_EQ(read.places, history.places);
+  EXPECT_EQ(read.places, history.centres);
   ASSERT_EQ(read.events.size(), history.events.size());
   for (std::size_t i = 0; i < read.events.size(); ++i) {
     const Event &one = read.events[i], &other = history.events[i];

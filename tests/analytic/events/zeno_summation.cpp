@@ -1,4 +1,4 @@
-#include "analytic/events/lone_chatter.hpp"
+#include "analytic/events/zeno_summation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ std::vector<BasicEvent<Real>> turns(const BasicHistory<Real>& history) {
   return kept;
 }
 
-TEST(LoneChatter, SummedUpItLeadsToTheMotionThatAllItsImpactsLeadTo) {
+TEST(ZenoSummation, SummedUpItLeadsToTheMotionThatAllItsImpactsLeadTo) {
   std::size_t all = 0, summed = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     const Scene scene = chattering_scene(seed);
@@ -79,7 +79,7 @@ TEST(LoneChatter, SummedUpItLeadsToTheMotionThatAllItsImpactsLeadTo) {
   EXPECT_LT(summed, all * 4 / 5) << "there must be chatter to sum up";
 }
 
-TEST(LoneChatter, SummedUpItAsksOfInterfacesWhatAllItsImpactsDo) {
+TEST(ZenoSummation, SummedUpItAsksOfInterfacesWhatAllItsImpactsDo) {
   std::size_t all = 0, summed = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     const Scene scene = chattering_scene(seed);
@@ -106,7 +106,7 @@ TEST(LoneChatter, SummedUpItAsksOfInterfacesWhatAllItsImpactsDo) {
 }
 
 // Of a coarse resolution no chatter is summed up, so that the events are those that are kept one by one.
-TEST(LoneChatter, AnEventStandsForTheImpactsInARowThatItCounts) {
+TEST(ZenoSummation, AnEventStandsForTheImpactsInARowThatItCounts) {
   std::size_t all = 0, summed = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const Scene scene = chattering_scene(seed);
@@ -137,7 +137,7 @@ TEST(LoneChatter, AnEventStandsForTheImpactsInARowThatItCounts) {
 
 // Just after the base has come to rest under the top. The cost is measured, so that it comes near the bound:
 // what is left out goes with u³, and flights take less than their half a time.
-TEST(LoneChatter, TheMotionAfterItIsOffByTheResolutionAtMost) {
+TEST(ZenoSummation, TheMotionAfterItIsOffByTheResolutionAtMost) {
   Scene scene = testing::paper_example();
   scene.duration = 0.97;
   const SolveOptions options{.sample_times = {scene.duration}};
@@ -155,7 +155,7 @@ TEST(LoneChatter, TheMotionAfterItIsOffByTheResolutionAtMost) {
 
 // A top that turns round while its base chatters may lean most within the chatter; one that moves on, or has
 // leant more, does not.
-TEST(LoneChatter, WhereABlockMayLeanMostInItItIsFollowed) {
+TEST(ZenoSummation, WhereABlockMayLeanMostInItItIsFollowed) {
   const auto model = make_model<double>(testing::paper_example());
   const SolveOptions options{.peaks = true};
   Recorder<double, Eigen::Dynamic> recorder(model, options, {});
@@ -177,7 +177,7 @@ TEST(LoneChatter, WhereABlockMayLeanMostInItItIsFollowed) {
   EXPECT_FALSE(wants(0.099, 0));
 }
 
-TEST(LoneChatter, WhereSamplesFallIntoItItIsFollowed) {
+TEST(ZenoSummation, WhereSamplesFallIntoItItIsFollowed) {
   Scene scene = testing::paper_example();
   scene.duration = 1;
   const auto ends = solved(scene, {}, EventsKept::all, ended_at);
@@ -194,7 +194,7 @@ TEST(LoneChatter, WhereSamplesFallIntoItItIsFollowed) {
 }
 
 /// One solid column of two blocks that chatters on the ground, whose acceleration stays as it is, from a slow
-/// speed down by the law of impact and the accelerations of its flights; and what LoneChatter says of the
+/// speed down by the law of impact and the accelerations of its flights; and what ZenoSummation says of the
 /// rest as soon as it is harmless.
 class ChatteringColumn {
  public:
@@ -204,18 +204,18 @@ class ChatteringColumn {
   }
 
   std::optional<RestOfChatter<double, 2>> rest() const {
-    LoneChatter<double, 2> chatter(model_, ended_at);
+    ZenoSummation<double, 2> chatter(model_, ended_at);
     const EndOfChatter<double, 2> end(model_, ended_at);
     State<double, 2> state = on(Contact::right);
     state.velocities[0] = -1e-2;
     double time = 0;
     for (std::size_t number = 0; std::abs(state.velocities[0]) > 1e-12; ++number) {
       const Impact<double, 2> impact{state, 1};
-      const Approach<double, 2> before = approach(model_, state);
+      const BeforeImpact<double, 2> before = before_impact(model_, state);
       Pattern pattern = state.pattern;
       pattern[0] = opposite(pattern[0]);
       const auto after = velocities_after(model_, before, pattern);
-      const LoneChatter<double, 2>::Landing landing{impact, before, after, piece_, time, number};
+      const ZenoSummation<double, 2>::Landing landing{impact, before, after, piece_, time, number};
       state = {pattern, state.angles, after.relative};
       if (chatter.harmless(landing)) return chatter.rest(landing, end.fastest_return(state, piece_.at(time)));
       time += 2 * std::abs(state.velocities[0]) / pull(pattern[0]);
@@ -266,7 +266,7 @@ double acceleration_at(const Falling& falling, double level) {
   return low;
 }
 
-TEST(LoneChatter, WhereAnInterfaceAboveIsAboutToOpenItIsFollowed) {
+TEST(ZenoSummation, WhereAnInterfaceAboveIsAboutToOpenItIsFollowed) {
   const double narrow = 0.6;
   const auto spare = [&](double ground) {
     const ChatteringColumn column(narrow, ground);
@@ -276,7 +276,7 @@ TEST(LoneChatter, WhereAnInterfaceAboveIsAboutToOpenItIsFollowed) {
   EXPECT_FALSE(ChatteringColumn(narrow, acceleration_at(spare, 0.005)).rest());
 }
 
-TEST(LoneChatter, WhereFlightsHardlyComeBackItIsFollowed) {
+TEST(ZenoSummation, WhereFlightsHardlyComeBackItIsFollowed) {
   const double wide = 1.05;
   const auto pull = [&](double ground) {
     const ChatteringColumn column(wide, ground);

@@ -33,10 +33,10 @@ struct RestOfChatter {
 /// resolution from the speed on that follows from it, as long as flights keep their length for their speed:
 /// where they do not, as where the interface is about to open for good, it is measured anew.
 template <class Real, int N>
-class LoneChatter {
+class ZenoSummation {
  public:
   /// Keeps a reference to `model`. `resolution` is of angles in rad, and of velocities in √(g/H), > 0.
-  LoneChatter(const Model<Real, N>& model, const Real& resolution)
+  ZenoSummation(const Model<Real, N>& model, const Real& resolution)
       : model_(model),
         resolution_(resolution),
         short_steps_(model, {.step = std::numeric_limits<double>::max()}) {
@@ -50,7 +50,7 @@ class LoneChatter {
   /// An impact of a number in the history, to the state after it, `offset` into a ground piece.
   struct Landing {
     const Impact<Real, N>& impact;
-    const Approach<Real, N>& before;
+    const BeforeImpact<Real, N>& before;
     const PatternSolution<Real, N>& after;
     const GroundPiece<Real>& piece;
     Real offset;

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <vector>
 
-#include "analytic/unilateral/contact/bodies.hpp"
 #include "analytic/unilateral/contact/contact_laws.hpp"
+#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/series/mode_series.hpp"
 
 namespace rockstack {
 
-/// What happens where a course becomes negative.
+/// What happens where a guard becomes negative.
 enum class Change : std::uint8_t {
   force,    ///< a force leaves its range: opening, lift-off, or slip
   halt,     ///< sliding comes to a halt
@@ -23,7 +23,7 @@ enum class Change : std::uint8_t {
 
 /// Something that stays positive for as long as a mode lasts.
 template <class Real>
-struct Course {
+struct Guard {
   Polynomial<Real> series;
   Change change{};
   int interface = 0;              ///< from 0; of topple the block
@@ -36,10 +36,9 @@ struct Course {
 
 /// Gathers what a mode ends by, interface by interface.
 template <class Real>
-class CourseCollector {
+class GuardCollector {
  public:
-  CourseCollector(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-                  const ModeSeries<Real>& series)
+  GuardCollector(const ContactModel<Real>& stack, const Joints<Real>& joints, const ModeSeries<Real>& series)
       : stack_(stack), joints_(joints), series_(series) {
     using std::abs;
     for (std::size_t k = 0; k < joints.size(); ++k)
@@ -47,7 +46,7 @@ class CourseCollector {
   }
 
   void add_interface(int k) {
-    const BasicJoint<Real>& joint = joints_[static_cast<std::size_t>(k)];
+    const Joint<Real>& joint = joints_[static_cast<std::size_t>(k)];
     if (joint.touch == Touch::flat) {
       add_pressure(k);
     } else if (joint.pivots()) {
@@ -77,21 +76,21 @@ class CourseCollector {
     push(line(angle, 1, lean), Change::topple, k);
   }
 
-  std::vector<Course<Real>> take() && { return std::move(courses_); }
+  std::vector<Guard<Real>> take() && { return std::move(guards_); }
 
  private:
   const ForceSeries<Real>& force(int k) const { return series_.forces[static_cast<std::size_t>(k)]; }
   Polynomial<Real> slip(int k) const {
-    const CornerOnFace<Real> point = held_point(stack_.blocks, k, joints_[static_cast<std::size_t>(k)]);
+    const CornerOnFace<Real> point = stack_.held_point(k, joints_[static_cast<std::size_t>(k)]);
     return times(point.upward, series_.held[static_cast<std::size_t>(k)].along);
   }
   Polynomial<Real> opening_angle(int k) const {
     const Polynomial<Real>& upper = series_.bodies[static_cast<std::size_t>(k)].angle;
     return k == 0 ? upper : sum(upper, times(-1, series_.bodies[static_cast<std::size_t>(k - 1)].angle));
   }
-  Course<Real>& push(const Polynomial<Real>& series, Change change, int k) {
-    courses_.push_back({series, change, k, 0, false, {}, {}, 0});
-    return courses_.back();
+  Guard<Real>& push(const Polynomial<Real>& series, Change change, int k) {
+    guards_.push_back({series, change, k, 0, false, {}, {}, 0});
+    return guards_.back();
   }
   /// A force, or one times `factor`. Of blocks that fly side by side it is rounding: no event may come of it.
   void push_force(const Polynomial<Real>& force, const Real& factor, int k) {
@@ -109,24 +108,22 @@ class CourseCollector {
 
   /// How far the right or left end of the lower face is beyond that of the upper one.
   Polynomial<Real> overhang(int k, int side) const {
-    return line(half_width_of<Real>(stack_.blocks, k - 1) - half_width_of<Real>(stack_.blocks, k), -side,
-                slip(k));
+    return line(stack_.half_width(k - 1) - stack_.half_width(k), -side, slip(k));
   }
   /// Of places along a face, m.
-  Real rounding_along(int k) const { return tolerance<Real>(1e-13) * half_width_of<Real>(stack_.blocks, k); }
+  Real rounding_along(int k) const { return tolerance<Real>(1e-13) * stack_.half_width(k); }
   /// Whose corner ends the overlap of a flat contact.
   bool ends_below(int k, int side) const {
-    const BasicJoint<Real>& joint = joints_[static_cast<std::size_t>(k)];
+    const Joint<Real>& joint = joints_[static_cast<std::size_t>(k)];
     return corner_is_below(stack_, k, joint.offset, side, joint.slip);
   }
 
   /// N (end − centre of pressure), towards either end of the overlap; the moment is −N times the centre.
   void add_pressure(int k) {
     for (const int side : {-1, 1}) {
-      Polynomial<Real> arm{half_width_of<Real>(stack_.blocks, k)};
-      if (k > 0 && ends_below(k, side)) arm = line(half_width_of<Real>(stack_.blocks, k - 1), -side, slip(k));
-      push_force(sum(product(force(k).normal, arm), times(side, force(k).moment)),
-                 half_width_of<Real>(stack_.blocks, k), k);
+      Polynomial<Real> arm{stack_.half_width(k)};
+      if (k > 0 && ends_below(k, side)) arm = line(stack_.half_width(k - 1), -side, slip(k));
+      push_force(sum(product(force(k).normal, arm), times(side, force(k).moment)), stack_.half_width(k), k);
     }
   }
 
@@ -141,10 +138,10 @@ class CourseCollector {
   }
 
   void add_pivot_ends(int k) {
-    const BasicJoint<Real>& joint = joints_[static_cast<std::size_t>(k)];
-    const CornerOnFace<Real> point = held_point(stack_.blocks, k, joint);
+    const Joint<Real>& joint = joints_[static_cast<std::size_t>(k)];
+    const CornerOnFace<Real> point = stack_.held_point(k, joint);
     const Polynomial<Real>& along = series_.held[static_cast<std::size_t>(k)].along;
-    const Real end = half_width_of<Real>(stack_.blocks, point.face);
+    const Real end = stack_.half_width(point.face);
     // A pair of corners that slides along its face comes to a halt before it can be back.
     if (!is_corner_pair(stack_, k, joint) || slides_off(joint))
       push(line(end, -joint.side(), along), Change::corner, k);
@@ -155,38 +152,35 @@ class CourseCollector {
     for (const bool below : {false, true}) {
       if (below && k == 0) continue;
       for (const int side : {-1, 1}) {
-        const CornerOnFace<Real> point =
-            below ? lower_corner<Real>(stack_.blocks, k, side) : upper_corner<Real>(stack_.blocks, k, side);
-        const FaceSeries<Real> place = corner_series(stack_.blocks, series_, point);
-        Course<Real>& course =
-            push(line(-half_height_of<Real>(stack_.blocks, point.face), point.upward, place.above),
-                 Change::landing, k);
-        course.side = side;
-        course.below = below;
-        course.rounding = rounding_along(k);
+        const CornerOnFace<Real> point = stack_.corner(k, side, below);
+        const FaceSeries<Real> place = corner_series(stack_, series_, point);
+        Guard<Real>& guard =
+            push(line(-stack_.half_height(point.face), point.upward, place.above), Change::landing, k);
+        guard.side = side;
+        guard.below = below;
+        guard.rounding = rounding_along(k);
         if (point.face < 0) continue;
-        const Real end = half_width_of<Real>(stack_.blocks, point.face);
-        course.within = line(end, -side, place.along);
-        course.within_other = line(end, side, place.along);
+        const Real end = stack_.half_width(point.face);
+        guard.within = line(end, -side, place.along);
+        guard.within_other = line(end, side, place.along);
         // A block that is wholly beyond an end of the face below falls.
-        if (!below) push(course.within_other, Change::fall, k);
+        if (!below) push(guard.within_other, Change::fall, k);
       }
     }
   }
 
-  const BasicFrictionStack<Real>& stack_;
+  const ContactModel<Real>& stack_;
   const Joints<Real>& joints_;
   const ModeSeries<Real>& series_;
   Real inertia_ = 0;  ///< what all blocks' accelerations take, in the unit of forces
-  std::vector<Course<Real>> courses_;
+  std::vector<Guard<Real>> guards_;
 };
 
-/// All courses of a mode, along a step.
+/// All guards of a mode, along a step.
 template <class Real>
-std::vector<Course<Real>> courses_of(const BasicFrictionStack<Real>& stack, const Joints<Real>& joints,
-                                     const std::vector<Real>& toppling_angles,
-                                     const ModeSeries<Real>& series) {
-  CourseCollector<Real> collector(stack, joints, series);
+std::vector<Guard<Real>> guards_of(const ContactModel<Real>& stack, const Joints<Real>& joints,
+                                   const std::vector<Real>& toppling_angles, const ModeSeries<Real>& series) {
+  GuardCollector<Real> collector(stack, joints, series);
   for (int k = 0; k < stack.size(); ++k) {
     collector.add_interface(k);
     collector.add_toppling(k, toppling_angles[static_cast<std::size_t>(k)]);

@@ -8,7 +8,7 @@
 
 namespace rockstack {
 
-/// What happens to a point where a course becomes negative.
+/// What happens to a point where a guard becomes negative.
 enum class SpringChange : std::uint8_t {
   touch,         ///< it meets the face
   push_again,    ///< it has left a spring behind, and comes upon it
@@ -25,7 +25,7 @@ enum class SpringChange : std::uint8_t {
 
 /// Something of a point that stays positive for as long as its law has one form.
 template <class Real>
-struct SpringCourse {
+struct SpringGuard {
   Polynomial<Real> series;
   SpringChange change{};
   std::size_t point = 0;
@@ -37,39 +37,38 @@ struct SpringCourse {
 
 /// The share of a step before a corner parts in which it does not come to slide.
 template <class Real>
-inline const Real parting_moment = root_tolerance<Real>(1e-6);
+inline const Real parting_look_ahead = root_tolerance<Real>(1e-6);
 
 /// Those of all points that end first, at s of a step.
 template <class Real>
 struct FirstSpringChange {
   Real s = 1;
-  std::vector<SpringCourse<Real>> courses;
+  std::vector<SpringGuard<Real>> guards;
 
-  /// Takes a course into account, whose values round by `rounding`.
-  void consider(SpringCourse<Real> course, const Real& rounding) {
-    const std::optional<Real> crossing = told_crossing(course.series, rounding);
-    if (crossing && course.within.terms > 0 &&
-        std::min(value(course.within, *crossing), value(course.within_other, *crossing)) < -rounding)
+  /// Takes a guard into account, whose values round by `rounding`.
+  void consider(SpringGuard<Real> guard, const Real& rounding) {
+    const std::optional<Real> crossing = told_crossing(guard.series, rounding);
+    if (crossing && guard.within.terms > 0 &&
+        std::min(value(guard.within, *crossing), value(guard.within_other, *crossing)) < -rounding)
       return;
-    note(std::move(course), crossing);
+    note(std::move(guard), crossing);
   }
 
   /// One that ends at `crossing`, if at all.
-  void note(SpringCourse<Real> course, const std::optional<Real>& crossing) {
+  void note(SpringGuard<Real> guard, const std::optional<Real>& crossing) {
     if (!crossing || *crossing > s) return;
-    if (*crossing < s) courses.clear();
+    if (*crossing < s) guards.clear();
     s = *crossing;
-    courses.push_back(std::move(course));
+    guards.push_back(std::move(guard));
   }
 };
 
-/// Gathers the courses of points along a step.
+/// Gathers the guards of points along a step.
 template <class Real>
-class SpringCourses {
+class SpringGuards {
  public:
-  SpringCourses(const BasicFrictionStack<Real>& stack, const SpringPoints<Real>& points,
-                const BasicBodies<Real>& bodies, const ModeSeries<Real>& motion,
-                const SpringSeries<Real>& series)
+  SpringGuards(const ContactModel<Real>& stack, const SpringPoints<Real>& points, const Bodies<Real>& bodies,
+               const ModeSeries<Real>& motion, const SpringSeries<Real>& series)
       : stack_(stack), points_(points), motion_(motion), series_(series), rounding_(stack, bodies) {}
 
   FirstSpringChange<Real> first() && {
@@ -105,15 +104,16 @@ class SpringCourses {
     const Polynomial<Real>& normal = spring.force.normal;
     // What parts has no force left along the face either: it does not slide a moment before.
     const std::optional<Real> parts = spring.start.is_bed() ? std::nullopt : first_crossing(normal);
-    const Real until = parts && *parts > parting_moment<Real> ? Real(*parts - parting_moment<Real>) : Real(1);
+    const Real until =
+        parts && *parts > parting_look_ahead<Real> ? Real(*parts - parting_look_ahead<Real>) : Real(1);
     const Real rounding = series_.unit() * rounding_.strength(law);
     for (const int way : {-1, 1}) {
-      SpringCourse<Real> course{sum(times(law.friction, normal), times(way, spring.force.tangential)),
-                                SpringChange::slide, spring.index, way};
-      std::optional<Real> crossing = told_crossing(course.series, rounding);
+      SpringGuard<Real> guard{sum(times(law.friction, normal), times(way, spring.force.tangential)),
+                              SpringChange::slide, spring.index, way};
+      std::optional<Real> crossing = told_crossing(guard.series, rounding);
       if (crossing && value(normal, *crossing) <= series_.unit() * rounding_.normal(law))
-        crossing = first_crossing(line(rounding, 1, course.series));
-      if (crossing && *crossing <= until) found_.note(std::move(course), crossing);
+        crossing = first_crossing(line(rounding, 1, guard.series));
+      if (crossing && *crossing <= until) found_.note(std::move(guard), crossing);
     }
   }
 
@@ -122,7 +122,7 @@ class SpringCourses {
     const CornerOnFace<Real>& corner = spring.point.corner;
     if (corner.face < 0) return;
     if (spring.start.is_bed()) return add_bed_falling(spring.index, corner, slider);
-    const Real end = half_width_of<Real>(stack_.blocks, corner.face);
+    const Real end = stack_.half_width(corner.face);
     const int outward = spring.start.side * corner.upward;
     const int way = spring.start.slide * outward;  // zero where there is no friction, and no way it must go
     if (way >= 0)
@@ -134,9 +134,8 @@ class SpringCourses {
 
   /// How far a point's corner is inside the end of its face, m.
   Polynomial<Real> inside_of(const SpringPoint<Real>& point) const {
-    const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
-    return line(half_width_of<Real>(stack_.blocks, corner.face), -point.side,
-                corner_series(stack_.blocks, motion_, corner).along);
+    const CornerOnFace<Real> corner = corner_of(stack_, point);
+    return line(stack_.half_width(corner.face), -point.side, corner_series(stack_, motion_, corner).along);
   }
 
   static SpringPoint<Real> other_corner(SpringPoint<Real> point) {
@@ -146,20 +145,20 @@ class SpringCourses {
 
   /// A bed holds as long as its middle is over the other face.
   void add_bed_falling(std::size_t i, const CornerOnFace<Real>& middle, const Polynomial<Real>& along) {
-    const Real end = half_width_of<Real>(stack_.blocks, middle.face);
+    const Real end = stack_.half_width(middle.face);
     for (const int way : {-1, 1}) found_.consider({line(end, way, along), SpringChange::fall, i}, 0);
   }
 
   void add_bed(std::size_t i) {
     const SpringPoint<Real>& point = points_[i];
     const PointLaw<Real> law = law_of(stack_, point.interface);
-    const auto corners = bed_corners(stack_.blocks, point);
+    const auto corners = bed_corners(stack_, point);
     std::array<Polynomial<Real>, 2> depth;
     std::array<Polynomial<Real>, 2> pressure;
     for (std::size_t end = 0; end < 2; ++end) {
       const BedEnd& sign = point.bed.ends[end];
       const CornerOnFace<Real>& corner = corners[end];
-      depth[end] = depth_of(corner, corner_series(stack_.blocks, motion_, corner));
+      depth[end] = depth_of(corner, corner_series(stack_, motion_, corner));
       if (sign.at_face) depth[end][0] = 0;
       pressure[end] =
           sum(times(law.stiffness, depth[end]), times(law.damping / motion_.length, derivative(depth[end])));
@@ -170,9 +169,9 @@ class SpringCourses {
         consider_sign(i, SpringChange::bed_pressure, end, &BedEnd::presses, rounding_.normal(law), pressure);
     }
     if (law.damping > 0 && has_crossing(point.bed)) add_crossing(i, depth, pressure, rounding_.normal(law));
-    const CornerOnFace<Real> middle = corner_of(stack_.blocks, point);
+    const CornerOnFace<Real> middle = corner_of(stack_, point);
     if (middle.face >= 0 && !point.pushes())
-      add_bed_falling(i, middle, corner_series(stack_.blocks, motion_, middle).along);
+      add_bed_falling(i, middle, corner_series(stack_, motion_, middle).along);
   }
 
   /// A quantity of a bed that keeps its sign at an end up to the change. Where it has another sign at the
@@ -182,10 +181,10 @@ class SpringCourses {
     using std::abs;
     const auto& ends = points_[i].bed.ends;
     const int way = ends[end].*above ? 1 : -1;
-    SpringCourse<Real> course{times(way, quantity[end]), change, i, way};
-    course.end = end;
+    SpringGuard<Real> guard{times(way, quantity[end]), change, i, way};
+    guard.end = end;
     const bool alike = ends[end].*above == ends[1 - end].*above;
-    found_.consider(std::move(course),
+    found_.consider(std::move(guard),
                     alike ? rounding : std::min<Real>(rounding, abs(quantity[1 - end][0]) / 8));
   }
 
@@ -201,13 +200,13 @@ class SpringCourses {
   }
 
   Polynomial<Real> depth_of(const CornerOnFace<Real>& corner, const FaceSeries<Real>& place) const {
-    return line(half_height_of<Real>(stack_.blocks, corner.face), -corner.upward, place.above);
+    return line(stack_.half_height(corner.face), -corner.upward, place.above);
   }
 
   void add_left_behind(std::size_t i) {
     const SpringPoint<Real>& point = points_[i];
-    const CornerOnFace<Real> corner = corner_of(stack_.blocks, point);
-    const Polynomial<Real> depth = depth_of(corner, corner_series(stack_.blocks, motion_, corner));
+    const CornerOnFace<Real> corner = corner_of(stack_, point);
+    const Polynomial<Real> depth = depth_of(corner, corner_series(stack_, motion_, corner));
     const PointLaw<Real> law = law_of(stack_, point.interface);
     found_.consider({depth, SpringChange::leave, i}, rounding_.place);
     const Polynomial<Real> force =
@@ -221,19 +220,19 @@ class SpringCourses {
       if (below && point.interface == 0) continue;
       SpringPoint<Real> candidate = point;
       candidate.corner_below = below;
-      const CornerOnFace<Real> corner = corner_of(stack_.blocks, candidate);
-      const FaceSeries<Real> place = corner_series(stack_.blocks, motion_, corner);
-      SpringCourse<Real> course{times(-1, depth_of(corner, place)), SpringChange::touch, i};
-      course.below = below;
+      const CornerOnFace<Real> corner = corner_of(stack_, candidate);
+      const FaceSeries<Real> place = corner_series(stack_, motion_, corner);
+      SpringGuard<Real> guard{times(-1, depth_of(corner, place)), SpringChange::touch, i};
+      guard.below = below;
       if (corner.face >= 0) {
-        const Real end = half_width_of<Real>(stack_.blocks, corner.face);
-        course.within = line(end, -1, place.along);
-        course.within_other = line(end, 1, place.along);
+        const Real end = stack_.half_width(corner.face);
+        guard.within = line(end, -1, place.along);
+        guard.within_other = line(end, 1, place.along);
         // A block that is wholly beyond an end of the face below falls.
         if (!below && lies_open(point.interface))
           found_.consider({line(end, point.side, place.along), SpringChange::fall, i}, 0);
       }
-      found_.consider(std::move(course), rounding_.place);
+      found_.consider(std::move(guard), rounding_.place);
     }
   }
 
@@ -243,7 +242,7 @@ class SpringCourses {
     });
   }
 
-  const BasicFrictionStack<Real>& stack_;
+  const ContactModel<Real>& stack_;
   const SpringPoints<Real>& points_;
   const ModeSeries<Real>& motion_;
   const SpringSeries<Real>& series_;

@@ -1,0 +1,30 @@
+#include "analytic/unilateral/solve_contacts.hpp"
+
+#include <utility>
+
+#include "analytic/unilateral/contact_solver.hpp"
+
+namespace rockstack {
+
+template <class Real>
+ContactHistory<Real> solve_contacts(const Scene& scene, const SolveOptions& options) {
+  validate(scene);
+  validate(options);
+  ContactSolver<Real> solver(scene, options);
+  try {
+    solver.run();
+  } catch (const std::runtime_error& failure) {
+    throw UnfinishedContacts<Real>(failure.what(), std::move(solver).history());
+  }
+  return std::move(solver).history();
+}
+
+template ContactHistory<double> solve_contacts(const Scene&, const SolveOptions&);
+template ContactHistory<long double> solve_contacts(const Scene&, const SolveOptions&);
+
+bool double_does(const Scene& scene) {
+  validate(scene);
+  return keeps_digits(ContactModel<>(scene.blocks, friction_of(scene)), 10);
+}
+
+}  // namespace rockstack
