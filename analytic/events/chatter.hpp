@@ -56,7 +56,7 @@ class EndOfChatter {
     Pattern pattern = after.pattern;
     const Real fastest = fastest_return(after, ground);
     for (int k = 0; k < after.size(); ++k) {
-      if (!touching.test(static_cast<std::size_t>(k)) || pattern[k] == Contact::closed) continue;
+      if (!touching.test(k) || pattern[k] == Contact::closed) continue;
       const Real speed = abs(after.velocities[k]);
       bool slow = speed <= slow_speed_;
       if (!slow && speed * speed <= 2 * resolution_ * fastest) {

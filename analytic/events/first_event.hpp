@@ -50,7 +50,7 @@ struct FirstEvent {
 /// The angle by which an interface is open, as a polynomial.
 template <class Real, int N>
 Polynomial<Real> opening_angle(const DenseOutput<Real, N>& output, int interface) {
-  Polynomial<Real> polynomial = output.angles[static_cast<std::size_t>(interface)];
+  Polynomial<Real> polynomial = output.angles[interface];
   for (Real& coefficient : polynomial) coefficient *= Real(sign(output.start.pattern[interface]));
   return polynomial;
 }
@@ -65,39 +65,37 @@ void find_closing(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>&
   const Pattern& pattern = output.start.pattern;
   std::array<Polynomial<Real>, capacity(N)> angles;  // of interfaces that may close
   for (int k = 0; k < output.start.size(); ++k) {
-    const auto interface = static_cast<std::size_t>(k);
-    if (pattern[k] == Contact::closed || cleared.test(interface)) continue;
-    if (stays_clear(output.angles[interface], hulls[interface], sign(pattern[k]))) continue;
-    const Polynomial<Real>& guard = angles[interface] = opening_angle(output, k);
+    if (pattern[k] == Contact::closed || cleared.test(k)) continue;
+    if (stays_clear(output.angles[k], hulls[k], sign(pattern[k]))) continue;
+    const Polynomial<Real>& guard = angles[k] = opening_angle(output, k);
     const auto crossing = first_crossing(guard);
-    if (event.admit(crossing)) event.closing.set(interface);
+    if (event.admit(crossing)) event.closing.set(k);
     if (const auto s = grazing(guard, crossing)) event.grazes.push_back({*s, EventKind::impact, k + 1});
   }
   if (event.closing.none()) return;
   // What rounding has carried past zero by then closes at the same time.
   for (int k = 0; k < output.start.size(); ++k) {
-    const auto interface = static_cast<std::size_t>(k);
-    if (angles[interface].terms > 0 && value(angles[interface], event.s) < 0) event.closing.set(interface);
+    if (angles[k].terms > 0 && value(angles[k], event.s) < 0) event.closing.set(k);
   }
 }
 
 template <class Real, int N>
 void find_opening(const DenseOutput<Real, N>& output, FirstEvent<Real>& event) {
   for (int k = 0; k < output.start.size(); ++k) {
-    const auto& margin = output.margins[static_cast<std::size_t>(k)];
+    const auto& margin = output.margins[k];
     for (const Contact side : {Contact::right, Contact::left}) {
       const Polynomial<Real>& guard = side == Contact::right ? margin.right : margin.left;
       if (guard.terms == 0 || stays_clear(guard, hull_beyond_zero(guard))) continue;
       const auto crossing = first_crossing(guard);
       if (const auto s = grazing(guard, crossing)) event.grazes.push_back({*s, EventKind::opening, k + 1});
       if (!event.admit(crossing)) continue;
-      event.opening.set(static_cast<std::size_t>(k));
+      event.opening.set(k);
       event.opened[k] = side;
       // The margins' sum is the normal force times the width.
       const Polynomial<Real>& other = side == Contact::right ? margin.left : margin.right;
       using std::abs;
       const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (abs(other[0]) + reach(other));
-      if (value(other, event.s) <= rounding) event.either.set(static_cast<std::size_t>(k));
+      if (value(other, event.s) <= rounding) event.either.set(k);
     }
   }
 }
@@ -108,12 +106,11 @@ void find_toppling(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>
                    FirstEvent<Real>& event) {
   Real lean = 0;  // of the block, at most
   for (int k = 0; k < output.start.size(); ++k) {
-    const auto block = static_cast<std::size_t>(k);
-    lean += hulls[block].size();
-    if (cleared.test(block) || lean < toppling_angles[block]) continue;
+    lean += hulls[k].size();
+    if (cleared.test(k) || lean < toppling_angles[k]) continue;
     for (const Contact side : {Contact::right, Contact::left}) {
-      Polynomial<Real> room{toppling_angles[block]};
-      for (std::size_t j = 0; j <= block; ++j) add(output.angles[j], -Real(sign(side)), room);
+      Polynomial<Real> room{toppling_angles[k]};
+      for (int j = 0; j <= k; ++j) add(output.angles[j], -Real(sign(side)), room);
       const auto crossing = first_crossing(room);
       if (crossing && *crossing < event.s && event.admit(crossing)) event.toppling = k;
     }
@@ -129,8 +126,8 @@ FirstEvent<Real> first_event(const DenseOutput<Real, N>& output,
   event.opened = output.start.pattern;
   AngleHulls<Real, N> hulls{};
   for (int k = 0; k < output.start.size(); ++k) {
-    const Polynomial<Real>& angle = output.angles[static_cast<std::size_t>(k)];
-    if (angle.terms > 0) hulls[static_cast<std::size_t>(k)] = hull_beyond_zero(angle);
+    const Polynomial<Real>& angle = output.angles[k];
+    if (angle.terms > 0) hulls[k] = hull_beyond_zero(angle);
   }
   find_closing(output, hulls, cleared.contacts, event);
   find_opening(output, event);

@@ -100,7 +100,7 @@ class TieBreaker {
     Interfaces result = fresh_;
     for (int k = 0; k < state.size(); ++k) {
       // An impact may since have parted what has just opened.
-      if (state.velocities[k] != 0) result.reset(static_cast<std::size_t>(k));
+      if (state.velocities[k] != 0) result.reset(k);
     }
     result |= state.closed();
     return undecided() ? result & ~held_ : result;
@@ -110,9 +110,8 @@ class TieBreaker {
   template <int N>
   void keep_fresh_open(DenseOutput<Real, N>& output) const {
     for (int k = 0; k < output.start.size(); ++k) {
-      Polynomial<Real>& angle = output.angles[static_cast<std::size_t>(k)];
-      if (fresh_.test(static_cast<std::size_t>(k)) && angle.terms > 2 &&
-          angle[2] * Real(sign(output.start.pattern[k])) < 0)
+      Polynomial<Real>& angle = output.angles[k];
+      if (fresh_.test(k) && angle.terms > 2 && angle[2] * Real(sign(output.start.pattern[k])) < 0)
         angle[2] = 0;
     }
   }

@@ -123,7 +123,7 @@ class ZenoSummation {
     if (landing.impact.impacting.count() != 1) return -1;
     int thrown = -1;
     for (int k = 0; k < from.size; ++k) {
-      const bool impacts = landing.impact.impacting.test(static_cast<std::size_t>(k));
+      const bool impacts = landing.impact.impacting.test(k);
       if (landing.after.pattern[k] != (impacts ? opposite(from[k]) : from[k])) return -1;
       if (impacts) thrown = k;
     }

@@ -55,7 +55,7 @@ struct State {
   Interfaces closed() const {
     Interfaces result;
     for (int k = 0; k < size(); ++k) {
-      if (pattern[k] == Contact::closed) result.set(static_cast<std::size_t>(k));
+      if (pattern[k] == Contact::closed) result.set(k);
     }
     return result;
   }
@@ -147,8 +147,8 @@ Vector<Real, N> nearest_allowed(const Stack<Real, N>& stack, const Pattern& patt
   PerBlock<Real, N> open;
   PerBlock<Real, N> momenta;
   for (int k = 0; k < size; ++k) {
-    open[static_cast<std::size_t>(k)] = pattern[k] == Contact::closed ? Real(0) : Real(1);
-    momenta[static_cast<std::size_t>(k)] = momentum[k];
+    open[k] = pattern[k] == Contact::closed ? Real(0) : Real(1);
+    momenta[k] = momentum[k];
   }
   ConstrainedMass<Real, N> constrained;
   constrained.factorise(static_cast<std::size_t>(size), open, [&](std::size_t i, std::size_t j) {

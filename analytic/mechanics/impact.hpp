@@ -67,14 +67,14 @@ std::optional<PatternSolution<Real, N>> restored(const Model<Real, N>& model, co
   const Pattern& from = impact.before.pattern;
   int rocking = -1;
   for (int k = 0; k < from.size; ++k) {
-    const bool impacts = impact.impacting.test(static_cast<std::size_t>(k));
+    const bool impacts = impact.impacting.test(k);
     if (impacts != (from[k] != Contact::closed) || (!impacts && after[k] != Contact::closed) ||
         (impacts && rocking >= 0))
       return std::nullopt;
     if (impacts) rocking = k;
   }
   Vector<Real, N> relative = Vector<Real, N>::Zero(from.size);
-  relative[rocking] = Real(ratios[static_cast<std::size_t>(rocking)]) * impact.before.velocities[rocking];
+  relative[rocking] = Real(ratios[rocking]) * impact.before.velocities[rocking];
   Pattern pattern = from;
   pattern[rocking] = relative[rocking] == 0 ? Contact::closed : opposite(from[rocking]);
   return solution_for(model, pattern, before.directions, make_chain(model.stack, pattern, before.directions),
@@ -99,7 +99,7 @@ PatternSolution<Real, N> velocities_after(const Model<Real, N>& model, const Imp
 template <class Real, int N>
 bool kinematically_admissible(const PatternSolution<Real, N>& solution, const Interfaces& touching) {
   for (int k = 0; k < solution.size(); ++k) {
-    if (!touching.test(static_cast<std::size_t>(k)) || solution.pattern[k] == Contact::closed) continue;
+    if (!touching.test(k) || solution.pattern[k] == Contact::closed) continue;
     if (!(Real(sign(solution.pattern[k])) * solution.relative[k] > 0)) return false;
   }
   return true;
@@ -113,7 +113,7 @@ std::optional<PatternSolution<Real, N>> consistent_solution(const Model<Real, N>
                                                             const BeforeImpact<Real, N>& before) {
   Pattern guess = impact.before.pattern;
   for (int k = 0; k < impact.before.size(); ++k) {
-    if (impact.impacting.test(static_cast<std::size_t>(k))) guess[k] = opposite(guess[k]);
+    if (impact.impacting.test(k)) guess[k] = opposite(guess[k]);
   }
   auto solution =
       find_admissible(model.stack, guess, impact.touching(), Real(0),
@@ -133,15 +133,14 @@ template <class Real, int N, class Evaluate>
 PatternSolution<Real, N> paper_solution(const Impact<Real, N>& impact, const Evaluate& evaluate) {
   const Interfaces touching = impact.touching();
   int lowest = 0;
-  while (!impact.impacting.test(static_cast<std::size_t>(lowest))) ++lowest;
+  while (!impact.impacting.test(lowest)) ++lowest;
   const Contact side = opposite(impact.before.pattern[lowest]);
   Pattern open = impact.before.pattern;
   Pattern joined = impact.before.pattern;
   Pattern closed = impact.before.pattern;
   for (int k = 0; k < impact.before.size(); ++k) {
-    const auto bit = static_cast<std::size_t>(k);
-    if (!touching.test(bit)) continue;
-    const bool impacts = impact.impacting.test(bit);
+    if (!touching.test(k)) continue;
+    const bool impacts = impact.impacting.test(k);
     open[k] = impacts ? opposite(impact.before.pattern[k]) : side;
     joined[k] = impacts ? open[k] : Contact::closed;
     closed[k] = Contact::closed;

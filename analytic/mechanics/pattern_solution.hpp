@@ -123,7 +123,7 @@ std::optional<Violation> first_violation(const Stack<Real, N>& stack,
                                          const PatternSolution<Real, N>& solution, const Interfaces& touching,
                                          const Real& slack) {
   for (int k = 0; k < solution.size(); ++k) {
-    if (!touching.test(static_cast<std::size_t>(k))) continue;
+    if (!touching.test(k)) continue;
     const Contact contact = solution.pattern[k];
     if (contact == Contact::closed) {
       const Margins<Real> margin = margins(stack, solution.reactions, k);
@@ -144,8 +144,7 @@ Interfaces pulled_apart(const Stack<Real, N>& stack, const PatternSolution<Real,
   for (int k = 0; k < solution.size(); ++k) {
     const Margins<Real> margin = margins(stack, solution.reactions, k);
     const Real least = -solution.rounding[k] * stack.half_width[k];
-    result.set(static_cast<std::size_t>(k),
-               solution.pattern[k] == Contact::closed && margin.right < least && margin.left < least);
+    result.set(k, solution.pattern[k] == Contact::closed && margin.right < least && margin.left < least);
   }
   return result;
 }
@@ -153,7 +152,7 @@ Interfaces pulled_apart(const Stack<Real, N>& stack, const PatternSolution<Real,
 /// A pattern with some of its interfaces closed.
 inline Pattern with_closed(Pattern pattern, const Interfaces& closed) {
   for (int k = 0; k < pattern.size; ++k) {
-    if (closed.test(static_cast<std::size_t>(k))) pattern[k] = Contact::closed;
+    if (closed.test(k)) pattern[k] = Contact::closed;
   }
   return pattern;
 }
@@ -173,14 +172,14 @@ std::optional<PatternSolution<Real, N>> mend_violations(const Stack<Real, N>& st
     Interfaces others = touching;
     auto violation = first_violation(stack, solution, others, slack);
     if (violation && violation->interface == opened) {
-      others.reset(static_cast<std::size_t>(opened));
+      others.reset(opened);
       violation = first_violation(stack, solution, others, slack);
     }
     if (!violation) return solution;
     opened = violation->mend == Contact::closed || at_once ? -1 : violation->interface;
     do {
       pattern[violation->interface] = violation->mend;
-      others.reset(static_cast<std::size_t>(violation->interface));
+      others.reset(violation->interface);
       if (at_once) violation = first_violation(stack, solution, others, slack);
     } while (at_once && violation);
   }
@@ -192,7 +191,7 @@ std::optional<PatternSolution<Real, N>> mend_violations(const Stack<Real, N>& st
 inline std::vector<Pattern> candidates(const Pattern& pattern, const Interfaces& touching) {
   std::vector<Pattern> list{pattern};
   for (int k = 0; k < pattern.size; ++k) {
-    if (!touching.test(static_cast<std::size_t>(k))) continue;
+    if (!touching.test(k)) continue;
     std::vector<Pattern> longer;
     for (const Contact contact : {Contact::closed, Contact::right, Contact::left}) {
       for (Pattern candidate : list) {

@@ -52,15 +52,14 @@ Stack<Real, N> make_stack(const Scene& scene) {
   const Vector<Real, N> zero = Vector<Real, N>::Zero(size);
   Stack<Real, N> stack{zero, zero, zero, zero, zero, zero, {}};
   for (int k = 0; k < stack.size(); ++k) {
-    const Block& block = scene.blocks[static_cast<std::size_t>(k)];
+    const Block& block = scene.blocks[k];
     stack.half_width[k] = Real(interface_half_width(scene, k));
     stack.half_height[k] = Real(block.half_height);
     stack.mass[k] = Real(block.mass);
     stack.inertia[k] = Real(block.inertia);
     stack.centre_x[k] = Real(block.offset_x);
     stack.centre_y[k] = Real(block.half_height) + Real(block.offset_y);
-    stack.overhangs[static_cast<std::size_t>(k)] =
-        k > 0 && block.half_width > scene.blocks[static_cast<std::size_t>(k - 1)].half_width;
+    stack.overhangs[k] = k > 0 && block.half_width > scene.blocks[k - 1].half_width;
   }
   return stack;
 }
@@ -91,7 +90,7 @@ Stack<Real, N> small_angle_stack(Stack<Real, N> stack) {
 /// overhangs and rests on the lower one's corner; −1: the ground.
 template <class Real, int N>
 int face(const Stack<Real, N>& stack, int interface) {
-  return stack.overhangs[static_cast<std::size_t>(interface)] ? interface : interface - 1;
+  return stack.overhangs[interface] ? interface : interface - 1;
 }
 
 /// The side that an interface pivots about, 1 to the right, −1 to the left, 0 where it is closed; from a
@@ -102,7 +101,7 @@ Real side(const Pattern& pattern, int interface) {
 }
 template <class Real, std::size_t Blocks>
 Real side(const std::array<Real, Blocks>& sides, int interface) {
-  return sides[static_cast<std::size_t>(interface)];
+  return sides[interface];
 }
 
 /// The stack as a chain of pivots: block k hangs between the pivot of interface k and that of interface k+1.

@@ -55,12 +55,12 @@ std::string name(const Pattern& pattern) {
         {{"1b", "4b", "2a"}, {"3b", "rest", "3a"}, {"2b", "4a", "1a"}}};
     const int row = sign(pattern[1]) + 1;
     const int column = sign(pattern[0]) + 1;
-    return names[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+    return names[row][column];
   }
   std::string word;
   for (int k = 0; k < pattern.size; ++k) {
     word += "LCR-"[static_cast<int>(pattern[k]) + 1];
-    const std::int8_t slide = pattern.slides[static_cast<std::size_t>(k)];
+    const std::int8_t slide = pattern.slides[k];
     if (slide != 0) word += slide > 0 ? '>' : '<';
   }
   return word;

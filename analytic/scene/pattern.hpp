@@ -32,8 +32,8 @@ struct Pattern {
   std::array<Contact, max_blocks> contacts{};
   std::array<std::int8_t, max_blocks> slides{};  ///< the way each slides, 1 to the right; 0: it does not
 
-  Contact& operator[](int interface) { return contacts[static_cast<std::size_t>(interface)]; }
-  Contact operator[](int interface) const { return contacts[static_cast<std::size_t>(interface)]; }
+  Contact& operator[](int interface) { return contacts[interface]; }
+  Contact operator[](int interface) const { return contacts[interface]; }
   bool operator==(const Pattern& other) const {
     bool same = size == other.size;
     for (std::size_t k = 0; same && k < static_cast<std::size_t>(size); ++k)

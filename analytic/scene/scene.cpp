@@ -37,7 +37,7 @@ double interface_half_width(const Scene& scene, int interface) {
 }
 
 double slenderness(const Scene& scene, int block) {
-  const Block& own = scene.blocks[static_cast<std::size_t>(block)];
+  const Block& own = scene.blocks[block];
   return std::atan2(interface_half_width(scene, block) + std::abs(own.offset_x),
                     own.half_height + own.offset_y);
 }

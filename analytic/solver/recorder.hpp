@@ -93,7 +93,7 @@ class Recorder {
         return known.time == time && known.interface == k + 1;
       };
       auto& known = history_.choices;
-      if (openings.test(static_cast<std::size_t>(k)) && std::none_of(known.begin(), known.end(), same))
+      if (openings.test(k) && std::none_of(known.begin(), known.end(), same))
         known.push_back({time, EventKind::opening, k + 1});
     }
   }
@@ -181,7 +181,7 @@ class Recorder {
     for (int k = 0; k < history_.blocks; ++k) {
       const Real change = 2 * abs(thrown[k]) + gain;
       const Real reach = abs(angles[k]) + (abs(velocities[k]) + change) * rest.duration;
-      if (reach > history_.peaks[static_cast<std::size_t>(k)] && abs(velocities[k]) <= change) return true;
+      if (reach > history_.peaks[k] && abs(velocities[k]) <= change) return true;
     }
     return false;
   }
@@ -194,7 +194,7 @@ class Recorder {
     if (keeps(rest.closure)) return true;
     for (const PatternSolution<Real, N>& flight : rest.flights) {
       for (int k = 0; k < history_.blocks; ++k) {
-        const BasicDemand<Real>& known = history_.forces[static_cast<std::size_t>(k)];
+        const BasicDemand<Real>& known = history_.forces[k];
         const Real normal = flight.reactions.normal[k];
         const Real tangential = abs(flight.reactions.tangential[k]);
         if (normal - near * abs(normal) < known.least_normal ||

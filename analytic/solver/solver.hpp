@@ -48,8 +48,7 @@ class Solver {
     state_ = {{}, relative(vector(scene.initial.angles)), relative(vector(scene.initial.velocities))};
     state_.pattern = pattern_of(state_.angles, state_.velocities);
     update_directions();
-    for (int k = 0; k < model_.stack.size(); ++k)
-      toppling_angles_[static_cast<std::size_t>(k)] = Real(toppling_angle(scene, k));
+    for (int k = 0; k < model_.stack.size(); ++k) toppling_angles_[k] = Real(toppling_angle(scene, k));
   }
 
   /// @throws std::runtime_error with the time where no pattern lets the motion go on, events do not come to
@@ -250,7 +249,7 @@ class Solver {
       ties_.hold(event.opening);
     } else {
       for (int k = 0; k < state_.size(); ++k) {
-        if (event.opening.test(static_cast<std::size_t>(k))) state_.pattern[k] = event.opened[k];
+        if (event.opening.test(k)) state_.pattern[k] = event.opened[k];
       }
       ties_.note_opening(event.opening);
       if (event.either.any()) recorder_.note_choices(event.either, time());
@@ -262,10 +261,10 @@ class Solver {
   void collide(Interfaces closing) {
     const int first = lowest(closing);
     for (int k = 0; k < state_.size(); ++k) {
-      if (end_of_chatter_.negligibly_open(state_, k)) closing.set(static_cast<std::size_t>(k));
+      if (end_of_chatter_.negligibly_open(state_, k)) closing.set(k);
     }
     for (int k = 0; k < state_.size(); ++k) {
-      if (closing.test(static_cast<std::size_t>(k))) state_.angles[k] = 0;
+      if (closing.test(k)) state_.angles[k] = 0;
     }
     update_directions();
     const Impact<Real, N> impact{state_, closing};
@@ -339,8 +338,7 @@ class Solver {
       if (!ties_.at_instant() || !(found->pattern == from)) state_.pattern = found->pattern;
     }
     Interfaces changed;
-    for (int k = 0; k < state_.size(); ++k)
-      changed.set(static_cast<std::size_t>(k), from[k] != state_.pattern[k]);
+    for (int k = 0; k < state_.size(); ++k) changed.set(k, from[k] != state_.pattern[k]);
     if (changed.none()) return;
     if (pulled.any()) recorder_.note_choices(pulled & changed, time());
     ties_.note_opening(changed);
@@ -349,7 +347,7 @@ class Solver {
 
   static int lowest(const Interfaces& interfaces) {
     int k = 0;
-    while (!interfaces.test(static_cast<std::size_t>(k))) ++k;
+    while (!interfaces.test(k)) ++k;
     return k;
   }
 

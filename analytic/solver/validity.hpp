@@ -47,9 +47,9 @@ void note_demands(std::vector<BasicDemand<Real>>& demands, const PatternSolution
     const Real& normal = solution.reactions.normal[k];
     const Real& tangential = solution.reactions.tangential[k];
     if (abs(normal) <= negligible && abs(tangential) <= negligible) continue;
-    BasicDemand<Real>& demand = demands[static_cast<std::size_t>(k)];
+    BasicDemand<Real>& demand = demands[k];
     note_demand(demand, normal, tangential, solution.rounding[k], time);
-    const Real& friction = available[static_cast<std::size_t>(k)];
+    const Real& friction = available[k];
     if (first_to_note(demand, friction)) note_first(demand, friction, time, time);
   }
 }

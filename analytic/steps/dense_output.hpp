@@ -39,7 +39,7 @@ struct DenseOutput {
     State<Real, N> state = start;
     for (int k = 0; k < state.size(); ++k) {
       if (state.pattern[k] == Contact::closed) continue;
-      const auto [angle, advance] = tangent(angles[static_cast<std::size_t>(k)], s);
+      const auto [angle, advance] = tangent(angles[k], s);
       state.angles[k] = angle;
       state.velocities[k] = advance / length;
     }

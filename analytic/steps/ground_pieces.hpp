@@ -69,7 +69,7 @@ class GroundPieces {
       using std::abs;
       while (horizontal_sample_ + 2 < std::ssize(samples) &&
              Real(horizontal_sample_ + 2) * interval < duration_ &&
-             abs(Real(samples[static_cast<std::size_t>(horizontal_sample_ + 2)]) - downhill_) < limit)
+             abs(Real(samples[horizontal_sample_ + 2]) - downhill_) < limit)
         ++horizontal_sample_;
       end_ = piece_.horizontal.end = Real(horizontal_sample_ + 1) * interval;
     }

@@ -61,13 +61,12 @@ class Rk4Steps {
       if (state.pattern[k] == Contact::closed) continue;
       const Real curve = length * a1[k] / 2;
       const Real last = length * end[k];
-      output.angles[static_cast<std::size_t>(k)] = {
-          state.angles[k],
-          length * start[k],
-          length * curve,
-          length * (10 * mean[k] - 4 * gain[k] - 3 * curve + last / 2),
-          length * (7 * gain[k] - 15 * mean[k] + 3 * curve - last),
-          length * (6 * mean[k] - 3 * gain[k] - curve + last / 2)};
+      output.angles[k] = {state.angles[k],
+                          length * start[k],
+                          length * curve,
+                          length * (10 * mean[k] - 4 * gain[k] - 3 * curve + last / 2),
+                          length * (7 * gain[k] - 15 * mean[k] + 3 * curve - last),
+                          length * (6 * mean[k] - 3 * gain[k] - curve + last / 2)};
     }
     return output;
   }
@@ -80,7 +79,7 @@ class Rk4Steps {
       const Real s = Real(i) / Real(nodes - 1);
       const auto solution = accelerate(model_, output.at(s), piece.at(offset + s * output.length));
       for (int k = 0; k < output.start.pattern.size; ++k) {
-        values[static_cast<std::size_t>(k)][i] = margins(model_.stack, solution.reactions, k);
+        values[k][i] = margins(model_.stack, solution.reactions, k);
       }
     }
     for (std::size_t k = 0; k < values.size(); ++k) {

@@ -256,7 +256,7 @@ class TaylorSteps {
                    DenseOutput<Real, N>& output) const {
     const Real scale = 1 / (output.length * output.length);
     for (int k = 0; k < model_.stack.size(); ++k) {
-      ForcePolynomials<Real>& force_series = output.forces[static_cast<std::size_t>(k)];
+      ForcePolynomials<Real>& force_series = output.forces[k];
       force_series.normal.terms = force_series.tangential.terms = orders;
       for (std::size_t n = 0; n < orders; ++n) {
         const auto force = series.force(static_cast<std::size_t>(k), face(model_.stack, k), n);

@@ -45,13 +45,12 @@ class ContactChatter {
     const FreeVector<Real> rates = vector_of(after.rate);
     Joints<Real> result = mode;
     for (int k = 0; k < stack_.size(); ++k) {
-      const auto index = static_cast<std::size_t>(k);
-      if (!parts_slowly(k, touching[index], mode[index], after, acceleration)) continue;
-      Joint<Real>& joint = result[index];
+      if (!parts_slowly(k, touching[k], mode[k], after, acceleration)) continue;
+      Joint<Real>& joint = result[k];
       const int slip = joint.slip;
-      joint = touching[index];
+      joint = touching[k];
       joint.slip = slip;
-      if (mode[index].touches()) continue;
+      if (mode[k].touches()) continue;
       const Real speed = kinematics_of(stack_, after, stack_.held_point(k, joint)).slip_row.dot(rates);
       const Real still = slow_speed_ * stack_.half_width(k);
       joint.slip = (speed > still) - (speed < -still);
@@ -102,9 +101,8 @@ template <class Real>
 void land(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface, bool below,
           Joints<Real>& joints) {
   using std::abs;
-  const auto k = static_cast<std::size_t>(interface);
-  Joint<Real>& joint = joints[k];
-  const Real angle = relative_angle(bodies.at, k);
+  Joint<Real>& joint = joints[interface];
+  const Real angle = relative_angle(bodies.at, interface);
   joint.slip = 0;
   if (abs(angle) <= flat_angle<Real>()) {
     joint.touch = Touch::flat;
@@ -119,7 +117,7 @@ void land(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int inter
 template <class Real>
 bool pass_corner(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
                  Joints<Real>& joints) {
-  Joint<Real>& joint = joints[static_cast<std::size_t>(interface)];
+  Joint<Real>& joint = joints[interface];
   if (!joint.pivots()) return false;
   joint.corner_below = !joint.corner_below;
   joint.offset = offset_of(stack, bodies, interface, joint);
@@ -171,7 +169,7 @@ bool apply(const FirstChange<Real>& found, const ContactModel<Real>& stack, cons
            Joints<Real>& joints) {
   bool meets = false;
   for (const Guard<Real>& guard : found.guards) {
-    Joint<Real>& joint = joints[static_cast<std::size_t>(guard.interface)];
+    Joint<Real>& joint = joints[guard.interface];
     switch (guard.change) {
       case Change::closing:
         joint.touch = Touch::flat;

@@ -42,7 +42,7 @@ template <class Real>
 Joints<Real> with_slips(const ContactModel<Real>& stack, Joints<Real> mode, const Bodies<Real>& bodies) {
   const FreeVector<Real> rates = vector_of(bodies.rate);
   for (int k = 0; k < stack.size(); ++k) {
-    Joint<Real>& joint = mode[static_cast<std::size_t>(k)];
+    Joint<Real>& joint = mode[k];
     if (!joint.touches() || joint.slip == 0) continue;
     const ContactKinematics<Real> rows = kinematics_of(stack, bodies, stack.held_point(k, joint));
     const Real rounding = tolerance<Real>(1e-14) * rows.slip_row.cwiseAbs().dot(rates.cwiseAbs());

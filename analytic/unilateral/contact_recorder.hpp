@@ -81,9 +81,8 @@ template <class Real>
 Real gap_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface) {
   using std::abs;
   Real gap = std::numeric_limits<Real>::infinity();
-  const auto k = static_cast<std::size_t>(interface);
-  const Real below_angle = interface == 0 ? Real(0) : bodies.at[k - 1].angle;
-  if (abs(bodies.at[k].angle - below_angle) >= pi<Real> / 2) return gap;
+  const Real below_angle = interface == 0 ? Real(0) : bodies.at[interface - 1].angle;
+  if (abs(bodies.at[interface].angle - below_angle) >= pi<Real> / 2) return gap;
   for (const bool below : {false, true}) {
     for (const int side : {-1, 1}) {
       if (below && interface == 0) continue;
@@ -132,8 +131,7 @@ class ContactRecorder {
     if (!demands_) return;
     demands_->note_impact(impulses, time);
     for (const int k : sticking_pairs(mode)) {
-      const auto index = static_cast<std::size_t>(k);
-      impulses[index] = on_other_face(impulses[index], mode[index], relative_angle(bodies.at, index));
+      impulses[k] = on_other_face(impulses[k], mode[k], relative_angle(bodies.at, k));
     }
     demands_->note_impact(impulses, time);
   }
@@ -171,7 +169,7 @@ class ContactRecorder {
     if (pairs.empty()) return;
     ModeSeries<Real> others = series;
     for (const int k : pairs) {
-      ForceSeries<Real>& force = others.forces[static_cast<std::size_t>(k)];
+      ForceSeries<Real>& force = others.forces[k];
       force = on_upper_face(series, k, force);
     }
     demands_->note_step(joints, others, end_s, start);
@@ -202,7 +200,7 @@ class ContactRecorder {
                                std::move(spring_states),
                                std::move(spring_accelerations)};
     for (int k = 0; k < stack_.size(); ++k) {
-      const Joint<Real>& joint = sample.joints[static_cast<std::size_t>(k)];
+      const Joint<Real>& joint = sample.joints[k];
       sample.slips.push_back(joint.offset);
       sample.gaps.push_back(joint.touches() ? Real(0) : gap_of(stack_, sample.bodies, k));
     }
@@ -224,7 +222,7 @@ class ContactRecorder {
   /// The gap is greatest at the end, where a corner is highest over its face, or where the faces are
   /// parallel.
   void note_lift(int interface, const ModeSeries<Real>& series, const Real& end_s) {
-    Real& lift = history_.lifts[static_cast<std::size_t>(interface)];
+    Real& lift = history_.lifts[interface];
     const auto note_at = [&](const Real& s) {
       const Real gap = gap_of(stack_, series.at(s), interface);
       if (gap < std::numeric_limits<Real>::infinity()) lift = std::max(lift, gap);
@@ -241,9 +239,8 @@ class ContactRecorder {
       }
     }
     for (const int side : {-1, 1}) {
-      Polynomial<Real> angle = times(side, series.bodies[static_cast<std::size_t>(interface)].angle);
-      if (interface > 0)
-        add(series.bodies[static_cast<std::size_t>(interface - 1)].angle, Real(-side), angle);
+      Polynomial<Real> angle = times(side, series.bodies[interface].angle);
+      if (interface > 0) add(series.bodies[interface - 1].angle, Real(-side), angle);
       rescale(angle, end_s);
       if (angle[0] <= 0) continue;
       if (const auto level = first_crossing(angle)) note_at(*level * end_s);

@@ -143,7 +143,7 @@ class ContactSolver {
         ended_ = true;
         return note_shown(EventKind::fall, interface + 1, before, state_.bodies.rate);
       }
-      if (guard.change == SpringChange::pass) passes[static_cast<std::size_t>(interface)] = true;
+      if (guard.change == SpringChange::pass) passes[interface] = true;
       springs_.apply(guard, state_.bodies);
     }
     springs_.show();

@@ -47,11 +47,11 @@ std::vector<BasicReaction<Real>> reactions_of(const Scene& scene, const ContactM
   reactions.reserve(sample.joints.size());
   for (int k = 0; k < stack.size(); ++k) {
     if (stack.soft(static_cast<std::size_t>(k))) {
-      reactions.push_back(sample.springs[static_cast<std::size_t>(k)].reaction);
+      reactions.push_back(sample.springs[k].reaction);
       continue;
     }
-    const Joint<Real>& joint = sample.joints[static_cast<std::size_t>(k)];
-    const ContactForce<Real>& force = response.forces[static_cast<std::size_t>(k)];
+    const Joint<Real>& joint = sample.joints[k];
+    const ContactForce<Real>& force = response.forces[k];
     const int corner = joint.corner_below ? k - 1 : k;
     const Real pivot =
         joint.side() * stack.half_width(corner) - (joint.corner_below ? joint.offset : Real(0));

@@ -32,7 +32,7 @@ struct Tableau {
       const Real factor = table(i, column);
       if (i != row && factor != 0) table.row(i) -= factor * table.row(row);
     }
-    basis[static_cast<std::size_t>(row)] = column;
+    basis[row] = column;
   }
 
   /// True where row i leaves before row j: the lexicographic order of right side and inverse basis.
@@ -53,7 +53,7 @@ struct Tableau {
   ComplementarySolution<Real> solution() const {
     ComplementarySolution<Real> result{FreeVector<Real>::Zero(size()), FreeVector<Real>::Zero(size())};
     for (Eigen::Index i = 0; i < size(); ++i) {
-      const Eigen::Index column = basis[static_cast<std::size_t>(i)];
+      const Eigen::Index column = basis[i];
       if (column < size())
         result.w[column] = table(i, right_side());
       else if (column < 2 * size())
@@ -62,7 +62,7 @@ struct Tableau {
     return result;
   }
 
-  bool is_artificial(Eigen::Index row) const { return basis[static_cast<std::size_t>(row)] == artificial(); }
+  bool is_artificial(Eigen::Index row) const { return basis[row] == artificial(); }
 };
 
 /// Lemke's method from one covering vector, of a problem whose entries are of the size of one.
@@ -82,7 +82,7 @@ std::optional<ComplementarySolution<Real>> lemke(const SquareMatrix<Real>& matri
   vector.cwiseQuotient(covering).minCoeff(&row);
   Eigen::Index entering = tableau.artificial();
   for (int pivots = 0; pivots < 64 * static_cast<int>(size + 4); ++pivots) {
-    const Eigen::Index leaving = tableau.basis[static_cast<std::size_t>(row)];
+    const Eigen::Index leaving = tableau.basis[row];
     tableau.pivot(row, entering);
     if (leaving == tableau.artificial()) return tableau.solution();
     entering = leaving < size ? leaving + size : leaving - size;

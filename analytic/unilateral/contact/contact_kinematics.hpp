@@ -86,12 +86,11 @@ template <class Real>
 void place_upper(const ContactModel<Real>& stack, const Joint<Real>& joint, int k, const Real& slip_rate,
                  Bodies<Real>& bodies) {
   using Plane = Point<Real>;
-  const auto block = static_cast<std::size_t>(k);
   const CornerOnFace<Real> point = stack.held_point(k, joint);
   const Pose<Real> lower = pose_of(bodies.at, k - 1);
   const Pose<Real> lower_rate = pose_of(bodies.rate, k - 1);
-  Pose<Real>& upper = bodies.at[block];
-  Pose<Real>& upper_rate = bodies.rate[block];
+  Pose<Real>& upper = bodies.at[k];
+  Pose<Real>& upper_rate = bodies.rate[k];
   if (joint.touch == Touch::flat) {
     upper.angle = lower.angle;
     upper_rate.angle = lower_rate.angle;
@@ -118,7 +117,7 @@ void place_upper(const ContactModel<Real>& stack, const Joint<Real>& joint, int 
 template <class Real>
 void place(const ContactModel<Real>& stack, Joints<Real>& joints, Bodies<Real>& bodies) {
   for (int k = 0; k < stack.size(); ++k) {
-    Joint<Real>& joint = joints[static_cast<std::size_t>(k)];
+    Joint<Real>& joint = joints[k];
     if (!joint.touches()) continue;
     Real slip_rate = 0;
     if (joint.slip != 0) {

@@ -121,7 +121,7 @@ template <class Real>
 std::vector<int> open_pairs(const ContactModel<Real>& stack, const Joints<Real>& joints, ContactLevel level) {
   std::vector<int> pairs;
   for (int k = 1; k < stack.size(); ++k) {
-    const Joint<Real>& joint = joints[static_cast<std::size_t>(k)];
+    const Joint<Real>& joint = joints[k];
     const bool open = joint.slip == 0 || level == ContactLevel::velocities;
     if (open && is_corner_pair(stack, k, joint)) pairs.push_back(k);
   }
@@ -161,9 +161,8 @@ int first_to_change(const ContactQuestion<Real>& question, const std::vector<int
   const ModeResponse<Real> response = respond(question, mode);
   const Real rounding = tolerance<Real>(1e-12) * response.largest_force();
   for (const int k : pairs) {
-    const auto index = static_cast<std::size_t>(k);
-    if (changes_face(mode[index], response.forces[index], relative_angle(question.bodies.at, index),
-                     question.stack.friction[index], rounding))
+    if (changes_face(mode[k], response.forces[k], relative_angle(question.bodies.at, k),
+                     question.stack.friction[k], rounding))
       return k;
   }
   return -1;

@@ -104,7 +104,7 @@ Poses<Real> poses_of(const FreeVector<Real>& vector) {
 /// The pose of a body, or of the ground, −1.
 template <class Real>
 Pose<Real> pose_of(const Poses<Real>& poses, int body) {
-  return body < 0 ? Pose<Real>{} : poses[static_cast<std::size_t>(body)];
+  return body < 0 ? Pose<Real>{} : poses[body];
 }
 
 /// The angle between an interface's upper and lower block, or its rate.
@@ -148,7 +148,7 @@ struct ContactModel {
         friction(coefficients.begin(), coefficients.end()),
         inverse_mass(3 * static_cast<Eigen::Index>(blocks.size())) {
     for (int k = 0; k < size(); ++k) {
-      const Block& block = blocks[static_cast<std::size_t>(k)];
+      const Block& block = blocks[k];
       const Real lightness = 1 / Real(block.mass);
       inverse_mass.template segment<3>(Eigen::Index{3} * k) << lightness, lightness, 1 / Real(block.inertia);
     }
@@ -170,16 +170,13 @@ struct ContactModel {
     return sum;
   }
   Real half_width(int body) const {
-    return body < 0 ? std::numeric_limits<Real>::infinity()
-                    : Real(blocks[static_cast<std::size_t>(body)].half_width);
+    return body < 0 ? std::numeric_limits<Real>::infinity() : Real(blocks[body].half_width);
   }
-  Real half_height(int body) const {
-    return body < 0 ? Real(0) : Real(blocks[static_cast<std::size_t>(body)].half_height);
-  }
+  Real half_height(int body) const { return body < 0 ? Real(0) : Real(blocks[body].half_height); }
   /// The centre of mass of a body from its middle, m.
   Point<Real> centre(int body) const {
     if (body < 0) return {Real(0), Real(0)};
-    const Block& block = blocks[static_cast<std::size_t>(body)];
+    const Block& block = blocks[body];
     return {Real(block.offset_x), Real(block.offset_y)};
   }
 

@@ -40,13 +40,13 @@ std::optional<Joints<Real>> sticking_mode(const ContactQuestion<Real>& question,
   ContactProblem<Real> problem;  // what is held, then points
   std::vector<Eigen::Index> held_at;
   for (const TouchingPoints<Real>& contact : contacts) {
-    const bool sticks = question.slip_before(joints[static_cast<std::size_t>(contact.interface)]) == 0;
+    const bool sticks = question.slip_before(joints[contact.interface]) == 0;
     held_at.push_back(sticks ? problem.size() : -1);
     if (sticks) problem.add(contact.slip, contact.slip, contact.slip_bias);
   }
   const Eigen::Index held_size = problem.size();
   for (const TouchingPoints<Real>& contact : contacts)
-    add_points(contact, question.slip_before(joints[static_cast<std::size_t>(contact.interface)]), problem);
+    add_points(contact, question.slip_before(joints[contact.interface]), problem);
   const SquareMatrix<Real> matrix = problem.matrix(question.stack);
   const FreeVector<Real> vector = problem.free(question.free);
   const Eigen::Index size = problem.size() - held_size;
@@ -75,7 +75,7 @@ std::optional<Joints<Real>> sticking_mode(const ContactQuestion<Real>& question,
   Eigen::Index at = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const TouchingPoints<Real>& contact = contacts[c];
-    Joint<Real>& joint = mode[static_cast<std::size_t>(contact.interface)];
+    Joint<Real>& joint = mode[contact.interface];
     std::vector<bool> pushes;
     Real normal = 0;
     for (std::size_t i = 0; i < contact.normals.size(); ++i, ++at) {
@@ -99,7 +99,7 @@ std::optional<Joints<Real>> rubbing_mode(const ContactQuestion<Real>& question, 
   std::vector<Eigen::Index> cones;  // of each contact: where its friction stands, or −1
   const FreeRow<Real> none = FreeRow<Real>::Zero(Eigen::Index{3} * question.stack.size());
   for (const TouchingPoints<Real>& contact : contacts) {
-    const int slip = question.slip_before(joints[static_cast<std::size_t>(contact.interface)]);
+    const int slip = question.slip_before(joints[contact.interface]);
     add_points(contact, slip, problem);
     cones.push_back(slip == 0 ? problem.size() : -1);
     if (slip != 0) continue;
@@ -124,7 +124,7 @@ std::optional<Joints<Real>> rubbing_mode(const ContactQuestion<Real>& question, 
   Joints<Real> mode = joints;
   Eigen::Index at = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    Joint<Real>& joint = mode[static_cast<std::size_t>(contacts[c].interface)];
+    Joint<Real>& joint = mode[contacts[c].interface];
     std::vector<bool> pushes;
     for (std::size_t i = 0; i < contacts[c].normals.size(); ++i, ++at)
       pushes.push_back(!(solution->w[at] > parting));
@@ -184,13 +184,13 @@ std::optional<Joints<Real>> find_mode(const ContactQuestion<Real>& question, Joi
   for (std::size_t changes = 0; changes <= 4 * pairs.size(); ++changes) {
     changing = first_to_change(question, pairs, *mode);
     if (changing < 0) break;
-    bool& below = joints[static_cast<std::size_t>(changing)].corner_below;
+    bool& below = joints[changing].corner_below;
     below = !below;
     mode = mode_on_faces(question, joints);
     if (!mode) break;
   }
   if (!mode || changing >= 0) mode = first;
-  for (const int k : pairs) meet_face(question.stack, k, (*mode)[static_cast<std::size_t>(k)]);
+  for (const int k : pairs) meet_face(question.stack, k, (*mode)[k]);
   return mode;
 }
 
@@ -208,8 +208,7 @@ bool faces_differ(const ContactQuestion<Real>& question, Joints<Real> joints, co
   const FreeVector<Real> motion = respond(question, mode).motion;
   const Real same = Real(1e-6) * question.free.template lpNorm<Eigen::Infinity>();
   for (unsigned faces = 0; faces < 1U << pairs.size(); ++faces) {
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      joints[static_cast<std::size_t>(pairs[i])].corner_below = (faces >> i & 1U) != 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) joints[pairs[i]].corner_below = (faces >> i & 1U) != 0;
     const auto other = mode_on_faces(question, joints);
     if (!other || !obeys(question, joints, *other)) continue;
     if (question.of_accelerations() && any_pair([&](std::size_t k) { return slides_off((*other)[k]); }))

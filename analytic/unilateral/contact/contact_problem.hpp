@@ -51,17 +51,14 @@ struct ContactProblem {
   SquareMatrix<Real> matrix(const ContactModel<Real>& stack) const {
     SquareMatrix<Real> result(size(), size());
     for (Eigen::Index i = 0; i < size(); ++i)
-      for (Eigen::Index j = 0; j < size(); ++j)
-        result(i, j) =
-            stack.effect(jacobian[static_cast<std::size_t>(i)], directions[static_cast<std::size_t>(j)]);
+      for (Eigen::Index j = 0; j < size(); ++j) result(i, j) = stack.effect(jacobian[i], directions[j]);
     return result;
   }
 
   /// The conditions without contact.
   FreeVector<Real> free(const FreeVector<Real>& motion) const {
     FreeVector<Real> result(size());
-    for (Eigen::Index i = 0; i < size(); ++i)
-      result[i] = jacobian[static_cast<std::size_t>(i)].dot(motion) + bias[static_cast<std::size_t>(i)];
+    for (Eigen::Index i = 0; i < size(); ++i) result[i] = jacobian[i].dot(motion) + bias[i];
     return result;
   }
 };
@@ -92,8 +89,7 @@ std::vector<TouchingPoints<Real>> touching_points(const ContactQuestion<Real>& q
   std::vector<TouchingPoints<Real>> contacts;
   const Real bias = question.of_accelerations() ? 1 : 0;
   for (int k = 0; k < question.stack.size(); ++k) {
-    const auto index = static_cast<std::size_t>(k);
-    const Joint<Real>& joint = joints[index];
+    const Joint<Real>& joint = joints[k];
     if (!joint.touches()) continue;
     const ContactKinematics<Real> rows = question.kinematics(k, joint);
     TouchingPoints<Real> contact{k,
@@ -101,7 +97,7 @@ std::vector<TouchingPoints<Real>> touching_points(const ContactQuestion<Real>& q
                                  bias * rows.gap_bias,
                                  rows.slip_row,
                                  bias * rows.slip_bias,
-                                 question.stack.friction[index]};
+                                 question.stack.friction[k]};
     if (joint.touch == Touch::flat) {
       const Overlap<Real> ends = overlap(question.stack, k, joint.offset);
       const FreeRow<Real> turn = angle_row(question.stack, k);
@@ -141,14 +137,13 @@ ContactProblem<Real> held_by(const ContactQuestion<Real>& question, const Joints
   ContactProblem<Real> problem;
   const Real bias = question.of_accelerations() ? 1 : 0;
   for (int k = 0; k < question.stack.size(); ++k) {
-    const auto index = static_cast<std::size_t>(k);
-    const Joint<Real>& joint = joints[index];
+    const Joint<Real>& joint = joints[k];
     if (!joint.touches()) continue;
     const ContactKinematics<Real> rows = question.kinematics(k, joint);
     // Turned by its half-width, all rows are of one unit.
     const FreeRow<Real> turn = angle_row(question.stack, k, question.stack.half_width(k));
     if (joint.touch == Touch::flat) problem.add(turn, turn, 0);
-    problem.add(rows.gap_row, rows.gap_row - joint.slip * question.stack.friction[index] * rows.slip_row,
+    problem.add(rows.gap_row, rows.gap_row - joint.slip * question.stack.friction[k] * rows.slip_row,
                 bias * rows.gap_bias);
     if (joint.slip == 0) problem.add(rows.slip_row, rows.slip_row, bias * rows.slip_bias);
   }
@@ -165,8 +160,7 @@ ModeResponse<Real> respond(const ContactQuestion<Real>& question, const Joints<R
   const FreeVector<Real> forces =
       Eigen::PartialPivLU<SquareMatrix<Real>>(problem.matrix(stack)).solve(-problem.free(question.free));
   for (Eigen::Index i = 0; i < forces.size(); ++i)
-    response.motion += forces[i] * stack.inverse_mass.cwiseProduct(
-                                       problem.directions[static_cast<std::size_t>(i)].transpose());
+    response.motion += forces[i] * stack.inverse_mass.cwiseProduct(problem.directions[i].transpose());
   Eigen::Index at = 0;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     if (!joints[k].touches()) continue;

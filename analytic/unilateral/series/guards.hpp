@@ -46,7 +46,7 @@ class GuardCollector {
   }
 
   void add_interface(int k) {
-    const Joint<Real>& joint = joints_[static_cast<std::size_t>(k)];
+    const Joint<Real>& joint = joints_[k];
     if (joint.touch == Touch::flat) {
       add_pressure(k);
     } else if (joint.pivots()) {
@@ -71,7 +71,7 @@ class GuardCollector {
   }
 
   void add_toppling(int k, const Real& angle) {
-    const Polynomial<Real>& lean = series_.bodies[static_cast<std::size_t>(k)].angle;
+    const Polynomial<Real>& lean = series_.bodies[k].angle;
     push(line(angle, -1, lean), Change::topple, k);
     push(line(angle, 1, lean), Change::topple, k);
   }
@@ -79,14 +79,14 @@ class GuardCollector {
   std::vector<Guard<Real>> take() && { return std::move(guards_); }
 
  private:
-  const ForceSeries<Real>& force(int k) const { return series_.forces[static_cast<std::size_t>(k)]; }
+  const ForceSeries<Real>& force(int k) const { return series_.forces[k]; }
   Polynomial<Real> slip(int k) const {
-    const CornerOnFace<Real> point = stack_.held_point(k, joints_[static_cast<std::size_t>(k)]);
-    return times(point.upward, series_.held[static_cast<std::size_t>(k)].along);
+    const CornerOnFace<Real> point = stack_.held_point(k, joints_[k]);
+    return times(point.upward, series_.held[k].along);
   }
   Polynomial<Real> opening_angle(int k) const {
-    const Polynomial<Real>& upper = series_.bodies[static_cast<std::size_t>(k)].angle;
-    return k == 0 ? upper : sum(upper, times(-1, series_.bodies[static_cast<std::size_t>(k - 1)].angle));
+    const Polynomial<Real>& upper = series_.bodies[k].angle;
+    return k == 0 ? upper : sum(upper, times(-1, series_.bodies[k - 1].angle));
   }
   Guard<Real>& push(const Polynomial<Real>& series, Change change, int k) {
     guards_.push_back({series, change, k, 0, false, {}, {}, 0});
@@ -102,7 +102,7 @@ class GuardCollector {
 
   /// What is left of friction, μN ± T, by forces on the face that a slip goes along.
   void push_cone_side(const ForceSeries<Real>& force, int sign, int k) {
-    const Real friction = stack_.friction[static_cast<std::size_t>(k)];
+    const Real friction = stack_.friction[k];
     push_force(sum(times(friction, force.normal), times(sign, force.tangential)), 1 + friction, k);
   }
 
@@ -114,7 +114,7 @@ class GuardCollector {
   Real rounding_along(int k) const { return tolerance<Real>(1e-13) * stack_.half_width(k); }
   /// Whose corner ends the overlap of a flat contact.
   bool ends_below(int k, int side) const {
-    const Joint<Real>& joint = joints_[static_cast<std::size_t>(k)];
+    const Joint<Real>& joint = joints_[k];
     return corner_is_below(stack_, k, joint.offset, side, joint.slip);
   }
 
@@ -138,9 +138,9 @@ class GuardCollector {
   }
 
   void add_pivot_ends(int k) {
-    const Joint<Real>& joint = joints_[static_cast<std::size_t>(k)];
+    const Joint<Real>& joint = joints_[k];
     const CornerOnFace<Real> point = stack_.held_point(k, joint);
-    const Polynomial<Real>& along = series_.held[static_cast<std::size_t>(k)].along;
+    const Polynomial<Real>& along = series_.held[k].along;
     const Real end = stack_.half_width(point.face);
     // A pair of corners that slides along its face comes to a halt before it can be back.
     if (!is_corner_pair(stack_, k, joint) || slides_off(joint))
@@ -183,7 +183,7 @@ std::vector<Guard<Real>> guards_of(const ContactModel<Real>& stack, const Joints
   GuardCollector<Real> collector(stack, joints, series);
   for (int k = 0; k < stack.size(); ++k) {
     collector.add_interface(k);
-    collector.add_toppling(k, toppling_angles[static_cast<std::size_t>(k)]);
+    collector.add_toppling(k, toppling_angles[k]);
   }
   return std::move(collector).take();
 }

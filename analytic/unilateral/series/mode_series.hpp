@@ -156,9 +156,7 @@ template <class Real>
 FaceSeries<Real> corner_series(const ContactModel<Real>& stack, const ModeSeries<Real>& series,
                                const CornerOnFace<Real>& corner) {
   const BodySeries<Real> ground = ground_series<Real>();
-  const auto of = [&](int body) {
-    return body < 0 ? &ground : &series.bodies[static_cast<std::size_t>(body)];
-  };
+  const auto of = [&](int body) { return body < 0 ? &ground : &series.bodies[body]; };
   GrowingPoint<Real> point(stack, corner, of(corner.face), of(corner.body));
   for (std::size_t n = 0; n < series.bodies.front().x.terms; ++n) point.extend(n);
   return point.place_from_middle();
@@ -169,8 +167,8 @@ FaceSeries<Real> corner_series(const ContactModel<Real>& stack, const ModeSeries
 template <class Real>
 ForceSeries<Real> on_upper_face(const ModeSeries<Real>& series, int interface,
                                 const ForceSeries<Real>& force) {
-  const BodySeries<Real>& upper = series.bodies[static_cast<std::size_t>(interface)];
-  const BodySeries<Real>& lower = series.bodies[static_cast<std::size_t>(interface - 1)];
+  const BodySeries<Real>& upper = series.bodies[interface];
+  const BodySeries<Real>& lower = series.bodies[interface - 1];
   const Polynomial<Real> cosine = sum(product(upper.cosine, lower.cosine), product(upper.sine, lower.sine));
   const Polynomial<Real> sine =
       sum(product(upper.sine, lower.cosine), times(-1, product(upper.cosine, lower.sine)));

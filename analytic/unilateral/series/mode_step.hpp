@@ -35,8 +35,7 @@ class HeldRows {
     if (size == 0) return;
     SquareMatrix<Real> matrix(size, size);
     for (Eigen::Index i = 0; i < size; ++i)
-      for (Eigen::Index j = 0; j < size; ++j)
-        matrix(i, j) = jacobian_[static_cast<std::size_t>(i)].dot(effects_[static_cast<std::size_t>(j)]);
+      for (Eigen::Index j = 0; j < size; ++j) matrix(i, j) = jacobian_[i].dot(effects_[j]);
     lu_.compute(matrix);
   }
 
@@ -49,11 +48,10 @@ class HeldRows {
     const auto size = static_cast<Eigen::Index>(rows_.size());
     FreeVector<Real> violation(size);
     for (Eigen::Index i = 0; i < size; ++i) {
-      const auto row = static_cast<std::size_t>(i);
-      violation[i] = jacobian_[row].dot(motion) + factor * known(rows_[row], points, n + 2);
+      violation[i] = jacobian_[i].dot(motion) + factor * known(rows_[i], points, n + 2);
     }
     const FreeVector<Real> unknowns = lu_.solve(-violation);
-    for (Eigen::Index i = 0; i < size; ++i) motion += unknowns[i] * effects_[static_cast<std::size_t>(i)];
+    for (Eigen::Index i = 0; i < size; ++i) motion += unknowns[i] * effects_[i];
     for (std::size_t i = 0; i < rows_.size(); ++i)
       note_force(rows_[i], unknowns[static_cast<Eigen::Index>(i)], n, forces);
   }
@@ -211,9 +209,7 @@ class SeriesMaker {
     extend_direction(body, 1);
   }
 
-  const BodySeries<Real>* body_of(int body) const {
-    return body < 0 ? &ground_ : &series_.bodies[static_cast<std::size_t>(body)];
-  }
+  const BodySeries<Real>* body_of(int body) const { return body < 0 ? &ground_ : &series_.bodies[body]; }
 
   void start_points(const Bodies<Real>& start) {
     for (std::size_t k = 0; k < joints_.size(); ++k) {
@@ -232,7 +228,7 @@ class SeriesMaker {
   FreeVector<Real> forces(std::size_t n) const {
     FreeVector<Real> result = FreeVector<Real>::Zero(Eigen::Index{3} * stack_.size());
     for (int k = 0; k < stack_.size(); ++k) {
-      const Real mass = stack_.blocks[static_cast<std::size_t>(k)].mass;
+      const Real mass = stack_.blocks[k].mass;
       result[Eigen::Index{3} * k] = mass * coefficient(body_force_.x, n);
       result[Eigen::Index{3} * k + 1] = mass * coefficient(body_force_.y, n);
     }

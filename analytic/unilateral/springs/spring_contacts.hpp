@@ -140,7 +140,7 @@ class SpringContacts {
     std::vector<SpringState<Real>> result(stack_.blocks.size());
     for (std::size_t k = 0; k < result.size(); ++k) result[k].energy = lost_[k];
     for (const SpringPoint<Real>& point : points_) {
-      SpringState<Real>& state = result[static_cast<std::size_t>(point.interface)];
+      SpringState<Real>& state = result[point.interface];
       const CornerOnFace<Real> corner = corner_of(stack_, point);
       const ContactKinematics<Real> rows = kinematics_of(stack_, bodies, corner);
       const PointForce<Real> force = force_of(stack_, point, bodies, rows);
@@ -226,9 +226,7 @@ class SpringContacts {
     }
   }
 
-  BasicSpringEnergy<Real>& losses(const SpringPoint<Real>& point) {
-    return lost_[static_cast<std::size_t>(point.interface)];
-  }
+  BasicSpringEnergy<Real>& losses(const SpringPoint<Real>& point) { return lost_[point.interface]; }
 
   /// Whether the depth is zero to rounding.
   bool is_at_face(const SpringPoint<Real>& point, const Bodies<Real>& bodies) const {

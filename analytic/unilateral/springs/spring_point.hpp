@@ -58,10 +58,9 @@ struct PointLaw {
 
 template <class Real>
 PointLaw<Real> law_of(const ContactModel<Real>& stack, int interface) {
-  const auto k = static_cast<std::size_t>(interface);
-  const SpringLaw<Real>& law = stack.springs[k];
+  const SpringLaw<Real>& law = stack.springs[interface];
   return {law.stiffness, law.damping, law.stiffness * law.tangential, law.damping * law.tangential,
-          stack.friction[k]};
+          stack.friction[interface]};
 }
 
 /// The ends of a bed, left and right, against the face of the other block.

@@ -101,7 +101,7 @@ class SpringSeries {
       put(spring.force.normal, n, unit_ * normal);
       put(spring.force.tangential, n, unit_ * tangential);
       spring.point.extend_force(spring.force, n);
-      ForceSeries<Real>& sum = forces[static_cast<std::size_t>(spring.start.interface)];
+      ForceSeries<Real>& sum = forces[spring.start.interface];
       sum.normal[n] += unit_ * normal;
       sum.tangential[n] += unit_ * tangential;
     }

@@ -97,7 +97,7 @@ Equilibrium<Real> find_equilibrium(const Scene& scene, const ContactModel<Real>&
   FreeVector<Real> weight(Eigen::Index{3} * stack.size());
   Real height = 0;
   for (int k = 0; k < stack.size(); ++k) {
-    const Block& block = stack.blocks[static_cast<std::size_t>(k)];
+    const Block& block = stack.blocks[k];
     weight.template segment<3>(Eigen::Index{3} * k) << Real(block.mass) * Real(gravity.along),
         -Real(block.mass) * Real(gravity.across), Real(0);
     height += 2 * Real(block.half_height);
