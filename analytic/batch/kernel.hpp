@@ -284,4 +284,10 @@ class StepKernel {
   std::size_t orders_ = 0;  ///< of the lane that has most
 };
 
+/// The steps of short stacks by one instruction set.
+template <class Set>
+inline constexpr StepKernels step_kernels{&StepKernel<Pack<Set>, 1>::make_steps,
+                                          &StepKernel<Pack<Set>, 2>::make_steps,
+                                          &StepKernel<Pack<Set>, 3>::make_steps};
+
 }  // namespace rockstack

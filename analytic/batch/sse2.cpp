@@ -1,10 +1,7 @@
 #include "analytic/batch/kernel.hpp"
-#include "analytic/batch/step_rows.hpp"
 
 namespace rockstack {
 
-constinit const StepKernels sse2_kernels{&StepKernel<Pack<xsimd::sse2>, 1>::make_steps,
-                                         &StepKernel<Pack<xsimd::sse2>, 2>::make_steps,
-                                         &StepKernel<Pack<xsimd::sse2>, 3>::make_steps};
+constinit const StepKernels sse2_kernels = step_kernels<xsimd::sse2>;
 
 }  // namespace rockstack

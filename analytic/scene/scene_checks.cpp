@@ -3,11 +3,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/scene/pattern.hpp"
 #include "analytic/scene/scene.hpp"
+#include "analytic/scene/solve_options.hpp"
 #include "analytic/scene/spring_checks.hpp"
 
 namespace rockstack {
@@ -93,7 +95,7 @@ void validate_initial(const Scene& scene) {
   check("initial.velocities", scene.initial.velocities);
   if (!scene.initial.slip_velocities.empty()) check("initial.slip_velocities", scene.initial.slip_velocities);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    const double limit = toppling_angle(scene, static_cast<int>(k));
+    const double limit = toppling_angle(scene, k);
     if (std::abs(scene.initial.angles[k]) >= limit) {
       throw FieldError(
           "initial.angles." + std::to_string(k + 1), number_text(scene.initial.angles[k]),
@@ -193,6 +195,22 @@ void validate(const Scene& scene) {
   validate_duration(scene);
   require_positive("engine.friction", scene.engine.friction);
   require_positive("engine.depth", scene.engine.depth);
+}
+
+void validate(const SolveOptions& options) {
+  const auto require = [](bool in_range, const char* name, double value, const char* range) {
+    if (!in_range)
+      throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ": must be " + range);
+  };
+  require(options.resolution >= 0, "resolution", options.resolution, "≥ 0 rad");
+  require(options.tolerance >= 0, "tolerance", options.tolerance, "≥ 0");
+  require(options.step > 0, "step", options.step, "> 0 s");
+  double earlier = 0;
+  for (const double time : options.sample_times) {
+    require(time >= earlier && time <= std::numeric_limits<double>::max(), "sample time", time,
+            "finite, ≥ 0 and no earlier than the one before, s");
+    earlier = time;
+  }
 }
 
 }  // namespace rockstack

@@ -55,10 +55,8 @@ inline void stop_if_cancelled(const std::function<bool()>* cancelled) {
   if (cancelled != nullptr && (*cancelled)()) throw Stopped();
 }
 
-/// @throws std::invalid_argument for what is out of range, with its name, value and range.
+/// @throws std::invalid_argument for what is out of range, with its name, value and range; times must be
+/// finite, ≥ 0 and ascending.
 void validate(const SolveOptions& options);
-
-/// @throws std::invalid_argument for times in s that are not finite, ≥ 0 and ascending.
-void validate_sample_times(const std::vector<double>& times);
 
 }  // namespace rockstack

@@ -24,7 +24,7 @@ double at(const std::vector<double>& values, std::size_t k, double standard) {
 
 Foundation foundation_of(const Scene& scene, std::size_t k) {
   const CornerSprings& springs = scene.springs;
-  const double half_width = interface_half_width(scene, static_cast<int>(k));
+  const double half_width = interface_half_width(scene, k);
   const bool bed = std::isfinite(at(springs.bed_stiffness, k, INFINITY));
   Foundation result =
       bed ? Foundation{"contact.bed_stiffness", "contact.bed_damping", springs.bed_stiffness[k],
@@ -127,7 +127,7 @@ void validate_depths(const Scene& scene) {
     validate_depth(scene, k, "contact.stiffness", springs.stiffness[k], 2);
   for (std::size_t k = 0; k < springs.bed_stiffness.size(); ++k)
     validate_depth(scene, k, "contact.bed_stiffness", springs.bed_stiffness[k],
-                   2 * interface_half_width(scene, static_cast<int>(k)));
+                   2 * interface_half_width(scene, k));
 }
 
 void validate_steps(const Scene& scene) {

@@ -125,7 +125,7 @@ bool couples(const ContactQuestion<Real>& question, const Joints<Real>& joints, 
   using std::abs;
   if (!joints[interface].pivots()) return false;
   const ContactModel<Real>& stack = question.stack;
-  const ContactKinematics<Real> rows = question.kinematics(static_cast<int>(interface), joints[interface]);
+  const ContactKinematics<Real> rows = question.kinematics(interface, joints[interface]);
   return stack.effect(rows.gap_row, rows.gap_row) <=
          stack.friction[interface] * abs(stack.effect(rows.gap_row, rows.slip_row));
 }

@@ -122,7 +122,7 @@ class ContactRecorder {
     if (!options_.peaks) return;
     note_peaks(series, end_s);
     for (std::size_t k = 0; k < joints.size(); ++k)
-      if (!joints[k].touches()) note_lift(static_cast<int>(k), series, end_s);
+      if (!joints[k].touches()) note_lift(k, series, end_s);
   }
 
   /// Impulses that bring about a mode.

@@ -2,7 +2,6 @@
 
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/ground_reader.hpp"
-#include "analytic/scene/input/overrides.hpp"
 #include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 

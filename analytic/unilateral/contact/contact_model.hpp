@@ -206,7 +206,7 @@ ContactModel<Real> contact_model_of(const Scene& scene) {
     SpringLaw<Real> law{of(springs.stiffness, k, rigid), of(springs.damping, k, 0), Real(springs.tangential)};
     const Real bed = of(springs.bed_stiffness, k, rigid);
     if (bed < std::numeric_limits<Real>::infinity()) {
-      const Real width = 2 * Real(interface_half_width(scene, static_cast<int>(k)));
+      const Real width = 2 * Real(interface_half_width(scene, k));
       law = {width * bed, width * of(springs.bed_damping, k, 0), law.tangential, true};
     }
     stack.springs.push_back(law);

@@ -215,7 +215,7 @@ class SeriesMaker {
     for (std::size_t k = 0; k < joints_.size(); ++k) {
       const Joint<Real>& joint = joints_[k];
       if (!joint.touches()) continue;
-      const CornerOnFace<Real> corner = stack_.held_point(static_cast<int>(k), joint);
+      const CornerOnFace<Real> corner = stack_.held_point(k, joint);
       points_.emplace_back(stack_, corner, body_of(corner.face), body_of(corner.body));
       points_.back().extend(0);
       points_.back().extend(1);

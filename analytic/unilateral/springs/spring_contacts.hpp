@@ -60,7 +60,7 @@ class SpringContacts {
       SpringPoint<Real>& point = points_[spring.index];
       add_losses(spring, series, s, losses(point));
       if (point.slide == 0 && spring.law.friction > 0) continue;
-      const Real slip = kinematics_of(stack_, after, corner_of(stack_, point)).slip;
+      const Real slip = kinematics_of(stack_, after, point).slip;
       point.slider = spring.law.friction == 0 ? slip : slip - value(spring.stretch, s);
     }
     show();
@@ -231,14 +231,13 @@ class SpringContacts {
   /// Whether the depth is zero to rounding.
   bool is_at_face(const SpringPoint<Real>& point, const Bodies<Real>& bodies) const {
     using std::abs;
-    return abs(kinematics_of(stack_, bodies, corner_of(stack_, point)).gap) <=
-           SpringRounding<Real>(stack_, bodies).place;
+    return abs(kinematics_of(stack_, bodies, point).gap) <= SpringRounding<Real>(stack_, bodies).place;
   }
 
   void start_pushing(SpringPoint<Real>& point, const Bodies<Real>& bodies) {
     point.press = Press::pushing;
     point.slide = 0;
-    point.slider = kinematics_of(stack_, bodies, corner_of(stack_, point)).slip;
+    point.slider = kinematics_of(stack_, bodies, point).slip;
   }
 
   const ContactModel<Real>& stack_;

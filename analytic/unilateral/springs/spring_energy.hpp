@@ -41,7 +41,7 @@ Real elastic_energy(const ContactModel<Real>& stack, const SpringPoint<Real>& po
                     const Bodies<Real>& bodies) {
   if (point.press == Press::off && !point.is_bed()) return 0;
   const PointLaw<Real> law = law_of(stack, point.interface);
-  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner_of(stack, point));
+  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
   Real energy = point.is_bed() ? elastic_energy_of_bed(stack, point, bodies)
                                : Real(law.stiffness * rows.gap * rows.gap / 2);
   if (point.pushes() && law.friction > 0) {

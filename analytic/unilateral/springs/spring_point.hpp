@@ -48,6 +48,12 @@ CornerOnFace<Real> corner_of(const ContactModel<Real>& stack, const SpringPoint<
   return stack.corner(point.interface, point.side, point.corner_below);
 }
 
+template <class Real>
+ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies,
+                                      const SpringPoint<Real>& point) {
+  return kinematics_of(stack, bodies, corner_of(stack, point));
+}
+
 /// The law of a point, with its friction.
 template <class Real>
 struct PointLaw {
@@ -130,7 +136,7 @@ FreeVector<Real> forces_of(const ContactModel<Real>& stack, const SpringPoints<R
   FreeVector<Real> forces = FreeVector<Real>::Zero(Eigen::Index{3} * stack.size());
   for (const SpringPoint<Real>& point : points) {
     if (!point.pushes()) continue;
-    const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner_of(stack, point));
+    const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
     const PointForce<Real> force = force_of(stack, point, bodies, rows);
     forces += force.normal * rows.gap_row.transpose() + force.tangential * rows.slip_row.transpose();
     if (!point.is_bed()) continue;
@@ -153,20 +159,17 @@ Real fastest_rate(const ContactModel<Real>& stack, const SpringPoints<Real>& poi
   for (const SpringPoint<Real>& point : points) {
     if (!point.pushes()) continue;
     const PointLaw<Real> law = law_of(stack, point.interface);
-    const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner_of(stack, point));
-    const auto product = [&](const FreeRow<Real>& a, const FreeRow<Real>& b) -> Real {
-      return (a.array() * stack.inverse_mass.transpose().array() * b.array()).sum();
-    };
-    Real across = product(rows.gap_row, rows.gap_row);
+    const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
+    Real across = stack.effect(rows.gap_row, rows.gap_row);
     if (point.is_bed()) {
       const auto ends = bed_rows(stack, point, bodies);
       const FreeRow<Real> turning = (ends[1].gap_row - ends[0].gap_row) / 2;
-      across += product(turning, turning) / 3;
+      across += stack.effect(turning, turning) / 3;
     }
-    Real along = law.friction == 0 ? Real(0) : product(rows.slip_row, rows.slip_row);
+    Real along = law.friction == 0 ? Real(0) : stack.effect(rows.slip_row, rows.slip_row);
     if (point.slide != 0) {
       along = 0;
-      const Real coupled = law.friction * abs(product(rows.gap_row, rows.slip_row));
+      const Real coupled = law.friction * abs(stack.effect(rows.gap_row, rows.slip_row));
       square += law.stiffness * coupled;
       damped += law.damping * coupled;
       if (law.damping > 0) relaxing = std::max<Real>(relaxing, law.stiffness / law.damping);

@@ -35,8 +35,7 @@ struct SpringRounding {
 
   SpringRounding(const ContactModel<Real>& stack, const Bodies<Real>& bodies) {
     using std::abs;
-    Real height = 0;
-    for (const Block& block : stack.blocks) height += 2 * Real(block.half_height);
+    const Real height = stack.height();
     Real fastest = 0;
     for (const Pose<Real>& rate : bodies.rate)
       fastest = std::max<Real>(fastest, abs(rate.x) + abs(rate.y) + height * abs(rate.angle));
@@ -106,10 +105,10 @@ void pass_to_other_corner(const ContactModel<Real>& stack, const Bodies<Real>& b
                           SpringPoint<Real>& point) {
   using std::copysign;
   using std::sqrt;
-  const ContactKinematics<Real> before = kinematics_of(stack, bodies, corner_of(stack, point));
+  const ContactKinematics<Real> before = kinematics_of(stack, bodies, point);
   const Real stretch = before.slip - point.slider;
   point.corner_below = !point.corner_below;
-  const ContactKinematics<Real> after = kinematics_of(stack, bodies, corner_of(stack, point));
+  const ContactKinematics<Real> after = kinematics_of(stack, bodies, point);
   point.slider = after.slip;
   if (!(after.gap < 0)) {
     point.press = Press::off;
@@ -130,7 +129,7 @@ Real slip_at_once(const ContactModel<Real>& stack, const Bodies<Real>& bodies, S
   using std::abs;
   const PointLaw<Real> law = law_of(stack, point.interface);
   if (!point.pushes() || point.slide == 0 || law.tangential_damping > 0) return 0;
-  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner_of(stack, point));
+  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
   const Real stretch = rows.slip - point.slider;
   const Real most = law.friction * law.stiffness * -rows.gap / law.tangential_stiffness;
   const Real beyond = point.slide * stretch - most;

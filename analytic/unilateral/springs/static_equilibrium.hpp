@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "analytic/unilateral/contact/initial_contacts.hpp"
+#include "analytic/unilateral/contact/contact_laws.hpp"
 #include "analytic/unilateral/springs/spring_point.hpp"
 
 namespace rockstack {
@@ -31,7 +31,7 @@ SpringPoint<Real> initial_bed(const ContactModel<Real>& stack, int interface, co
       point.bed.ends[side < 0 ? 0 : 1] = {true, true, true};
   if (joint.touches()) point.press = Press::pushing;
   if (law_of(stack, interface).friction > 0) point.slide = joint.slip;
-  point.slider = kinematics_of(stack, bodies, corner_of(stack, point)).slip;
+  point.slider = kinematics_of(stack, bodies, point).slip;
   return point;
 }
 
@@ -57,7 +57,7 @@ SpringPoints<Real> initial_points(const ContactModel<Real>& stack, const Contact
       if (joint.touch == Touch::flat || joint.side() == side) {
         point.press = Press::pushing;
         point.slide = law.friction > 0 ? joint.slip : 0;
-        point.slider = kinematics_of(stack, state.bodies, corner_of(stack, point)).slip;
+        point.slider = kinematics_of(stack, state.bodies, point).slip;
         point.at_face = true;
       }
       points.push_back(point);
@@ -76,36 +76,27 @@ void move_above(std::size_t first, const Point<Real>& about, const Point<Real>& 
   }
 }
 
-/// Where the search for equilibrium ends, and whether the stack stands there.
-template <class Real>
-struct Equilibrium {
-  Poses<Real> at;
-  bool stands = false;
-};
-
 /// The equilibrium of a stack at rest on its springs, by Newton's method with the stiffness of springs alone:
-/// unknown are the displacement and the turn of all above each soft interface. It does not stand where the
+/// unknown are the displacement and the turn of all above each soft interface. Nothing where the
 /// method does not converge, where a corner would have to pull, or a slider would move.
 template <class Real>
-Equilibrium<Real> find_equilibrium(const Scene& scene, const ContactModel<Real>& stack, Bodies<Real> bodies,
-                                   const SpringPoints<Real>& points) {
+std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactModel<Real>& stack,
+                                            Bodies<Real> bodies, const SpringPoints<Real>& points) {
   const Gravity gravity = gravity_of(scene);
   std::vector<std::size_t> soft;
   for (std::size_t k = 0; k < stack.blocks.size(); ++k)
     if (stack.soft(k)) soft.push_back(k);
   const auto size = static_cast<Eigen::Index>(3 * soft.size());
   FreeVector<Real> weight(Eigen::Index{3} * stack.size());
-  Real height = 0;
+  const Real height = stack.height();
   for (int k = 0; k < stack.size(); ++k) {
     const Block& block = stack.blocks[k];
     weight.template segment<3>(Eigen::Index{3} * k) << Real(block.mass) * Real(gravity.along),
         -Real(block.mass) * Real(gravity.across), Real(0);
-    height += 2 * Real(block.half_height);
   }
   const auto foot = [&](std::size_t k) -> Point<Real> {
-    const Point<Real> arm = turned<Real>(
-        Point<Real>(0, -stack.half_height(static_cast<int>(k))) - stack.centre(static_cast<int>(k)),
-        bodies.at[k].angle);
+    const Point<Real> arm =
+        turned<Real>(Point<Real>(0, -stack.half_height(k)) - stack.centre(k), bodies.at[k].angle);
     return {bodies.at[k].x + arm.x(), bodies.at[k].y + arm.y()};
   };
   SpringPoints<Real> standing = points;
@@ -131,7 +122,7 @@ Equilibrium<Real> find_equilibrium(const Scene& scene, const ContactModel<Real>&
     SquareMatrix<Real> stiffness = SquareMatrix<Real>::Zero(size, size);
     for (const SpringPoint<Real>& point : standing) {
       const PointLaw<Real> law = law_of(stack, point.interface);
-      const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner_of(stack, point));
+      const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
       const FreeRow<Real> across = rows.gap_row * motions;
       const FreeRow<Real> along = rows.slip_row * motions;
       stiffness += law.tangential_stiffness * along.transpose() * along;
@@ -157,18 +148,16 @@ Equilibrium<Real> find_equilibrium(const Scene& scene, const ContactModel<Real>&
     const Real largest = change.template lpNorm<Eigen::Infinity>();
     // Newton's method ends where rounding does: changes are negligible, and no longer fall.
     if (largest <= 8 * std::numeric_limits<Real>::epsilon() * height && largest >= before / 2) break;
-    if (round + 1 == most || !(largest < height)) return {bodies.at, false};
+    if (round + 1 == most || !(largest < height)) return std::nullopt;
     before = largest;
   }
   for (const SpringPoint<Real>& point : standing) {
     using std::abs;
     const PointLaw<Real> law = law_of(stack, point.interface);
-    const PointForce<Real> force =
-        force_of(stack, point, bodies, kinematics_of(stack, bodies, corner_of(stack, point)));
-    if (!(force.normal > 0)) return {bodies.at, false};
-    if (abs(force.tangential) > law.friction * force.normal) return {bodies.at, false};
+    const PointForce<Real> force = force_of(stack, point, bodies, kinematics_of(stack, bodies, point));
+    if (!(force.normal > 0) || abs(force.tangential) > law.friction * force.normal) return std::nullopt;
   }
-  return {bodies.at, true};
+  return bodies.at;
 }
 
 /// How deep a bed's lower end is under a weight, m, where the other is higher by `rise`, from its stiffness
@@ -199,7 +188,7 @@ GivingWay<Real> give_way(const ContactModel<Real>& stack, const Bodies<Real>& bo
   }
   SpringPoint<Real>& other = *ends.back();
   if (other.pushes()) return {weight / law.stiffness / 2, 2};
-  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner_of(stack, other));
+  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, other);
   if (!(rows.gap * law.stiffness < weight)) return {weight / law.stiffness, 1};
   other.press = Press::pushing;
   other.slide = first.slide;
@@ -212,7 +201,7 @@ GivingWay<Real> give_way(const ContactModel<Real>& stack, const Bodies<Real>& bo
 template <class Real>
 void preload_interface(const Gravity& gravity, const ContactModel<Real>& stack, std::size_t interface,
                        Bodies<Real>& bodies, SpringPoints<Real>& points) {
-  const PointLaw<Real> law = law_of(stack, static_cast<int>(interface));
+  const PointLaw<Real> law = law_of(stack, interface);
   std::vector<SpringPoint<Real>*> ends;
   for (SpringPoint<Real>& point : points)
     if (point.interface == static_cast<int>(interface)) ends.push_back(&point);
@@ -252,9 +241,9 @@ void preload(const Scene& scene, const ContactModel<Real>& stack, ContactState<R
   }
   for (SpringPoint<Real>& point : points) point.at_face = false;
   if (still) {
-    const Equilibrium<Real> found = find_equilibrium(scene, stack, bodies, points);
-    if (found.stands) bodies.at = found.at;
-    still = found.stands;
+    const auto found = find_equilibrium(scene, stack, bodies, points);
+    if (found) bodies.at = *found;
+    still = found.has_value();
   }
   for (std::size_t k = 0; k < bodies.at.size(); ++k)
     if (stack.soft(k) && !still) preload_interface(gravity_of(scene), stack, k, bodies, points);

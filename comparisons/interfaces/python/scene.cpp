@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "analytic/scene/input/overrides.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/interfaces/python/arrays.hpp"
 #include "comparisons/interfaces/python/nodes.hpp"
 #include "comparisons/suites/shipped.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analytic/scene/input/overrides.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/build.hpp"
 

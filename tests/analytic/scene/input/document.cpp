@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "analytic/scene/input/json_reader.hpp"
-#include "analytic/scene/input/overrides.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "tests/analytic/scene/input/scene_text.hpp"

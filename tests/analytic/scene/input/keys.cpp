@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "analytic/scene/input/overrides.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"

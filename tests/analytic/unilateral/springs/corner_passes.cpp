@@ -20,7 +20,7 @@ struct SlidingEnd {
   SpringPoint<double> point;
 
   double elastic() const { return elastic_energy(stack, point, bodies); }
-  ContactKinematics<double> rows() const { return kinematics_of(stack, bodies, corner_of(stack, point)); }
+  ContactKinematics<double> rows() const { return kinematics_of(stack, bodies, point); }
   double stretch() const { return rows().slip - point.slider; }
 };
 
