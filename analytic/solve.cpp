@@ -1,8 +1,5 @@
 #include "analytic/solve.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solver/solver.hpp"
 #include "analytic/solver/to_double.hpp"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "analytic/scene/history.hpp"

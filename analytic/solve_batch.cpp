@@ -1,8 +1,6 @@
 #include "analytic/solve_batch.hpp"
 
-#include <algorithm>
 #include <memory>
-#include <stdexcept>
 
 #include "analytic/batch/lane.hpp"
 #include "analytic/batch/step_rows.hpp"

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <exception>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
 #include "analytic/scene/solve_options.hpp"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <limits>
-
 #include "analytic/batch/pack.hpp"
 #include "analytic/polynomials/crossing.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include "analytic/batch/bounds.hpp"
 #include "analytic/batch/load.hpp"
 #include "analytic/batch/step_rows.hpp"

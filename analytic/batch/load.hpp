@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-
 #include "analytic/batch/pack.hpp"
 #include "analytic/batch/step_rows.hpp"
 #include "analytic/scene/direction.hpp"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <cstddef>
 #include <xsimd/xsimd.hpp>
 
 #include "analytic/steps/chain_series.hpp"

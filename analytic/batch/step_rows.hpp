@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include "analytic/polynomials/polynomial.hpp"
 
 namespace rockstack {

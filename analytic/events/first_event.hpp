@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "analytic/polynomials/crossing.hpp"
 #include "analytic/scene/history.hpp"
 #include "analytic/steps/dense_output.hpp"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <stdexcept>
-#include <string>
-
 #include "analytic/events/first_event.hpp"
 #include "analytic/mechanics/dynamics.hpp"
 #include "analytic/scene/messages/number_text.hpp"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "analytic/mechanics/impact.hpp"
 #include "analytic/steps/rk4.hpp"
 

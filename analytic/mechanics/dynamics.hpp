@@ -1,8 +1,5 @@
 #pragma once
 
-#include <limits>
-#include <stdexcept>
-
 #include "analytic/mechanics/linkage.hpp"
 
 namespace rockstack {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "analytic/mechanics/pattern_solution.hpp"
 #include "analytic/scene/history.hpp"
 
@@ -164,6 +162,7 @@ template <class Real, int N = Eigen::Dynamic>
 struct Resolution {
   PatternSolution<Real, N> solution;
   Consistency consistency;
+  bool closes = false;  ///< chatter has come to its end: something closes that would have parted
 };
 
 template <class Real, int N>

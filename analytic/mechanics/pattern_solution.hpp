@@ -1,9 +1,6 @@
 #pragma once
 
-#include <limits>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "analytic/mechanics/dynamics.hpp"
 

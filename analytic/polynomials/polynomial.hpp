@@ -20,6 +20,22 @@ inline constexpr std::size_t max_terms = std::numeric_limits<Real>::digits * 2 /
 template <class Real>
 inline constexpr std::size_t max_orders = max_terms<Real> - 2;
 
+/// What a number of a calculation is made of: itself, or what a pack of numbers holds many of.
+template <class Real>
+struct NumberIn {
+  using type = Real;
+};
+template <class Real>
+using Number = typename NumberIn<Real>::type;
+
+/// 1/i.
+template <class Real>
+inline const std::array<Real, max_terms<Real> + 1> reciprocals = [] {
+  std::array<Real, max_terms<Real> + 1> result{};
+  for (std::size_t i = 1; i < result.size(); ++i) result[i] = Real(1) / Real(i);
+  return result;
+}();
+
 /// c₀ + c₁s + … over one step, s in [0, 1]. Coefficients from `terms` on have no value.
 template <class Real>
 struct Polynomial {

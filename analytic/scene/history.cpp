@@ -1,6 +1,5 @@
 #include "analytic/scene/history.hpp"
 
-#include <array>
 #include <stdexcept>
 
 namespace rockstack {

@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <limits>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "analytic/scene/pattern.hpp"

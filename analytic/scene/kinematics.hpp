@@ -1,8 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
-#include <array>
 #include <bitset>
 #include <type_traits>
 

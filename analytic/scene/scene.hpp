@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "analytic/scene/ground/ground_motion.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 

@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include "analytic/scene/messages/number_text.hpp"

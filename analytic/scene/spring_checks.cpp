@@ -1,7 +1,6 @@
 #include "analytic/scene/spring_checks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "analytic/scene/messages/number_text.hpp"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {

@@ -1,19 +1,9 @@
 #pragma once
 
-#include <limits>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-
-#include "analytic/events/chatter.hpp"
 #include "analytic/events/first_event.hpp"
-#include "analytic/events/rest.hpp"
 #include "analytic/events/tie_breaker.hpp"
-#include "analytic/events/zeno_summation.hpp"
-#include "analytic/mechanics/impact.hpp"
 #include "analytic/scene/messages/number_text.hpp"
-#include "analytic/solver/recorder.hpp"
+#include "analytic/solver/collisions.hpp"
 #include "analytic/steps/rk4.hpp"
 #include "analytic/steps/taylor_step.hpp"
 
@@ -36,10 +26,7 @@ class Solver {
         ties_(model_),
         resting_(model_),
         cancelled_(options.cancelled),
-        upright_(upright_model(scene)),
-        end_of_chatter_(model_, resolution_of(options)),
-        zeno_(model_, resolution_of(options)),
-        sums_chatter_(options.events == EventsKept::summed && zeno_.pays() && !upright_) {
+        collisions_(scene, model_, options) {
     validate(options);
     const auto vector = [](const std::vector<double>& values) -> Vector<Real, N> {
       return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
@@ -170,16 +157,6 @@ class Solver {
   const Steps<Real, N>& steps() const { return steps_; }
 
  private:
-  /// What impacts of small-angle equations are resolved with: the stack as it is, upright.
-  static std::optional<Model<Real, N>> upright_model(const Scene& scene) {
-    if (scene.equations != Equations::small_angle) return std::nullopt;
-    return Model<Real, N>{make_stack<Real, N>(scene), make_model<Real, N>(scene).gravity, Equations::linear};
-  }
-
-  static Real resolution_of(const SolveOptions& options) {
-    return options.resolution > 0 ? Real(options.resolution) : std::numeric_limits<Real>::epsilon();
-  }
-
   Real remaining() const { return pieces_.current().length - offset_; }
   Real longest_step() const { return ties_.longest_step(remaining()); }
 
@@ -261,59 +238,20 @@ class Solver {
   void collide(Interfaces closing) {
     const int first = lowest(closing);
     for (int k = 0; k < state_.size(); ++k) {
-      if (end_of_chatter_.negligibly_open(state_, k)) closing.set(k);
-    }
-    for (int k = 0; k < state_.size(); ++k) {
+      if (collisions_.negligibly_open(state_, k)) closing.set(k);
       if (closing.test(k)) state_.angles[k] = 0;
     }
     update_directions();
     const Impact<Real, N> impact{state_, closing};
-    const Model<Real, N>& model = upright_ ? *upright_ : model_;
-    const BeforeImpact<Real, N> before =
-        upright_ ? before_impact(model, state_) : before_impact(model, state_, directions_);
-    Resolution<Real, N> resolution = resolve(model, impact, before, scene_.law);
-    PatternSolution<Real, N>& solution = resolution.solution;
-    if (!scene_.restitution.empty()) {
-      if (const auto own = restored(model, impact, before, solution.pattern, scene_.restitution))
-        solution = *own;
-    }
-    const auto without_slow = [&] {
-      return end_of_chatter_.without_slow({solution.pattern, state_.angles, solution.relative},
-                                          impact.touching(), directions_, pieces_.current().at(offset_));
-    };
-    bool closes = false;
-    for (Pattern slow = without_slow(); !(slow == solution.pattern); slow = without_slow()) {
-      solution = velocities_after(model, before, slow);
-      closes = true;
-    }
-    if (sums_chatter_ && !closes) {
-      if (const auto rest = negligible_rest(impact, before, solution)) {
-        solution = rest->closure;
-        closes = true;
-      }
-    }
-    state_.pattern = solution.pattern;
-    state_.velocities = solution.relative;
+    const auto outcome = collisions_.outcome(impact, directions_, pieces_.current(), offset_, recorder_);
+    state_.pattern = outcome.solution.pattern;
+    state_.velocities = outcome.solution.relative;
     require_numbers();
-    recorder_.note_impact(solution, time());
-    const EventKind kind = !closes                       ? EventKind::impact
-                           : is_closed(solution.pattern) ? EventKind::rest
-                                                         : EventKind::closure;
-    record_event(kind, first, impact.before.pattern, impact.before.velocities, resolution.consistency);
-  }
-
-  /// What is left of chatter, where it neither moves the motion nor holds what is asked for.
-  std::optional<RestOfChatter<Real, N>> negligible_rest(const Impact<Real, N>& impact,
-                                                        const BeforeImpact<Real, N>& before,
-                                                        const PatternSolution<Real, N>& after) {
-    const GroundPiece<Real>& piece = pieces_.current();
-    const typename ZenoSummation<Real, N>::Landing landing{impact, before,  after,
-                                                           piece,  offset_, recorder_.events()};
-    if (!zeno_.harmless(landing) || recorder_.keeps(after)) return std::nullopt;
-    const State<Real, N> open{after.pattern, state_.angles, after.relative};
-    auto rest = zeno_.rest(landing, end_of_chatter_.fastest_return(open, piece.at(offset_)));
-    if (rest && recorder_.wants(*rest, time())) rest.reset();
-    return rest;
+    recorder_.note_impact(outcome.solution, time());
+    const EventKind kind = !outcome.closes             ? EventKind::impact
+                           : is_closed(state_.pattern) ? EventKind::rest
+                                                       : EventKind::closure;
+    record_event(kind, first, impact.before.pattern, impact.before.velocities, outcome.consistency);
   }
 
   /// Rule 2 at an instant: opens the closed interfaces whose centre of pressure would lie outside.
@@ -366,10 +304,7 @@ class Solver {
   TieBreaker<Real> ties_;
   RestingStack<Real, N> resting_;
   const std::function<bool()>* cancelled_;
-  std::optional<Model<Real, N>> upright_;  ///< of impacts, where they need one of their own
-  EndOfChatter<Real, N> end_of_chatter_;
-  ZenoSummation<Real, N> zeno_;
-  bool sums_chatter_;
+  Collisions<Real, N> collisions_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;
   Directions<Real, N> directions_;  ///< at the state, if it is

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <type_traits>
 #include <utility>
 
-#include "analytic/mechanics/linkage.hpp"
+#include "analytic/steps/block_series.hpp"
 #include "analytic/steps/body_force.hpp"
 
 namespace rockstack {
@@ -18,30 +17,13 @@ namespace rockstack {
 // the step: it is factorised once. What belongs to relative angles are sums from the top down, and held
 // interfaces drop out.
 
-/// What a number of a calculation is made of: itself, or what a pack of numbers holds many of.
-template <class Real>
-struct NumberIn {
-  using type = Real;
-};
-template <class Real>
-using Number = typename NumberIn<Real>::type;
-
-/// 1/i.
-template <class Real>
-inline const std::array<Real, max_terms<Real> + 1> reciprocals = [] {
-  std::array<Real, max_terms<Real> + 1> result{};
-  for (std::size_t i = 1; i < result.size(); ++i) result[i] = Real(1) / Real(i);
-  return result;
-}();
-
 /// The series of a chain's motion over one step. Real may also be a pack of numbers that are computed side by
 /// side.
 template <class Real, int N>
 class ChainSeries {
  public:
   using Point2 = PlaneVector<Real>;
-  using Series = std::array<Real, max_terms<Real>>;
-  using PlaneSeries = std::array<Point2, max_terms<Real>>;
+  using PlaneSeries = typename BlockSeries<Real>::PlaneSeries;
   using Directions = PerBlock<PlaneVector<Real>, N>;
 
   /// What a series tells besides motion. Margins are made of forces too.
@@ -69,7 +51,7 @@ class ChainSeries {
   void shorten(const Real& ratio) {
     const Real square = ratio * ratio;
     for (std::size_t k = 0; k < size(); ++k) {
-      BlockSeries& block = blocks_[k];
+      BlockSeries<Real>& block = blocks_[k];
       block.weighted[1] *= ratio;
       block.weighted[2] *= square;
       block.direction[1] = ratio * block.direction[1];
@@ -119,7 +101,7 @@ class ChainSeries {
   }
   /// Likewise, along a face of this direction.
   Force force(std::size_t k, const PlaneSeries& direction, std::size_t n) const {
-    const BlockSeries& block = blocks_[k];
+    const BlockSeries<Real>& block = blocks_[k];
     Force sum{Real(0), Real(0)};
     for (std::size_t i = 0; i <= n; ++i) {
       sum.normal += direction[i].y * block.force[n - i].x + direction[i].x * block.force[n - i].y;
@@ -148,19 +130,10 @@ class ChainSeries {
   /// Short stacks in the processor's own numbers have each order compiled by itself.
   static constexpr bool unrolled = N != Eigen::Dynamic && std::is_arithmetic_v<Number<Real>>;
 
-  struct BlockSeries {
-    Series weighted;        // i times coefficient i of ψ
-    PlaneSeries direction;  // cosine and sine of ψ
-    PlaneSeries coupling;   // what they are multiplied by in the block's equation
-    Series relative;        // φ''
-    Series reaction;
-    PlaneSeries force;  // on the block and all above
-  };
-
   void start(const Directions& directions, const PerBlock<Real, N>& advances) {
     Real advance = 0;
     for (std::size_t k = 0; k < size(); ++k) {
-      BlockSeries& block = blocks_[k];
+      BlockSeries<Real>& block = blocks_[k];
       advance += advances[k];
       block.weighted[1] = advance;
       block.direction[0] = directions[k];
@@ -177,7 +150,7 @@ class ChainSeries {
                                    n < body_force.y.terms ? -body_force.y[n] : Real(0)};
     PerBlock<Point2, N> second_derivatives;  // of directions, as far as they are known, then all
     for (std::size_t k = 0; k < size(); ++k)
-      second_derivatives[k] = linear_ ? none() : known_second_derivative(blocks_[k], n);
+      second_derivatives[k] = linear_ ? none() : blocks_[k].known_second_derivative(n);
     // A block alone is coupled to nothing but the body force.
     const std::size_t couplings =
         size() > 1 ? n : std::min<std::size_t>(n, std::max(body_force.x.terms, body_force.y.terms));
@@ -194,7 +167,7 @@ class ChainSeries {
     }
     Real angular_acceleration = 0;
     for (std::size_t k = 0; k < size(); ++k) {
-      BlockSeries& block = blocks_[k];
+      BlockSeries<Real>& block = blocks_[k];
       block.relative[n] = relative[k];
       angular_acceleration = k == 0 ? relative[0] : angular_acceleration + relative[k];
       block.weighted[n + 2] = angular_acceleration * reciprocals<Number<Real>>[n + 1];
@@ -217,14 +190,6 @@ class ChainSeries {
   }
   static constexpr auto orders = list(std::make_index_sequence < unrolled ? max_terms<Real> - 2 : 0 > {});
 
-  /// The known parts of (c'')ₙ and (s'')ₙ.
-  template <class Order>
-  static Point2 known_second_derivative(const BlockSeries& block, Order n) {
-    Point2 sum = block.weighted[1] * block.direction[n + 1];
-    for (std::size_t j = 2; j < n + 2; ++j) sum = sum + block.weighted[j] * block.direction[n + 2 - j];
-    return {-Real(n + 1) * sum.y, Real(n + 1) * sum.x};
-  }
-
   /// Order n of the moments about all pivots, but for what the blocks' accelerations (ψ'')ₙ will add.
   template <class Order>
   PerBlock<Real, N> known_moments(Order n, std::size_t couplings,
@@ -234,7 +199,7 @@ class ChainSeries {
     Point2 below = base_acceleration;
     for (std::size_t k = 0; k < size(); ++k) {
       moments[k] = across(mass_.moments[k], below);
-      if (!linear_) moments[k] += past_moment(blocks_[k], n, couplings);
+      if (!linear_) moments[k] += blocks_[k].past_moment(n, couplings);
       if (k + 1 < size())
         below = below + turned(second_derivatives[k], linkage_.link_x[k], linkage_.link_y[k]);
     }
@@ -246,23 +211,12 @@ class ChainSeries {
     return moments;
   }
 
-  /// Order n of Sₖ⊥ · (…) + Lₖ⊥ · (…), but for order n of the coupling: products of lower orders alone, of
-  /// which the first `couplings` of the coupling are not zero.
-  template <class Order>
-  static Real past_moment(const BlockSeries& block, Order n, std::size_t couplings) {
-    Point2 sum = none();
-    for (std::size_t i = couplings; i-- > 0;)
-      sum = {sum.x + block.direction[n - i].x * block.coupling[i].x,
-             sum.y + block.direction[n - i].y * block.coupling[i].y};
-    return sum.x + sum.y;
-  }
-
   /// Order n of what each block feels of the others and of the base's acceleration, and of the forces.
   template <class Order>
   void couple(Order n, const PerBlock<Point2, N>& second_derivatives, const Point2& base_acceleration) {
     Point2 below = base_acceleration;
     for (std::size_t k = 0; k < size(); ++k) {
-      BlockSeries& block = blocks_[k];
+      BlockSeries<Real>& block = blocks_[k];
       block.coupling[n] = coupling_of(below, linkage_.moment_x[k], linkage_.moment_y[k]);
       if (forces_) block.force[n] = linkage_.mass[k] * below;
       if (k + 1 < size())
@@ -270,7 +224,7 @@ class ChainSeries {
     }
     Point2 above = none();
     for (std::size_t k = size(); k-- > 0;) {
-      BlockSeries& block = blocks_[k];
+      BlockSeries<Real>& block = blocks_[k];
       if (k + 1 < size())
         block.coupling[n] = block.coupling[n] + coupling_of(above, linkage_.link_x[k], linkage_.link_y[k]);
       if (k == 0 && !forces_) break;
@@ -315,21 +269,13 @@ class ChainSeries {
     return sum;
   }
 
-  /// The derivative of a direction by its angle.
-  static Point2 ahead(const Point2& direction) { return {-direction.y, direction.x}; }
-  /// What the cosine and the sine of a block's angle are multiplied by to give (x, y)⊥ · push, with (x, y) in
-  /// the block's frame.
-  static Point2 coupling_of(const Point2& push, const Real& x, const Real& y) {
-    return {y * push.x - x * push.y, -(x * push.x + y * push.y)};
-  }
-
   const Linkage<Real, N>& linkage_;
   bool linear_;        ///< without velocity terms
   bool small_angles_;  ///< of the linear equations, those of small angles
   bool forces_;
   bool margins_;
   PerBlock<Real, N> angles_;  ///< at the start, of small angles alone, rad
-  std::array<BlockSeries, capacity(N)> blocks_;
+  std::array<BlockSeries<Real>, capacity(N)> blocks_;
   ChainMass<Real, N> mass_;  ///< at the start of the step
 };
 

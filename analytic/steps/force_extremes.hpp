@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "analytic/polynomials/crossing.hpp"
 #include "analytic/scene/history.hpp"
 

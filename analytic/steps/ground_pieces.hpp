@@ -1,10 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <limits>
 
 #include "analytic/scene/kinematics.hpp"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "analytic/unilateral/contact/contact_modes.hpp"
 #include "analytic/unilateral/first_change.hpp"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <optional>
-#include <stdexcept>
-
 #include "analytic/unilateral/contact/contact_modes.hpp"
 #include "analytic/unilateral/contact_changes.hpp"
 #include "analytic/unilateral/contact_history.hpp"
@@ -144,5 +140,29 @@ bool has_others(const ContactQuestion<Real>& question, const Joints<Real>& joint
     if ((respond(question, other).motion - motion).template lpNorm<Eigen::Infinity>() > same) return true;
   return false;
 }
+
+/// By how much later an event decides, s.
+template <class Real>
+struct LookAhead {
+  Real shortest = 0, longest = 0;
+  Real time = 0;
+  Real last = -1;  ///< decision, s; negative: none since the last impact
+
+  LookAhead() = default;
+  /// From what is given in units of √(H/g), 0: 6.7 √ε, and that unit.
+  LookAhead(double given, const Real& unit)
+      : shortest((given > 0 ? Real(given) : root_tolerance<Real>(1e-7)) * unit),
+        longest(Real(1e-4) * unit),
+        time(shortest) {}
+
+  /// A decision that does not last beyond its look-ahead time is taken for a later one, unless an impact
+  /// ended it. What lasts longer is motion, however small: to look beyond its next event would make energy.
+  void note_decision(const Real& now, const Real& longest_step) {
+    const bool lasts = last < 0 || now - last > Real(1.001) * time;
+    time = std::min(lasts ? shortest : std::min<Real>(2 * time, longest), longest_step);
+    last = now;
+  }
+  void note_impact() { last = -1; }
+};
 
 }  // namespace rockstack

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "analytic/scene/history.hpp"
 #include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/springs/spring_energy.hpp"

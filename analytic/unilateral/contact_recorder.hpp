@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <utility>
-
 #include "analytic/scene/ground/pulse.hpp"
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/steps/force_extremes.hpp"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <stdexcept>
-
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
 #include "analytic/unilateral/contact_changes.hpp"
@@ -38,9 +36,7 @@ class ContactSolver {
     across_ = Real(scene.gravity) * cos(Real(scene.inclination));
     for (int k = 0; k < stack_.size(); ++k) toppling_angles_.push_back(Real(toppling_angle(scene, k)));
     unit_time_ = sqrt(stack_.height() / Real(scene.gravity));
-    shortest_look_ahead_ =
-        (options.look_ahead > 0 ? Real(options.look_ahead) : root_tolerance<Real>(1e-7)) * unit_time_;
-    look_ahead_ = shortest_look_ahead_;
+    look_ahead_ = LookAhead<Real>(options.look_ahead, unit_time_);
     shortest_step_ = tolerance<Real>(1e-13) * unit_time_;
     longest_ = unit_time_ / 8;
   }
@@ -76,7 +72,7 @@ class ContactSolver {
     if (longest_ < shortest_step_) return jam();
     const FirstChange<Real> found =
         first_change(guards_of(stack_, state_.joints, toppling_angles_, step.series), step.series, fresh_,
-                     time(), decided_, std::min<Real>(look_ahead_ / step.series.length, 1));
+                     time(), decided_, std::min<Real>(look_ahead_.time / step.series.length, 1));
     if (!springs_.empty()) {
       const FirstSpringChange<Real> change =
           SpringGuards<Real>(stack_, springs_.points(), state_.bodies, step.series, springs).first();
@@ -99,11 +95,7 @@ class ContactSolver {
   void jam() {
     note_stall();
     const Real length = std::min<Real>(32 * shortest_step_, pieces_.current().length - offset_);
-    for (std::size_t k = 0; k < state_.bodies.at.size(); ++k) {
-      Pose<Real>& at = state_.bodies.at[k];
-      const Pose<Real>& rate = state_.bodies.rate[k];
-      at = {at.x + length * rate.x, at.y + length * rate.y, at.angle + length * rate.angle};
-    }
+    state_.bodies.at = poses_of<Real>(vector_of(state_.bodies.at) + length * vector_of(state_.bodies.rate));
     offset_ += length;
     place(stack_, state_.joints, state_.bodies);
     const Joints<Real> before = state_.joints;
@@ -168,21 +160,13 @@ class ContactSolver {
     Joints<Real> touching = state_.joints;
     const int interface = found.guards.front().interface + 1;
     if (apply(found, stack_, state_.bodies, touching)) return meet(before, std::move(touching), interface);
-    // A decision that does not last beyond its look-ahead time is taken for a later one, unless an impact
-    // ended it. What lasts longer is motion, however small: to look beyond its next event would make energy.
-    const Real longest_look_ahead = Real(1e-4) * unit_time_;
-    const Real look_ahead_and_rounding = Real(1.001) * look_ahead_;
-    look_ahead_ = last_decision_ >= 0 && time() - last_decision_ <= look_ahead_and_rounding
-                      ? std::min<Real>(2 * look_ahead_, longest_look_ahead)
-                      : shortest_look_ahead_;
-    look_ahead_ = std::min(look_ahead_, longest_);
-    last_decision_ = time();
+    look_ahead_.note_decision(time(), longest_);
     const auto passes = [](const Guard<Real>& guard) { return guard.change == Change::corner; };
     state_.joints = std::move(touching);
     hold();
     if (std::any_of(found.guards.begin(), found.guards.end(), passes))
       note(EventKind::corner, interface, before, state_.bodies.rate);
-    decide(before, series.at(found.s + look_ahead_ / series.length), look_ahead_);
+    decide(before, series.at(found.s + look_ahead_.time / series.length), look_ahead_.time);
   }
 
   /// Puts bodies onto joints, and takes from velocities what joints do not leave.
@@ -196,7 +180,7 @@ class ContactSolver {
 
   /// An impact of joints that touch.
   void meet(const Joints<Real>& before, Joints<Real> touching, int interface) {
-    last_decision_ = -1;
+    look_ahead_.note_impact();
     const Poses<Real> rates = state_.bodies.rate;
     close_negligible(stack_, chatter_, state_.bodies, touching);
     place(stack_, touching, state_.bodies);
@@ -220,7 +204,7 @@ class ContactSolver {
     decided_ = true;
     const Joints<Real> touching = state_.joints;
     const FreeVector<Real> free = free_acceleration(later, bodies);
-    const Joints<Real> joined = later > 0 ? fresh_.joined(touching, time(), 2 * look_ahead_) : touching;
+    const Joints<Real> joined = later > 0 ? fresh_.joined(touching, time(), 2 * look_ahead_.time) : touching;
     Joints<Real> joints = joined;
     const ContactQuestion<Real> question{stack_, bodies, free, ContactLevel::accelerations};
     auto mode = find_mode(question, joints);
@@ -244,7 +228,7 @@ class ContactSolver {
   Joints<Real> follow_without_solution(const Joints<Real>& joints) {
     const Poses<Real> rates = state_.bodies.rate;
     const FreeVector<Real> velocities = vector_of(rates);
-    const FreeVector<Real> kicked = velocities + shortest_look_ahead_ * free_acceleration(0, state_.bodies);
+    const FreeVector<Real> kicked = velocities + look_ahead_.shortest * free_acceleration(0, state_.bodies);
     const auto mode = find_mode<Real>({stack_, state_.bodies, kicked, ContactLevel::velocities}, joints);
     if (!mode) stop("no impulses let the motion go on at");
     const ModeResponse<Real> response =
@@ -308,18 +292,16 @@ class ContactSolver {
   ContactChatter<Real> chatter_;
   FreshJoints<Real> fresh_;
   std::vector<Real> toppling_angles_;
-  Real across_{};               ///< gravity across the ground, m/s²
-  Real unit_time_{};            ///< √(H/g), s
-  Real shortest_look_ahead_{};  ///< s
-  Real look_ahead_{};           ///< s
-  Real shortest_step_{};        ///< s
-  Real longest_{};              ///< step, s
-  Real offset_ = 0;             ///< into the current piece, s
+  Real across_{};     ///< gravity across the ground, m/s²
+  Real unit_time_{};  ///< √(H/g), s
+  LookAhead<Real> look_ahead_;
+  Real shortest_step_{};  ///< s
+  Real longest_{};        ///< step, s
+  Real offset_ = 0;       ///< into the current piece, s
   ContactState<Real> state_;
   SpringContacts<Real> springs_;
-  bool decided_ = false;     ///< the step starts at an event
-  Real last_decision_ = -1;  ///< s; negative: none since the last impact
-  Real burst_start_ = 0;     ///< s
+  bool decided_ = false;  ///< the step starts at an event
+  Real burst_start_ = 0;  ///< s
   int burst_ = 0;
   bool ended_ = false;
   ContactRecorder<Real> recorder_;

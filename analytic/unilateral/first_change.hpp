@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <utility>
-
 #include "analytic/polynomials/crossing.hpp"
 #include "analytic/unilateral/series/guards.hpp"
 

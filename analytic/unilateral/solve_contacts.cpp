@@ -1,7 +1,5 @@
 #include "analytic/unilateral/solve_contacts.hpp"
 
-#include <utility>
-
 #include "analytic/unilateral/contact_solver.hpp"
 
 namespace rockstack {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <stdexcept>
-#include <string>
-#include <utility>
-
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/unilateral/contact_history.hpp"
 

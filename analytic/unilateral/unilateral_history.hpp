@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include "analytic/scene/history.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
 #include "analytic/unilateral/contact_history.hpp"

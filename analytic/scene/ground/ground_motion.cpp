@@ -1,7 +1,6 @@
 #include "analytic/scene/ground/ground_motion.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rockstack {
 namespace {

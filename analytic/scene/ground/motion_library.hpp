@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <string>
 
 #include "analytic/scene/ground/ground_motion.hpp"
 #include "analytic/scene/ground/synthetic.hpp"

@@ -1,8 +1,6 @@
 #include "analytic/scene/ground/synthetic.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numbers>
 #include <random>
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/one_line.hpp"
 

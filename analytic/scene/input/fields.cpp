@@ -1,7 +1,6 @@
 #include "analytic/scene/input/fields.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/scene.hpp"

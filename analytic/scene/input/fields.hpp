@@ -1,10 +1,7 @@
 #pragma once
 
 #include <initializer_list>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "analytic/scene/input/document.hpp"
 

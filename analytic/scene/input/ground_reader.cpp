@@ -1,7 +1,5 @@
 #include "analytic/scene/input/ground_reader.hpp"
 
-#include <utility>
-
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/ground/synthetic.hpp"
 #include "analytic/scene/input/fields.hpp"

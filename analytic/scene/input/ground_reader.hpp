@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "analytic/scene/ground/ground_motion.hpp"
 #include "analytic/scene/ground/motion_library.hpp"
 #include "analytic/scene/input/document.hpp"

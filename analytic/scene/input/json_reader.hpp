@@ -2,9 +2,6 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 
 #include "analytic/scene/messages/input_error.hpp"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "analytic/scene/ground/motion_library.hpp"
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/scene.hpp"

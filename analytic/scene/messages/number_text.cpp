@@ -1,7 +1,5 @@
 #include "analytic/scene/messages/number_text.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace rockstack {

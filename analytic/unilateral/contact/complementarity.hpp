@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <optional>
-#include <vector>
-
 #include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <utility>
-
 #include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
 

@@ -1,12 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
 #include <utility>
-#include <vector>
 
 #include "analytic/scene/kinematics.hpp"
 

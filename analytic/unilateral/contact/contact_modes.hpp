@@ -1,10 +1,5 @@
 #pragma once
 
-#include <Eigen/LU>
-#include <algorithm>
-#include <limits>
-#include <optional>
-
 #include "analytic/unilateral/contact/complementarity.hpp"
 #include "analytic/unilateral/contact/contact_laws.hpp"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/LU>
-#include <stdexcept>
 
 #include "analytic/unilateral/contact/contact_kinematics.hpp"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "analytic/unilateral/contact/contact_laws.hpp"
 #include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/series/mode_series.hpp"

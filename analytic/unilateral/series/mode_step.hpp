@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/LU>
-#include <utility>
-
 #include "analytic/steps/body_force.hpp"
 #include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
@@ -135,11 +132,7 @@ class SeriesMaker {
     }
     for (ForceSeries<Real>& force : series_.forces)
       for (Polynomial<Real>* part : {&force.normal, &force.tangential, &force.moment}) put(*part, n, 0);
-    for (GrowingPoint<Real>& point : points_) {
-      point.extend(m);
-      point.extend_force(series_.forces[point.interface()], n);
-    }
-    known_.extend_places(m);
+    extend_points(n);
     known_.extend_forces(n, series_.forces);
     FreeVector<Real> motion = stack_.inverse_mass.cwiseProduct(forces(n));
     held_.constrain(points_, n, motion, series_.forces);
@@ -151,11 +144,7 @@ class SeriesMaker {
       body.angle[m] = motion[first + 2] / factor;
       extend_direction(body, m);
     }
-    for (GrowingPoint<Real>& point : points_) {
-      point.extend(m);
-      point.extend_force(series_.forces[point.interface()], n);
-    }
-    known_.extend_places(m);
+    extend_points(n);
   }
 
   /// The largest coefficient of order m, positions over a length, angles and directions as they are.
@@ -207,6 +196,15 @@ class SeriesMaker {
     body.cosine = {cos(at.angle)};
     body.sine = {sin(at.angle)};
     extend_direction(body, 1);
+  }
+
+  /// Contacts and springs to order n of forces.
+  void extend_points(std::size_t n) {
+    for (GrowingPoint<Real>& point : points_) {
+      point.extend(n + 2);
+      point.extend_force(series_.forces[point.interface()], n);
+    }
+    known_.extend_places(n + 2);
   }
 
   const BodySeries<Real>* body_of(int body) const { return body < 0 ? &ground_ : &series_.bodies[body]; }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <utility>
-
 #include "analytic/polynomials/crossing.hpp"
 #include "analytic/unilateral/springs/spring_rounding.hpp"
 #include "analytic/unilateral/springs/spring_series.hpp"

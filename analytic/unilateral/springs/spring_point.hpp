@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "analytic/unilateral/contact/contact_kinematics.hpp"
 #include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/springs/winkler_bed.hpp"

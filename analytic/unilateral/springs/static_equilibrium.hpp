@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/LU>
-
 #include "analytic/unilateral/contact/contact_laws.hpp"
 #include "analytic/unilateral/springs/spring_point.hpp"
 

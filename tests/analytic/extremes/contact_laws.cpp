@@ -10,13 +10,13 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-bool all_finite(const std::vector<Pose>& poses) {
+bool all_finite(const Poses<>& poses) {
   return std::all_of(poses.begin(), poses.end(), [](const Pose<>& pose) {
     return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.angle);
   });
 }
 
-double kinetic(Scene scene, const std::vector<Pose>& rates) {
+double kinetic(Scene scene, const Poses<>& rates) {
   scene.gravity = 0;
   return energy(scene, {rates, rates});
 }

@@ -225,8 +225,8 @@ bool parts_within_an_instant(const History& history, const QuadHistory& other, s
 
 bool parts_at_decision(const Scene& scene, const History& history, std::size_t event) {
   if (!leaves_pivots(scene.law)) return false;
-  constexpr double moment_of_double = 1e-7;
-  const Agreement agreement = compare(history, reference(scene, {}, moment_of_double));
+  constexpr double look_ahead_of_double = 1e-7;
+  const Agreement agreement = compare(history, reference(scene, {}, look_ahead_of_double));
   return !agreement.parts || *agreement.parts > event;
 }
 

@@ -14,7 +14,7 @@ using QuadHistory = BasicHistory<Quad>;
 
 /// The reference: the solver's templates at 113 bits. Chatter ends by double's rule, at flights below the
 /// rounding of an angle in double, so that both count the same events. Under law unilateral events decide for
-/// `moment` √(H/g) later; 0: for what goes with 113 bits.
+/// `look_ahead` √(H/g) later; 0: for what goes with 113 bits.
 /// @throws std::runtime_error where the model cannot go on.
 QuadHistory reference(const Scene& scene, std::vector<double> sample_times = {}, double look_ahead = 0);
 

@@ -44,15 +44,16 @@ TEST(UnilateralClosedForms, SlideRockFromRestHasItsAccelerations) {
   const double h = 2;
   const double friction = 0.6;
   const ContactModel<> stack(scene.blocks, {friction});
-  std::vector<Joint> joints(1);
+  Joints<double> joints(1);
   Bodies<> bodies{{{}}, {{}}};
   place(stack, joints, bodies);
   FreeVector<> free(3);
   free << -g, -g, 0;
-  const auto mode = find_mode(stack, joints, bodies, free, ContactLevel::accelerations);
+  const ContactQuestion<> question{stack, bodies, free, ContactLevel::accelerations};
+  const auto mode = find_mode(question, joints);
   ASSERT_TRUE(mode);
   EXPECT_EQ(name(*mode), "L<");
-  const ModeResponse<> response = respond(stack, *mode, bodies, free, ContactLevel::accelerations);
+  const ModeResponse<> response = respond(question, *mode);
   const double turning = 3 * g * (friction * h - b) / (4 * b * b + h * h - 3 * friction * b * h);
   EXPECT_NEAR(-response.motion[2], turning, round_off * g);
   EXPECT_NEAR(response.forces[0].normal, scene.blocks[0].mass * (g + b * turning),
@@ -68,16 +69,17 @@ TEST(UnilateralClosedForms, ARockingImpactKeepsItsShareOfTheVelocity) {
     const double sticks = 3 * r / (1 + 4 * r * r);
     for (const double friction : {0.1, 0.9 * sticks, 1.1 * sticks, 2.0}) {
       const ContactModel<> stack(scene.blocks, {friction});
-      std::vector<Joint> joints(1);
+      Joints<double> joints(1);
       joints[0].touch = Touch::right;
       Bodies<> bodies{{{}}, {{}}};
       bodies.rate[0].angle = -1;
       place(stack, joints, bodies);
       const FreeVector<> before = vector_of(bodies.rate);
       joints[0].touch = Touch::flat;
-      const auto mode = find_mode(stack, joints, bodies, before, ContactLevel::velocities);
+      const ContactQuestion<> question{stack, bodies, before, ContactLevel::velocities};
+      const auto mode = find_mode(question, joints);
       ASSERT_TRUE(mode);
-      const FreeVector<> after = respond(stack, *mode, bodies, before, ContactLevel::velocities).motion;
+      const FreeVector<> after = respond(question, *mode).motion;
       const double sliding = (r * r - 2 + 3 * friction * r) / (4 + r * r - 3 * friction * r);
       if (r * r + 3 * friction * r <= 2) continue;
       EXPECT_NEAR(-after[2], friction >= sticks ? 1 - 1.5 / (1 + r * r) : sliding, round_off)

@@ -190,7 +190,7 @@ TEST(UnilateralLaws, AFlyingStackKeepsItsMomentum) {
   }
 }
 
-std::vector<Pose> mirrored(std::vector<Pose> poses) {
+Poses<> mirrored(Poses<> poses) {
   for (Pose<>& pose : poses) {
     pose.x = -pose.x;
     pose.angle = -pose.angle;
@@ -198,7 +198,7 @@ std::vector<Pose> mirrored(std::vector<Pose> poses) {
   return poses;
 }
 
-void expect_equal(const std::vector<Pose>& one, const std::vector<Pose>& other, std::uint64_t seed) {
+void expect_equal(const Poses<>& one, const Poses<>& other, std::uint64_t seed) {
   for (std::size_t k = 0; k < one.size(); ++k) {
     EXPECT_EQ(one[k].x, other[k].x) << seed;
     EXPECT_EQ(one[k].y, other[k].y) << seed;

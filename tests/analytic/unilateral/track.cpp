@@ -92,7 +92,7 @@ Track track_of(const Scene& scene, const History& history) {
   return up_to_its_end(std::move(track));
 }
 
-std::vector<double> angles_of(const std::vector<Pose>& poses) {
+std::vector<double> angles_of(const Poses<>& poses) {
   std::vector<double> angles(poses.size());
   std::transform(poses.begin(), poses.end(), angles.begin(), [](const Pose<>& pose) { return pose.angle; });
   return angles;

@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <utility>
 
 #include "analytic/scene/ground/records/format.hpp"
 #include "analytic/scene/ground/records/units.hpp"

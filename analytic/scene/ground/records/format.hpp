@@ -1,9 +1,6 @@
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "analytic/scene/ground/records/record.hpp"
 #include "analytic/scene/ground/records/text.hpp"

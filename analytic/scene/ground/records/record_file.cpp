@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <system_error>
-#include <utility>
 
 #include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/ground/records/format.hpp"

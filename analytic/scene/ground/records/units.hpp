@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string_view>
-
 #include "analytic/scene/ground/records/text.hpp"
 
 namespace rockstack::records {

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "analytic/events/chatter.hpp"
+#include "analytic/mechanics/impact.hpp"
+#include "analytic/solver/recorder.hpp"
+
+namespace rockstack {
+
+/// What follows where interfaces close: an impact, or the end of chatter.
+template <class Real, int N>
+class Collisions {
+ public:
+  /// Keeps references to `scene` and `model`, its model.
+  Collisions(const Scene& scene, const Model<Real, N>& model, const SolveOptions& options)
+      : scene_(scene),
+        model_(model),
+        upright_(upright_model(scene)),
+        end_of_chatter_(model, resolution_of(options)),
+        zeno_(model, resolution_of(options)),
+        sums_chatter_(options.events == EventsKept::summed && zeno_.pays() && !upright_) {}
+
+  /// As EndOfChatter tells.
+  bool negligibly_open(const State<Real, N>& state, int k) const {
+    return end_of_chatter_.negligibly_open(state, k);
+  }
+
+  /// What follows an impact, `offset` into a ground piece; `directions` are those at its state.
+  Resolution<Real, N> outcome(const Impact<Real, N>& impact, const Directions<Real, N>& directions,
+                              const GroundPiece<Real>& piece, const Real& offset,
+                              const Recorder<Real, N>& recorder) {
+    const Model<Real, N>& model = upright_ ? *upright_ : model_;
+    const BeforeImpact<Real, N> before =
+        upright_ ? before_impact(model, impact.before) : before_impact(model, impact.before, directions);
+    Resolution<Real, N> resolution = resolve(model, impact, before, scene_.law);
+    PatternSolution<Real, N>& solution = resolution.solution;
+    if (!scene_.restitution.empty()) {
+      if (const auto own = restored(model, impact, before, solution.pattern, scene_.restitution))
+        solution = *own;
+    }
+    const auto without_slow = [&] {
+      return end_of_chatter_.without_slow({solution.pattern, impact.before.angles, solution.relative},
+                                          impact.touching(), directions, piece.at(offset));
+    };
+    for (Pattern slow = without_slow(); !(slow == solution.pattern); slow = without_slow()) {
+      solution = velocities_after(model, before, slow);
+      resolution.closes = true;
+    }
+    if (sums_chatter_ && !resolution.closes) {
+      if (const auto rest =
+              negligible_rest({impact, before, solution, piece, offset, recorder.events()}, recorder)) {
+        solution = rest->closure;
+        resolution.closes = true;
+      }
+    }
+    return resolution;
+  }
+
+ private:
+  /// What impacts of small-angle equations are resolved with: the stack as it is, upright.
+  static std::optional<Model<Real, N>> upright_model(const Scene& scene) {
+    if (scene.equations != Equations::small_angle) return std::nullopt;
+    return Model<Real, N>{make_stack<Real, N>(scene), make_model<Real, N>(scene).gravity, Equations::linear};
+  }
+
+  static Real resolution_of(const SolveOptions& options) {
+    return options.resolution > 0 ? Real(options.resolution) : std::numeric_limits<Real>::epsilon();
+  }
+
+  /// What is left of chatter, where it neither moves the motion nor holds what is asked for.
+  std::optional<RestOfChatter<Real, N>> negligible_rest(
+      const typename ZenoSummation<Real, N>::Landing& landing, const Recorder<Real, N>& recorder) {
+    const PatternSolution<Real, N>& after = landing.after;
+    if (!zeno_.harmless(landing) || recorder.keeps(after)) return std::nullopt;
+    const State<Real, N> open{after.pattern, landing.impact.before.angles, after.relative};
+    const Point<Real> ground = landing.piece.at(landing.offset);
+    auto rest = zeno_.rest(landing, end_of_chatter_.fastest_return(open, ground));
+    if (rest && recorder.wants(*rest, landing.piece.start + landing.offset)) rest.reset();
+    return rest;
+  }
+
+  const Scene& scene_;
+  const Model<Real, N>& model_;
+  std::optional<Model<Real, N>> upright_;  ///< of impacts, where they need one of their own
+  EndOfChatter<Real, N> end_of_chatter_;
+  ZenoSummation<Real, N> zeno_;
+  bool sums_chatter_;
+};
+
+}  // namespace rockstack
