@@ -44,7 +44,7 @@ struct Bearing {
 };
 
 /// The bearing through the rest of a ground piece; its tilt is infinite where there is a pulse in it, or
-/// where the ground falls away. Straight courses have their extremes at their ends, and so has their ratio.
+/// where the ground falls away. Straight lines have their extremes at their ends, and so has their ratio.
 template <class Real>
 Bearing<Real> bearing(const Real& gravity, const GroundPiece<Real>& piece, const Real& offset) {
   Bearing<Real> result{std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()};

@@ -39,7 +39,7 @@ class Solver {
   }
 
   /// @throws std::runtime_error with the time where no pattern lets the motion go on, events do not come to
-  /// an end (stall_guard.hpp, tie_breaker.hpp), or numbers leave the range of their type; IllConditioned for
+  /// an end (tie_breaker.hpp), or numbers leave the range of their type; IllConditioned for
   /// masses or sizes too far apart for the number type.
   BasicHistory<Real> run() {
     start();

@@ -100,7 +100,7 @@ class SpringGuards {
   void add_sliding(const GrowingSpring<Real>& spring) {
     const PointLaw<Real>& law = spring.law;
     const Polynomial<Real>& normal = spring.force.normal;
-    // What parts has no force left along the face either: it does not slide a moment before.
+    // What parts has no force left along the face either: it does not slide just before.
     const std::optional<Real> parts = spring.start.is_bed() ? std::nullopt : first_crossing(normal);
     const Real until =
         parts && *parts > parting_look_ahead<Real> ? Real(*parts - parting_look_ahead<Real>) : Real(1);
