@@ -5,6 +5,7 @@
 
 #include "analytic/scene/ground/records/format.hpp"
 #include "analytic/scene/ground/records/units.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack::records {
 namespace {
@@ -134,8 +135,8 @@ double constant_step(const Cursor& cursor, const Table& table) {
   for (std::size_t k = 1; k < times.size(); ++k) {
     const double expected = times.front() + static_cast<double>(k) * step;
     if (std::abs(times[k] - expected) > step_tolerance * step) {
-      cursor.fail_at(table.lines[k],
-                     "time " + shown(times[k]) + " where a constant step gives " + shown(expected));
+      cursor.fail_at(table.lines[k], "time " + number_text(times[k]) + " where a constant step gives " +
+                                         number_text(expected));
     }
   }
   return step;
@@ -206,7 +207,8 @@ std::vector<Record> read(Cursor cursor) {
   if (one_each && table.rows.back().size() < table.columns()) fail_uneven(cursor, table);
   const double step = times ? constant_step(cursor, table) : *header.interval;
   if (header.interval && std::abs(step - *header.interval) > step_tolerance * step) {
-    cursor.fail("times step by " + shown(step) + " s, the header says dt = " + shown(*header.interval));
+    cursor.fail("times step by " + number_text(step) +
+                " s, the header says dt = " + number_text(*header.interval));
   }
   std::vector<std::vector<double>> series;
   if (times) {

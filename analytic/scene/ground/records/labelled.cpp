@@ -3,6 +3,7 @@
 
 #include "analytic/scene/ground/records/format.hpp"
 #include "analytic/scene/ground/records/units.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack::records {
 namespace {
@@ -191,7 +192,7 @@ std::vector<Record> read_knet(Cursor cursor) {
   const double announced = header.frequency * header.duration;
   if (samples.empty() || !(std::abs(static_cast<double>(samples.size()) - announced) < 0.5)) {
     cursor.fail("the file ends after " + std::to_string(samples.size()) +
-                " values; frequency and duration announce " + shown(announced));
+                " values; frequency and duration announce " + number_text(announced));
   }
   const double sum = std::accumulate(samples.begin(), samples.end(), 0.0);
   const double offset = sum / static_cast<double>(samples.size());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack::records {
 namespace {
@@ -76,11 +77,6 @@ std::string quoted(std::string_view text) {
   std::replace_if(
       shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return "'" + shown + (text.size() > longest ? "…'" : "'");
-}
-
-std::string shown(double value) {
-  std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
 std::string lower(std::string_view text) {
@@ -161,7 +157,7 @@ std::size_t count(const Cursor& cursor, std::string_view field) {
 
 double checked_interval(const Cursor& cursor, double interval) {
   if (!(interval > 0) || !(interval < largest)) {
-    cursor.fail("time step is " + shown(interval) + " s: must be > 0");
+    cursor.fail("time step is " + number_text(interval) + " s: must be > 0");
   }
   return interval;
 }

@@ -43,9 +43,6 @@ struct Columns {
 /// A piece of the file for an error message: printable, in quotes, cut after 40 characters.
 std::string quoted(std::string_view text);
 
-/// The shortest decimal that reads back as `value`.
-std::string shown(double value);
-
 std::string lower(std::string_view text);  ///< A–Z only, whatever the locale
 std::string_view trimmed(std::string_view text);
 bool contains(std::string_view text, std::string_view lower_case_part);  ///< upper and lower case alike
