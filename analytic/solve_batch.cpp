@@ -109,21 +109,6 @@ class Lanes {
   StepRows<N> rows_;
 };
 
-/// One scene after the other.
-class OneByOne {
- public:
-  OneByOne(const SolveOptions& options, const Deliver& deliver) : options_(options), deliver_(deliver) {}
-
-  void add(std::size_t number, const Scene& scene) const {
-    Ending ending = alone(scene, options_);
-    deliver_({number, scene, std::move(ending.history), ending.failure});
-  }
-
- private:
-  const SolveOptions& options_;
-  const Deliver& deliver_;
-};
-
 /// None for one scene after the other.
 const StepKernels* kernels(InstructionSet set) {
   const auto& sets = instruction_sets();
@@ -145,16 +130,8 @@ bool fits(const SolveOptions& options) {
 }  // namespace
 
 std::string name(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::sse2:
-      return "SSE2";
-    case InstructionSet::avx2:
-      return "AVX2";
-    case InstructionSet::avx512:
-      return "AVX-512";
-    default:
-      return "scalar";
-  }
+  static constexpr std::array names{"scalar", "SSE2", "AVX2", "AVX-512"};
+  return names[static_cast<std::size_t>(set)];
 }
 
 const std::vector<InstructionSet>& instruction_sets() {
@@ -174,10 +151,13 @@ void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveO
                  const Deliver& deliver, InstructionSet set) {
   const StepKernels* const side_by_side = kernels(set);
   const StepKernels* const made_by = fits(options) ? side_by_side : nullptr;
-  const OneByOne others(options, deliver);
+  const auto by_itself = [&](std::size_t number, const Scene& scene) {
+    Ending ending = alone(scene, options);
+    deliver({number, scene, std::move(ending.history), ending.failure});
+  };
   std::size_t number = 0;
   if (made_by == nullptr) {
-    while (std::optional<Scene> scene = next()) others.add(number++, *scene);
+    while (std::optional<Scene> scene = next()) by_itself(number++, *scene);
     return;
   }
   Lanes<1> one[]{{false, made_by->one_block, options, deliver}, {true, made_by->one_block, options, deliver}};
@@ -200,7 +180,7 @@ void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveO
         three[kind].add(number, std::move(*scene));
         break;
       default:
-        others.add(number, *scene);
+        by_itself(number, *scene);
     }
   }
   for (Lanes<1>& lanes : one) lanes.finish();
