@@ -112,7 +112,7 @@ std::string LimitTally::add(std::uint64_t seed, double share) {
   const Scene scene = equal_widths(seed);
   const SolveOptions options{.sample_times = regular_times(scene.duration / 200, scene.duration)};
   const ContactHistory<> equal = solve_unilateral(scene, options);
-  std::vector<ContactHistory> limits;
+  std::vector<ContactHistory<>> limits;
   for_all_ways(scene, [&](unsigned wider) {
     limits.push_back(solve_unilateral(widened(scene, wider, share), options));
   });
