@@ -71,7 +71,7 @@ TEST(WinklerBed, HasItsMomentBeforeAndAfterUplift) {
   for (const auto& sample : history.samples) {
     const BasicReaction<double>& reaction = sample.springs.front().reaction;
     const double angle = sample.bodies.at[0].angle;
-    const double look_ahead = reaction.normal * reaction.centre;
+    const double moment = reaction.normal * reaction.centre;
     const double lean = std::sin(std::abs(angle));
     const double uplift = reaction.normal / (2 * stiffness * b * b);
     const bool up = lean > uplift;

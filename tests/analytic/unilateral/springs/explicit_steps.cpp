@@ -28,7 +28,7 @@ struct Meeting {
 struct Push {
   double normal, tangential;
   double stretch_rate;
-  double look_ahead = 0;  ///< of a bed's pressure about its middle, to the right positive, N·m
+  double moment = 0;  ///< of a bed's pressure about its middle, to the right positive, N·m
 };
 
 /// What a bed of half-width b bears by a depth and a pressure that go linearly along it, as those of its
