@@ -5,11 +5,34 @@
 
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
-#include "engines/contact_record.hpp"
 #include "engines/setup.hpp"
 #include "engines/trajectory.hpp"
 
 namespace rockstack {
+
+/// Where a block is: its centre in m and its angle in rad, clockwise positive.
+struct BlockPose {
+  double x = 0, y = 0;
+  double angle = 0;
+};
+
+/// How a block stands on what is under it.
+struct InterfaceState {
+  /// How deep a corner of either body lies below the face of the other that it is over, m, negative where it
+  /// is above it; −∞ where none is over it.
+  double depth = 0;
+  /// How far the block has slipped to the right along what is under it, m: by its pivot on the side to which
+  /// it leans, along the face. The pivot is the end of the faces' overlap there: a corner of the block, or of
+  /// the body below where that corner is past the end of its face.
+  double slip = 0;
+};
+
+/// Of the lowest block on the ground, whose face is y = 0.
+InterfaceState on_ground(const Block& block, const BlockPose& pose);
+
+/// Of a block on another.
+InterfaceState on_block(const Block& lower, const BlockPose& lower_pose, const Block& upper,
+                        const BlockPose& upper_pose);
 
 /// What the bodies of an engine did that angles alone do not tell, over one run. SI units, in the ground's
 /// frame.
@@ -51,10 +74,5 @@ inline bool needs_bodies(const Scene& scene, bool bodies) {
 /// A trajectory of the scene that `setup` was made of. Precondition: it tells bodies where
 /// needs_bodies(scene, bodies).
 EngineRun account_of(const Scene& scene, const Setup& setup, Trajectory trajectory, bool bodies);
-
-/// Runs a scene for its duration in this process; `bodies`: keeps a BodyRecord.
-/// @throws as set_up() and run().
-EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters,
-                   bool bodies = false);
 
 }  // namespace rockstack

@@ -2,14 +2,79 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
-#include "engines/ground_path.hpp"
-#include "engines/placement.hpp"
+#include "analytic/scene/kinematics.hpp"
 
 namespace rockstack {
 namespace {
+
+/// ∫ (end − t) a(t) dt over [from, to], on which the acceleration is smooth.
+double smooth_moment(const GroundMotion& motion, double from, double to, double end) {
+  // Gauss–Legendre on [−1, 1].
+  static constexpr std::array<double, 3> points{0, 0.5384693101056831, 0.9061798459386640};
+  static constexpr std::array<double, 3> weights{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+  const double middle = 0.5 * (from + to);
+  const double half = 0.5 * (to - from);
+  const auto value = [&](double t) { return (end - t) * acceleration(motion, t); };
+  double sum = weights[0] * value(middle);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    sum += weights[i] * (value(middle - half * points[i]) + value(middle + half * points[i]));
+  }
+  return half * sum;
+}
+
+/// The next time after t at which the acceleration is not smooth.
+double next_kink(const GroundMotion& motion, double t) {
+  if (motion.pulse) return t < motion.pulse->start ? motion.pulse->start : motion.end();
+  return motion.interval * (std::floor(t / motion.interval) + 1);
+}
+
+double moment(const GroundMotion& motion, double from, double to) {
+  const double last = std::min(to, motion.end());
+  double sum = 0;
+  for (double t = from; t < last;) {
+    double next = std::min(last, next_kink(motion, t));
+    if (!(next > t)) next = last;  // a kink that rounding puts at t itself
+    sum += smooth_moment(motion, t, next, to);
+    t = next;
+  }
+  return sum;
+}
+
+Vector<double> vector_of(const std::vector<double>& values) {
+  return Vector<double>::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// Says what engines have no equivalent of, rather than leave it out.
+void require_for_engines(const Scene& scene) {
+  if (!scene.restitution.empty())
+    throw std::runtime_error("restitution: must be left out for engines, whose impacts have no such ratio");
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    if (scene.blocks[k].offset_x != 0 || scene.blocks[k].offset_y != 0)
+      throw std::runtime_error(
+          "blocks." + std::to_string(k + 1) +
+          ".center_of_mass: must be left out for engines, which are given uniform boxes");
+  }
+}
+
+/// What slip at the start adds to the velocity of each centre: that of its own interface and of all below.
+Points<double> slip_motions(const Stack<double>& stack, const InitialState& initial) {
+  Points<double> motions = Points<double>::Zero(2, stack.size());
+  Point<double> carried = Point<double>::Zero();
+  for (int k = 0; k < stack.size() && !initial.slip_velocities.empty(); ++k) {
+    const int along = face(stack, k);
+    const double angle = along < 0 ? 0 : initial.angles[static_cast<std::size_t>(along)];
+    carried +=
+        turned(initial.slip_velocities[static_cast<std::size_t>(k)], 0.0, std::cos(angle), std::sin(angle));
+    motions.col(k) = carried;
+  }
+  return motions;
+}
 
 /// True where the engine is to move the ground: all engines that can name the parameter so.
 bool moves_ground(const Parameters& parameters) {
@@ -17,7 +82,76 @@ bool moves_ground(const Parameters& parameters) {
   return shaking != parameters.end() && shaking->second != 0;
 }
 
+/// Along one axis: displacement and velocity of the ground at the start of the next step.
+struct GroundAxis {
+  double displacement = 0, velocity = 0;
+
+  /// Moves on to the end of the step; returns the mean velocity over it.
+  double advance(const GroundMotion& motion, double from, double to) {
+    if (motion.empty()) return 0;
+    const double length = to - from;
+    const double mean = velocity + moment(motion, from, to) / length;
+    displacement += mean * length;
+    velocity += mean_acceleration(motion, from, to) * length;
+    return mean;
+  }
+};
+
 }  // namespace
+
+std::vector<GroundStep> ground_path(const Scene& scene, double dt, std::size_t steps) {
+  std::vector<GroundStep> path;
+  GroundAxis x, y;
+  for (std::size_t step = 0; step < steps; ++step) {
+    const double from = static_cast<double>(step) * dt, to = static_cast<double>(step + 1) * dt;
+    GroundStep& now = path.emplace_back(GroundStep{x.displacement, y.displacement});
+    now.velocity_x = x.advance(scene.horizontal, from, to);
+    now.velocity_y = y.advance(scene.vertical, from, to);
+  }
+  return path;
+}
+
+std::vector<Placement> place(const Scene& scene) {
+  require_for_engines(scene);
+  const Vector<double> angles = vector_of(scene.initial.angles);
+  const Vector<double> velocities = vector_of(scene.initial.velocities);
+  const Pattern pattern = pattern_of(relative(angles), relative(velocities));
+  const Stack<double> stack = make_stack<double>(scene);
+  const Chain<double> chain = make_chain(stack, pattern, angles);
+  const Points<double> middles = centres(chain);
+  const Points<double> motions = centre_velocities(chain, velocities) + slip_motions(stack, scene.initial);
+
+  std::vector<Placement> placements;
+  for (Eigen::Index k = 0; k < angles.size(); ++k) {
+    const Block& block = scene.blocks[static_cast<std::size_t>(k)];
+    const double depth = scene.engine.depth;
+    placements.push_back({.x = middles(0, k),
+                          .y = middles(1, k),
+                          .velocity_x = motions(0, k),
+                          .velocity_y = motions(1, k),
+                          .angle = angles[k],
+                          .angular_velocity = velocities[k],
+                          .width = 2 * block.half_width,
+                          .height = 2 * block.half_height,
+                          .depth = depth,
+                          .mass = block.mass,
+                          .inertia_about_x = rectangle_inertia(block.mass, 0.5 * depth, block.half_height),
+                          .inertia_about_y = rectangle_inertia(block.mass, block.half_width, 0.5 * depth),
+                          .inertia = block.inertia});
+  }
+  return placements;
+}
+
+BodyAcceleration body_acceleration(const Scene& scene) {
+  const Gravity gravity = gravity_of(scene);
+  return {gravity.along, -gravity.across};
+}
+
+BodyAcceleration body_acceleration(const Scene& scene, double from, double to) {
+  const BodyAcceleration still = body_acceleration(scene);
+  return {still.x - mean_acceleration(scene.horizontal, from, to),
+          still.y - mean_acceleration(scene.vertical, from, to)};
+}
 
 Setup set_up(const Scene& scene, double dt, const Parameters& parameters) {
   check_step(dt, scene.duration);
@@ -31,15 +165,13 @@ Setup set_up(const Scene& scene, double dt, const Parameters& parameters) {
   // A duration that is a whole number of steps up to rounding counts as one.
   setup.steps = static_cast<std::size_t>(std::floor(scene.duration / dt + 1e-9));
   if (!is_shaken(scene)) return setup;
-  GroundPath path(scene, dt);
-  for (std::size_t step = 0; step < setup.steps; ++step) {
-    if (moves_ground(parameters)) {
-      setup.ground.push_back(path.next());
-    } else {
-      const double start = static_cast<double>(step) * dt;
-      setup.accelerations.push_back(body_acceleration(scene, start, static_cast<double>(step + 1) * dt));
-    }
+  if (moves_ground(parameters)) {
+    setup.ground = ground_path(scene, dt, setup.steps);
+    return setup;
   }
+  for (std::size_t step = 0; step < setup.steps; ++step)
+    setup.accelerations.push_back(
+        body_acceleration(scene, static_cast<double>(step) * dt, static_cast<double>(step + 1) * dt));
   return setup;
 }
 

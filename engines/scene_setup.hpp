@@ -1,10 +1,32 @@
 #pragma once
 
+#include <vector>
+
 #include "analytic/scene/scene.hpp"
-#include "engines/parameters.hpp"
+#include "engines/engine.hpp"
 #include "engines/setup.hpp"
 
 namespace rockstack {
+
+/// How the ground moves under a scene's accelerations, from rest at t = 0: displacements are their double
+/// integral, exact for straight lines between samples and by Gauss's rule with five points for pulses: to
+/// rounding for steps of up to a fifth of their period. Precondition: dt > 0, in s.
+std::vector<GroundStep> ground_path(const Scene& scene, double dt, std::size_t steps);
+
+/// Bottom to top: pivots touch, centres move as the pattern and the slips of the initial state make them.
+/// @throws std::runtime_error for a restitution, or a centre of mass off a block's middle, in one line.
+std::vector<Placement> place(const Scene& scene);
+
+/// Gravity alone, in the axes of the ground.
+BodyAcceleration body_acceleration(const Scene& scene);
+
+/// Gravity less the mean ground acceleration over [from, to], from < to.
+BodyAcceleration body_acceleration(const Scene& scene, double from, double to);
+
+/// True where a ground motion makes body_acceleration() change with time.
+inline bool is_shaken(const Scene& scene) {
+  return !scene.horizontal.empty() || !scene.vertical.empty();
+}
 
 /// A scene, shaken in the way that the setting `shaking` asks for, as an engine is told it; dt in s.
 /// @throws std::invalid_argument as check_step(); std::runtime_error as place().

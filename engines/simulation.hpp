@@ -2,22 +2,47 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
-#include <span>
+#include <limits>
 #include <vector>
 
-#include "engines/contact_point.hpp"
+#include "engines/setup.hpp"
 
 namespace rockstack {
 
-/// Where a block's centre is and how it moves, in the frame in which the engine works: the ground's, or
-/// where the ground really moves, that of its start. SI units; z is out of the plane.
+/// Where a block is and how it moves, in the frame in which the engine works: the ground's, or where the
+/// ground really moves, that of its start. SI units; z is out of the plane.
 struct BodyState {
-  double x = 0, y = 0;                    ///< m
+  double x = 0, y = 0;                    ///< of the centre, m
   double velocity_x = 0, velocity_y = 0;  ///< m/s
+  double angle = 0;                       ///< rad, clockwise positive, unwrapped from the block's start
+  double angular_velocity = 0;            ///< rad/s
   double z = 0;                           ///< m
   double tilt = 0;                        ///< sine of the angle out of the plane
 };
+
+/// A point at which an engine lets two bodies touch, as it was used in the last step. SI units.
+struct ContactPoint {
+  std::size_t interface = 0;  ///< of the upper of both bodies, from 0, bottom to top
+  double along = 0;           ///< place along the upper body's lower face, from its middle to the right, m
+  double gap_before = 0;      ///< where the step starts and the engine finds the point, m; negative: overlap
+  double gap = 0;             ///< where the step ends: the bodies' points moved on, along the same normal, m
+  double normal = 0;          ///< impulse of the step that pushes the bodies apart, N·s
+  double tangential = 0;      ///< magnitude of the impulse across that, N·s
+  double stiffness = std::numeric_limits<double>::infinity();  ///< N/m where it is a spring, else infinite
+  double damping = 0;  ///< N s/m where a dashpot is beside the spring; without meaning where there is none
+};
+
+/// Stiffness of a contact that takes away the share `erp` of its overlap in a step of `dt` s and gives way by
+/// `cfm` m/s for a force of 1 N: a spring and a dashpot, integrated by the implicit Euler method (ODE's
+/// manual, section 3.8.2). N/m; infinite for cfm = 0.
+inline double contact_stiffness(double erp, double cfm, double dt) {
+  return cfm > 0 ? erp / (dt * cfm) : std::numeric_limits<double>::infinity();
+}
+
+/// The damping of the dashpot beside that spring, N s/m; infinite for cfm = 0.
+inline double contact_damping(double erp, double cfm) {
+  return cfm > 0 ? (1 - erp) / cfm : std::numeric_limits<double>::infinity();
+}
 
 /// A scene inside an engine, ready to step. Blocks count from 0, bottom to top.
 class Simulation {
@@ -26,10 +51,6 @@ class Simulation {
 
   /// Advances by one time step; ground motion enters as its mean over the step.
   virtual void step() = 0;
-
-  /// Writes the angles (rad, clockwise positive, from the rotation, unwrapped from the block's start) and
-  /// angular velocities (rad/s) of all blocks.
-  virtual void read(std::span<double> angles, std::span<double> velocities) const = 0;
 
   virtual BodyState body(std::size_t block) const = 0;
 
@@ -44,9 +65,47 @@ class Simulation {
   virtual std::size_t warnings() const { return 0; }
 };
 
+/// What adapters share: each step is told how the ground moves. Where the setup has ground motion, it is
+/// either that of a ground that really moves or a body force; once the scene is over nothing changes any
+/// more.
+class ShakenSimulation : public Simulation {
+ public:
+  void step() final {
+    const std::size_t now = steps_++;
+    if (now < ground_.size()) place_ground(ground_[now]);
+    if (now < accelerations_.size()) set_gravity(accelerations_[now]);
+    advance();
+  }
+  bool watch_contacts() override { return watched_ = true; }
+
+ protected:
+  explicit ShakenSimulation(const Setup& setup)
+      : dt_(setup.dt), ground_(setup.ground), accelerations_(setup.accelerations) {}
+
+  double dt() const { return dt_; }
+  bool watches_contacts() const { return watched_; }
+  /// True where the ground really moves.
+  bool moves_ground() const { return !ground_.empty(); }
+  /// The ground in the next step; null where it rests or the scene is over.
+  const GroundStep* next_ground() const { return steps_ < ground_.size() ? &ground_[steps_] : nullptr; }
+  std::size_t steps() const { return steps_; }
+
+ private:
+  /// Puts a ground that really moves where the step under way starts.
+  virtual void place_ground(const GroundStep& /*ground*/) {}
+  virtual void set_gravity(const BodyAcceleration& acceleration) = 0;
+  virtual void advance() = 0;
+
+  double dt_;
+  std::vector<GroundStep> ground_;
+  std::vector<BodyAcceleration> accelerations_;
+  std::size_t steps_ = 0;
+  bool watched_ = false;
+};
+
 /// The angle that differs from `wrapped` by whole turns and lies next to `last`, rad.
 inline double unwrap(double wrapped, double last) {
-  return last + std::remainder(wrapped - last, 2 * std::numbers::pi);
+  return last + std::remainder(wrapped - last, 2 * std::acos(-1.0));
 }
 
 }  // namespace rockstack

@@ -2,24 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <span>
+#include <utility>
 
-#include "analytic/scene/messages/input_error.hpp"
-#include "engines/contact_watch.hpp"
+#include "analytic/scene/messages/field_error.hpp"
 
 namespace rockstack {
 namespace {
 
+/// Of each interface: what its block has less what the block below has.
+std::vector<double> relative_to_below(std::span<const double> values) {
+  std::vector<double> list(values.begin(), values.end());
+  for (std::size_t k = 1; k < values.size(); ++k) list[k] -= values[k - 1];
+  return list;
+}
+
+/// Of each interface: the lesser value of the two bodies that meet there; above the ground that of the block.
+std::vector<double> lesser(const std::vector<Placement>& blocks, double Placement::*value) {
+  std::vector<double> list;
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+    list.push_back(std::min(blocks[k].*value, blocks[k == 0 ? 0 : k - 1].*value));
+  return list;
+}
+
 /// The state that a simulation is in, as the last sample of its trajectory.
 void append(Trajectory& trajectory, const Simulation& simulation, std::size_t blocks, bool bodies) {
-  const std::size_t start = trajectory.angles.size();
-  trajectory.angles.resize(start + blocks);
-  trajectory.velocities.resize(start + blocks);
-  simulation.read(std::span(trajectory.angles).subspan(start),
-                  std::span(trajectory.velocities).subspan(start));
-  for (std::size_t k = 0; bodies && k < blocks; ++k) trajectory.bodies.push_back(simulation.body(k));
+  for (std::size_t k = 0; k < blocks; ++k) {
+    const BodyState body = simulation.body(k);
+    trajectory.angles.push_back(body.angle);
+    trajectory.velocities.push_back(body.angular_velocity);
+    if (bodies) trajectory.bodies.push_back(body);
+  }
 }
 
 double stepping_seconds(Simulation& simulation, std::size_t steps) {
@@ -29,6 +44,95 @@ double stepping_seconds(Simulation& simulation, std::size_t steps) {
 }
 
 }  // namespace
+
+ContactWatch::ContactWatch(const Setup& setup, double largest_friction)
+    : dt_(setup.dt),
+      friction_(setup.friction),
+      widths_(lesser(setup.blocks, &Placement::width)),
+      masses_(lesser(setup.blocks, &Placement::mass)),
+      last_ends_(setup.blocks.size()) {
+  for (double& friction : friction_) friction = std::min(friction, largest_friction);
+}
+
+void ContactWatch::observe(const std::vector<ContactPoint>& points, std::span<const double> angles,
+                           std::span<const double> velocities) {
+  record_.elastic.push_back(elastic_energy(points));
+  add_forces(points);
+  std::vector<Ends> ends = ends_of(points);
+  add_counts(ends);
+  std::vector<double> now_velocities = relative_to_below(velocities);
+  if (samples_ > 0) add_impacts(ends, now_velocities);
+  last_ends_ = std::move(ends);
+  std::vector<double> now_angles = relative_to_below(angles);
+  angles_before_ = samples_ > 0 ? std::move(angles_) : now_angles;
+  angles_ = std::move(now_angles);
+  velocities_ = std::move(now_velocities);
+  ++samples_;
+}
+
+double ContactWatch::elastic_energy(const std::vector<ContactPoint>& points) const {
+  double energy = 0;
+  for (const ContactPoint& point : points) {
+    const bool followed = point.stiffness * dt_ * dt_ <= masses_[point.interface];
+    if (followed && point.gap < 0) energy += 0.5 * point.stiffness * point.gap * point.gap;
+  }
+  return energy;
+}
+
+void ContactWatch::add_forces(const std::vector<ContactPoint>& points) {
+  for (const ContactPoint& point : points) {
+    const double push = std::max(0.0, point.normal);
+    excess_ += std::max(0.0, point.tangential - friction_[point.interface] * push);
+    if (push == 0) continue;
+    record_.complementarity = std::max(record_.complementarity, point.gap * push / dt_);
+    pushed_ += push;
+    rigid_ |= std::isinf(point.stiffness);
+    given_ += point.normal / point.stiffness;
+    damped_ += point.normal * point.damping;
+  }
+  record_.friction_excess = pushed_ > 0 ? excess_ / pushed_ : 0;
+  const bool soft = !rigid_ && given_ != 0;
+  record_.stiffness = soft ? pushed_ / given_ : std::numeric_limits<double>::infinity();
+  record_.damping = soft ? damped_ / pushed_ : 0;
+}
+
+void ContactWatch::add_counts(const std::vector<Ends>& ends) {
+  for (const Ends& both : ends) {
+    for (const End& end : both) {
+      counted_ += end.impulse * end.points;
+      borne_ += end.impulse;
+    }
+  }
+  record_.points = borne_ > 0 ? counted_ / borne_ : 1;
+}
+
+std::vector<ContactWatch::Ends> ContactWatch::ends_of(const std::vector<ContactPoint>& points) const {
+  std::vector<Ends> ends(widths_.size());
+  for (const ContactPoint& point : points) {
+    if (point.normal <= 0) continue;
+    End& end = ends[point.interface][point.along < 0 ? 0 : 1];
+    end.gap = end.impulse > 0 ? std::min(end.gap, point.gap_before) : point.gap_before;
+    end.impulse += point.normal;
+    ++end.points;
+  }
+  return ends;
+}
+
+void ContactWatch::add_impacts(const std::vector<Ends>& ends, const std::vector<double>& velocities) {
+  const double start = static_cast<double>(samples_ - 1) * dt_;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    for (const int side : {-1, 1}) {
+      const std::size_t end = side < 0 ? 0 : 1;
+      const double speed = side * velocities_[k];
+      // An engine that finds contacts by overlap answers a step late.
+      const bool was_off = side * angles_before_[k] < 0;
+      if (ends[k][end].impulse <= 0 || last_ends_[k][end].impulse > 0 || speed <= 0 || !was_off) continue;
+      const double touching = start + ends[k][end].gap / (widths_[k] * speed);
+      const double time = std::clamp(touching, 0.0, static_cast<double>(samples_) * dt_);
+      record_.impacts.push_back({time, static_cast<int>(k) + 1, speed, velocities[k]});
+    }
+  }
+}
 
 bool has_ended(const Setup& setup, const Trajectory& trajectory) {
   const std::size_t blocks = setup.blocks.size();

@@ -1,6 +1,5 @@
-// Bullet beside the exact model. README.md in this folder says what its contacts are, what is set in both
-// sets, what the tuned set changes, and why. `comparisons/tune` ranks sets; those here also hold the
-// conformance tests.
+// Bullet beside the exact model; README.md says what its contacts are and why its sets are as they are.
+// `comparisons/tune` ranks sets; those here also hold the conformance tests.
 //
 // contactStiffness k in N/m and contactDamping c in N s/m make each contact point a spring and a dashpot,
 // through Bullet's own erp = h k/(h k + c) and cfm = 1/(h k + c) with the step h; where both are zero, erp2
@@ -8,13 +7,18 @@
 // its threshold. Bullet's erp and frictionCFM are not here: without joints they change no digit; frictionERP
 // acts with frictionAnchor = 1 alone.
 
-#include <LinearMath/btScalar.h>
+#include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
+
+#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
+#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
+#include <BulletDynamics/MLCPSolvers/btLemkeSolver.h>
+#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
+#include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
 
 #include <limits>
 
 #include "engines/bullet/simulation.hpp"
-#include "engines/engine.hpp"
 
 namespace rockstack {
 namespace {
@@ -29,48 +33,36 @@ constexpr double stiffest = 1e18;
 
 /// What the tuned set changes.
 struct Tuned {
-  double iterations = 50;
-  double erp2 = 0.2;
-  double cfm = 0;
+  double iterations = 50, erp2 = 0.2, cfm = 0;
   bool split = true;
-  double breaking = 0.02;
-  double warmstarting = 0.85;
-  double unit_mass = 0;
+  double breaking = 0.02, warmstarting = 0.85, unit_mass = 0;
 };
 
 Tuned tuned_for(BulletSolver solver) {
-  Tuned tuned;
-  if (solver == BulletSolver::mlcp_pgs) tuned.iterations = 20;
-  if (solver == BulletSolver::nncg) tuned.unit_mass = 1e6;
-  if (single_precision && (solver == BulletSolver::sequential_impulse || solver == BulletSolver::nncg)) {
-    tuned.warmstarting = 0;
+  const double warmstarting = single_precision ? 0 : 0.85;
+  switch (solver) {
+    case BulletSolver::sequential_impulse:
+      return {.warmstarting = warmstarting};
+    case BulletSolver::nncg:
+      return {.warmstarting = warmstarting, .unit_mass = 1e6};
+    case BulletSolver::mlcp_dantzig:
+      return single_precision ? Tuned{.erp2 = 0.01, .cfm = 1e-6, .split = false, .unit_mass = 1}
+                              : Tuned{.erp2 = 0.005, .cfm = 1e-10, .split = false, .unit_mass = 1};
+    case BulletSolver::mlcp_lemke: {
+      const double least = single_precision ? 1e-6 : 1e-5;
+      return {.erp2 = 0.01, .cfm = least, .split = false, .breaking = least, .unit_mass = 1};
+    }
+    case BulletSolver::mlcp_pgs:
+      return {.iterations = 20};
   }
-  if (solver == BulletSolver::mlcp_dantzig || solver == BulletSolver::mlcp_lemke) {
-    tuned.split = false;
-    tuned.unit_mass = 1;
-  }
-  if (solver == BulletSolver::mlcp_dantzig) {
-    tuned.erp2 = single_precision ? 0.01 : 0.005;
-    tuned.cfm = single_precision ? 1e-6 : 1e-10;
-  }
-  if (solver == BulletSolver::mlcp_lemke) {
-    tuned.erp2 = 0.01;
-    tuned.cfm = single_precision ? 1e-6 : 1e-5;
-    tuned.breaking = single_precision ? 1e-6 : 1e-5;
-  }
-  return tuned;
+  return {};
 }
 
 std::vector<Setting> settings_of(BulletSolver solver) {
   const Tuned tuned = tuned_for(solver);
   constexpr double endless = std::numeric_limits<double>::infinity();
   std::vector<Setting> settings{
-      {.name = "numIterations",
-       .standard = 10,
-       .tuned = tuned.iterations,
-       .least = 1,
-       .most = 1e6,
-       .whole = true},
+      count_setting("numIterations", 10, tuned.iterations),
       {.name = "erp2", .standard = 0.2, .tuned = tuned.erp2, .most = 1},
       {.name = "globalCfm", .tuned = tuned.cfm},
       {.name = "sor", .standard = 1, .most = 2},
@@ -98,7 +90,7 @@ std::vector<Setting> settings_of(BulletSolver solver) {
       shaking_setting(),
   };
   if (solver == BulletSolver::mlcp_lemke) {
-    settings.push_back({.name = "maxLoops", .standard = 1000, .least = 1, .most = 1e6, .whole = true});
+    settings.push_back(count_setting("maxLoops", 1000, 1000));
     settings.push_back({.name = "maxValue", .standard = 100000});
   }
   return settings;
@@ -117,7 +109,39 @@ Engine with(BulletSolver solver, const char* name) {
           }};
 }
 
+std::unique_ptr<btMLCPSolverInterface> make_algorithm(BulletSolver solver, const Parameters& parameters) {
+  if (solver == BulletSolver::mlcp_dantzig) return std::make_unique<btDantzigSolver>();
+  if (solver == BulletSolver::mlcp_lemke) {
+    auto lemke = std::make_unique<btLemkeSolver>();
+    lemke->m_maxLoops = static_cast<int>(parameters.at("maxLoops"));
+    lemke->m_maxValue = static_cast<btScalar>(parameters.at("maxValue"));
+    return lemke;
+  }
+  auto projected = std::make_unique<btSolveProjectedGaussSeidel>();
+  projected->m_leastSquaresResidualThreshold =
+      static_cast<btScalar>(parameters.at("leastSquaresResidualThreshold"));
+  return projected;
+}
+
 }  // namespace
+
+ChosenSolver::ChosenSolver(BulletSolver solver, const Parameters& parameters) {
+  if (solver == BulletSolver::sequential_impulse) {
+    constraints = std::make_unique<btSequentialImpulseConstraintSolver>();
+  } else if (solver == BulletSolver::nncg) {
+    constraints = std::make_unique<btNNCGConstraintSolver>();
+  } else {
+    algorithm = make_algorithm(solver, parameters);
+    constraints = std::make_unique<btMLCPSolver>(algorithm.get());
+  }
+}
+
+ChosenSolver::~ChosenSolver() = default;
+
+std::size_t ChosenSolver::fallbacks() const {
+  if (algorithm == nullptr) return 0;
+  return static_cast<std::size_t>(static_cast<const btMLCPSolver&>(*constraints).getNumFallbacks());
+}
 
 std::vector<Engine> make_bullet() {
   using enum BulletSolver;

@@ -8,10 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "engines/bullet/solvers.hpp"
-#include "engines/ground_reach.hpp"
-#include "engines/shaking.hpp"
-
 namespace rockstack {
 namespace {
 
@@ -119,11 +115,10 @@ double stiffness_of(const btContactSolverInfo& info, const Softness& softness, d
   return contact_stiffness(softness.erp, softness.cfm, dt);
 }
 
-class BulletSimulation : public Simulation {
+class BulletSimulation final : public ShakenSimulation {
  public:
   BulletSimulation(BulletSolver solver, const Setup& setup, const Parameters& parameters)
-      : dt_(setup.dt),
-        shaking_(setup),
+      : ShakenSimulation(setup),
         mass_factor_(mass_factor(setup, parameters)),
         surface_(surface_of(mass_factor_, parameters)),
         dispatcher_(&configuration_),
@@ -145,24 +140,14 @@ class BulletSimulation : public Simulation {
     }
   }
 
-  void step() override {
-    const auto [ground, acceleration] = shaking_.next();
-    if (ground) place_ground(*ground);
-    if (acceleration) set_gravity(*acceleration);
-    world_.stepSimulation(scalar(dt_), 0);
-    for (std::size_t k = 0; k < angles_.size(); ++k) angles_[k] = unwrap(angle_of(block(k)), angles_[k]);
-  }
-
-  void read(std::span<double> angles, std::span<double> velocities) const override {
-    std::copy(angles_.begin(), angles_.end(), angles.begin());
-    for (std::size_t k = 0; k < angles_.size(); ++k) velocities[k] = -block(k).getAngularVelocity().z();
-  }
-
   BodyState body(std::size_t k) const override {
     const btVector3& place = block(k).getWorldTransform().getOrigin();
     const btVector3& velocity = block(k).getLinearVelocity();
     const btMatrix3x3& turn = block(k).getWorldTransform().getBasis();
-    return {place.x(), place.y(), velocity.x(), velocity.y(), place.z(), std::hypot(turn[0][2], turn[1][2])};
+    return {place.x(),    place.y(),
+            velocity.x(), velocity.y(),
+            angles_[k],   -block(k).getAngularVelocity().z(),
+            place.z(),    std::hypot(turn[0][2], turn[1][2])};
   }
 
   std::size_t warnings() const override { return solver_.fallbacks(); }
@@ -186,7 +171,7 @@ class BulletSimulation : public Simulation {
   /// Where a point of a body is at the step's end. The library leaves a moving ground where the step starts.
   btVector3 place_of(const btCollisionObject& body, const btVector3& point) const {
     const btVector3 place = body.getWorldTransform() * point;
-    return &body == bodies_.front().get() ? place + scalar(dt_) * ground_velocity_ : place;
+    return &body == bodies_.front().get() ? place + scalar(dt()) * ground_velocity_ : place;
   }
 
   ContactPoint point_of(const btPersistentManifold& manifold, int i) const {
@@ -204,7 +189,7 @@ class BulletSimulation : public Simulation {
         std::hypot(found.m_appliedImpulseLateral1, found.m_appliedImpulseLateral2) / mass_factor_;
     const Softness softness = softness_of(found);
     const btContactSolverInfo& info = world_.getSolverInfo();
-    point.stiffness = stiffness_of(info, softness, dt_, point.gap_before) / mass_factor_;
+    point.stiffness = stiffness_of(info, softness, dt(), point.gap_before) / mass_factor_;
     point.damping = contact_damping(softness.erp, softness.cfm) / mass_factor_;
     return point;
   }
@@ -215,16 +200,21 @@ class BulletSimulation : public Simulation {
     const btContactSolverInfo& info = world_.getSolverInfo();
     Softness softness{info.m_erp2, info.m_globalCfm};
     if ((point.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING) == 0) return softness;
-    const double spring = dt_ * point.m_combinedContactStiffness1;
+    const double spring = dt() * point.m_combinedContactStiffness1;
     const double both = spring + point.m_combinedContactDamping1;
     softness.erp = spring / both;
-    if (!solver_.is_complementarity()) softness.cfm = 1 / both;
+    if (solver_.algorithm == nullptr) softness.cfm = 1 / both;
     return softness;
   }
 
   const btRigidBody& block(std::size_t k) const { return *bodies_[k + 1]; }
 
-  void set_gravity(const BodyAcceleration& acceleration) {
+  void advance() override {
+    world_.stepSimulation(scalar(dt()), 0);
+    for (std::size_t k = 0; k < angles_.size(); ++k) angles_[k] = unwrap(angle_of(block(k)), angles_[k]);
+  }
+
+  void set_gravity(const BodyAcceleration& acceleration) override {
     world_.setGravity(vector(acceleration.x, acceleration.y, 0));
   }
 
@@ -234,9 +224,8 @@ class BulletSimulation : public Simulation {
     btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shapes_.back().get());
     ground_start_ = start;
     info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), ground_start_);
-    const bool moves = shaking_.moves_ground();
-    btRigidBody& ground = add(info, moves ? btCollisionObject::CF_KINEMATIC_OBJECT : 0);
-    if (!moves) return;
+    btRigidBody& ground = add(info, moves_ground() ? btCollisionObject::CF_KINEMATIC_OBJECT : 0);
+    if (!moves_ground()) return;
     ground.setActivationState(DISABLE_DEACTIVATION);
     // Bullet takes a kinematic body's velocity from where it was a step ago; this comes after that.
     const auto give_velocity = [](btDynamicsWorld* world, btScalar) {
@@ -247,7 +236,7 @@ class BulletSimulation : public Simulation {
   }
 
   /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
-  void place_ground(const GroundStep& step) {
+  void place_ground(const GroundStep& step) override {
     bodies_.front()->getWorldTransform().setOrigin(ground_start_ + vector(step.x, step.y, 0));
     ground_velocity_ = vector(step.velocity_x, step.velocity_y, 0);
   }
@@ -282,8 +271,6 @@ class BulletSimulation : public Simulation {
     return body;
   }
 
-  double dt_;
-  Shaking shaking_;
   double mass_factor_;  ///< of every mass; no angle depends on it
   std::vector<double> angles_;
   btVector3 ground_start_{0, 0, 0};
@@ -296,7 +283,7 @@ class BulletSimulation : public Simulation {
   ChosenSolver solver_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;  ///< ground first, then bottom to top
-  btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, solver_.constraints(), &configuration_};
+  btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, solver_.constraints.get(), &configuration_};
 };
 
 }  // namespace

@@ -1,5 +1,4 @@
-// Chipmunk beside the exact model. README.md in this folder says what its contacts are, what is set in both
-// sets, what the tuned set changes, and why.
+// Chipmunk beside the exact model; README.md says what its contacts are and why its sets are as they are.
 //
 // A step moves bodies by the velocities that they have, then finds contacts, then changes velocities. So
 // smooth motion is half a step late where other engines' is half a step early, and an impact comes when the
@@ -7,13 +6,187 @@
 // is what blocks must follow. With collisionPersistence = 0 the library frees what it is using.
 
 #include <chipmunk/chipmunk.h>
+// Of single contact points the library tells impulses here alone.
+#include <chipmunk/chipmunk_structs.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
-#include "engines/chipmunk/simulation.hpp"
+#include "engines/engine.hpp"
 
 namespace rockstack {
+namespace {
+
+struct Destroy {
+  void operator()(cpSpace* space) const { cpSpaceFree(space); }
+  void operator()(cpBody* body) const { cpBodyFree(body); }
+  void operator()(cpShape* shape) const { cpShapeFree(shape); }
+};
+
+/// A contact point of the step under way, where they are watched.
+struct Touch {
+  ContactPoint point;  ///< all but its impulses
+  const cpArbiter* pair = nullptr;
+  int number = 0;          ///< of the point among its pair's
+  cpFloat normal = 0;      ///< impulse that the library remembers without applying it, N·s
+  cpFloat tangential = 0;  ///< as above
+};
+
+class ChipmunkSimulation final : public ShakenSimulation {
+ public:
+  ChipmunkSimulation(const Setup& setup, const Parameters& parameters)
+      : ShakenSimulation(setup), friction_(setup.friction), elasticity_(parameters.at("elasticity")) {
+    cpSpaceSetIterations(space_.get(), static_cast<int>(parameters.at("iterations")));
+    cpSpaceSetCollisionSlop(space_.get(), parameters.at("collisionSlop"));
+    cpSpaceSetCollisionBias(space_.get(), parameters.at("collisionBias"));
+    cpSpaceSetCollisionPersistence(space_.get(),
+                                   static_cast<cpTimestamp>(parameters.at("collisionPersistence")));
+    set_gravity(setup.gravity);
+    cpCollisionHandler* handler = cpSpaceAddDefaultCollisionHandler(space_.get());
+    handler->preSolveFunc = &ChipmunkSimulation::meet;
+    handler->userData = this;
+    add_ground(ground_reach(setup.blocks));
+    for (const Placement& placement : setup.blocks) add_block(placement);
+  }
+
+  BodyState body(std::size_t k) const override {
+    const cpBody* block = bodies_[k + 1].get();
+    const cpVect place = cpBodyGetPosition(block), velocity = cpBodyGetVelocity(block);
+    return {
+        place.x, place.y, velocity.x, velocity.y, -cpBodyGetAngle(block), -cpBodyGetAngularVelocity(block)};
+  }
+
+  std::vector<ContactPoint> contacts() const override {
+    std::vector<ContactPoint> points;
+    points.reserve(touches_.size());
+    for (const Touch& touch : touches_) {
+      const cpContact& solved = touch.pair->contacts[touch.number];
+      ContactPoint& point = points.emplace_back(touch.point);
+      point.normal = solved.jnAcc - touch.normal;
+      point.tangential = std::abs(solved.jtAcc - touch.tangential);
+    }
+    return points;
+  }
+
+ private:
+  /// Counts from 0, the ground.
+  static std::size_t number_of(const cpShape* shape) { return cpShapeGetCollisionType(shape); }
+
+  /// The library's call for a pair that touches, before its solver runs.
+  static cpBool meet(cpArbiter* pair, cpSpace* /*space*/, cpDataPointer self) {
+    static_cast<ChipmunkSimulation*>(self)->set_contact(pair);
+    return cpTrue;
+  }
+
+  /// A pair's friction is that of the interface under its upper body; the library would take the product.
+  void set_contact(cpArbiter* pair) {
+    cpShape *a = nullptr, *b = nullptr;
+    cpArbiterGetShapes(pair, &a, &b);
+    cpArbiterSetFriction(pair, friction_[std::max(number_of(a), number_of(b)) - 1]);
+    cpArbiterSetRestitution(pair, elasticity_);
+    if (watches_contacts()) watch(pair, number_of(a), number_of(b));
+  }
+
+  void watch(const cpArbiter* pair, std::size_t a, std::size_t b) {
+    const cpContactPointSet set = cpArbiterGetContactPointSet(pair);
+    for (int i = 0; i < set.count; ++i) {
+      const auto& found = set.points[i];
+      Touch& touch = touches_.emplace_back();
+      touch.pair = pair;
+      touch.number = i;
+      touch.point.interface = std::max(a, b) - 1;
+      touch.point.along = a > b ? on_body(a, found.pointA).x : on_body(b, found.pointB).x;
+      touch.point.gap_before =
+          cpvdot(cpvsub(at_start(b, found.pointB), at_start(a, found.pointA)), set.normal);
+      touch.point.gap = found.distance;
+      if (cpArbiterIsFirstContact(pair) == 0) continue;
+      touch.normal = pair->contacts[i].jnAcc;
+      touch.tangential = pair->contacts[i].jtAcc;
+    }
+  }
+
+  cpVect on_body(std::size_t number, cpVect point) const {
+    return cpBodyWorldToLocal(bodies_[number].get(), point);
+  }
+
+  /// Where a point of a body was when the step began.
+  cpVect at_start(std::size_t number, cpVect point) const {
+    return cpTransformPoint(starts_[number], on_body(number, point));
+  }
+
+  void remember_poses() {
+    touches_.clear();
+    starts_.clear();
+    for (const auto& body : bodies_) starts_.push_back(body->transform);
+  }
+
+  void advance() override {
+    if (watches_contacts()) remember_poses();
+    cpSpaceStep(space_.get(), dt());
+  }
+
+  void set_gravity(const BodyAcceleration& acceleration) override {
+    cpSpaceSetGravity(space_.get(), cpv(acceleration.x, acceleration.y));
+  }
+
+  /// A segment without thickness; a body of its own, which can move.
+  void add_ground(double reach) {
+    cpBody* body = add_body(moves_ground() ? cpBodyNewKinematic() : cpBodyNewStatic());
+    add_shape(cpSegmentShapeNew(body, cpv(-reach, 0), cpv(reach, 0), 0));
+    if (!moves_ground()) return;
+    cpBodySetUserData(body, this);
+    cpBodySetVelocityUpdateFunc(body, [](cpBody* ground, cpVect, cpFloat, cpFloat) {
+      const auto& self = *static_cast<const ChipmunkSimulation*>(cpBodyGetUserData(ground));
+      self.give_velocity_of_next_step(ground);
+    });
+  }
+
+  /// The library moves all bodies before it finds contacts; the velocities that it solves for then are those
+  /// by which blocks move in the next step.
+  void give_velocity_of_next_step(cpBody* ground) const {
+    if (const GroundStep* next = next_ground())
+      cpBodySetVelocity(ground, cpv(next->velocity_x, next->velocity_y));
+  }
+
+  void place_ground(const GroundStep& step) override {
+    cpBodySetPosition(bodies_.front().get(), cpv(step.x, step.y));
+    cpBodySetVelocity(bodies_.front().get(), cpv(step.velocity_x, step.velocity_y));
+  }
+
+  void add_block(const Placement& placement) {
+    cpBody* body = add_body(cpBodyNew(placement.mass, placement.inertia));
+    cpBodySetPosition(body, cpv(placement.x, placement.y));
+    cpBodySetAngle(body, -placement.angle);
+    cpBodySetVelocity(body, cpv(placement.velocity_x, placement.velocity_y));
+    cpBodySetAngularVelocity(body, -placement.angular_velocity);
+    add_shape(cpBoxShapeNew(body, placement.width, placement.height, 0));
+  }
+
+  cpBody* add_body(cpBody* body) {
+    bodies_.emplace_back(body);
+    return cpSpaceAddBody(space_.get(), body);
+  }
+
+  void add_shape(cpShape* shape) {
+    shapes_.emplace_back(shape);
+    cpShapeSetCollisionType(shape, bodies_.size() - 1);
+    cpSpaceAddShape(space_.get(), shape);
+  }
+
+  std::vector<double> friction_;
+  double elasticity_;
+  std::vector<Touch> touches_;
+  std::vector<cpTransform> starts_;  ///< of each body in the last step
+  // The space comes last: it is the first to go and still needs the others then.
+  std::vector<std::unique_ptr<cpBody, Destroy>> bodies_;  ///< ground first, then bottom to top
+  std::vector<std::unique_ptr<cpShape, Destroy>> shapes_;
+  std::unique_ptr<cpSpace, Destroy> space_{cpSpaceNew()};
+};
+
+}  // namespace
 
 std::vector<Engine> make_chipmunk() {
   const double bias = std::pow(1 - 0.1F, 60);
@@ -22,14 +195,15 @@ std::vector<Engine> make_chipmunk() {
             .version = fmt::format("{}, double precision", cpVersionString),
             .licence = "MIT",
             .capabilities = {.planar = true, .lead = -0.5},
-            .settings =
-                {{.name = "iterations", .standard = 10, .tuned = 50, .least = 1, .most = 1e6, .whole = true},
-                 {.name = "collisionSlop", .unit = "m", .standard = 0.1F, .tuned = 1e-4},
-                 {.name = "collisionBias", .standard = bias, .most = 1},
-                 {.name = "collisionPersistence", .standard = 3, .least = 1, .most = 1e6, .whole = true},
-                 {.name = "elasticity", .most = 1},
-                 shaking_setting()}},
-           start_chipmunk}};
+            .settings = {count_setting("iterations", 10, 50),
+                         {.name = "collisionSlop", .unit = "m", .standard = 0.1F, .tuned = 1e-4},
+                         {.name = "collisionBias", .standard = bias, .most = 1},
+                         count_setting("collisionPersistence", 3, 3),
+                         {.name = "elasticity", .most = 1},
+                         shaking_setting()}},
+           [](const Setup& setup, const Parameters& parameters) {
+             return std::make_unique<ChipmunkSimulation>(setup, parameters);
+           }}};
 }
 
 }  // namespace rockstack

@@ -1,15 +1,221 @@
-// DART beside the exact model. README.md in this folder says what its contacts are, what is set in both sets,
-// what the tuned set changes, and why.
+// DART beside the exact model; README.md says what its contacts are and why its sets are as they are.
 //
 // The settings of contacts are static numbers of DART's class ContactConstraint; each step sets them anew.
 // ConstraintForceMixing has no unit: it is added to one on the diagonal. ErrorReductionParameter takes that
 // share of an overlap away in a step, at MaxErrorReductionVelocity at most, through the velocities. Below
 // 1e-3 DART takes a coefficient of friction for zero.
 
-#include "engines/dart/simulation.hpp"
+#include <algorithm>
+#include <cmath>
+#include <dart/collision/CollisionObject.hpp>
+#include <dart/collision/dart/DARTCollisionDetector.hpp>
+#include <dart/collision/fcl/FCLCollisionDetector.hpp>
+#include <dart/constraint/BoxedLcpConstraintSolver.hpp>
+#include <dart/constraint/ContactConstraint.hpp>
+#include <dart/constraint/PgsBoxedLcpSolver.hpp>
+#include <dart/dynamics/BodyNode.hpp>
+#include <dart/dynamics/BoxShape.hpp>
+#include <dart/dynamics/PlanarJoint.hpp>
+#include <dart/dynamics/Skeleton.hpp>
+#include <dart/dynamics/TranslationalJoint.hpp>
+#include <dart/dynamics/WeldJoint.hpp>
+#include <dart/simulation/World.hpp>
+#include <vector>
+
+#include "engines/engine.hpp"
 
 namespace rockstack {
 namespace {
+
+enum class DartSolver { dantzig, pgs };
+
+using dart::constraint::ContactConstraint;
+using dart::dynamics::BodyNode;
+using Solver = dart::constraint::BoxedLcpConstraintSolver;
+
+/// A contact of the step under way, where they are watched, in the axes of both bodies.
+struct Touch {
+  std::size_t interface = 0;
+  const BodyNode *upper = nullptr, *lower = nullptr;
+  Eigen::Vector3d on_upper, on_lower, normal;  ///< the normal points up
+  double depth = 0, push = 0, across = 0;      ///< m, N, N
+};
+
+std::unique_ptr<Solver> make_solver(DartSolver solver, const Parameters& parameters) {
+  std::unique_ptr<Solver> made;
+  if (solver == DartSolver::dantzig) {
+    made = std::make_unique<Solver>();
+  } else {
+    auto pgs = std::make_shared<dart::constraint::PgsBoxedLcpSolver>();
+    dart::constraint::PgsBoxedLcpSolver::Option option;
+    option.mMaxIteration = static_cast<int>(parameters.at("MaxIteration"));
+    option.mDeltaXThreshold = parameters.at("DeltaXThreshold");
+    option.mRelativeDeltaXTolerance = parameters.at("RelativeDeltaXTolerance");
+    pgs->setOption(option);
+    made = std::make_unique<Solver>(pgs, nullptr);
+  }
+  if (parameters.at("collisionDetector") == 0) {
+    made->setCollisionDetector(dart::collision::FCLCollisionDetector::create());
+  } else {
+    made->setCollisionDetector(dart::collision::DARTCollisionDetector::create());
+  }
+  return made;
+}
+
+class DartSimulation final : public ShakenSimulation {
+ public:
+  DartSimulation(DartSolver solver, const Setup& setup, const Parameters& parameters)
+      : ShakenSimulation(setup),
+        parameters_(parameters),
+        mass_factor_(mass_factor(setup, parameters)),
+        world_(dart::simulation::World::create()) {
+    world_->setTimeStep(setup.dt);
+    set_gravity(setup.gravity);
+    add_ground(setup);
+    for (std::size_t k = 0; k < setup.blocks.size(); ++k) {
+      const bool top = k + 1 == setup.blocks.size();
+      add_block(setup.blocks[k], setup.friction[k], setup.friction[top ? k : k + 1]);
+    }
+    world_->setConstraintSolver(make_solver(solver, parameters));
+  }
+
+  BodyState body(std::size_t k) const override {
+    const auto block = blocks_[k]->getSkeleton();
+    return {block->getPosition(0), block->getPosition(1),  block->getVelocity(0),
+            block->getVelocity(1), -block->getPosition(2), -block->getVelocity(2)};
+  }
+
+  std::vector<ContactPoint> contacts() const override {
+    std::vector<ContactPoint> points;
+    for (const Touch& touch : touches_) points.push_back(point_of(touch));
+    return points;
+  }
+
+ private:
+  void advance() override {
+    ContactConstraint::setErrorAllowance(parameters_.at("ErrorAllowance"));
+    ContactConstraint::setErrorReductionParameter(parameters_.at("ErrorReductionParameter"));
+    ContactConstraint::setMaxErrorReductionVelocity(parameters_.at("MaxErrorReductionVelocity"));
+    ContactConstraint::setConstraintForceMixing(parameters_.at("ConstraintForceMixing"));
+    std::vector<Eigen::Isometry3d> before;
+    if (watches_contacts()) before = poses();
+    world_->step();
+    if (watches_contacts()) watch(before);
+  }
+
+  void set_gravity(const BodyAcceleration& acceleration) override {
+    world_->setGravity({acceleration.x, acceleration.y, 0});
+  }
+
+  void add_box(BodyNode* body, const Eigen::Vector3d& size, double height, double friction) const {
+    auto* box = body->createShapeNodeWith<dart::dynamics::CollisionAspect, dart::dynamics::DynamicsAspect>(
+        std::make_shared<dart::dynamics::BoxShape>(size));
+    box->setRelativeTranslation({0, height, 0});
+    box->getDynamicsAspect()->setFrictionCoeff(friction);
+    box->getDynamicsAspect()->setRestitutionCoeff(parameters_.at("RestitutionCoeff"));
+  }
+
+  void add_ground(const Setup& setup) {
+    const auto skeleton = dart::dynamics::Skeleton::create("ground");
+    if (moves_ground()) {
+      const auto [joint, body] = skeleton->createJointAndBodyNodePair<dart::dynamics::TranslationalJoint>();
+      joint->setActuatorType(dart::dynamics::Joint::VELOCITY);
+      ground_ = body;
+    } else {
+      ground_ = skeleton->createJointAndBodyNodePair<dart::dynamics::WeldJoint>().second;
+    }
+    const double reach = ground_reach(setup.blocks);
+    add_box(ground_, {2 * reach, 2, 2 * reach}, -1, setup.friction.front());
+    world_->addSkeleton(skeleton);
+  }
+
+  void add_block(const Placement& block, double friction_below, double friction_above) {
+    // DART writes to standard output where names are the same.
+    const auto skeleton = dart::dynamics::Skeleton::create(std::to_string(blocks_.size()));
+    dart::dynamics::PlanarJoint::Properties plane;
+    plane.setXYPlane();
+    BodyNode* body = skeleton->createJointAndBodyNodePair<dart::dynamics::PlanarJoint>(nullptr, plane).second;
+    body->setInertia(
+        dart::dynamics::Inertia(mass_factor_ * block.mass, 0, 0, 0, mass_factor_ * block.inertia_about_x,
+                                mass_factor_ * block.inertia_about_y, mass_factor_ * block.inertia, 0, 0, 0));
+    const Eigen::Vector3d half{block.width, 0.5 * block.height, block.depth};
+    add_box(body, half, -0.25 * block.height, friction_below);
+    add_box(body, half, 0.25 * block.height, friction_above);
+    skeleton->setPositions(Eigen::Vector3d(block.x, block.y, -block.angle));
+    skeleton->setVelocities(Eigen::Vector3d(block.velocity_x, block.velocity_y, -block.angular_velocity));
+    world_->addSkeleton(skeleton);
+    blocks_.push_back(body);
+  }
+
+  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
+  void place_ground(const GroundStep& step) override {
+    const auto skeleton = ground_->getSkeleton();
+    const Eigen::Vector3d velocity{step.velocity_x, step.velocity_y, 0};
+    skeleton->setPositions(Eigen::Vector3d(step.x, step.y, 0));
+    skeleton->setVelocities(velocity);
+    skeleton->setCommands(velocity);
+  }
+
+  /// From 1, bottom to top; 0 is the ground.
+  std::size_t number_of(const BodyNode* body) const {
+    const auto found = std::find(blocks_.begin(), blocks_.end(), body);
+    return found == blocks_.end() ? 0 : static_cast<std::size_t>(found - blocks_.begin()) + 1;
+  }
+
+  const BodyNode* body_of(std::size_t number) const { return number == 0 ? ground_ : blocks_[number - 1]; }
+
+  std::vector<Eigen::Isometry3d> poses() const {
+    std::vector<Eigen::Isometry3d> list{ground_->getWorldTransform()};
+    for (const BodyNode* block : blocks_) list.push_back(block->getWorldTransform());
+    return list;
+  }
+
+  static const BodyNode* owner(const dart::collision::CollisionObject* object) {
+    return object->getShapeFrame()->asShapeNode()->getBodyNodePtr();
+  }
+
+  void watch(const std::vector<Eigen::Isometry3d>& before) {
+    touches_.clear();
+    for (const dart::collision::Contact& contact : world_->getLastCollisionResult().getContacts()) {
+      if (dart::collision::Contact::isZeroNormal(contact.normal)) continue;
+      const auto [lower, upper] = std::minmax(
+          {number_of(owner(contact.collisionObject1)), number_of(owner(contact.collisionObject2))});
+      Touch& touch = touches_.emplace_back();
+      touch.interface = upper - 1;
+      touch.upper = body_of(upper);
+      touch.lower = body_of(lower);
+      touch.on_upper = before[upper].inverse() * contact.point;
+      touch.on_lower = before[lower].inverse() * contact.point;
+      const double side = contact.normal.dot(before[upper].translation() - contact.point);
+      touch.normal = side < 0 ? Eigen::Vector3d(-contact.normal) : contact.normal;
+      touch.depth = contact.penetrationDepth;
+      touch.push = std::abs(contact.force.dot(contact.normal));
+      // Across the plane nothing moves, and DART's forces there mean nothing.
+      touch.across = std::abs(contact.force[0] * contact.normal[1] - contact.force[1] * contact.normal[0]);
+    }
+  }
+
+  ContactPoint point_of(const Touch& touch) const {
+    ContactPoint point;
+    point.interface = touch.interface;
+    point.along = touch.on_upper[0];
+    point.gap_before = -touch.depth;
+    const Eigen::Vector3d apart =
+        touch.upper->getWorldTransform() * touch.on_upper - touch.lower->getWorldTransform() * touch.on_lower;
+    point.gap = point.gap_before + touch.normal.dot(apart);
+    const double impulse = dt() / mass_factor_;
+    point.normal = impulse * touch.push;
+    point.tangential = impulse * touch.across;
+    return point;
+  }
+
+  Parameters parameters_;
+  double mass_factor_;  ///< of every mass; no angle depends on it
+  dart::simulation::WorldPtr world_;
+  BodyNode* ground_ = nullptr;
+  std::vector<BodyNode*> blocks_;
+  std::vector<Touch> touches_;
+};
 
 std::vector<Setting> settings_of(DartSolver solver) {
   std::vector<Setting> settings{
@@ -23,8 +229,7 @@ std::vector<Setting> settings_of(DartSolver solver) {
       shaking_setting(),
   };
   if (solver == DartSolver::pgs) {
-    settings.push_back(
-        {.name = "MaxIteration", .standard = 30, .tuned = 300, .least = 1, .most = 1e6, .whole = true});
+    settings.push_back(count_setting("MaxIteration", 30, 300));
     settings.push_back({.name = "DeltaXThreshold", .unit = "N s", .standard = 1e-6});
     settings.push_back({.name = "RelativeDeltaXTolerance", .standard = 1e-3, .tuned = 1e-6, .most = 1});
   }
@@ -34,12 +239,12 @@ std::vector<Setting> settings_of(DartSolver solver) {
 Engine with(DartSolver solver) {
   return {{.name = "dart",
            .solver = solver == DartSolver::dantzig ? "dantzig" : "pgs",
-           .version = dart_version() + ", double precision",
+           .version = DART_VERSION ", double precision",
            .licence = "BSD-2-Clause",
            .capabilities = {.planar = true},
            .settings = settings_of(solver)},
           [solver](const Setup& setup, const Parameters& parameters) {
-            return start_dart(solver, setup, parameters);
+            return std::make_unique<DartSimulation>(solver, setup, parameters);
           }};
 }
 

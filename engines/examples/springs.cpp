@@ -6,13 +6,10 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "engines/engine.hpp"
-#include "engines/shaking.hpp"
 #include "engines/worker/serve.hpp"
 
 namespace {
@@ -45,10 +42,10 @@ struct Body {
   }
 };
 
-class Springs : public Simulation {
+class Springs final : public ShakenSimulation {
  public:
   Springs(const Setup& setup, const Parameters& parameters)
-      : setup_(setup), shaking_(setup), pull_(setup.gravity) {
+      : ShakenSimulation(setup), setup_(setup), pull_(setup.gravity) {
     Body ground;
     ground.shape.width = HUGE_VAL;
     bodies_.push_back(ground);
@@ -62,28 +59,24 @@ class Springs : public Simulation {
     damping_ = 2 * parameters.at("dampingRatio") * std::sqrt(stiffness_ * mass);
   }
 
-  void step() override {
-    if (const auto now = shaking_.next(); now.acceleration) pull_ = *now.acceleration;
+  BodyState body(std::size_t block) const override {
+    const Placement& now = bodies_[block + 1].shape;
+    return {now.x, now.y, now.velocity_x, now.velocity_y, now.angle, now.angular_velocity};
+  }
+
+  bool watch_contacts() override { return false; }
+
+ private:
+  void set_gravity(const BodyAcceleration& acceleration) override { pull_ = acceleration; }
+
+  void advance() override {
     for (int part = 0; part < parts; ++part) {
       for (std::size_t k = 1; k < bodies_.size(); ++k)
         touch(bodies_[k - 1], bodies_[k], setup_.friction[k - 1]);
-      for (std::size_t k = 1; k < bodies_.size(); ++k) move(bodies_[k], setup_.dt / parts);
+      for (std::size_t k = 1; k < bodies_.size(); ++k) move(bodies_[k], dt() / parts);
     }
   }
 
-  void read(std::span<double> angles, std::span<double> velocities) const override {
-    for (std::size_t k = 0; k < angles.size(); ++k) {
-      angles[k] = bodies_[k + 1].shape.angle;
-      velocities[k] = bodies_[k + 1].shape.angular_velocity;
-    }
-  }
-
-  BodyState body(std::size_t block) const override {
-    const Placement& now = bodies_[block + 1].shape;
-    return {now.x, now.y, now.velocity_x, now.velocity_y, 0, 0};
-  }
-
- private:
   void move(Body& body, double time) const {
     Placement& now = body.shape;
     now.velocity_x += time * (pull_.x + body.force[0] / now.mass);
@@ -127,7 +120,6 @@ class Springs : public Simulation {
   }
 
   Setup setup_;
-  Shaking shaking_;
   BodyAcceleration pull_;
   std::vector<Body> bodies_;  ///< ground first
   double stiffness_ = 0;      ///< of each corner, N/m

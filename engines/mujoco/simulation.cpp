@@ -10,9 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "engines/mujoco/model.hpp"
-#include "engines/shaking.hpp"
-
 namespace rockstack {
 namespace {
 
@@ -41,10 +38,10 @@ void throw_error(const char* message) {
 /// MuJoCo would write a file into the working folder; its data count warnings as well.
 void keep_silent(const char*) {}
 
-class MujocoSimulation : public Simulation {
+class MujocoSimulation final : public ShakenSimulation {
  public:
   MujocoSimulation(MujocoSolver solver, const Setup& setup, const Parameters& parameters)
-      : shaking_(setup),
+      : ShakenSimulation(setup),
         blocks_(setup.blocks.size()),
         mass_factor_(mass_factor(setup, parameters)),
         model_(compile_stack(setup, parameters)),
@@ -55,29 +52,9 @@ class MujocoSimulation : public Simulation {
     for (std::size_t k = 0; k < blocks_; ++k) place(setup.blocks[k], k);
   }
 
-  void step() override {
-    const auto [ground, acceleration] = shaking_.next();
-    if (ground) place_ground(*ground);
-    if (acceleration) set_gravity(*acceleration);
-    if (watched_) before_ = poses();
-    mj_step(model_.get(), data_.get());
-    require_state();
-  }
-
-  void read(std::span<double> angles, std::span<double> velocities) const override {
-    for (std::size_t k = 0; k < blocks_; ++k) {
-      angles[k] = -data_->qpos[first(k) + 2];
-      velocities[k] = -data_->qvel[first(k) + 2];
-    }
-  }
-
   BodyState body(std::size_t k) const override {
-    BodyState state;
-    state.x = data_->qpos[first(k)];
-    state.y = data_->qpos[first(k) + 1];
-    state.velocity_x = data_->qvel[first(k)];
-    state.velocity_y = data_->qvel[first(k) + 1];
-    return state;
+    const double *place = data_->qpos + first(k), *velocity = data_->qvel + first(k);
+    return {place[0], place[1], velocity[0], velocity[1], -place[2], -velocity[2]};
   }
 
   std::size_t warnings() const override {
@@ -87,11 +64,13 @@ class MujocoSimulation : public Simulation {
   }
 
   /// What is left after a step of Runge and Kutta's method are the contacts of its last stage alone.
-  bool watch_contacts() override { return watched_ = model_->opt.integrator != mjINT_RK4; }
+  bool watch_contacts() override {
+    return model_->opt.integrator != mjINT_RK4 && ShakenSimulation::watch_contacts();
+  }
 
   std::vector<ContactPoint> contacts() const override {
     std::vector<ContactPoint> points;
-    if (!watched_ || before_.empty()) return points;
+    if (!watches_contacts() || before_.empty()) return points;
     const std::vector<Pose> now = poses();
     for (int i = 0; i < data_->ncon; ++i) points.push_back(point_of(i, now));
     return points;
@@ -99,7 +78,7 @@ class MujocoSimulation : public Simulation {
 
  private:
   /// Of a block's three coordinates.
-  std::size_t first(std::size_t block) const { return (shaking_.moves_ground() ? 2 : 0) + 3 * block; }
+  std::size_t first(std::size_t block) const { return (moves_ground() ? 2 : 0) + 3 * block; }
 
   void set_options(MujocoSolver solver, double dt, const Parameters& parameters) {
     mjOption& option = model_->opt;
@@ -117,7 +96,13 @@ class MujocoSimulation : public Simulation {
     if (whole("warmstart") == 0) option.disableflags |= mjDSBL_WARMSTART;
   }
 
-  void set_gravity(const BodyAcceleration& acceleration) {
+  void advance() override {
+    if (watches_contacts()) before_ = poses();
+    mj_step(model_.get(), data_.get());
+    require_state();
+  }
+
+  void set_gravity(const BodyAcceleration& acceleration) override {
     const std::array<double, 3> gravity{acceleration.x, acceleration.y, 0};
     std::copy(gravity.begin(), gravity.end(), model_->opt.gravity);
   }
@@ -130,7 +115,7 @@ class MujocoSimulation : public Simulation {
   }
 
   /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
-  void place_ground(const GroundStep& step) {
+  void place_ground(const GroundStep& step) override {
     data_->qpos[0] = step.x;
     data_->qpos[1] = step.y;
     data_->qvel[0] = step.velocity_x;
@@ -147,7 +132,7 @@ class MujocoSimulation : public Simulation {
   /// Of the ground, then the blocks.
   std::vector<Pose> poses() const {
     std::vector<Pose> list(1);
-    if (shaking_.moves_ground()) list[0] = {data_->qpos[0], data_->qpos[1], 0};
+    if (moves_ground()) list[0] = {data_->qpos[0], data_->qpos[1], 0};
     for (std::size_t k = 0; k < blocks_; ++k) {
       const double* place = data_->qpos + first(k);
       list.push_back({place[0], place[1], place[2]});
@@ -170,8 +155,8 @@ class MujocoSimulation : public Simulation {
     point.gap_before = contact.dist;
     point.gap = contact.dist + way_along(contact.frame, contact.pos, before_[other], now[other]) -
                 way_along(contact.frame, contact.pos, before_[one], now[one]);
-    point.normal = model_->opt.timestep * force[0] / mass_factor_;
-    point.tangential = model_->opt.timestep * std::hypot(force[1], force[2]) / mass_factor_;
+    point.normal = dt() * force[0] / mass_factor_;
+    point.tangential = dt() * std::hypot(force[1], force[2]) / mass_factor_;
     if (contact.efc_address >= 0) soften(point, contact);
     return point;
   }
@@ -189,12 +174,10 @@ class MujocoSimulation : public Simulation {
     point.damping = terms[1] / compliance;
   }
 
-  Shaking shaking_;
   std::size_t blocks_;
   double mass_factor_;  ///< of every mass in MuJoCo; no angle depends on it
   MujocoModel model_;
   std::unique_ptr<mjData, DeleteData> data_;
-  bool watched_ = false;
   std::vector<Pose> before_;  ///< of the ground and the blocks where the last step started
 };
 

@@ -2,11 +2,22 @@
 
 #include <memory>
 
-#include "engines/parameters.hpp"
-#include "engines/setup.hpp"
-#include "engines/simulation.hpp"
+#include "engines/engine.hpp"
+
+struct mjModel_;
 
 namespace rockstack {
+
+struct DeleteModel {
+  void operator()(mjModel_* model) const;
+};
+
+using MujocoModel = std::unique_ptr<mjModel_, DeleteModel>;
+
+/// A stack as MuJoCo compiles it. Bodies from 1: the ground where it really moves, with two coordinates (x,
+/// y), then the blocks, bottom to top, with three each (x, y, angle anticlockwise).
+/// @throws std::runtime_error with the library's own error.
+MujocoModel compile_stack(const Setup& setup, const Parameters& parameters);
 
 /// In the order of MuJoCo's own numbers.
 enum class MujocoSolver { pgs, cg, newton };

@@ -1,6 +1,5 @@
-// The Open Dynamics Engine beside the exact model. README.md in this folder says what its contacts are, what
-// is set in both sets, what the tuned set changes, and why. `comparisons/tune` ranks sets; those here also
-// hold the conformance tests.
+// The Open Dynamics Engine beside the exact model; README.md says what its contacts are and why its sets are
+// as they are. `comparisons/tune` ranks sets; those here also hold the conformance tests.
 //
 // contactStiffness k in N/m and contactDamping c in N s/m make each contact point a spring and a dashpot,
 // through ODE's own erp = h k/(h k + c) and cfm = 1/(h k + c) of that point with the step h; where both are
@@ -9,12 +8,17 @@
 // throws from the call; a message (the solver's "s <= 0": it goes on with a step half solved) is counted as a
 // warning, and the run goes on as it does for a user, who sees it printed.
 
+#include <fmt/format.h>
 #include <ode/ode.h>
 
+#include <array>
+#include <cstdarg>
+#include <cstdio>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "engines/ode/simulation.hpp"
-#include "engines/parameters.hpp"
 
 namespace rockstack {
 namespace {
@@ -44,12 +48,7 @@ std::vector<Setting> settings_of(OdeSolver solver) {
       shaking_setting(),
   };
   if (solver == OdeSolver::quickstep) {
-    settings.push_back({.name = "quickStepNumIterations",
-                        .standard = 20,
-                        .tuned = 100,
-                        .least = 1,
-                        .most = 1e6,
-                        .whole = true});
+    settings.push_back(count_setting("quickStepNumIterations", 20, 100));
     settings.push_back({.name = "quickStepW", .standard = 1.3, .most = 2});
     settings.push_back({.name = "randomSeed", .most = 4294967295.0, .whole = true});
   }
@@ -67,7 +66,41 @@ Engine with(OdeSolver solver) {
           }};
 }
 
+thread_local std::size_t messages = 0;
+
+std::string text_of(const char* format, std::va_list arguments) {
+  std::array<char, 512> buffer{};
+  std::vsnprintf(buffer.data(), buffer.size(), format, arguments);
+  return buffer.data();
+}
+
+/// ODE ends the process when this returns, so it must throw.
+void stop(int number, const char* format, std::va_list arguments) {
+  throw std::runtime_error(fmt::format("ode: error {}: {}", number, text_of(format, arguments)));
+}
+
+/// ODE goes on with what its solver has so far.
+void note(int, const char*, std::va_list) {
+  ++messages;
+}
+
 }  // namespace
+
+void initialise_ode() {
+  static const bool ready = [] {
+    dSetErrorHandler(stop);
+    dSetDebugHandler(stop);
+    dSetMessageHandler(note);
+    return dInitODE2(0) != 0;
+  }();
+  if (!ready || dAllocateODEDataForThread(dAllocateMaskAll) == 0) {
+    throw std::runtime_error("ode: the library could not be initialised");
+  }
+}
+
+std::size_t ode_messages() {
+  return messages;
+}
 
 std::vector<Engine> make_ode() {
   return {with(OdeSolver::step), with(OdeSolver::quickstep)};

@@ -8,11 +8,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 #include <vector>
-
-#include "engines/ode/library.hpp"
-#include "engines/shaking.hpp"
 
 namespace rockstack {
 namespace {
@@ -57,16 +53,15 @@ double damping_of(const Parameters& parameters, double mass_factor) {
   return contact_damping(parameters.at("erp"), parameters.at("cfm"));
 }
 
-class OdeSimulation : public Simulation {
+class OdeSimulation final : public ShakenSimulation {
  public:
   OdeSimulation(OdeSolver solver, const Setup& setup, const Parameters& parameters)
-      : solver_(solver),
-        dt_(setup.dt),
-        shaking_(setup),
+      : ShakenSimulation(setup),
+        solver_(solver),
         contacts_(static_cast<std::size_t>(parameters.at("maxContacts"))),
         realign_(parameters.at("realign") != 0),
         mass_factor_(mass_factor(setup, parameters)),
-        stiffness_(stiffness_of(parameters, mass_factor_, dt_)),
+        stiffness_(stiffness_of(parameters, mass_factor_, setup.dt)),
         damping_(damping_of(parameters, mass_factor_)),
         world_(dWorldCreate()),
         space_(dSimpleSpaceCreate(nullptr)),
@@ -79,43 +74,22 @@ class OdeSimulation : public Simulation {
     set_gravity(setup.gravity);
     set_surface(setup, parameters);
     plane_ = dCreatePlane(space_.get(), 0, 1, 0, 0);
-    if (shaking_.moves_ground()) add_moving_ground();
+    if (moves_ground()) add_moving_ground();
     for (const Placement& placement : setup.blocks)
       add_block(placement, parameters.at("finiteRotationMode") != 0);
-  }
-
-  void step() override {
-    const auto [ground, acceleration] = shaking_.next();
-    if (ground) place_ground(*ground);
-    if (acceleration) set_gravity(*acceleration);
-    const auto advance = solver_ == OdeSolver::step ? dWorldStep : dWorldQuickStep;
-    const std::size_t before = ode_messages();
-    dJointGroupEmpty(group_.get());
-    touches_.clear();
-    dSpaceCollide(space_.get(), this, &OdeSimulation::touch);
-    if (advance(world_.get(), dt_) == 0) throw std::runtime_error("ode: a step ran out of memory");
-    warnings_ += ode_messages() - before;
-    for (std::size_t k = 0; k < bodies_.size(); ++k) {
-      if (realign_) realign(bodies_[k]);
-      angles_[k] = unwrap(angle_of(bodies_[k]), angles_[k]);
-    }
-  }
-
-  void read(std::span<double> angles, std::span<double> velocities) const override {
-    std::copy(angles_.begin(), angles_.end(), angles.begin());
-    for (std::size_t k = 0; k < bodies_.size(); ++k) velocities[k] = -dBodyGetAngularVel(bodies_[k])[2];
   }
 
   BodyState body(std::size_t k) const override {
     const dReal* place = dBodyGetPosition(bodies_[k]);
     const dReal* velocity = dBodyGetLinearVel(bodies_[k]);
     const dReal* turn = dBodyGetRotation(bodies_[k]);
-    return {place[0], place[1], velocity[0], velocity[1], place[2], std::hypot(turn[2], turn[6])};
+    return {place[0],    place[1],
+            velocity[0], velocity[1],
+            angles_[k],  -dBodyGetAngularVel(bodies_[k])[2],
+            place[2],    std::hypot(turn[2], turn[6])};
   }
 
   std::size_t warnings() const override { return warnings_; }
-
-  bool watch_contacts() override { return watched_ = true; }
 
   std::vector<ContactPoint> contacts() const override {
     std::vector<ContactPoint> points;
@@ -141,7 +115,7 @@ class OdeSimulation : public Simulation {
       contact.fdir1[1] = -contact.geom.normal[0];
       const dJointID joint = dJointCreateContact(world_.get(), group_.get(), &contact);
       dJointAttach(joint, first, second);
-      if (watched_) watch(joint, contact.geom, first, second);
+      if (watches_contacts()) watch(joint, contact.geom, first, second);
     }
   }
 
@@ -179,7 +153,7 @@ class OdeSimulation : public Simulation {
     point.gap_before = -touch.geom.depth;
     point.gap = point.gap_before + height_along(normal, touch.first, touch.on_first, touch.geom.pos) -
                 height_along(normal, touch.second, touch.on_second, touch.geom.pos);
-    const double impulse = dt_ / mass_factor_;
+    const double impulse = dt() / mass_factor_;
     point.normal = impulse * std::abs(push);
     point.tangential = impulse * std::hypot(force[0] - push * normal[0], force[1] - push * normal[1],
                                             force[2] - push * normal[2]);
@@ -219,9 +193,9 @@ class OdeSimulation : public Simulation {
   /// A spring and a dashpot at each contact point, in N/m and N s/m; both zero: the world's erp and cfm act.
   void soften(dSurfaceParameters& surface, double stiffness, double damping) const {
     if (stiffness == 0 && damping == 0) return;
-    const double impulse = dt_ * stiffness + damping;
+    const double impulse = dt() * stiffness + damping;
     surface.mode |= dContactSoftERP | dContactSoftCFM;
-    surface.soft_erp = dt_ * stiffness / impulse;
+    surface.soft_erp = dt() * stiffness / impulse;
     surface.soft_cfm = 1 / impulse;
   }
 
@@ -234,13 +208,27 @@ class OdeSimulation : public Simulation {
   dBodyID body_of(dGeomID geometry) const { return geometry == plane_ ? ground_ : dGeomGetBody(geometry); }
 
   /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
-  void place_ground(const GroundStep& step) {
+  void place_ground(const GroundStep& step) override {
     dBodySetPosition(ground_, step.x, step.y, 0);
     dBodySetLinearVel(ground_, step.velocity_x, step.velocity_y, 0);
     dGeomPlaneSetParams(plane_, 0, 1, 0, step.y);
   }
 
-  void set_gravity(const BodyAcceleration& acceleration) {
+  void advance() override {
+    const auto solve = solver_ == OdeSolver::step ? dWorldStep : dWorldQuickStep;
+    const std::size_t before = ode_messages();
+    dJointGroupEmpty(group_.get());
+    touches_.clear();
+    dSpaceCollide(space_.get(), this, &OdeSimulation::touch);
+    if (solve(world_.get(), dt()) == 0) throw std::runtime_error("ode: a step ran out of memory");
+    warnings_ += ode_messages() - before;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      if (realign_) realign(bodies_[k]);
+      angles_[k] = unwrap(angle_of(bodies_[k]), angles_[k]);
+    }
+  }
+
+  void set_gravity(const BodyAcceleration& acceleration) override {
     dWorldSetGravity(world_.get(), acceleration.x, acceleration.y, 0);
   }
 
@@ -276,15 +264,12 @@ class OdeSimulation : public Simulation {
   }
 
   OdeSolver solver_;
-  double dt_;
-  Shaking shaking_;
   std::size_t warnings_ = 0;
   std::vector<double> angles_;
   std::vector<dContact> contacts_;
   std::vector<double>
       friction_limits_;  ///< of each interface: coefficients, or N in the library's own masses
   bool realign_;
-  bool watched_ = false;
   double mass_factor_;          ///< of every mass; no angle depends on it
   double stiffness_, damping_;  ///< of each contact point, in those masses
   std::deque<Touch> touches_;   ///< ODE writes into them while it steps

@@ -1,5 +1,4 @@
-// Simbody beside the exact model. README.md in this folder says what its contacts are, what is set in both
-// sets, what the tuned set changes, and why.
+// Simbody beside the exact model; README.md says what its contacts are and why its sets are as they are.
 //
 // Its contact is compliant: CompliantContactSubsystem between a brick and a half space. Each corner of the
 // brick that is in the half space by x is pushed out by k x (1 + c x'), never pulled, with k half of
@@ -8,46 +7,9 @@
 // body force: a moving ground's velocity jumps from step to step, on which CPodes gives up.
 
 #include "engines/engine.hpp"
-#include "engines/shaking.hpp"
-#include "engines/simbody/world.hpp"
+#include "engines/simbody/simulation.hpp"
 
 namespace rockstack {
-namespace {
-
-class SimbodySimulation : public Simulation {
- public:
-  SimbodySimulation(const Setup& setup, const Parameters& parameters)
-      : shaking_(setup), world_(setup, parameters) {}
-
-  void step() override { world_.step(shaking_.next()); }
-
-  void read(std::span<double> angles, std::span<double> velocities) const override {
-    for (std::size_t k = 0; k < angles.size(); ++k) {
-      const PlanarState state = world_.block(k);
-      angles[k] = -state.angle;
-      velocities[k] = -state.angular_velocity;
-    }
-  }
-
-  BodyState body(std::size_t k) const override {
-    const PlanarState state = world_.block(k);
-    BodyState body;
-    body.x = state.x;
-    body.y = state.y;
-    body.velocity_x = state.velocity_x;
-    body.velocity_y = state.velocity_y;
-    return body;
-  }
-
-  bool watch_contacts() override { return true; }
-  std::vector<ContactPoint> contacts() const override { return world_.contacts(); }
-
- private:
-  Shaking shaking_;
-  SimbodyWorld world_;
-};
-
-}  // namespace
 
 std::vector<Engine> make_simbody() {
   return {
@@ -63,9 +25,7 @@ std::vector<Engine> make_simbody() {
              {.name = "dissipation", .unit = "s/m", .standard = 1, .tuned = 5e4},
              {.name = "transition_velocity", .unit = "m/s", .standard = 0.01, .tuned = 1e-4, .least = 1e-12},
              {.name = "unitMass", .unit = "kg", .tuned = 1, .most = 1e12}}},
-       [](const Setup& setup, const Parameters& parameters) {
-         return std::make_unique<SimbodySimulation>(setup, parameters);
-       }}};
+       start_simbody}};
 }
 
 }  // namespace rockstack

@@ -4,11 +4,9 @@
 
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/messages/input_error.hpp"

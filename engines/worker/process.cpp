@@ -16,14 +16,13 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
 #include <utility>
 
-#include "engines/worker/last_words.hpp"
+#include "engines/worker/answer_check.hpp"
 
 namespace rockstack {
 namespace {

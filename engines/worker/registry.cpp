@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
-#include <filesystem>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -56,7 +55,7 @@ std::vector<fs::path> found_workers() {
       if (entry.is_regular_file() && runs && entry.path().filename().string().starts_with(prefix))
         here.push_back(fs::absolute(entry.path()));
     }
-    std::sort(here.begin(), here.end());
+    std::ranges::sort(here);
     programs.insert(programs.end(), here.begin(), here.end());
   }
   return programs;
@@ -96,11 +95,10 @@ struct Found {
 /// The program that gives an engine already, or none.
 std::optional<fs::path> program_of(const WorkerEngine& engine, const std::vector<WorkerEngine>& found) {
   const auto same = [&](const WorkerEngine& one) { return one.full_name() == engine.full_name(); };
-  if (const auto other = std::find_if(found.begin(), found.end(), same); other != found.end())
-    return other->program;
+  if (const auto other = std::ranges::find_if(found, same); other != found.end()) return other->program;
   if (!is_built(engine.name)) return {};
   const auto& list = built_engines(engine.name);
-  const auto other = std::find_if(list.begin(), list.end(), same);
+  const auto other = std::ranges::find_if(list, same);
   return other == list.end() ? std::nullopt : std::optional<fs::path>(other->program);
 }
 
@@ -156,8 +154,8 @@ EngineList engines() {
 EngineList engines_called(const std::string& name) {
   EngineList list;
   if (is_built(name)) list.assign(built_engines(name).begin(), built_engines(name).end());
-  std::copy_if(found().engines.begin(), found().engines.end(), std::back_inserter(list),
-               [&](const WorkerEngine& engine) { return engine.name == name; });
+  std::ranges::copy_if(found().engines, std::back_inserter(list),
+                       [&](const WorkerEngine& engine) { return engine.name == name; });
   return list;
 }
 
@@ -178,8 +176,8 @@ std::vector<std::string> engines_left_out() {
   std::vector<std::string> names;
   for (const std::string& name : split(ROCKSTACK_KNOWN_ENGINES)) {
     const bool there =
-        is_built(name) || std::any_of(found().engines.begin(), found().engines.end(),
-                                      [&](const WorkerEngine& engine) { return engine.name == name; });
+        is_built(name) ||
+        std::ranges::any_of(found().engines, [&](const WorkerEngine& engine) { return engine.name == name; });
     if (!there) names.push_back(name);
   }
   return names;

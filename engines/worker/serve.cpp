@@ -10,7 +10,6 @@
 #include <iterator>
 #include <new>
 #include <stdexcept>
-#include <utility>
 
 #include "engines/trajectory.hpp"
 #include "engines/worker/request.hpp"

@@ -9,8 +9,7 @@
 
 #include "analytic/scene/messages/one_line.hpp"
 #include "engines/scene_setup.hpp"
-#include "engines/worker/description.hpp"
-#include "engines/worker/reply_check.hpp"
+#include "engines/worker/answer_check.hpp"
 
 namespace rockstack {
 namespace {

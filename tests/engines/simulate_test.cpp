@@ -26,10 +26,8 @@ class CountingSimulation : public Simulation {
     ++counts_.steps;
     ++own_steps_;
   }
-  BodyState body(std::size_t) const override { return {}; }
-  void read(std::span<double> angles, std::span<double> velocities) const override {
-    angles[0] = own_steps_ == counts_.lost_at ? std::nan("") : 0.1 * own_steps_;
-    velocities[0] = 0;
+  BodyState body(std::size_t) const override {
+    return {.angle = own_steps_ == counts_.lost_at ? std::nan("") : 0.1 * own_steps_};
   }
 
  private:

@@ -6,7 +6,7 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/measures/statistics/draws.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/suites/perturbations.hpp"
 #include "tests/engines/linked_engines.hpp"
 

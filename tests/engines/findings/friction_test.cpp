@@ -25,11 +25,10 @@ double impact(const Engine& engine, const Parameters& parameters, double r, doub
   scene.initial = {{1e-9}, {-1}};
   scene.engine.friction = friction;
   const auto simulation = start(engine, scene, dt, parameters);
-  double angle = 0;
   double velocity = -1;
   for (int step = 0; step < 8 && velocity < -0.999; ++step) {
     simulation->step();
-    simulation->read({&angle, 1}, {&velocity, 1});
+    velocity = simulation->body(0).angular_velocity;
   }
   return -velocity;
 }

@@ -19,17 +19,16 @@ namespace {
 /// When the lowest block comes upright for the first time, between two steps by a straight line, s.
 double first_upright(const Engine& engine, const Scene& scene, double dt) {
   const auto simulation = start(engine, scene, dt, gentle(engine));
-  std::vector<double> angles = scene.initial.angles;
-  std::vector<double> velocities(angles.size());
+  double angle = scene.initial.angles[0];
   double last = 0;
   double t = 0;
-  while (angles[0] > 0 && t < scene.duration) {
-    last = angles[0];
+  while (angle > 0 && t < scene.duration) {
+    last = angle;
     simulation->step();
-    simulation->read(angles, velocities);
+    angle = simulation->body(0).angle;
     t += dt;
   }
-  return t - dt + dt * last / (last - angles[0]);
+  return t - dt + dt * last / (last - angle);
 }
 
 /// The first landing on the ground, less the exact one, in steps: blocks start with `lead` steps of their own

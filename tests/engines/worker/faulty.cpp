@@ -34,11 +34,7 @@ class FaultySimulation : public Simulation {
     fault_(angle_);
   }
   BodyState body(std::size_t) const override {
-    return {start_.x, start_.y, start_.velocity_x, start_.velocity_y};
-  }
-  void read(std::span<double> angles, std::span<double> velocities) const override {
-    angles[0] = angle_;
-    velocities[0] = velocity_;
+    return {start_.x, start_.y, start_.velocity_x, start_.velocity_y, angle_, velocity_};
   }
 
  private:

@@ -1,10 +1,9 @@
-#include "engines/parameters.hpp"
+#include "engines/engine.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -32,12 +31,13 @@ std::string names_of(const std::vector<Setting>& settings) {
 
 }  // namespace
 
-Setting switch_setting(std::string name, bool standard, bool tuned) {
-  return {.name = std::move(name),
-          .standard = standard ? 1.0 : 0.0,
-          .tuned = tuned ? 1.0 : 0.0,
-          .most = 1,
-          .whole = true};
+Setting switch_setting(std::string name, double standard, double tuned) {
+  return {.name = std::move(name), .standard = standard, .tuned = tuned, .most = 1, .whole = true};
+}
+
+Setting count_setting(std::string name, double standard, double tuned) {
+  return {
+      .name = std::move(name), .standard = standard, .tuned = tuned, .least = 1, .most = 1e6, .whole = true};
 }
 
 Setting shaking_setting() {
@@ -62,22 +62,15 @@ double mass_factor(const Setup& setup, const Parameters& parameters) {
   return wanted / mass;
 }
 
-Parameters standard_values(const std::vector<Setting>& settings) {
+Parameters values_of(const std::vector<Setting>& settings, double Setting::*set) {
   Parameters values;
-  for (const Setting& setting : settings) values[setting.name] = setting.standard;
-  return values;
-}
-
-Parameters tuned_values(const std::vector<Setting>& settings) {
-  Parameters values;
-  for (const Setting& setting : settings) values[setting.name] = setting.tuned;
+  for (const Setting& setting : settings) values[setting.name] = setting.*set;
   return values;
 }
 
 const Setting& find_setting(const std::string& engine, const std::vector<Setting>& settings,
                             const std::string& name) {
-  const auto found = std::find_if(settings.begin(), settings.end(),
-                                  [&](const Setting& setting) { return setting.name == name; });
+  const auto found = std::ranges::find(settings, name, &Setting::name);
   if (found == settings.end())
     throw std::invalid_argument(
         fmt::format("{}: {}: no such parameter; there are {}", engine, name, names_of(settings)));

@@ -1,4 +1,4 @@
-#include "engines/siconos/stack.hpp"
+#include "engines/siconos/simulation.hpp"
 
 #include <SiconosConfig.h>
 #include <SolverOptions.h>
@@ -148,11 +148,6 @@ void note(int info, ::Simulation*) {
   failed_solutions += info != 0 ? 1 : 0;
 }
 
-/// OpenBLAS, where it is the BLAS, shares matrices of this size among threads that wait for each other.
-void use_one_thread() {
-  if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
-}
-
 /// solver_options_delete() leaves the structure itself.
 void destroy(SolverOptions* options) {
   solver_options_delete(options);
@@ -167,9 +162,41 @@ std::shared_ptr<SiconosVector> vector_of(double x, double y, double angle) {
   return vector;
 }
 
-}  // namespace
+/// Each block is a dynamical system with three coordinates, each corner over a face an interaction.
+class SiconosSimulation final : public ShakenSimulation {
+ public:
+  SiconosSimulation(const Setup& setup, const Parameters& parameters)
+      : ShakenSimulation(setup),
+        mass_factor_(mass_factor(setup, parameters)),
+        system_(std::make_shared<NonSmoothDynamicalSystem>(0, (static_cast<double>(setup.steps) + 2) * dt())),
+        acceleration_(setup.gravity) {
+    // OpenBLAS, where it is the BLAS, shares matrices of this size among threads that wait for each other.
+    if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
+    for (const Placement& block : setup.blocks) add_body(block);
+    add_corners(setup, parameters.at("en"));
+    add_scheme(parameters);
+  }
 
-struct SiconosStack::Parts {
+  ~SiconosSimulation() override {
+    // These point at each other.
+    integrator_->setSimulationPtr(nullptr);
+    integrator_->setDynamicalSystemsGraph(nullptr);
+    problem_->setSimulationPtr(nullptr);
+    simulation_->clear();
+    system_->clear();
+  }
+
+  BodyState body(std::size_t k) const override {
+    const SiconosVector &q = *bodies_[k]->q(), &v = *bodies_[k]->velocity();
+    return {q.getValue(0), q.getValue(1), v.getValue(0), v.getValue(1), -q.getValue(2), -v.getValue(2)};
+  }
+
+  std::vector<ContactPoint> contacts() const override { return contacts_; }
+
+  /// Steps in which the solver did not reach its tolerance.
+  std::size_t warnings() const override { return failures_; }
+
+ private:
   struct Corner {
     std::size_t interface;
     std::shared_ptr<CornerOverFace> relation;
@@ -177,136 +204,101 @@ struct SiconosStack::Parts {
     const BlockVector& places() const { return *interaction->linkToDSVariables()[LagrangianR::q0]; }
   };
 
-  ~Parts() {
-    // These point at each other.
-    integrator->setSimulationPtr(nullptr);
-    integrator->setDynamicalSystemsGraph(nullptr);
-    problem->setSimulationPtr(nullptr);
-    simulation->clear();
-    system->clear();
-  }
-
-  std::shared_ptr<NonSmoothDynamicalSystem> system;
-  std::vector<std::shared_ptr<LagrangianLinearTIDS>> bodies;
-  std::vector<Corner> corners;
-  std::shared_ptr<MoreauJeanOSI> integrator;
-  std::shared_ptr<FrictionContact> problem;
-  std::shared_ptr<TimeStepping> simulation;
-  BodyAcceleration acceleration;
-  GroundStep ground;  ///< where it is at the end of the step under way
-};
-
-SiconosStack::SiconosStack(const Setup& setup, const Parameters& parameters)
-    : blocks_(setup.blocks),
-      mass_factor_(mass_factor(setup, parameters)),
-      dt_(setup.dt),
-      parts_(std::make_unique<Parts>()) {
-  use_one_thread();
-  const double end = (static_cast<double>(setup.steps) + 2) * dt_;
-  parts_->system = std::make_shared<NonSmoothDynamicalSystem>(0, end);
-  parts_->acceleration = setup.gravity;
-  add_bodies(setup);
-  add_corners(setup, parameters.at("en"));
-  add_scheme(parameters);
-}
-
-SiconosStack::~SiconosStack() = default;
-
-void SiconosStack::add_bodies(const Setup& setup) {
-  for (const Placement& block : setup.blocks) {
+  void add_body(const Placement& block) {
     const auto mass = std::make_shared<SimpleMatrix>(3, 3);
     mass->setValue(0, 0, mass_factor_ * block.mass);
     mass->setValue(1, 1, mass_factor_ * block.mass);
     mass->setValue(2, 2, mass_factor_ * block.inertia);
-    const auto body = std::make_shared<LagrangianLinearTIDS>(
+    bodies_.push_back(std::make_shared<LagrangianLinearTIDS>(
         vector_of(block.x, block.y, -block.angle),
-        vector_of(block.velocity_x, block.velocity_y, -block.angular_velocity), mass);
-    body->setFExtPtr(vector_of(0, 0, 0));
-    parts_->system->insertDynamicalSystem(body);
-    parts_->bodies.push_back(body);
+        vector_of(block.velocity_x, block.velocity_y, -block.angular_velocity), mass));
+    bodies_.back()->setFExtPtr(vector_of(0, 0, 0));
+    system_->insertDynamicalSystem(bodies_.back());
   }
-}
 
-void SiconosStack::add_corners(const Setup& setup, double restitution) {
-  for (std::size_t k = 0; k < setup.blocks.size(); ++k) {
-    const auto law = std::make_shared<NewtonImpactFrictionNSL>(restitution, 0, setup.friction[k], 2);
-    for (const Touch& touch : touches(setup.blocks[k], k == 0 ? nullptr : &setup.blocks[k - 1])) {
-      const auto relation = std::make_shared<CornerOverFace>(touch, parts_->ground);
-      const auto interaction = std::make_shared<Interaction>(law, relation);
-      parts_->corners.push_back({k, relation, interaction});
-      if (k == 0) {
-        parts_->system->link(interaction, parts_->bodies[k]);
-      } else {
-        parts_->system->link(interaction, parts_->bodies[k], parts_->bodies[k - 1]);
+  void add_corners(const Setup& setup, double restitution) {
+    for (std::size_t k = 0; k < setup.blocks.size(); ++k) {
+      const auto law = std::make_shared<NewtonImpactFrictionNSL>(restitution, 0, setup.friction[k], 2);
+      for (const Touch& touch : touches(setup.blocks[k], k == 0 ? nullptr : &setup.blocks[k - 1])) {
+        const auto relation = std::make_shared<CornerOverFace>(touch, ground_);
+        const auto interaction = std::make_shared<Interaction>(law, relation);
+        corners_.push_back({k, relation, interaction});
+        system_->link(interaction, bodies_[k], k == 0 ? nullptr : bodies_[k - 1]);
       }
     }
   }
-}
 
-void SiconosStack::add_scheme(const Parameters& parameters) {
-  parts_->integrator = std::make_shared<MoreauJeanOSI>(parameters.at("theta"), parameters.at("gamma"));
-  parts_->integrator->setConstraintActivationThreshold(parameters.at("constraintActivationThreshold"));
-  const std::shared_ptr<SolverOptions> options(solver_options_create(SICONOS_FRICTION_2D_NSGS), &destroy);
-  options->dparam[SICONOS_DPARAM_TOL] = parameters.at("SICONOS_DPARAM_TOL");
-  options->iparam[SICONOS_IPARAM_MAX_ITER] = static_cast<int>(parameters.at("SICONOS_IPARAM_MAX_ITER"));
-  parts_->problem = std::make_shared<FrictionContact>(2, options);
-  parts_->problem->setKeepLambdaAndYState(parameters.at("keepLambdaAndYState") != 0);
-  parts_->simulation = std::make_shared<TimeStepping>(
-      parts_->system, std::make_shared<TimeDiscretisation>(0, dt_), parts_->integrator, parts_->problem);
-  parts_->simulation->setCheckSolverFunction(&note);
-  parts_->simulation->setWarnOnNonConvergence(false);
-}
+  void add_scheme(const Parameters& parameters) {
+    integrator_ = std::make_shared<MoreauJeanOSI>(parameters.at("theta"), parameters.at("gamma"));
+    integrator_->setConstraintActivationThreshold(parameters.at("constraintActivationThreshold"));
+    const std::shared_ptr<SolverOptions> options(solver_options_create(SICONOS_FRICTION_2D_NSGS), &destroy);
+    options->dparam[SICONOS_DPARAM_TOL] = parameters.at("SICONOS_DPARAM_TOL");
+    options->iparam[SICONOS_IPARAM_MAX_ITER] = static_cast<int>(parameters.at("SICONOS_IPARAM_MAX_ITER"));
+    problem_ = std::make_shared<FrictionContact>(2, options);
+    problem_->setKeepLambdaAndYState(parameters.at("keepLambdaAndYState") != 0);
+    simulation_ = std::make_shared<TimeStepping>(system_, std::make_shared<TimeDiscretisation>(0, dt()),
+                                                 integrator_, problem_);
+    simulation_->setCheckSolverFunction(&note);
+    simulation_->setWarnOnNonConvergence(false);
+  }
 
-void SiconosStack::step(const ShakingStep& shaking) {
-  if (shaking.acceleration) parts_->acceleration = *shaking.acceleration;
-  if (shaking.ground) {
-    // A velocity is asked for at the step's end, and the next step's contacts are chosen there.
-    parts_->ground = *shaking.ground;
-    parts_->ground.x += dt_ * shaking.ground->velocity_x;
-    parts_->ground.y += dt_ * shaking.ground->velocity_y;
-  }
-  for (const auto& body : parts_->bodies) {
-    const double mass = body->mass()->getValue(0, 0);
-    body->fExt()->setValue(0, mass * parts_->acceleration.x);
-    body->fExt()->setValue(1, mass * parts_->acceleration.y);
-  }
-  std::vector<double> gaps;
-  if (watched_) {
-    for (const Parts::Corner& corner : parts_->corners) gaps.push_back(corner.relation->gap(corner.places()));
-  }
-  failed_solutions = 0;
-  parts_->simulation->computeOneStep();
-  failures_ += failed_solutions;
-  if (watched_) read_contacts(gaps);
-  parts_->simulation->nextStep();
-  for (std::size_t k = 0; k < blocks_.size(); ++k) {
-    const SiconosVector &q = *parts_->bodies[k]->q(), &v = *parts_->bodies[k]->velocity();
-    blocks_[k].x = q.getValue(0);
-    blocks_[k].y = q.getValue(1);
-    blocks_[k].angle = -q.getValue(2);
-    blocks_[k].velocity_x = v.getValue(0);
-    blocks_[k].velocity_y = v.getValue(1);
-    blocks_[k].angular_velocity = -v.getValue(2);
-  }
-}
+  void set_gravity(const BodyAcceleration& acceleration) override { acceleration_ = acceleration; }
 
-/// Those that the step had a law for: Siconos's index set 1.
-void SiconosStack::read_contacts(const std::vector<double>& gaps_before) {
-  contacts_.clear();
-  const auto touching = parts_->system->topology()->indexSet(1);
-  for (std::size_t i = 0; i < parts_->corners.size(); ++i) {
-    const Parts::Corner& corner = parts_->corners[i];
-    if (!touching->is_vertex(corner.interaction)) continue;
-    const SiconosVector& impulse = *corner.interaction->lambda(1);
-    ContactPoint point;
-    point.interface = corner.interface;
-    point.along = corner.relation->along(corner.places());
-    point.gap_before = gaps_before[i];
-    point.gap = corner.relation->gap(corner.places());
-    point.normal = impulse.getValue(0) / mass_factor_;
-    point.tangential = std::abs(impulse.getValue(1)) / mass_factor_;
-    contacts_.push_back(point);
+  /// A velocity is asked for at the step's end, and the next step's contacts are chosen there.
+  void place_ground(const GroundStep& step) override {
+    ground_ = step;
+    ground_.x += dt() * step.velocity_x;
+    ground_.y += dt() * step.velocity_y;
   }
+
+  void advance() override {
+    for (const auto& body : bodies_) {
+      const double mass = body->mass()->getValue(0, 0);
+      body->fExt()->setValue(0, mass * acceleration_.x);
+      body->fExt()->setValue(1, mass * acceleration_.y);
+    }
+    std::vector<double> gaps;
+    if (watches_contacts()) {
+      for (const Corner& corner : corners_) gaps.push_back(corner.relation->gap(corner.places()));
+    }
+    failed_solutions = 0;
+    simulation_->computeOneStep();
+    failures_ += failed_solutions;
+    if (watches_contacts()) read_contacts(gaps);
+    simulation_->nextStep();
+  }
+
+  /// Those that the step had a law for: Siconos's index set 1.
+  void read_contacts(const std::vector<double>& gaps_before) {
+    contacts_.clear();
+    const auto touching = system_->topology()->indexSet(1);
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const Corner& corner = corners_[i];
+      if (!touching->is_vertex(corner.interaction)) continue;
+      const SiconosVector& impulse = *corner.interaction->lambda(1);
+      contacts_.push_back({corner.interface, corner.relation->along(corner.places()), gaps_before[i],
+                           corner.relation->gap(corner.places()), impulse.getValue(0) / mass_factor_,
+                           std::abs(impulse.getValue(1)) / mass_factor_});
+    }
+  }
+
+  double mass_factor_;
+  std::shared_ptr<NonSmoothDynamicalSystem> system_;
+  std::vector<std::shared_ptr<LagrangianLinearTIDS>> bodies_;
+  std::vector<Corner> corners_;
+  std::shared_ptr<MoreauJeanOSI> integrator_;
+  std::shared_ptr<FrictionContact> problem_;
+  std::shared_ptr<TimeStepping> simulation_;
+  BodyAcceleration acceleration_;
+  GroundStep ground_;  ///< where it is at the end of the step under way
+  std::vector<ContactPoint> contacts_;
+  std::size_t failures_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> start_siconos(const Setup& setup, const Parameters& parameters) {
+  return std::make_unique<SiconosSimulation>(setup, parameters);
 }
 
 }  // namespace rockstack
