@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/difference_parts.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/results/tables.hpp"
 
 namespace rockstack {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparisons/measures/metrics/contact/corner_springs.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/runs/other_answer.hpp"
 #include "comparisons/runs/run_files.hpp"

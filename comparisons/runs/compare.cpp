@@ -9,9 +9,8 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/measures/results/environment.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/scene_json.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fits.hpp"
@@ -177,8 +176,8 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   result.verdict = verdict_of(evidence, scenes);
   write_ground(suites, folder);
   if (!evidence.distances.empty())
-    write_file(folder / "distributions.csv", distributions_csv(evidence.distances));
-  if (!evidence.fits.empty()) write_file(folder / "fits.csv", fits_csv(evidence.fits));
+    write_file(folder / "distributions.csv", csv_of(distributions_json(evidence.distances)));
+  if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(fits_json(evidence.fits)));
   if (std::any_of(jobs.begin(), jobs.end(), is_drawn))
     write_file(folder / "spread.csv", spread_csv(made.rows));
   if (const auto ranking = rank_sets(evidence.rows); !ranking.empty())

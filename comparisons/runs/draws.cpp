@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/tables.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/runs/measure.hpp"
 
@@ -133,8 +133,7 @@ void summarise(const std::vector<RunMetrics>& draws, RunMetrics& nominal) {
     const std::vector<double> values = values_of(column, first, draws);
     if (values.empty()) continue;
     column.set(nominal, median(values));
-    if (column.set_quartiles != nullptr)
-      column.set_quartiles(nominal, quantile(values, lower), quantile(values, upper));
+    column.set_quartiles(nominal, quantile(values, lower), quantile(values, upper));
   }
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/swings.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 
 namespace rockstack {
 namespace {

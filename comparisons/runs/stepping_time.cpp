@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 

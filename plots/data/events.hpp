@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analytic/scene/history.hpp"
-#include "comparisons/measures/metrics/contact/contact_summary.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/measures/metrics/centres.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 
 namespace rockstack::plots {
 namespace {

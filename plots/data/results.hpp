@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
-#include "comparisons/measures/results/scene_json.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fits.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "comparisons/measures/results/recorded_history.hpp"
-#include "comparisons/measures/statistics/tally.hpp"
+#include "comparisons/measures/statistics/distributions.hpp"
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {

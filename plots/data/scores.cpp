@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/selection.hpp"
 
 namespace rockstack::plots {

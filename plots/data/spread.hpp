@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
-#include "comparisons/measures/statistics/tally.hpp"
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {

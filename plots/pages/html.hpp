@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "comparisons/measures/results/filled_in.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack::plots {
 

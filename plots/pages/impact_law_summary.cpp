@@ -6,7 +6,7 @@
 #include <map>
 
 #include "comparisons/measures/results/sentences.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/law_counts.hpp"
 #include "plots/data/selection.hpp"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "engines/placement.hpp"
+#include "engines/scene_setup.hpp"
 #include "tests/benchmarks/bare_loops.hpp"
 #include "tests/free_rocking.hpp"
 

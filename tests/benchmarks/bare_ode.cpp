@@ -3,7 +3,7 @@
 #include <array>
 #include <chrono>
 
-#include "engines/placement.hpp"
+#include "engines/scene_setup.hpp"
 #include "tests/benchmarks/bare_loops.hpp"
 #include "tests/free_rocking.hpp"
 

@@ -19,7 +19,7 @@
 
 #include "analytic/solve.hpp"
 #include "analytic/solve_batch.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "tests/benchmarks/ensemble_scenes.hpp"
 #include "tests/benchmarks/measurement.hpp"
 #include "tests/benchmarks/methods.hpp"

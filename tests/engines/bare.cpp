@@ -10,7 +10,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "engines/placement.hpp"
 #include "engines/scene_setup.hpp"
 #include "tests/temporary_folder.hpp"
 

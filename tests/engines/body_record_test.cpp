@@ -10,8 +10,6 @@
 #include <random>
 
 #include "analytic/scene/kinematics.hpp"
-#include "engines/interface_state.hpp"
-#include "engines/placement.hpp"
 #include "engines/scene_setup.hpp"
 #include "tests/engines/linked_engines.hpp"
 

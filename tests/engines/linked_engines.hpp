@@ -16,4 +16,9 @@ const std::vector<const Engine*>& linked_engines();
 std::unique_ptr<Simulation> start(const Engine& engine, const Scene& scene, double dt,
                                   const Parameters& parameters);
 
+/// Runs a scene for its duration in this process; `bodies`: keeps a BodyRecord.
+/// @throws as set_up() and run().
+EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters,
+                   bool bodies = false);
+
 }  // namespace rockstack

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engines/placement.hpp"
+#include "engines/scene_setup.hpp"
 #include "tests/engines/linked_engines.hpp"
 
 namespace rockstack {

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engines/conformance/scenes.hpp"
+#include "engines/conformance/check.hpp"
 #include "engines/worker/registry.hpp"
 #include "tests/native_engines.hpp"
 

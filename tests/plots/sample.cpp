@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
-#include "comparisons/measures/results/scene_json.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
 

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/energy.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
-#include "comparisons/measures/results/reactions.hpp"
+#include "comparisons/measures/results/histories.hpp"
 #include "plots/pages/player_data.hpp"
 
 namespace rockstack::live {

@@ -7,7 +7,6 @@
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/interfaces/program/output.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/results_folder.hpp"
 #include "comparisons/studies/canon/canon.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "engines/worker/registry.hpp"

@@ -13,8 +13,6 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "engines/conformance/check.hpp"
-#include "engines/conformance/known_limits.hpp"
-#include "engines/conformance/scenes.hpp"
 #include "engines/worker/registry.hpp"
 
 namespace rockstack {

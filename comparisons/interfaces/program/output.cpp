@@ -11,7 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "comparisons/measures/metrics/contact/validity.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/build.hpp"
 
 namespace rockstack {

@@ -8,7 +8,7 @@
 
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/interfaces/program/output.hpp"
-#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/measures/results/files.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/pages/show.hpp"
 #endif

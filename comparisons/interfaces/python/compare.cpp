@@ -15,7 +15,6 @@
 #include "comparisons/interfaces/python/interrupts.hpp"
 #include "comparisons/interfaces/python/scene.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/results_folder.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/suites/shipped.hpp"
 

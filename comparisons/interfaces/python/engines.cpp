@@ -17,7 +17,7 @@
 #include "comparisons/interfaces/python/arrays.hpp"
 #include "comparisons/interfaces/python/interrupts.hpp"
 #include "comparisons/interfaces/python/motion.hpp"
-#include "comparisons/measures/metrics/contact_patterns.hpp"
+#include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/studies/canon/canon.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "comparisons/suites/suite.hpp"

@@ -16,8 +16,7 @@
 #include "comparisons/interfaces/python/nodes.hpp"
 #include "comparisons/interfaces/python/packed.hpp"
 #include "comparisons/interfaces/python/scene.hpp"
-#include "comparisons/measures/metrics/ground/ground_measures.hpp"
-#include "comparisons/measures/metrics/ground/response_spectrum.hpp"
+#include "comparisons/measures/metrics/ground.hpp"
 
 namespace rockstack::python {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "comparisons/interfaces/python/arrays.hpp"
 #include "comparisons/interfaces/python/packed.hpp"
-#include "comparisons/measures/metrics/contact/validity.hpp"
-#include "comparisons/measures/results/reactions.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/results/histories.hpp"
 
 namespace rockstack::python {
 namespace {

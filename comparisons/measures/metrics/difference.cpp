@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 namespace rockstack {
-
 namespace {
 
 /// How many samples both have, from the start.
@@ -95,6 +96,51 @@ std::optional<SlipDifference> slip_difference(const History& first, const Histor
     result.largest = std::max(result.largest, result.last.value_or(0));
   }
   return result;
+}
+
+DifferenceParts difference_parts(const History& exact, const History& rigid, const History& soft,
+                                 const History& engine) {
+  DifferenceParts parts{difference(exact, rigid), difference(rigid, soft), difference(soft, engine)};
+  const std::size_t samples = std::min({exact.size(), rigid.size(), soft.size(), engine.size()});
+  for (Difference* part : {&parts.model, &parts.softness, &parts.step}) {
+    part->times.resize(samples);
+    part->values.resize(samples * part->blocks);
+  }
+  return parts;
+}
+
+double share_of(const Difference& part, const Difference& whole) {
+  const auto product = [&](const Difference& other) {
+    return std::inner_product(other.values.begin(), other.values.end(), whole.values.begin(), 0.0);
+  };
+  const double squares = product(whole);
+  return squares > 0 ? product(part) / squares : std::nan("");
+}
+
+Difference whole_of(const DifferenceParts& parts) {
+  Difference whole = parts.model;
+  for (std::size_t i = 0; i < whole.values.size(); ++i)
+    whole.values[i] += parts.softness.values[i] + parts.step.values[i];
+  return whole;
+}
+
+MagnitudePhase magnitude_phase(const History& exact, const History& other) {
+  const std::size_t count = std::min(exact.angles.size(), other.angles.size());
+  double exact_square = 0, other_square = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    exact_square += exact.angles[i] * exact.angles[i];
+    other_square += other.angles[i] * other.angles[i];
+  }
+  const double exact_length = std::sqrt(exact_square), other_length = std::sqrt(other_square);
+  // The angle by the half sum and half difference of unit vectors: the arc cosine loses small angles.
+  double sum = 0, apart = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double one = exact.angles[i] / exact_length, two = other.angles[i] / other_length;
+    sum += (one + two) * (one + two);
+    apart += (one - two) * (one - two);
+  }
+  return {other_length / exact_length - 1,
+          2 * std::atan2(std::sqrt(apart), std::sqrt(sum)) / std::numbers::pi};
 }
 
 }  // namespace rockstack

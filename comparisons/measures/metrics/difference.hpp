@@ -45,4 +45,33 @@ struct SlipDifference {
 /// @throws std::invalid_argument as difference().
 std::optional<SlipDifference> slip_difference(const History& first, const History& second);
 
+/// The difference of an engine's motion from the exact one, from one motion to the next: exact; exact with
+/// rigid contacts and the engine's friction; exact on springs as soft as its contacts; the engine.
+struct DifferenceParts {
+  Difference model, softness, step;  ///< of the same samples; they add up to the whole
+};
+
+/// Over the time that all four cover. @throws std::invalid_argument as difference().
+DifferenceParts difference_parts(const History& exact, const History& rigid, const History& soft,
+                                 const History& engine);
+
+/// A part as a share of the whole, Σ part·whole/Σ whole²: shares of parts add up to 1, and one is negative
+/// where its part works against the others. NaN where there is no difference.
+double share_of(const Difference& part, const Difference& whole);
+
+/// The sum of all parts.
+Difference whole_of(const DifferenceParts& parts);
+
+/// The difference between two histories in the two parts of Sprague & Geers (2003), as in L. E. Schwer,
+/// "Validation metrics for response histories: perspectives and case studies", Engineering with Computers 23
+/// (2007): of the angles as vectors m (exact) and c (of the other) over all samples and blocks, magnitude
+/// |c|/|m| − 1 and phase arccos(c·m/(|c||m|))/π.
+struct MagnitudePhase {
+  double magnitude = 0;  ///< blind to delay
+  double phase = 0;      ///< blind to amplitude, 0 to 1
+};
+
+/// Over the time that both cover. Precondition: the same blocks and times, neither without motion.
+MagnitudePhase magnitude_phase(const History& exact, const History& other);
+
 }  // namespace rockstack

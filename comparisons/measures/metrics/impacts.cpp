@@ -12,6 +12,49 @@ double stack_height(const Scene& scene) {
   return height;
 }
 
+/// The contacts of one interface, sample by sample, from its relative angles.
+std::vector<Contact> contacts(const std::vector<double>& times, const std::vector<double>& angles,
+                              double least_time) {
+  const std::size_t count = angles.size();
+  std::vector<Contact> list(count, Contact::closed);
+  const auto open_side = [&](std::size_t i) {
+    return std::abs(angles[i]) <= open_angle ? Contact::closed : contact_of(angles[i] < 0 ? -1 : 1);
+  };
+  for (std::size_t i = 0; i < count; ++i) list[i] = open_side(i);
+  for (std::size_t i = 0; i < count;) {
+    if (list[i] != Contact::closed) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < count && open_side(end) == Contact::closed) ++end;
+    const bool passing = i > 0 && end < count && times[end] - times[i - 1] < least_time;
+    if (passing) {
+      Contact side = list[i - 1];
+      for (std::size_t j = i; j < end; ++j) {
+        if (angles[j] * sign(list[end]) >= 0) side = list[end];
+        list[j] = side;
+      }
+    }
+    i = end;
+  }
+  return list;
+}
+
+/// A pattern and when it begins.
+struct Passage {
+  double time = 0;  ///< s
+  Pattern pattern;
+};
+
+std::vector<Passage> passages(const std::vector<double>& times, const std::vector<Pattern>& patterns) {
+  std::vector<Passage> list;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (list.empty() || !(list.back().pattern == patterns[i])) list.push_back({times[i], patterns[i]});
+  }
+  return list;
+}
+
 }  // namespace
 
 Contact side_of(double velocity, double slowest) {
@@ -69,9 +112,93 @@ std::vector<ImpactTime> observed_impacts(const History& history, double slowest)
                          side_of(relative_at(history.velocities_at(later), k), slowest), approach});
     }
   }
-  std::stable_sort(impacts.begin(), impacts.end(),
-                   [](const ImpactTime& a, const ImpactTime& b) { return a.time < b.time; });
+  std::ranges::stable_sort(impacts, {}, &ImpactTime::time);
   return impacts;
+}
+
+std::vector<Pattern> sampled_patterns(const Scene& scene, const History& history) {
+  std::vector<Pattern> patterns(history.size(), closed_pattern(history.blocks));
+  std::vector<double> angles(history.size());
+  for (int k = 0; k < history.blocks; ++k) {
+    const auto block = static_cast<std::size_t>(k);
+    for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = relative_at(history.angles_at(i), block);
+    const std::vector<Contact> list = contacts(history.times, angles, settling_duration(scene));
+    for (std::size_t i = 0; i < list.size(); ++i) patterns[i][k] = list[i];
+  }
+  return patterns;
+}
+
+std::vector<PatternShare> pattern_shares(const std::vector<double>& times, const std::vector<Pattern>& exact,
+                                         const std::vector<Pattern>& engine) {
+  std::vector<PatternShare> shares;
+  auto last = shares.end();
+  const auto is_pair = [&](const PatternShare& one, std::size_t i) {
+    return one.exact == exact[i] && one.engine == engine[i];
+  };
+  const double whole = times.back() - times.front();
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (last == shares.end() || !is_pair(*last, i)) {
+      last = std::ranges::find_if(shares, [&](const PatternShare& one) { return is_pair(one, i); });
+      if (last == shares.end()) last = shares.insert(last, {exact[i], engine[i], 0});
+    }
+    if (i + 1 < times.size()) last->share += (times[i + 1] - times[i]) / whole;
+  }
+  return shares;
+}
+
+double agreement(const std::vector<PatternShare>& shares) {
+  double sum = 0;
+  for (const PatternShare& one : shares) {
+    if (one.exact == one.engine) sum += one.share;
+  }
+  return sum;
+}
+
+double sequence_time(const std::vector<double>& times, const std::vector<Pattern>& exact,
+                     const std::vector<Pattern>& engine) {
+  const auto first = passages(times, exact), second = passages(times, engine);
+  const double end = times.back();
+  for (std::size_t i = 0; i < std::max(first.size(), second.size()); ++i) {
+    const bool both = i < first.size() && i < second.size();
+    if (both && first[i].pattern == second[i].pattern) continue;
+    return std::min(i < first.size() ? first[i].time : end, i < second.size() ? second[i].time : end);
+  }
+  return end;
+}
+
+std::vector<ImpactTime> settlings(const Scene& scene, const History& history) {
+  const double slowest = chatter_speed(scene), least_time = settling_duration(scene);
+  std::vector<ImpactTime> list;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(history.blocks); ++k) {
+    const auto is_quiet = [&](std::size_t i) {
+      return std::abs(relative_at(history.angles_at(i), k)) <= open_angle &&
+             std::abs(relative_at(history.velocities_at(i), k)) < slowest;
+    };
+    for (std::size_t i = 0; i < history.size(); ++i) {
+      if (!is_quiet(i)) continue;
+      const std::size_t start = i;
+      while (i + 1 < history.size() && is_quiet(i + 1)) ++i;
+      if (start > 0 && history.times[i] - history.times[start] >= least_time)
+        list.push_back({history.times[start], static_cast<int>(k) + 1, Contact::closed});
+    }
+  }
+  std::ranges::stable_sort(list, {}, &ImpactTime::time);
+  return list;
+}
+
+std::optional<double> residual_motion(const History& exact, const History& engine) {
+  const std::size_t count = std::min(exact.size(), engine.size());
+  const double start = 0.9 * exact.times[count - 1];
+  double sum = 0;
+  std::size_t values = 0;
+  for (std::size_t i = count; i-- > 0 && exact.times[i] >= start;) {
+    if (!is_closed(exact.patterns[i])) return {};
+    for (const double velocity : engine.velocities_at(i)) {
+      sum += velocity * velocity;
+      ++values;
+    }
+  }
+  return std::sqrt(sum / static_cast<double>(values));
 }
 
 }  // namespace rockstack

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,5 +46,46 @@ std::vector<ImpactTime> reported_impacts(const History& history, double slowest)
 /// has lost more than half its speed (the time is that of the first sample plus angle over speed). Its side
 /// is that of the sample after: engines that find contacts by overlap answer one step late.
 std::vector<ImpactTime> observed_impacts(const History& history, double slowest);
+
+// The patterns of sampled motion, read from angles alone, so that engines and the exact solution are judged
+// alike.
+
+/// The relative angle up to which an interface may count as closed, rad. What chatter below chatter_speed()
+/// opens, and what engines let blocks sink in and lean, stays below it.
+inline constexpr double open_angle = 2e-3;
+
+/// The pattern at each sample. An interface is closed where it stays within open_angle for at least
+/// settling_duration(scene), and at the history's ends; in shorter stretches it changes sides as its relative
+/// angle reaches the other side, or stays on the one that it comes back to.
+std::vector<Pattern> sampled_patterns(const Scene& scene, const History& history);
+
+/// Share of time that both histories spend in a pair of patterns.
+struct PatternShare {
+  Pattern exact, engine;
+  double share = 0;  ///< of 1
+};
+
+/// All pairs that occur in patterns at the same times (s), in the order in which they first do.
+/// Precondition: at least one sample.
+std::vector<PatternShare> pattern_shares(const std::vector<double>& times, const std::vector<Pattern>& exact,
+                                         const std::vector<Pattern>& engine);
+
+/// The share of time in which both are equal.
+double agreement(const std::vector<PatternShare>& shares);
+
+/// The time until which two histories pass through the same patterns in the same order: the earlier of both
+/// times at which the first patterns begin that differ, the last time where none do. s.
+double sequence_time(const std::vector<double>& times, const std::vector<Pattern>& exact,
+                     const std::vector<Pattern>& engine);
+
+/// When interfaces settle: an interface that has moved comes to stay within open_angle of closed, and slower
+/// than chatter_speed(scene), for at least settling_duration(scene). All chatter of an interface is one
+/// settling. In order of time.
+std::vector<ImpactTime> settlings(const Scene& scene, const History& history);
+
+/// Root of the mean square angular velocity of all blocks of `engine` over the last tenth of its time, rad/s;
+/// nothing where `exact` is not at rest all that time. Precondition: the same times; `exact` knows its
+/// patterns.
+std::optional<double> residual_motion(const History& exact, const History& engine);
 
 }  // namespace rockstack

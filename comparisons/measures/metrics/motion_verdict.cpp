@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "analytic/scene/messages/number_text.hpp"
-#include "comparisons/measures/metrics/centres.hpp"
-#include "comparisons/measures/metrics/contact/contact_summary.hpp"
-#include "comparisons/measures/metrics/toppling.hpp"
+#include "analytic/scene/messages/quantity_text.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 
 namespace rockstack {
 namespace {
+
+/// In the order of TopplingVerdict.
+constexpr std::array<const char*, 5> verdict_names{"", "neither", "both", "exact alone", "engine alone"};
 
 /// The largest angle of a block over its slenderness angle.
 struct Lean {
@@ -77,11 +80,14 @@ std::string demand(const History& history) {
 
 constexpr double visible = 1e-9;  // m
 
+auto largest_of(const std::vector<InterfaceSummary>& interfaces, double InterfaceSummary::*value) {
+  return std::max_element(interfaces.begin(), interfaces.end(),
+                          [&](const auto& a, const auto& b) { return a.*value < b.*value; });
+}
+
 /// The block that slips furthest, and where it is left.
 std::string slipping(const std::vector<InterfaceSummary>& interfaces) {
-  const auto most = std::max_element(interfaces.begin(), interfaces.end(), [](const auto& a, const auto& b) {
-    return a.largest_slip < b.largest_slip;
-  });
+  const auto most = largest_of(interfaces, &InterfaceSummary::largest_slip);
   if (most->largest_slip <= visible) return "";
   return fmt::format("; block {} slips by up to {} and is left {} to the {}", most - interfaces.begin() + 1,
                      quantity_text(most->largest_slip, "m"), quantity_text(std::abs(most->final_slip), "m"),
@@ -89,9 +95,7 @@ std::string slipping(const std::vector<InterfaceSummary>& interfaces) {
 }
 
 std::string lifting(const std::vector<InterfaceSummary>& interfaces) {
-  const auto most = std::max_element(interfaces.begin(), interfaces.end(), [](const auto& a, const auto& b) {
-    return a.highest_lift < b.highest_lift;
-  });
+  const auto most = largest_of(interfaces, &InterfaceSummary::highest_lift);
   if (most->highest_lift <= visible) return "";
   return fmt::format("; block {} lifts by up to {}", most - interfaces.begin() + 1,
                      quantity_text(most->highest_lift, "m"));
@@ -121,6 +125,77 @@ std::string sinking(const Scene& scene, const Support& support) {
 }
 
 }  // namespace
+
+std::string reported_toppling(const History& history) {
+  if (history.events.empty() || !ends_motion(history.events.back().kind)) return "";
+  return fmt::format("block {} at {} s", history.events.back().interface, history.events.back().time);
+}
+
+std::string observed_toppling(const Scene& scene, const History& history) {
+  const auto last = history.angles_at(history.size() - 1);
+  for (std::size_t k = 0; k < last.size(); ++k) {
+    if (std::abs(last[k]) <= toppling_angle(scene, static_cast<int>(k))) continue;
+    return fmt::format("block {} at {} s", k + 1, history.times.back());
+  }
+  return "";
+}
+
+std::string fallen_block(const std::vector<double>& unsupported_since) {
+  const auto first = std::ranges::min_element(unsupported_since);
+  if (first == unsupported_since.end() || std::isinf(*first)) return "";
+  return fmt::format("block {} at {} s", first - unsupported_since.begin() + 1, *first);
+}
+
+TopplingVerdict toppling_verdict(bool exact, bool engine) {
+  if (exact == engine) return exact ? TopplingVerdict::both : TopplingVerdict::neither;
+  return exact ? TopplingVerdict::exact_alone : TopplingVerdict::engine_alone;
+}
+
+std::string name(TopplingVerdict verdict) {
+  return verdict_names.at(static_cast<std::size_t>(verdict));
+}
+
+TopplingVerdict named_verdict(const std::string& name) {
+  const auto found = std::find(verdict_names.begin(), verdict_names.end(), name);
+  return found == verdict_names.end() ? TopplingVerdict::unknown
+                                      : static_cast<TopplingVerdict>(found - verdict_names.begin());
+}
+
+bool differ(TopplingVerdict verdict) {
+  return verdict == TopplingVerdict::exact_alone || verdict == TopplingVerdict::engine_alone;
+}
+
+double angle_at(const History& history, std::size_t block, double time) {
+  const auto after = std::lower_bound(history.times.begin(), history.times.end(), time);
+  const auto last = static_cast<std::ptrdiff_t>(history.size()) - 1;
+  const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - history.times.begin(), 1, last));
+  const double fraction = (time - history.times[i - 1]) / (history.times[i] - history.times[i - 1]);
+  const double from = history.angles_at(i - 1)[block];
+  return from + fraction * (history.angles_at(i)[block] - from);
+}
+
+std::vector<Swing> swings(const History& history, std::size_t block) {
+  std::vector<Swing> list(1);
+  double side = history.angles_at(0)[block];
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const double angle = history.angles_at(i)[block];
+    if (angle * side < 0) {
+      list.back().end = history.times[i];
+      list.emplace_back();
+      side = angle;
+    }
+    if (std::abs(angle) > list.back().peak) {
+      list.back().peak = std::abs(angle);
+      list.back().peak_time = history.times[i];
+    }
+  }
+  return list;
+}
+
+Swing largest_swing(const History& history, std::size_t block) {
+  const auto list = swings(history, block);
+  return *std::ranges::max_element(list, {}, &Swing::peak);
+}
 
 std::vector<double> peak_angles(const History& history) {
   if (!history.peaks.empty()) return history.peaks;

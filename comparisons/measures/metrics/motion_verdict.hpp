@@ -8,6 +8,48 @@
 
 namespace rockstack {
 
+/// "block 2 at 1.5 s" where a solver's history ends so, or nothing.
+std::string reported_toppling(const History& history);
+
+/// The same of an engine's history, which ends early only where a block has toppled: the block and the time
+/// are those of its last sample.
+std::string observed_toppling(const Scene& scene, const History& history);
+
+/// Likewise of a block that has fallen off what it stood on, from since when each has had nothing below it, s
+/// (infinite where it has): the first that did.
+std::string fallen_block(const std::vector<double>& unsupported_since);
+
+/// Which of both topple.
+enum class TopplingVerdict { unknown, neither, both, exact_alone, engine_alone };
+
+TopplingVerdict toppling_verdict(bool exact, bool engine);
+
+/// "neither", "both", "exact alone", "engine alone"; empty where it is unknown.
+std::string name(TopplingVerdict verdict);
+
+/// The verdict of that name, unknown where there is none.
+TopplingVerdict named_verdict(const std::string& name);
+
+/// True where one of both topples and the other does not.
+bool differ(TopplingVerdict verdict);
+
+/// The angle of a block (from 0) at any time, by the straight line between samples, rad; past the end, that
+/// line goes on. Precondition: at least two samples.
+double angle_at(const History& history, std::size_t block, double time);
+
+/// One swing of a block between two changes of side.
+struct Swing {
+  double end = 0;        ///< s; 0 for the last
+  double peak = 0;       ///< largest absolute angle, rad
+  double peak_time = 0;  ///< s
+};
+
+/// All swings of a block (from 0) in order.
+std::vector<Swing> swings(const History& history, std::size_t block);
+
+/// The one with the largest peak.
+Swing largest_swing(const History& history, std::size_t block);
+
 /// The largest angle of each block, rad; of samples where the history does not keep it.
 std::vector<double> peak_angles(const History& history);
 

@@ -1,13 +1,13 @@
 #include "comparisons/measures/results/csv.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
-#include <sstream>
 
 #include "analytic/scene/messages/input_error.hpp"
 
@@ -140,6 +140,43 @@ int whole_number(std::string_view cell, const std::string& where, const std::str
     throw InputError(fmt::format("{}: {} = \"{}\": must be a whole number from {} to {}", where, column_name,
                                  cell, least, most));
   return static_cast<int>(value);
+}
+
+void CsvWriter::end_line() {
+  text_ += '\n';
+  begun_ = false;
+}
+
+void CsvWriter::separate() {
+  if (begun_) text_ += ',';
+  begun_ = true;
+}
+
+void CsvWriter::write(double number) {
+  separate();
+  fmt::format_to(std::back_inserter(text_), "{}", number);
+}
+
+void CsvWriter::write(std::ptrdiff_t number) {
+  separate();
+  fmt::format_to(std::back_inserter(text_), "{}", number);
+}
+
+void CsvWriter::write(std::string_view text) {
+  separate();
+  const char* guard = needs_guard(text) ? "'" : "";
+  if (text.find_first_of(",\"\n") == std::string_view::npos) {
+    text_ += guard;
+    text_ += text;
+    return;
+  }
+  text_ += '"';
+  text_ += guard;
+  for (const char letter : text) {
+    if (letter == '"') text_ += '"';
+    text_ += letter == '\n' ? ' ' : letter;
+  }
+  text_ += '"';
 }
 
 }  // namespace rockstack

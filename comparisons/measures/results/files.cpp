@@ -9,14 +9,22 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <sstream>
 #include <stdexcept>
-#include <string>
+#include <system_error>
 #include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& file) {
+  throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+}
 
 /// A file that grows beside its place, and goes away unless it is finished.
 class PartialFile {
@@ -25,7 +33,7 @@ class PartialFile {
     // Made new: what a killed run has left goes, and a link leads nowhere.
     unlink(own_.c_str());
     descriptor_ = open(own_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) fail();
+    if (descriptor_ < 0) fail(file_);
   }
   ~PartialFile() {
     if (descriptor_ < 0) return;
@@ -38,7 +46,7 @@ class PartialFile {
   void append(std::string_view text) {
     while (!text.empty()) {
       const ssize_t written = write(descriptor_, text.data(), text.size());
-      if (written < 0 && errno != EINTR) fail();
+      if (written < 0 && errno != EINTR) fail(file_);
       text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
     }
   }
@@ -46,19 +54,95 @@ class PartialFile {
   /// On the disk first, then in its place: a machine that stops leaves it whole or not there.
   void finish() {
     const bool on_disk = fsync(descriptor_) == 0 || errno == EINVAL;  // where a file system cannot be asked
-    if (!on_disk || rename(own_.c_str(), file_.c_str()) != 0) fail();
+    if (!on_disk || rename(own_.c_str(), file_.c_str()) != 0) fail(file_);
     close(std::exchange(descriptor_, -1));
   }
 
  private:
-  [[noreturn]] void fail() const {
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}", file_.string(), std::strerror(errno)));
-  }
-
   std::filesystem::path file_;
   std::string own_;
   int descriptor_ = -1;
 };
+
+struct Kind {
+  const char* name;
+  std::vector<const char*> derived;  ///< from runs, or by a command that has none
+};
+
+/// In the order of Results.
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> list{
+      {"one motion", {"summary.json", "history.csv", "events.csv", "ground.csv", "figures", "report.html"}},
+      {"a comparison",
+       {"comparison.json", "comparison.csv", "fits.csv", "distributions.csv", "ground", "figures",
+        "report.html"}},
+      {"a lesson",
+       {"lesson.html", "slides.html", "slides.pdf", "lesson.json", "comparison.json", "comparison.csv",
+        "fits.csv", "distributions.csv", "ground", "figures", "report.html"}},
+      {"advice", {"advice.json", "advice.csv", "figures", "report.html"}},
+      {"a study of stability",
+       {"stability.json", "stability.csv", "steps.csv", "comparison.json", "comparison.csv", "fits.csv",
+        "distributions.csv", "ground", "figures", "report.html"}},
+      {"a study of impact laws",
+       {"impact-laws.json", "impact-laws.csv", "impact-laws-engines.csv", "figures", "report.html"}},
+      {"a sweep",
+       {"sweep.json", "runs.csv", "timing.json", "fragility.csv", "fragility-fit.csv", "incremental.csv",
+        "incremental-fractiles.csv", "overturning.csv", "modes.csv", "figures", "report.html"}},
+      {"a record", {"record.json", "record.csv", "spectrum.csv", "figures", "report.html"}},
+      {"results held together", {"diff.json", "diff.csv"}},
+      {"a canon", {"canon.json", "canon.csv", "report.html"}},
+      {"a course", {"index.html", "course.json"}},
+      {"problem sheets", {}},
+  };
+  return list;
+}
+
+namespace fs = std::filesystem;
+
+constexpr const char* mark_name = ".results";
+
+InputError no_folder(const fs::path& folder, const std::string& why) {
+  return InputError(fmt::format("--out {}: must be a folder that can be written: {}", folder.string(), why));
+}
+
+/// Makes a folder with those that it lies in, and returns those that were not there.
+std::vector<fs::path> make_folders(const fs::path& folder) {
+  std::vector<fs::path> made;
+  std::error_code error;
+  for (fs::path above = fs::absolute(folder); !fs::exists(above, error) && above != above.root_path();
+       above = above.parent_path())
+    made.push_back(above);
+  fs::create_directories(folder, error);
+  if (!error && !fs::is_directory(folder, error)) error = std::make_error_code(std::errc::not_a_directory);
+  if (error) throw no_folder(folder, error.message());
+  return made;
+}
+
+/// The first file that is no mark of ours; hidden ones belong to the desktop.
+std::optional<std::string> foreign_file(const fs::path& folder) {
+  std::set<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    names.insert(entry.path().filename().string());
+  std::erase_if(names, [](const std::string& name) { return name.starts_with('.'); });
+  return names.empty() ? std::nullopt : std::optional(*names.begin());
+}
+
+std::string entry_line(std::size_t part, std::string_view text) {
+  return fmt::format("part {} {} {:016x}\n", part, text.size(), checksum(text));
+}
+
+/// The next entry of a journal: its number and text. False where none follows whole.
+bool read_entry(std::istream& in, std::uint64_t rest, std::size_t& part, std::string& text) {
+  std::string line, word;
+  if (!std::getline(in, line) || in.eof()) return false;
+  std::istringstream words(line);
+  std::uint64_t length = 0;
+  if (!(words >> word >> part >> length) || length > rest) return false;
+  text.resize(length);
+  in.read(text.data(), static_cast<std::streamsize>(length));
+  return in && line + "\n" == entry_line(part, text);
+}
 
 }  // namespace
 
@@ -99,6 +183,101 @@ void write_file(const std::filesystem::path& file, const std::function<void(cons
   PartialFile partial(file);
   write([&](std::string_view text) { partial.append(text); });
   partial.finish();
+}
+
+ResultsFolder::ResultsFolder(const fs::path& folder, Results results)
+    : folder_(folder), made_(make_folders(folder)), lock_(folder) {
+  const Kind& kind = kinds().at(static_cast<std::size_t>(results));
+  std::string found;
+  std::getline(std::ifstream(folder / mark_name), found);
+  if (!found.empty() && found != kind.name)
+    throw InputError(
+        fmt::format("--out {}: must be a folder of its own: it holds {}", folder.string(), found));
+  if (const auto foreign = foreign_file(folder); foreign && found.empty())
+    throw InputError(fmt::format("--out {}: must be empty or hold results: {} is there, and is not ours",
+                                 folder.string(), *foreign));
+  try {
+    write_file(folder / mark_name, std::string(kind.name) + "\n");
+  } catch (const std::runtime_error& failure) {
+    throw no_folder(folder, failure.what());
+  }
+  for (const char* name : kind.derived) fs::remove_all(folder / name);
+}
+
+ResultsFolder::~ResultsFolder() {
+  std::error_code ignored;
+  if (made_.empty() || foreign_file(folder_)) return;
+  fs::remove(folder_ / mark_name, ignored);
+  for (const fs::path& folder : made_) fs::remove(folder, ignored);
+}
+
+Journal::Journal(const std::filesystem::path& folder, const std::string& identity)
+    : file_(folder / "runs.journal") {
+  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail(file_);
+  try {
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+      throw InputError(
+          fmt::format("--out {}: must be left alone while another sweep writes into it", folder.string()));
+    }
+    scan(fmt::format("rockstack sweep {:016x}\n", checksum(identity)));
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+}
+
+Journal::~Journal() {
+  ::close(descriptor_);
+}
+
+void Journal::scan(const std::string& head) {
+  std::ifstream in(file_, std::ios::binary);
+  const std::uint64_t size = std::filesystem::file_size(file_);
+  std::string found(std::min<std::uint64_t>(size, head.size()), '\0');
+  in.read(found.data(), static_cast<std::streamsize>(found.size()));
+  if (!head.starts_with(found)) {
+    throw InputError(fmt::format(
+        "--out {}: must be a folder of its own: it holds a sweep of another ensemble, or by another build",
+        file_.parent_path().string()));
+  }
+  const bool whole = found.size() == head.size();
+  end_ = whole ? head.size() : 0;
+  std::size_t part = 0;
+  for (std::string text; whole && read_entry(in, size - end_, part, text);) {
+    const auto end = static_cast<std::uint64_t>(in.tellg());
+    entries_[part] = {end - text.size(), text.size()};
+    end_ = end;
+  }
+  if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) fail(file_);
+  if (!whole) write(head);
+}
+
+void Journal::write(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::pwrite(descriptor_, text.data(), text.size(), static_cast<off_t>(end_));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail(file_);
+    end_ += static_cast<std::uint64_t>(written);
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void Journal::append(std::size_t part, const std::string& text) {
+  write(entry_line(part, text) + text);
+  entries_[part] = {end_ - text.size(), text.size()};
+}
+
+void Journal::copy_to(const Sink& put) const {
+  std::ifstream in(file_, std::ios::binary);
+  std::string text;
+  for (const auto& [part, entry] : entries_) {
+    text.resize(entry.length);
+    in.seekg(static_cast<std::streamoff>(entry.begin));
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    put(text);
+  }
+  if (!in) throw std::runtime_error(file_.string() + ": cannot be read");
 }
 
 }  // namespace rockstack

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rockstack {
 
@@ -39,5 +42,76 @@ void write_file(const std::filesystem::path& file, std::string_view content);
 
 /// The same, of what `write` puts out.
 void write_file(const std::filesystem::path& file, const std::function<void(const Sink&)>& write);
+
+/// What a folder holds, by the command that fills it.
+enum class Results {
+  motion,
+  comparison,
+  lesson,
+  advice,
+  stability,
+  impact_laws,
+  sweep,
+  record,
+  diff,
+  canon,
+  course,
+  sheets
+};
+
+/// A folder that this process alone fills, with results of one kind. Runs that are there stay for the command
+/// to judge; tables, figures and pages that were made of them go before anything is made again, so that
+/// nothing of before stands beside what is new. A folder that was made for this and that nothing has come
+/// into goes again.
+class ResultsFolder {
+ public:
+  /// @throws InputError where the folder cannot be written, is being written by another process, or holds
+  /// results of another kind or files of others.
+  ResultsFolder(const std::filesystem::path& folder, Results kind);
+  ~ResultsFolder();
+  ResultsFolder(const ResultsFolder&) = delete;
+  ResultsFolder& operator=(const ResultsFolder&) = delete;
+
+ private:
+  std::filesystem::path folder_;
+  std::vector<std::filesystem::path> made_;  ///< inmost first
+  FolderLock lock_;
+};
+
+/// Finished parts of a job in a file that only grows, so that a job that was killed can go on: a head line
+/// that names the job, then one entry a part, with its length and checksum. An entry that is torn, and what
+/// follows it, is dropped when the file is opened again.
+class Journal {
+ public:
+  /// Opens DIR/runs.journal, or starts one for the job of that identity.
+  /// @throws InputError where it belongs to another job or another process is writing it; std::runtime_error
+  /// where it cannot be written.
+  Journal(const std::filesystem::path& folder, const std::string& identity);
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  bool has(std::size_t part) const { return entries_.contains(part); }
+  std::size_t size() const { return entries_.size(); }
+
+  /// Adds a part that is not there yet. @throws std::runtime_error where it cannot be written.
+  void append(std::size_t part, const std::string& text);
+
+  /// Writes all parts in the order of their numbers.
+  void copy_to(const Sink& put) const;
+
+ private:
+  struct Entry {
+    std::uint64_t begin, length;  ///< of the text in the file, bytes
+  };
+
+  void scan(const std::string& head);
+  void write(std::string_view text);
+
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+  std::uint64_t end_ = 0;  ///< of the last whole entry, bytes
+  std::map<std::size_t, Entry> entries_;
+};
 
 }  // namespace rockstack

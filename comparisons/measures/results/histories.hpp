@@ -9,10 +9,21 @@
 
 namespace rockstack {
 
-/// What a solution may keep of its samples besides history.csv: "forces", "energies", "corners".
-const std::vector<std::string>& kinds_of_histories();
+/// What each interface carries from the block below to the block above at every sample, row by row; open
+/// interfaces have no centre: there it is the pivot. Precondition: the history has patterns.
+std::vector<Reaction> reactions_of(const Scene& scene, const History& history);
 
-/// Their files by name: reactions.csv (reactions.hpp), energies.csv and corners.csv, of the kinds asked for.
+/// time,normal_1,…,tangential_1,…,centre_1,…: what each interface carries from the block below to the block
+/// above at every sample, in N along the normal of its face and along the face; and where a closed interface
+/// carries it, in m from its middle (empty where it is open: there it is the pivot).
+/// Precondition: the history has patterns.
+std::string reactions_csv(const Scene& scene, const History& history);
+
+/// What a solution may keep of its samples besides history.csv: "forces", "energies", "corners".
+std::vector<std::string> kinds_of_histories();
+
+/// Their files by name: reactions.csv (reactions_csv()), energies.csv and corners.csv, of the kinds asked
+/// for.
 /// @throws InputError for another kind. Precondition: the history has patterns.
 std::map<std::string, std::string> histories_csv(const Scene& scene, const History& history,
                                                  const std::vector<std::string>& kinds);

@@ -3,9 +3,10 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "comparisons/measures/metrics/toppling.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 
 namespace rockstack {
 
@@ -70,17 +71,24 @@ struct RunMetrics {
   std::string split_reason;
 };
 
-/// A column of comparison.csv: its name, what it means, and how it is read from metrics and put into them.
+/// A column of comparison.csv: its name, what it means, and of which member it is.
 struct Column {
+  using Field =
+      std::variant<std::string RunMetrics::*, std::optional<double> RunMetrics::*,
+                   std::optional<int> RunMetrics::*, RunStatus RunMetrics::*, TopplingVerdict RunMetrics::*>;
+
   const char* name;
   const char* definition;
-  nlohmann::ordered_json (*cell)(const RunMetrics&);
-  void (*set)(RunMetrics&, const nlohmann::ordered_json& cell);
+  Field field;
   bool measured = false;  ///< time or memory that the machine took: another run gives another value
   bool drawn = false;     ///< a median over draws, where there are some
-  /// Of a column that has its quartiles beside it.
-  void (*set_quartiles)(RunMetrics&, const nlohmann::ordered_json& lower,
-                        const nlohmann::ordered_json& upper) = nullptr;
+  std::optional<Field> lower = {}, upper = {};  ///< of a column that has its quartiles beside it
+
+  nlohmann::ordered_json cell(const RunMetrics& row) const;
+  void set(RunMetrics& row, const nlohmann::ordered_json& cell) const;
+  /// Nothing where it has none.
+  void set_quartiles(RunMetrics& row, const nlohmann::ordered_json& low,
+                     const nlohmann::ordered_json& high) const;
 };
 
 const std::vector<Column>& columns();

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <stdexcept>
+
 namespace rockstack {
 
 std::string counted(std::size_t count, const std::string& one) {
@@ -20,6 +22,23 @@ std::string joined_up_to(std::size_t most, const std::vector<std::string>& words
   std::vector<std::string> some(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(most));
   some.push_back(fmt::format("{} others", words.size() - most));
   return joined(some);
+}
+
+std::string filled_in(std::string_view text, const std::map<std::string, std::string>& values) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t open = text.find("{{", at);
+    result += text.substr(at, open - at);
+    if (open == std::string_view::npos) break;
+    const std::size_t close = text.find("}}", open);
+    const std::string name(text.substr(open + 2, close - open - 2));
+    const auto value = values.find(name);
+    if (close == std::string_view::npos || value == values.end())
+      throw std::logic_error("text with places: no value for {{" + name + "}}");
+    result += value->second;
+    at = close + 2;
+  }
+  return result;
 }
 
 }  // namespace rockstack

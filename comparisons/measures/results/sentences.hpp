@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rockstack {
@@ -13,5 +15,8 @@ std::string joined(const std::vector<std::string>& words);
 
 /// The same of at most `most`: "a, b and 5 others".
 std::string joined_up_to(std::size_t most, const std::vector<std::string>& words);
+
+/// Puts each value in the place of its {{name}}. @throws std::logic_error for a place without a value.
+std::string filled_in(std::string_view text, const std::map<std::string, std::string>& values);
 
 }  // namespace rockstack

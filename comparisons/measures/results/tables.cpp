@@ -8,9 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "comparisons/measures/metrics/energy.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/csv_writer.hpp"
 
 namespace rockstack {
 namespace {
@@ -49,7 +48,7 @@ std::vector<double> ground_times(const Scene& scene) {
     for (int i = 1; interval > 0 && i * interval <= end; ++i) times.push_back(i * interval);
     add_edges(*motion, times);
   }
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   times.erase(std::upper_bound(times.begin(), times.end(), scene.duration), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
@@ -81,10 +80,8 @@ std::string csv_of(const Json& list) {
 }
 
 std::string history_csv(const History& history) {
-  const bool patterns = !history.patterns.empty();
-  const bool slips = !history.slips.empty();
-  const bool gaps = !history.gaps.empty();
-  const bool places = !history.centres.empty();
+  const bool patterns = !history.patterns.empty(), slips = !history.slips.empty();
+  const bool gaps = !history.gaps.empty(), places = !history.places.empty();
   const auto width = static_cast<std::size_t>(history.blocks);
   const auto row = [width](const std::vector<double>& values, std::size_t sample) {
     return std::span<const double>(values).subspan(sample * width, width);

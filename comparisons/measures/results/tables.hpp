@@ -7,8 +7,8 @@
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
 #include "comparisons/measures/metrics/alignment.hpp"
-#include "comparisons/measures/metrics/contact_patterns.hpp"
-#include "comparisons/measures/metrics/difference_parts.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
+#include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "engines/body_record.hpp"
 

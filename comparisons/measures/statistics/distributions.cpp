@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "comparisons/measures/results/tables.hpp"
+#include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/impacts.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
+#include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack {
 namespace {
@@ -49,6 +53,53 @@ std::vector<MotionTally> tallies_in(const std::filesystem::path& run_folder) {
 
 }  // namespace
 
+MotionTally exact_tally(const Scene& scene) {
+  const History history = solve(scene, {.peaks = true});
+  return {history.peaks, static_cast<int>(reported_impacts(history, chatter_speed(scene)).size()),
+          !reported_toppling(history).empty()};
+}
+
+MotionTally observed_tally(const Scene& scene, const History& history) {
+  return {peak_angles(history), static_cast<int>(observed_impacts(history, chatter_speed(scene)).size()),
+          !observed_toppling(scene, history).empty()};
+}
+
+std::string tallies_csv(const std::vector<MotionTally>& tallies, int blocks) {
+  const std::vector<std::string> no_cells(static_cast<std::size_t>(blocks) + 2);
+  CsvWriter csv;
+  csv.line("run", numbered("peak_", blocks), "impacts", "toppled");
+  for (std::size_t run = 0; run < tallies.size(); ++run) {
+    const MotionTally& tally = tallies[run];
+    csv.add(run);
+    if (tally.failed()) {
+      csv.line(no_cells);
+    } else {
+      csv.line(tally.peaks, tally.impacts, tally.topples ? 1 : 0);
+    }
+  }
+  return csv.text();
+}
+
+std::vector<MotionTally> read_tallies(const std::filesystem::path& file) {
+  const Table table = read_table(file);
+  const auto blocks = static_cast<int>(std::ranges::count_if(
+      table.columns, [](const std::string& name) { return name.starts_with("peak_"); }));
+  std::vector<MotionTally> tallies;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const std::string place = fmt::format("{}:{}", file.string(), i + 2);
+    const auto cell = [&](const std::string& name) -> const std::string& {
+      return table.rows[i][column(table, name, file)];
+    };
+    const auto value = [&](const std::string& name) { return number(cell(name), place, name); };
+    MotionTally& tally = tallies.emplace_back();
+    if (cell("impacts").empty()) continue;
+    tally.impacts = whole_number(cell("impacts"), place, "impacts", 0, std::numeric_limits<int>::max());
+    tally.topples = value("toppled") != 0;
+    for (const std::string& name : numbered("peak_", blocks)) tally.peaks.push_back(value(name));
+  }
+  return tallies;
+}
+
 std::vector<DistributionDistance> distances(const std::vector<MotionTally>& exact,
                                             const std::vector<MotionTally>& other) {
   std::vector<DistributionDistance> list;
@@ -81,10 +132,6 @@ std::vector<DistributionDistance> distances(const std::vector<RunMetrics>& rows,
   return list;
 }
 
-std::string distributions_csv(const std::vector<DistributionDistance>& list) {
-  return csv_of(distributions_json(list));
-}
-
 Json distributions_json(const std::vector<DistributionDistance>& list) {
   Json json = Json::array();
   for (const DistributionDistance& one : list) json.push_back(json_of(one));
@@ -110,12 +157,9 @@ std::vector<DistributionDistance> distances_from(const Json& list) {
 std::string distribution_definition() {
   return "the same slightly perturbed scenes for every answer; distance is the Kolmogorov–Smirnov distance "
          "between the engine's distribution of the quantity and the exact one, p_value the chance of that "
-         "distance "
-         "or more if both were one distribution and the scenes drawn anew for each, critical the distance "
-         "with a "
-         "chance of 5 %. peak_k is the largest angle of block k (rad), impacts counts those above the "
-         "chatter "
-         "speed, toppled is 1 where a block topples";
+         "distance or more if both were one distribution and the scenes drawn anew for each, critical the "
+         "distance with a chance of 5 %. peak_k is the largest angle of block k (rad), impacts counts those "
+         "above the chatter speed, toppled is 1 where a block topples";
 }
 
 }  // namespace rockstack

@@ -5,11 +5,33 @@
 #include <string>
 #include <vector>
 
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/scene.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
-#include "comparisons/measures/statistics/kolmogorov_smirnov.hpp"
-#include "comparisons/measures/statistics/tally.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
+
+/// What a perturbed run came to.
+struct MotionTally {
+  std::vector<double> peaks;  ///< largest |θ| of each block, rad; none where the run failed
+  int impacts = 0;            ///< above the chatter speed
+  bool topples = false;
+
+  bool failed() const { return peaks.empty(); }
+};
+
+/// Of the exact solution. @throws as solve().
+MotionTally exact_tally(const Scene& scene);
+
+/// Of an engine's history.
+MotionTally observed_tally(const Scene& scene, const History& history);
+
+/// run,peak_1,…,impacts,toppled: a line a tally, empty cells where a run failed.
+std::string tallies_csv(const std::vector<MotionTally>& tallies, int blocks);
+
+/// The tallies of a file. @throws InputError as read_table().
+std::vector<MotionTally> read_tallies(const std::filesystem::path& file);
 
 /// How one quantity of perturbed scenes is distributed in a run's answer and in the exact one.
 struct DistributionDistance {
@@ -29,10 +51,7 @@ std::vector<DistributionDistance> distances(const std::vector<MotionTally>& exac
 std::vector<DistributionDistance> distances(const std::vector<RunMetrics>& rows,
                                             const std::filesystem::path& folder);
 
-/// scene,run,quantity,exact_runs,runs,exact_mean,mean,distance,critical,p_value.
-std::string distributions_csv(const std::vector<DistributionDistance>& distances);
-
-/// The same as objects.
+/// Objects with scene, run, quantity, exact_runs, runs, exact_mean, mean, distance, critical and p_value.
 nlohmann::ordered_json distributions_json(const std::vector<DistributionDistance>& distances);
 
 /// The distances that distributions_json() gave.

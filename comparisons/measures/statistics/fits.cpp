@@ -6,8 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "comparisons/measures/results/tables.hpp"
-
 namespace rockstack {
 namespace {
 
@@ -34,8 +32,8 @@ std::vector<Series> series_of(const std::vector<RunMetrics>& rows) {
   std::vector<Series> list;
   for (const RunMetrics& row : rows) {
     if (!row.dt) continue;
-    const auto same = std::find_if(list.begin(), list.end(),
-                                   [&](const Series& one) { return key(*one.front()) == key(row); });
+    const auto same =
+        std::ranges::find_if(list, [&](const Series& one) { return key(*one.front()) == key(row); });
     (same == list.end() ? list.emplace_back() : *same).push_back(&row);
   }
   return list;
@@ -87,10 +85,6 @@ std::vector<SeriesFit> fit_runs(const std::vector<RunMetrics>& rows) {
   return fits;
 }
 
-std::string fits_csv(const std::vector<SeriesFit>& fits) {
-  return csv_of(fits_json(fits));
-}
-
 Json fits_json(const std::vector<SeriesFit>& fits) {
   Json list = Json::array();
   for (const SeriesFit& fit : fits) list.push_back(cells_of(fit));
@@ -116,11 +110,10 @@ std::vector<SeriesFit> fits_from(const Json& list) {
 
 std::string fit_definition() {
   return "error(dt) = gap + coefficient · dt^order, gap being the model error that no step takes away, by "
-         "least squares of ln error, gap ≥ 0 and order from 0.1 "
-         "to 6; "
-         "low and high are 95 % bounds of the profile of the sum of squares; scatter is the root of the mean "
-         "square deviation in ln error. A fit holds with at least five steps, a scatter of at most ln 3, "
-         "errors that fall with the step, and an order that is bounded.";
+         "least squares of ln error, gap ≥ 0 and order from 0.1 to 6; low and high are 95 % bounds of the "
+         "profile of the sum of squares; scatter is the root of the mean square deviation in ln error. A fit "
+         "holds with at least five steps, a scatter of at most ln 3, errors that fall with the step, and an "
+         "order that is bounded.";
 }
 
 }  // namespace rockstack

@@ -20,11 +20,8 @@ struct SeriesFit {
 /// steps or more, in the order of the rows; steps whose runs are not done or lack the column are left out.
 std::vector<SeriesFit> fit_runs(const std::vector<RunMetrics>& rows);
 
-/// A line a fit: scene,engine,solver,settings,quantity,steps,gap,gap_low,gap_high,order,order_low,order_high,
-/// coefficient,scatter,holds,reason. Precondition: at least one.
-std::string fits_csv(const std::vector<SeriesFit>& fits);
-
-/// The same as objects, numbers as null where there is no fit at all.
+/// Objects with scene, engine, solver, settings, quantity, steps, gap, gap_low, gap_high, order, order_low,
+/// order_high, coefficient, scatter, holds and reason, numbers as null where there is no fit at all.
 nlohmann::ordered_json fits_json(const std::vector<SeriesFit>& fits);
 
 /// The fits that fits_json() gave; numbers that are null are none.

@@ -111,8 +111,8 @@ Bounds wilson_bounds(std::size_t hits, std::size_t trials) {
 
 std::optional<Fragility> fit_fragility(const std::vector<Level>& all) {
   std::vector<Level> levels;  // ln 0 is sure to stand, whatever the curve
-  std::copy_if(all.begin(), all.end(), std::back_inserter(levels),
-               [](const Level& level) { return level.intensity != 0 || level.toppled > 0; });
+  std::ranges::copy_if(all, std::back_inserter(levels),
+                       [](const Level& level) { return level.intensity != 0 || level.toppled > 0; });
   std::vector<double> x;
   double sum = 0, squares = 0, runs = 0;
   for (const Level& level : levels) {

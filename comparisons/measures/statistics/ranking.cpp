@@ -7,9 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "comparisons/measures/results/csv_writer.hpp"
-#include "comparisons/measures/statistics/holm.hpp"
-#include "comparisons/measures/statistics/mann_whitney.hpp"
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {
@@ -119,8 +118,7 @@ std::vector<RankedSet> ranked(const Sets& sets) {
   std::vector<RankedSet> list;
   for (const auto& [name, errors] : sets) list.push_back(score(name, errors, least));
   std::erase_if(list, [](const RankedSet& set) { return set.cells == 0; });
-  std::stable_sort(list.begin(), list.end(),
-                   [](const RankedSet& a, const RankedSet& b) { return a.score < b.score; });
+  std::ranges::stable_sort(list, {}, &RankedSet::score);
   rank(sets, list);
   return list;
 }

@@ -27,7 +27,7 @@ struct RankedSet {
 };
 
 /// The level of the tests that tell sets apart: of replicates of two sets, by their ranks within each scene
-/// and step that both have (mann_whitney.hpp). It is that of all pairs together (holm.hpp): of sets that are
+/// and step that both have (mann_whitney()). It is that of all pairs together (adjust()): of sets that are
 /// alike one is called nearer than another at most so often, however many there are.
 inline constexpr double separation_level = 0.05;
 

@@ -63,7 +63,7 @@ class Data {
   /// Where curves turn from the model error to the power: from far below the smallest to above the largest
   /// step.
   Range turns() const {
-    const auto [low, high] = std::minmax_element(steps_.begin(), steps_.end());
+    const auto [low, high] = std::ranges::minmax_element(steps_);
     return {*low - 8, *high + 4};
   }
 
@@ -182,8 +182,8 @@ StepFit fit_steps(const std::vector<StepError>& errors) {
     return fit;
   }
   const Data data(used);
-  const auto [low, high] = std::minmax_element(
-      used.begin(), used.end(), [](const StepError& a, const StepError& b) { return a.error < b.error; });
+  const auto [low, high] = std::ranges::minmax_element(
+      used, [](const StepError& a, const StepError& b) { return a.error < b.error; });
   const Found best = best_curve(data);
   const std::size_t freedom = fit.points - parameters;
   const boost::math::students_t student(static_cast<double>(freedom));

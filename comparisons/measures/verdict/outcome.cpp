@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "analytic/scene/messages/number_text.hpp"
-#include "comparisons/measures/metrics/centres.hpp"
+#include "analytic/scene/messages/quantity_text.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/statistics/ranking.hpp"
 
 namespace rockstack {

@@ -4,39 +4,193 @@
 
 #include <algorithm>
 #include <cctype>
-#include <iterator>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
-#include "comparisons/measures/verdict/nearest.hpp"
-#include "comparisons/measures/verdict/perturbed.hpp"
-#include "comparisons/measures/verdict/scene_sentences.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
+#include "comparisons/measures/verdict/outcome.hpp"
 
 namespace rockstack {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<std::string> names_of(const std::vector<JudgedScene>& scenes) {
-  std::vector<std::string> names;
-  names.reserve(scenes.size());
-  for (const JudgedScene& scene : scenes) names.push_back(scene.name);
-  return names;
+std::string phrase(const RunMetrics& row) {
+  return fmt::format("{} at {}", set_name(row), quantity_text(*row.dt, "s"));
 }
 
-std::vector<RunMetrics> row_list(const std::vector<ReplicatedRow>& rows) {
-  std::vector<RunMetrics> list;
-  list.reserve(rows.size());
-  for (const ReplicatedRow& one : rows) list.push_back(one.row);
+std::string phrase_of(const std::string& run, const std::vector<ReplicatedRow>& rows) {
+  const auto one = std::ranges::find_if(rows, [&](const auto& each) { return each.row.run == run; });
+  return one == rows.end() || !is_engine(one->row) ? run : phrase(one->row);
+}
+
+std::string exact_sentence(const RunMetrics& exact, const SceneScale& scale) {
+  const std::string end = exact.toppled.empty() ? fmt::format("lasts {}", quantity_text(scale.duration, "s"))
+                                                : "ends as a block falls: " + exact.toppled;
+  if (exact.impacts.value_or(0) == 0) return fmt::format("The exact motion {} and has no impact.", end);
+  return fmt::format("The exact motion {} and has {} fast enough to be compared, {} with chatter.", end,
+                     counted(static_cast<std::size_t>(*exact.impacts), "impact"),
+                     *exact.impacts + exact.slower_impacts.value_or(0));
+}
+
+/// The least and the largest of a column at each step, the coarsest first.
+struct Range {
+  const RunMetrics* least = nullptr;
+  const RunMetrics* most = nullptr;
+};
+
+using Value = std::optional<double> RunMetrics::*;
+
+std::map<double, Range, std::greater<>> ranges(const std::vector<ReplicatedRow>& rows, Value value) {
+  std::map<double, Range, std::greater<>> list;
+  for (const auto& one : rows) {
+    const RunMetrics& row = one.row;
+    if (!is_engine(row) || !(row.*value)) continue;
+    Range& range = list[*row.dt];
+    if (!range.least || *(row.*value) < *(range.least->*value)) range.least = &row;
+    if (!range.most || *(row.*value) > *(range.most->*value)) range.most = &row;
+  }
   return list;
+}
+
+/// "10 ms: 2 to 5 mrad; 1 ms: …" of a column, in the place of {} in a sentence; empty where no row has it.
+std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<std::string> sentence,
+                    const char* unit, Value value,
+                    std::string (*text)(double, const std::string&, int) = quantity_text) {
+  std::vector<std::string> parts;
+  for (const auto& [dt, range] : ranges(rows, value)) {
+    const std::string least = text(*(range.least->*value), unit, 2);
+    const std::string most = text(*(range.most->*value), unit, 2);
+    parts.push_back(fmt::format("{}: {}", quantity_text(dt, "s"),
+                                least == most ? least : fmt::format("{} to {}", least, most)));
+  }
+  return parts.empty() ? "" : fmt::format(sentence, fmt::format("{}", fmt::join(parts, "; ")));
+}
+
+/// Empty where nothing slips otherwise.
+std::string slip_sentence(const std::vector<ReplicatedRow>& rows) {
+  const auto list = ranges(rows, &RunMetrics::slip_error);
+  const bool same =
+      std::ranges::all_of(list, [](const auto& one) { return *one.second.most->slip_error == 0; });
+  return same ? "" : by_step(rows, "Slips are off by at most: {}.", "m", &RunMetrics::slip_error);
+}
+
+void add_sequences(const std::vector<ReplicatedRow>& rows, std::vector<std::string>& sentences) {
+  std::size_t compared = 0, all = 0;
+  for (const auto& one : rows) {
+    if (!is_engine(one.row) || !one.row.impacts_missed) continue;
+    ++compared;
+    if (one.row.impacts_missed == 0 && one.row.impacts_extra == 0) ++all;
+  }
+  if (compared > 0)
+    sentences.push_back(fmt::format("Of {} {} the exact sequence of impacts, none missed and none extra.",
+                                    counted(compared, "engine row"),
+                                    all == 0   ? "none has"
+                                    : all == 1 ? "1 has"
+                                               : fmt::format("{} have", all)));
+}
+
+/// Whether replicates show a row's largest angles to be others than the exact ones.
+bool has_other_peaks(const ReplicatedRow& one) {
+  return !one.peaks.empty() && mann_whitney(one.exact_peaks, one.peaks).p_value <= separation_level;
+}
+
+void add_beyond(const std::vector<ReplicatedRow>& rows, const SceneScale& scale,
+                std::vector<std::string>& sentences) {
+  std::vector<std::string> other;
+  std::size_t compared = 0;
+  double horizon = scale.duration;
+  for (const ReplicatedRow& one : rows) {
+    if (!can_be_ranked(one)) continue;
+    horizon = one.row.horizon.value_or(horizon);
+    ++compared;
+    if (has_other_peaks(one)) other.push_back(phrase(one.row));
+  }
+  if (compared == 0 || horizon >= scale.duration) return;
+  sentences.push_back(
+      fmt::format("Exact motions of scenes that differ in the sixth digit part after {}; later on largest "
+                  "angles, energy, motion at rest and toppling alone are compared.",
+                  quantity_text(horizon, "s")));
+  sentences.push_back(
+      other.empty()
+          ? fmt::format(
+                "Largest angles over the whole scene cannot be told from the exact ones in any of {}.",
+                counted(compared, "row"))
+          : fmt::format("Largest angles over the whole scene are others than the exact ones in {} of {}: {}.",
+                        other.size(), counted(compared, "row"), joined_up_to(4, other)));
+}
+
+/// How many of a scene's perturbed neighbours topple, exactly and with engines, in a sentence; empty where
+/// that was not asked for, or none topples.
+std::string toppling_sentence(const std::vector<DistributionDistance>& distances,
+                              const std::vector<ReplicatedRow>& rows, const std::string& scene) {
+  std::vector<std::string> engines;
+  double exact = 0, most = 0;
+  std::size_t count = 0;
+  for (const DistributionDistance& one : distances) {
+    if (one.scene != scene || one.quantity != "toppled") continue;
+    exact = one.exact_mean, count = one.exact;
+    most = std::max({most, one.exact_mean, one.other_mean});
+    engines.push_back(fmt::format("{:.3g} % with {}{}", 100 * one.other_mean, phrase_of(one.run, rows),
+                                  one.apart.distance > one.apart.critical ? ", more than chance apart" : ""));
+  }
+  if (most == 0) return "";
+  return fmt::format("Of {} scenes that differ a little from {} {:.3g} % topple exactly, and {}.", count,
+                     scene, 100 * exact, joined(engines));
+}
+
+/// How fast the error of a scene's first impact falls with the step, in a sentence; empty where it was not
+/// fitted.
+std::string convergence_sentence(const std::vector<SeriesFit>& fits, const std::string& scene) {
+  std::vector<double> orders;
+  for (const SeriesFit& one : fits)
+    if (one.scene == scene && one.fit.holds() && one.quantity == "first_impact_time_difference")
+      orders.push_back(one.fit.order.value);
+  if (orders.empty()) return "";
+  std::ranges::sort(orders);
+  return fmt::format(
+      "The error of the first impact falls with the step to the power {:.2f} ({} of {:.2f} to {:.2f}).",
+      orders[(orders.size() - 1) / 2], counted(orders.size(), "fit"), orders.front(), orders.back());
+}
+
+/// What the rows of one scene come to beside what a headline says: the exact motion, what happens otherwise,
+/// errors, the first impact, slips, sequences of impacts, what distributions tell beyond the horizon, and
+/// what failed. A sentence each, empty where there is nothing to say.
+std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
+  std::vector<std::string> sentences;
+  const auto exact =
+      std::ranges::find_if(rows, [](const ReplicatedRow& one) { return one.row.engine == "exact"; });
+  const bool solved = exact != rows.end() && exact->row.status == RunStatus::done;
+  sentences.push_back(solved ? exact_sentence(exact->row, scene.scale)
+                             : "There is no exact motion to compare with.");
+  sentences.push_back(event_sentence(rows, {scene}, rows.size()));
+  using M = RunMetrics;
+  const std::string angles =
+      by_step(rows, "RMS angle differences by step: {}.", "rad", &M::rms_angle_difference);
+  sentences.push_back(angles);
+  if (!angles.empty())
+    sentences.push_back(
+        by_step(rows, "RMS distances of centres from the exact ones: {}.", "m", &M::rms_position_difference));
+  sentences.push_back(by_step(rows, "The first impact is off by (+: late): {}.", "s",
+                              &M::first_impact_time_difference, signed_quantity_text));
+  sentences.push_back(slip_sentence(rows));
+  add_sequences(rows, sentences);
+  add_beyond(rows, scene.scale, sentences);
+  for (const auto& one : rows)
+    if (one.row.status != RunStatus::done)
+      sentences.push_back(
+          fmt::format("{} failed: {}.", one.row.dt ? phrase(one.row) : one.row.engine, one.row.reason));
+  return sentences;
 }
 
 /// Scenes in which nothing moves, where what happens in engines is all there is to tell.
 std::string rest_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
   std::vector<std::string> at_rest;
   for (const JudgedScene& scene : scenes) {
-    const bool rests = std::any_of(rows.begin(), rows.end(), [&](const ReplicatedRow& one) {
+    const bool rests = std::ranges::any_of(rows, [&](const ReplicatedRow& one) {
       return one.row.scene == scene.name && one.row.motion && *one.row.motion <= rest_extent;
     });
     if (rests) at_rest.push_back(scene.name);
@@ -59,9 +213,9 @@ std::vector<std::string> headline_of(const ComparisonEvidence& evidence,
   std::vector<std::string> sentences;
   sentences.reserve(scenes.size() + 2);
   for (const JudgedScene& scene : scenes)
-    sentences.push_back(toppling_sentence(evidence.distances, row_list(rows), scene.name));
+    sentences.push_back(toppling_sentence(evidence.distances, rows, scene.name));
   sentences.push_back(together(agreement_sentence(rows, scenes), event_sentence(rows, scenes, most_events)));
-  sentences.push_back(together(nearest_sentence(rows, names_of(scenes)), rest_sentence(rows, scenes)));
+  sentences.push_back(together(nearest_sentence(rows, scenes), rest_sentence(rows, scenes)));
   std::erase(sentences, "");
   sentences.resize(std::min<std::size_t>(sentences.size(), 2));
   return sentences;
@@ -70,14 +224,12 @@ std::vector<std::string> headline_of(const ComparisonEvidence& evidence,
 /// Of a scene that is alone the headline has said what all scenes come to.
 std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const JudgedScene& scene,
                                       bool alone) {
-  std::vector<ReplicatedRow> own;
-  std::copy_if(evidence.rows.begin(), evidence.rows.end(), std::back_inserter(own),
-               [&](const ReplicatedRow& one) { return one.row.scene == scene.name; });
+  const std::vector<ReplicatedRow> own = rows_of(evidence.rows, scene);
   std::vector<std::string> sentences = scene_sentences(own, scene);
   if (!alone)
     sentences.insert(sentences.begin() + 1,
-                     {agreement_sentence(own, {scene}), nearest_sentence(own, {scene.name})});
-  sentences.push_back(toppling_sentence(evidence.distances, row_list(own), scene.name));
+                     {agreement_sentence(own, {scene}), nearest_sentence(own, {scene})});
+  sentences.push_back(toppling_sentence(evidence.distances, own, scene.name));
   sentences.push_back(convergence_sentence(evidence.fits, scene.name));
   std::erase(sentences, "");
   return sentences;

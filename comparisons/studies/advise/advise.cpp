@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "comparisons/measures/results/environment.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
-#include "comparisons/measures/statistics/tally.hpp"
+#include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/runs/draws.hpp"
 #include "comparisons/runs/identity.hpp"
 #include "comparisons/runs/measure.hpp"

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "comparisons/measures/statistics/holm.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {

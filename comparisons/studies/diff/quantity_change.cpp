@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {

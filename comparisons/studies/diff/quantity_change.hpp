@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "comparisons/measures/statistics/mann_whitney.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/diff/quantities.hpp"
 #include "comparisons/studies/diff/row_pairs.hpp"
 

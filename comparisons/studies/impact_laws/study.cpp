@@ -10,9 +10,9 @@
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
-#include "comparisons/measures/results/csv_writer.hpp"
-#include "comparisons/measures/results/environment.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/studies/impact_laws/study_keys.hpp"
 
 namespace rockstack {

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/contact/validity.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/studies/lessons/answers.hpp"
 #include "comparisons/studies/lessons/values.hpp"

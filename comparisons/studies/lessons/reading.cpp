@@ -2,8 +2,7 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
-#include "comparisons/measures/statistics/mann_whitney.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/lessons/answers.hpp"
 #include "comparisons/studies/lessons/values.hpp"
 #include "comparisons/studies/lessons/wording.hpp"

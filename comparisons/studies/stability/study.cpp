@@ -11,7 +11,7 @@
 
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
-#include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/stability/study_keys.hpp"
 #include "comparisons/suites/shipped.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "analytic/scene/messages/number_text.hpp"
-#include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/studies/sweep/run_outcome.hpp"
 #include "comparisons/studies/sweep/runs.hpp"
 

@@ -8,10 +8,9 @@
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/csv_writer.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/sweep/motion_modes.hpp"
 
 namespace rockstack {

@@ -6,9 +6,8 @@
 #include <ostream>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/environment.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/journal.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/studies/sweep/run_table.hpp"
 #include "comparisons/studies/sweep/summaries.hpp"
 

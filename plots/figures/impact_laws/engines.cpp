@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/law_results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/data/spread.hpp"
 #include "plots/drawing/axes.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/figure.hpp"

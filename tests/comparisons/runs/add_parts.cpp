@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/contact/corner_springs.hpp"
-#include "comparisons/measures/metrics/difference_parts.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
 #include "engines/worker/registry.hpp"
 
 namespace rockstack {

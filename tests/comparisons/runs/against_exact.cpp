@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/centres.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "tests/free_rocking.hpp"
 
 namespace rockstack {

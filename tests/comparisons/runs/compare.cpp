@@ -7,7 +7,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/statistics/tally.hpp"
+#include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/runs/job.hpp"
 #include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"

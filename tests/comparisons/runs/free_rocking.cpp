@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/contact_patterns.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "engines/worker/registry.hpp"
 #include "tests/free_rocking.hpp"

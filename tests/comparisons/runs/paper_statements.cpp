@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/swings.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "tests/free_rocking.hpp"
 
 namespace rockstack {

@@ -1,6 +1,6 @@
 // What a worker says of its engines, and in words wherever it says them.
 
-#include "engines/worker/description.hpp"
+#include "engines/worker/answer_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A reply is held against what was asked, field by field.
 
-#include "engines/worker/reply_check.hpp"
+#include "engines/worker/answer_check.hpp"
 
 #include <gtest/gtest.h>
 

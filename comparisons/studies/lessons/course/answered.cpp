@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "comparisons/measures/results/filled_in.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/studies/lessons/course/quantities.hpp"
 #include "comparisons/studies/lessons/wording.hpp"
 

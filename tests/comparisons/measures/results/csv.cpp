@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/measures/results/csv_writer.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {

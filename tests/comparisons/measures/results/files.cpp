@@ -6,8 +6,6 @@
 #include <iterator>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/measures/results/journal.hpp"
-#include "comparisons/measures/results/results_folder.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {

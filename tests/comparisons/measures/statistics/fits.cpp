@@ -50,7 +50,7 @@ TEST(Fits, RunsThatFailedAreLeftOut) {
 }
 
 TEST(Fits, FileHasACellForEachName) {
-  const std::string text = fits_csv(fit_runs(rows()));
+  const std::string text = csv_of(fits_json(fit_runs(rows())));
   const auto commas = [&](std::size_t from) {
     return std::count(text.begin() + static_cast<long>(from),
                       text.begin() + static_cast<long>(text.find('\n', from)), ',');

@@ -1,0 +1,112 @@
+#include "comparisons/measures/metrics/bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rockstack {
+
+Centres centres_at(const Stack<double>& stack, const History& history, std::size_t sample) {
+  const int size = stack.size();
+  if (!history.centres.empty()) {
+    const auto first = static_cast<std::ptrdiff_t>(2 * sample * static_cast<std::size_t>(size));
+    return {Points<double>::Map(history.centres.data() + first, 2, size),
+            Points<double>::Map(history.centre_velocities.data() + first, 2, size)};
+  }
+  const Chain<double> chain =
+      make_chain(stack, history.patterns[sample],
+                 Vector<double>(Vector<double>::Map(history.angles_at(sample).data(), size)));
+  return {centres(chain), centre_velocities(chain, Vector<double>(Vector<double>::Map(
+                                                       history.velocities_at(sample).data(), size)))};
+}
+
+std::vector<double> centres_of(const Scene& scene, const History& history) {
+  if (!history.centres.empty()) return history.centres;
+  const Stack<double> stack = make_stack<double>(scene);
+  std::vector<double> result;
+  result.reserve(2 * history.angles.size());
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const Points<double> at = centres_at(stack, history, i).at;
+    result.insert(result.end(), at.data(), at.data() + at.size());
+  }
+  return result;
+}
+
+Difference position_difference(const std::vector<double>& times, const std::vector<double>& first,
+                               const std::vector<double>& second, std::size_t blocks) {
+  Difference result{blocks, times, {}};
+  result.values.reserve(times.size() * blocks);
+  for (std::size_t i = 0; i < 2 * times.size() * blocks; i += 2)
+    result.values.push_back(std::hypot(second[i] - first[i], second[i + 1] - first[i + 1]));
+  return result;
+}
+
+double extent_of_motion(const Scene& scene, const History& history, const std::vector<double>& centres) {
+  const auto blocks = static_cast<std::size_t>(history.blocks);
+  double turn = 0, way = 0;
+  for (std::size_t i = 0; i < history.angles.size(); ++i)
+    turn = std::max(turn, std::abs(history.angles[i] - history.angles[i % blocks]));
+  for (std::size_t i = 0; i < 2 * history.angles.size(); i += 2)
+    way = std::max(way, std::hypot(centres[i] - centres[i % (2 * blocks)],
+                                   centres[i + 1] - centres[i % (2 * blocks) + 1]));
+  return std::max(turn, way / least_height(scene.blocks));
+}
+
+double least_height(const std::vector<Block>& blocks) {
+  double height = std::numeric_limits<double>::infinity();
+  for (const Block& block : blocks) height = std::min(height, 2 * block.half_height);
+  return height;
+}
+
+std::vector<double> energies(const Scene& scene, const History& history) {
+  const Stack<double> stack = make_stack<double>(scene);
+  const Gravity gravity = gravity_of(scene);
+  double at_rest = 0, height = 0;
+  for (const Block& block : scene.blocks) {
+    at_rest += block.mass * (gravity.across * (height + block.half_height + block.offset_y) -
+                             gravity.along * block.offset_x);
+    height += 2 * block.half_height;
+  }
+  std::vector<double> list;
+  list.reserve(history.size());
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const Vector<double> velocities = Vector<double>::Map(history.velocities_at(i).data(), stack.size());
+    const auto [places, speeds] = centres_at(stack, history, i);
+    double energy = -at_rest;
+    for (int k = 0; k < stack.size(); ++k) {
+      energy += 0.5 * stack.mass[k] * speeds.col(k).squaredNorm() +
+                0.5 * stack.inertia[k] * velocities[k] * velocities[k] +
+                stack.mass[k] * gravity.across * places(1, k) - stack.mass[k] * gravity.along * places(0, k);
+    }
+    list.push_back(energy);
+  }
+  return list;
+}
+
+double energy_scale(const Scene& scene) {
+  double sum = 0, height = 0;
+  for (const Block& block : scene.blocks) {
+    sum += block.mass * scene.gravity * (height + block.half_height + block.offset_y);
+    height += 2 * block.half_height;
+  }
+  return sum;
+}
+
+std::vector<double> energy_balance(const std::vector<double>& energy, const std::vector<double>& input,
+                                   const std::vector<double>& elastic) {
+  std::vector<double> balance;
+  balance.reserve(energy.size());
+  for (std::size_t i = 0; i < energy.size(); ++i) balance.push_back(energy[i] - input[i] + elastic[i]);
+  return balance;
+}
+
+double largest_gain(const std::vector<double>& energy) {
+  double gain = 0, least = energy.front();
+  for (const double now : energy) {
+    least = std::min(least, now);
+    gain = std::max(gain, now - least);
+  }
+  return gain;
+}
+
+}  // namespace rockstack

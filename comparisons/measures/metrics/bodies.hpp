@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/kinematics.hpp"
+#include "analytic/scene/scene.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
+
+namespace rockstack {
+
+/// The centres of mass of all blocks at a sample, from the middle of the ground's interface, m, and their
+/// velocities, m/s; a column each.
+struct Centres {
+  Points<double> at, rate;
+};
+
+/// Where slip and lift-off make places, from those; else from the angles, which tell them.
+/// Precondition: a solver's history, which knows its patterns. `stack` is that of its scene.
+Centres centres_at(const Stack<double>& stack, const History& history, std::size_t sample);
+
+/// The centres alone at all samples, x and y in turn from the lowest block up, m. Precondition: likewise.
+std::vector<double> centres_of(const Scene& scene, const History& history);
+
+/// How far two motions' centres are apart at times of both, m. Precondition: centres as centres_of() has
+/// them, as many as times or more.
+Difference position_difference(const std::vector<double>& times, const std::vector<double>& first,
+                               const std::vector<double>& second, std::size_t blocks);
+
+/// How far a motion goes from where it starts: the largest change of an angle, rad, or the longest way of a
+/// centre as a share of the least block height, whichever is larger. `centres`: its own.
+double extent_of_motion(const Scene& scene, const History& history, const std::vector<double>& centres);
+
+/// The least height of a block, m: what positions are held against.
+double least_height(const std::vector<Block>& blocks);
+
+/// How deep a block must have sunk in for that to be told, as a share of the least block height.
+inline constexpr double told_sinking = 1e-3;
+
+/// Kinetic and potential energy of a stack in the ground's frame, zero at rest upright, at each sample, J.
+/// Precondition: a solver's history, which knows its patterns.
+std::vector<double> energies(const Scene& scene, const History& history);
+
+/// Weight times the height of the centre of mass at rest, J: what energies are measured by.
+double energy_scale(const Scene& scene);
+
+/// Energy of the bodies, less the work done on them (`input`), and with what their contacts have stored: J,
+/// at each sample. The true motion never makes it rise. Precondition: of equal size.
+std::vector<double> energy_balance(const std::vector<double>& energy, const std::vector<double>& input,
+                                   const std::vector<double>& elastic);
+
+/// The largest rise above the least value before, J.
+double largest_gain(const std::vector<double>& energy);
+
+}  // namespace rockstack

@@ -1,0 +1,244 @@
+#include "comparisons/measures/verdict/headline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "analytic/scene/messages/quantity_text.hpp"
+#include "comparisons/measures/results/sentences.hpp"
+
+namespace rockstack {
+namespace {
+
+const SceneScale& scale_in(const std::vector<JudgedScene>& scenes, const std::string& name) {
+  const auto found = std::ranges::find(scenes, name, &JudgedScene::name);
+  return found->scale;
+}
+
+/// When rows of one step stop agreeing.
+struct Ends {
+  double first = INFINITY, last = 0;  ///< of those that do, s
+  bool some_agree = false;
+  bool beyond = false;  ///< of these, one up to a horizon that is before its scene's end
+};
+
+using EndsOfSteps = std::map<double, Ends, std::greater<>>;
+
+EndsOfSteps ends_of(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
+  EndsOfSteps steps;
+  for (const ReplicatedRow& one : rows) {
+    if (!can_be_ranked(one)) continue;
+    const RunMetrics& row = one.row;
+    const SceneScale& scale = scale_in(scenes, row.scene);
+    Ends& ends = steps[*row.dt];
+    if (agrees(row, scale)) {
+      ends.some_agree = true;
+      ends.beyond = ends.beyond || row.horizon.value_or(scale.duration) < scale.duration;
+    } else {
+      ends.first = std::min(ends.first, agreement_end(row, scale));
+      ends.last = std::max(ends.last, agreement_end(row, scale));
+    }
+  }
+  return steps;
+}
+
+/// The coarsest, the middle one and the finest.
+std::vector<double> told_steps(const EndsOfSteps& steps) {
+  std::vector<double> all;
+  for (const auto& [dt, ends] : steps) all.push_back(dt);
+  if (all.size() > 3) all = {all.front(), all[all.size() / 2], all.back()};
+  return all;
+}
+
+std::string until(const Ends& ends) {
+  const std::string first = fmt::format("{:.2g}", ends.first), last = fmt::format("{:.2g}", ends.last);
+  if (ends.last == 0 && ends.some_agree) return ends.beyond ? "to the horizon" : "to the end";
+  if (ends.some_agree) return fmt::format("until {} s or longer", first);
+  return first == last ? fmt::format("until {} s", first) : fmt::format("until {} to {} s", first, last);
+}
+
+/// "5.86 s in spanos-synthetic" of each scene that ends before its horizon.
+std::string horizons(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
+  std::vector<std::string> texts;
+  for (const JudgedScene& scene : scenes) {
+    const auto row = std::ranges::find_if(
+        rows, [&](const ReplicatedRow& one) { return one.row.scene == scene.name && can_be_ranked(one); });
+    if (row == rows.end() || row->row.horizon.value_or(scene.scale.duration) >= scene.scale.duration)
+      continue;
+    texts.push_back(fmt::format("{} in {}", quantity_text(*row->row.horizon, "s"), scene.name));
+  }
+  return texts.empty() ? "" : " (the horizon: " + joined(texts) + ")";
+}
+
+/// The row of each set in which something happens that does not in the exact motion, with the largest error.
+std::vector<const RunMetrics*> rows_with_events(const std::vector<ReplicatedRow>& rows,
+                                                const std::vector<JudgedScene>& scenes) {
+  std::vector<const RunMetrics*> list;
+  for (const ReplicatedRow& one : rows) {
+    const RunMetrics& row = one.row;
+    if (!is_engine(row) || !row.error || event_of(row, scale_in(scenes, row.scene)).empty()) continue;
+    const auto known = std::ranges::find_if(list, [&](const RunMetrics* other) {
+      return other->scene == row.scene && set_name(*other) == set_name(row);
+    });
+    if (known == list.end()) {
+      list.push_back(&row);
+    } else if (*row.error > *(*known)->error) {
+      *known = &row;
+    }
+  }
+  return list;
+}
+
+constexpr std::size_t most_named = 3;  ///< sets, or scenes, that a sentence names
+
+/// Sets that share the first rank, in one scene or several.
+struct First {
+  std::vector<std::string> sets;
+  std::vector<std::string> scenes;
+  bool all = false;  ///< nothing is told apart
+};
+
+First first_of(const std::vector<RankedSet>& ranking) {
+  First first;
+  for (const RankedSet& set : ranking)
+    if (set.rank == 1) first.sets.push_back(set_name(set.engine, set.solver, set.settings));
+  first.all = first.sets.size() == ranking.size();
+  return first;
+}
+
+/// Scenes by who is first in them.
+std::vector<First> firsts_of(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
+  std::vector<First> list;
+  for (const JudgedScene& scene : scenes) {
+    const std::vector<RankedSet> ranking = rank_all(rows_of(rows, scene));
+    if (ranking.empty()) continue;
+    First first = first_of(ranking);
+    const auto known = std::ranges::find(list, first.sets, &First::sets);
+    if (known != list.end()) {
+      known->scenes.push_back(scene.name);
+    } else {
+      first.scenes = {scene.name};
+      list.push_back(first);
+    }
+  }
+  return list;
+}
+
+/// What rows' errors are of: "21 replicates", "5 to 15 replicates", "one run each".
+std::string evidence(const std::vector<ReplicatedRow>& rows) {
+  std::set<std::size_t> counts;
+  for (const ReplicatedRow& one : rows)
+    if (can_be_ranked(one)) counts.insert(one.errors.size());
+  if (counts.empty() || *counts.rbegin() < 2) return "one run each";
+  return *counts.begin() == *counts.rbegin()
+             ? fmt::format("{} replicates", *counts.begin())
+             : fmt::format("{} to {} replicates", *counts.begin(), *counts.rbegin());
+}
+
+/// Of a scene among others.
+std::string place(const First& first) {
+  return first.scenes.empty() ? "" : "in " + joined(first.scenes) + " ";
+}
+
+std::string part(const First& first, const std::string& by) {
+  if (first.sets.size() == 1) return place(first) + first.sets[0] + " is nearest to the exact motion";
+  if (first.all) return place(first) + "no set can be told to be nearest, by " + by;
+  return fmt::format("{}{} are nearest and cannot be told apart by {}", place(first),
+                     joined_up_to(most_named, first.sets), by);
+}
+
+/// The last set, where all others are shown to be nearer.
+std::string furthest(const std::vector<RankedSet>& ranking) {
+  const RankedSet& last = ranking.back();
+  if (ranking.size() < 2 || last.rank != static_cast<int>(ranking.size())) return "";
+  return fmt::format("; {} is furthest, its errors {:.2g} times the least in the mean",
+                     set_name(last.engine, last.solver, last.settings), last.score);
+}
+
+/// A ranking of one step needs no word of it.
+std::string over_steps(const std::vector<ReplicatedRow>& rows) {
+  std::set<double> steps;
+  for (const ReplicatedRow& one : rows)
+    if (can_be_ranked(one)) steps.insert(*one.row.dt);
+  return steps.size() > 1 ? "over all steps " : "";
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+/// Of more scenes than are told one by one.
+std::string over_all(const std::vector<ReplicatedRow>& rows, const std::vector<RankedSet>& ranking,
+                     const std::vector<First>& firsts, std::size_t scenes) {
+  First first = first_of(ranking);
+  first.scenes = {fmt::format("the ranking over {} scenes that move", scenes)};
+  std::string text = part(first, evidence(rows));
+  for (const First& one : firsts) {
+    if (one.sets != first.sets || first.sets.size() > 1) continue;
+    text += " (alone first in " + joined(one.scenes) + ")";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
+  std::vector<ReplicatedRow> own;
+  std::ranges::copy_if(rows, std::back_inserter(own),
+                       [&](const ReplicatedRow& one) { return one.row.scene == scene.name; });
+  return own;
+}
+
+std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
+                               const std::vector<JudgedScene>& scenes) {
+  const EndsOfSteps steps = ends_of(rows, scenes);
+  if (steps.empty()) return "";
+  std::vector<std::string> parts;
+  for (const double dt : told_steps(steps))
+    parts.push_back(fmt::format("{} at a step of {}", until(steps.at(dt)), quantity_text(dt, "s")));
+  const double tolerance = scenes.front().scale.tolerance;
+  return fmt::format("Engines stay within {} and {:g} % of the least block height of the exact motion {}{}.",
+                     quantity_text(tolerance, "rad"), 100 * tolerance,
+                     fmt::format("{}", fmt::join(parts, ", ")), horizons(rows, scenes));
+}
+
+std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes,
+                           std::size_t most) {
+  const std::vector<const RunMetrics*> events = rows_with_events(rows, scenes);
+  if (events.empty()) return "";
+  if (events.size() > most)
+    return fmt::format("In {} blocks sink, fall or topple otherwise than exactly.",
+                       counted(events.size(), "set"));
+  std::vector<std::string> parts;
+  for (const RunMetrics* row : events) {
+    const std::string event = event_of(*row, scale_in(scenes, row->scene));
+    const char* subject = event.starts_with("block") ? "" : event.starts_with("sinks") ? "a block " : "it ";
+    parts.push_back(fmt::format("with {} in {} at {} {}{}", set_name(*row), row->scene,
+                                quantity_text(*row->dt, "s"), subject, event));
+  }
+  parts.front().front() = 'W';
+  return fmt::format("{}.", fmt::join(parts, "; "));
+}
+
+std::string nearest_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
+  const std::vector<RankedSet> ranking = rank_all(rows);
+  if (ranking.size() < 2) return "";
+  std::vector<First> firsts = firsts_of(rows, scenes);
+  if (scenes.size() == 1) firsts.front().scenes.clear();
+  std::size_t moving = 0;
+  for (const First& one : firsts) moving += one.scenes.size();
+  std::string text;
+  if (moving > most_named) {
+    text = over_all(rows, ranking, firsts, moving);
+  } else {
+    for (const First& one : firsts) text += (text.empty() ? "" : "; ") + part(one, evidence(rows));
+  }
+  return capitalised(over_steps(rows) + text) + furthest(ranking) + ".";
+}
+
+}  // namespace rockstack
