@@ -22,6 +22,7 @@ std::vector<double> relative_to_below(std::span<const double> values) {
 /// Of each interface: the lesser value of the two bodies that meet there; above the ground that of the block.
 std::vector<double> lesser(const std::vector<Placement>& blocks, double Placement::*value) {
   std::vector<double> list;
+  list.reserve(blocks.size());
   for (std::size_t k = 0; k < blocks.size(); ++k)
     list.push_back(std::min(blocks[k].*value, blocks[k == 0 ? 0 : k - 1].*value));
   return list;

@@ -133,6 +133,7 @@ std::string reactions_csv(const Scene& scene, const History& history) {
 
 std::vector<std::string> kinds_of_histories() {
   std::vector<std::string> names;
+  names.reserve(history_tables.size());
   for (const HistoryTable& table : history_tables) names.emplace_back(table.name);
   return names;
 }

@@ -47,7 +47,7 @@ EndsOfSteps ends_of(const std::vector<ReplicatedRow>& rows, const std::vector<Ju
 }
 
 /// The coarsest, the middle one and the finest.
-std::vector<double> told_steps(const EndsOfSteps& steps) {
+std::vector<double> reported_steps(const EndsOfSteps& steps) {
   std::vector<double> all;
   for (const auto& [dt, ends] : steps) all.push_back(dt);
   if (all.size() > 3) all = {all.front(), all[all.size() / 2], all.back()};
@@ -199,7 +199,7 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
   const EndsOfSteps steps = ends_of(rows, scenes);
   if (steps.empty()) return "";
   std::vector<std::string> parts;
-  for (const double dt : told_steps(steps))
+  for (const double dt : reported_steps(steps))
     parts.push_back(fmt::format("{} at a step of {}", until(steps.at(dt)), quantity_text(dt, "s")));
   const double tolerance = scenes.front().scale.tolerance;
   return fmt::format("Engines stay within {} and {:g} % of the least block height of the exact motion {}{}.",
