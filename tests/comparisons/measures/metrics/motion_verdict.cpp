@@ -70,8 +70,8 @@ TEST(MotionVerdict, TellsFromWhenOnSeveralMotionsObey) {
   scene.law = Law::unilateral;
   scene.blocks = {make_block(1, 1, 2500), make_block(1, 2, 2500)};
   scene.initial = {{0, -0.2}, {0, 0}};
-  const auto verdict = [&](double friction) {
-    scene.friction = {friction, friction};
+  const auto verdict = [&](double coefficient) {
+    scene.friction = {coefficient, coefficient};
     return motion_verdict(scene, solve(scene, {.sample_times = {0, 0.02}, .peaks = true}));
   };
   EXPECT_NE(verdict(0.3).find("block 2 slips by up to "), std::string::npos);

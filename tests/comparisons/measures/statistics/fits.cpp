@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/measures/results/tables.hpp"
+
 namespace rockstack {
 namespace {
 
