@@ -126,14 +126,12 @@ class CornerOverFace : public LagrangianRheonomousR {
 std::vector<Touch> touches(const Placement& upper, const Placement* lower) {
   // Aligned corners are off by their rounding.
   constexpr double margin = 1 + 1e-9;
-  const double endless = std::numeric_limits<double>::infinity();
+  const double reach =
+      lower == nullptr ? std::numeric_limits<double>::infinity() : 0.5 * lower->width * margin;
+  const double face = lower == nullptr ? 0 : 0.5 * lower->height;
   std::vector<Touch> list;
   for (const double side : {-0.5, 0.5}) {
-    list.push_back({0,
-                    {side * upper.width, -0.5 * upper.height},
-                    lower == nullptr ? 0 : 0.5 * lower->height,
-                    1,
-                    lower == nullptr ? endless : 0.5 * lower->width * margin});
+    list.push_back({0, {side * upper.width, -0.5 * upper.height}, face, 1, reach});
     if (lower == nullptr) continue;
     list.push_back(
         {1, {side * lower->width, 0.5 * lower->height}, -0.5 * upper.height, -1, 0.5 * upper.width * margin});
@@ -146,12 +144,6 @@ thread_local std::size_t failed_solutions = 0;
 
 void note(int info, ::Simulation*) {
   failed_solutions += info != 0 ? 1 : 0;
-}
-
-/// solver_options_delete() leaves the structure itself.
-void destroy(SolverOptions* options) {
-  solver_options_delete(options);
-  std::free(options);
 }
 
 std::shared_ptr<SiconosVector> vector_of(double x, double y, double angle) {
@@ -231,7 +223,11 @@ class SiconosSimulation final : public ShakenSimulation {
   void add_scheme(const Parameters& parameters) {
     integrator_ = std::make_shared<MoreauJeanOSI>(parameters.at("theta"), parameters.at("gamma"));
     integrator_->setConstraintActivationThreshold(parameters.at("constraintActivationThreshold"));
-    const std::shared_ptr<SolverOptions> options(solver_options_create(SICONOS_FRICTION_2D_NSGS), &destroy);
+    const std::shared_ptr<SolverOptions> options(solver_options_create(SICONOS_FRICTION_2D_NSGS),
+                                                 [](SolverOptions* made) {
+                                                   solver_options_delete(made);
+                                                   std::free(made);  // it leaves the structure itself
+                                                 });
     options->dparam[SICONOS_DPARAM_TOL] = parameters.at("SICONOS_DPARAM_TOL");
     options->iparam[SICONOS_IPARAM_MAX_ITER] = static_cast<int>(parameters.at("SICONOS_IPARAM_MAX_ITER"));
     problem_ = std::make_shared<FrictionContact>(2, options);

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace rockstack {
@@ -65,5 +68,60 @@ const nlohmann::json& list_field(const nlohmann::json& object, const char* name)
 
 /// True where the object has the field and it is not null.
 bool has_field(const nlohmann::json& object, const char* name);
+
+/// Fields that are numbers, by name: one table for writing and reading.
+template <class Object>
+struct Named {
+  const char* name;
+  double Object::*member;
+};
+
+template <class Object, std::size_t Count>
+nlohmann::json object_of(const Object& from, const std::array<Named<Object>, Count>& fields) {
+  nlohmann::json object;
+  for (const auto& [name, member] : fields) object[name] = to_field(from.*member);
+  return object;
+}
+
+template <class Object, std::size_t Count>
+Object read_object(const nlohmann::json& object, const std::array<Named<Object>, Count>& fields) {
+  Object result;
+  for (const auto& [name, member] : fields) result.*member = number_field(object, name);
+  return result;
+}
+
+/// A list of objects as an object of lists.
+template <class Object, std::size_t Count>
+void write_columns(nlohmann::json& object, const std::vector<Object>& list,
+                   const std::array<Named<Object>, Count>& fields, Form form) {
+  for (const auto& [name, member] : fields) {
+    std::vector<double> column;
+    column.reserve(list.size());
+    for (const Object& item : list) column.push_back(item.*member);
+    object[name] = to_field(column, form);
+  }
+}
+
+template <class Object, std::size_t Count>
+void read_columns(const nlohmann::json& object, std::vector<Object>& list,
+                  const std::array<Named<Object>, Count>& fields) {
+  for (const auto& [name, member] : fields) {
+    const std::vector<double> column = numbers_field(object, name);
+    if (list.empty()) list.resize(column.size());
+    if (column.size() != list.size()) throw WrongField(name, "as long as the lists beside it");
+    for (std::size_t i = 0; i < list.size(); ++i) list[i].*member = column[i];
+  }
+}
+
+/// What `read` makes of each item of a list.
+template <class Read>
+auto read_list(const nlohmann::json& object, const char* name, const Read& read) {
+  std::vector<std::invoke_result_t<Read, const nlohmann::json&>> items;
+  const nlohmann::json& list = list_field(object, name);
+  items.reserve(list.size());
+  for (const nlohmann::json& item : list)
+    items.push_back(within(name + ("." + std::to_string(items.size() + 1)), [&] { return read(item); }));
+  return items;
+}
 
 }  // namespace rockstack

@@ -5,20 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 namespace rockstack {
 namespace {
 
 using nlohmann::json;
-
-/// Fields that are numbers, by name: one table for writing and reading.
-template <class Object>
-struct Named {
-  const char* name;
-  double Object::*member;
-};
 
 constexpr std::array<Named<Placement>, 13> placement_fields{
     {{"x", &Placement::x},
@@ -59,54 +51,6 @@ constexpr std::array<Named<Setting>, 4> setting_fields{{{"default", &Setting::st
                                                         {"tuned", &Setting::tuned},
                                                         {"least", &Setting::least},
                                                         {"most", &Setting::most}}};
-
-template <class Object, std::size_t Count>
-json object_of(const Object& from, const std::array<Named<Object>, Count>& fields) {
-  json object;
-  for (const auto& [name, member] : fields) object[name] = to_field(from.*member);
-  return object;
-}
-
-template <class Object, std::size_t Count>
-Object read_object(const json& object, const std::array<Named<Object>, Count>& fields) {
-  Object result;
-  for (const auto& [name, member] : fields) result.*member = number_field(object, name);
-  return result;
-}
-
-/// A list of objects as an object of lists.
-template <class Object, std::size_t Count>
-void write_columns(json& object, const std::vector<Object>& list,
-                   const std::array<Named<Object>, Count>& fields, Form form) {
-  for (const auto& [name, member] : fields) {
-    std::vector<double> column;
-    column.reserve(list.size());
-    for (const Object& item : list) column.push_back(item.*member);
-    object[name] = to_field(column, form);
-  }
-}
-
-template <class Object, std::size_t Count>
-void read_columns(const json& object, std::vector<Object>& list,
-                  const std::array<Named<Object>, Count>& fields) {
-  for (const auto& [name, member] : fields) {
-    const std::vector<double> column = numbers_field(object, name);
-    if (list.empty()) list.resize(column.size());
-    if (column.size() != list.size()) throw WrongField(name, "as long as the lists beside it");
-    for (std::size_t i = 0; i < list.size(); ++i) list[i].*member = column[i];
-  }
-}
-
-/// What `read` makes of each item of a list.
-template <class Read>
-auto read_list(const json& object, const char* name, const Read& read) {
-  std::vector<std::invoke_result_t<Read, const json&>> items;
-  const json& list = list_field(object, name);
-  items.reserve(list.size());
-  for (const json& item : list)
-    items.push_back(within(name + ("." + std::to_string(items.size() + 1)), [&] { return read(item); }));
-  return items;
-}
 
 /// Whole settings as whole numbers: some languages will not count to 400.0.
 json parameter_field(const RunRequest& run, const std::string& name, double value) {
