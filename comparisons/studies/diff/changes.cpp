@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <tuple>
 
-#include "comparisons/measures/statistics/samples.hpp"
+#include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/statistics/holm.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 
 namespace rockstack {
 namespace {
@@ -28,16 +33,11 @@ RowChange row_change(const RowPair& pair, const ChangeFactors& factors, bool tim
                 bits_of(pair),
                 !pair.old_run->draws.empty() && !pair.new_run->draws.empty(),
                 {}};
-  for (const TellingQuantity& quantity : telling_quantities())
+  for (const ReportedQuantity& quantity : reported_quantities())
     if (auto change = change_of(quantity, pair, factors)) row.quantities.push_back(std::move(*change));
   if (timed)
     if (auto change = cost_change(pair, factors)) row.quantities.push_back(std::move(*change));
   return row;
-}
-
-const TellingQuantity& quantity_of(const QuantityChange& change) {
-  return *std::find_if(telling_quantities().begin(), telling_quantities().end(),
-                       [&](const TellingQuantity& quantity) { return quantity.name == change.quantity; });
 }
 
 /// Corrects all tests for how many there are, and judges by them.
@@ -57,7 +57,7 @@ void judge_all(ResultsChange& result) {
       chances.begin(), chances.end(), [](const TestChance& chance) { return chance.least_p_value < 1; }));
   for (std::size_t i = 0; i < tested.size(); ++i) {
     tested[i]->adjusted_p_value = adjusted.p_values[i];
-    judge(quantity_of(*tested[i]), result.level, *tested[i]);
+    judge(result.level, *tested[i]);
   }
 }
 
@@ -77,6 +77,48 @@ bool same_processor(const RecordedResults& old_results, const RecordedResults& n
              other = new_results.environment.find("processor");
   return name != old_results.environment.end() && other != new_results.environment.end() &&
          name->second == other->second;
+}
+
+using Json = nlohmann::ordered_json;
+
+double ratio_of(double now, double before) {
+  if (before == now) return 1;
+  return before == 0 ? std::numeric_limits<double>::infinity() : now / before;
+}
+
+Json to_json(const ValueSpread& spread) {
+  return {
+      {"lower", spread.lower}, {"median", spread.median}, {"upper", spread.upper}, {"values", spread.values}};
+}
+
+Json to_json(const QuantityChange& change) {
+  Json json{{"quantity", change.quantity},
+            {"turn", name(change.turn)},
+            {"old", to_json(change.old_values)},
+            {"new", to_json(change.new_values)}};
+  if (change.test) {
+    json["superiority"] = change.test->superiority;
+    json["p_value"] = change.test->p_value;
+    json["adjusted_p_value"] = *change.adjusted_p_value;
+  }
+  return json;
+}
+
+Json to_json(const RowChange& row) {
+  Json json{{"scene", row.old_row.scene},
+            {"engine", row.old_row.engine},
+            {"solver", row.old_row.solver},
+            {"settings", row.old_row.settings},
+            {"dt", row.old_row.dt ? Json(*row.old_row.dt) : Json()},
+            {"old_run", row.old_row.run},
+            {"new_run", row.new_row.run},
+            {"old_status", name(row.old_row.status)},
+            {"new_status", name(row.new_row.status)},
+            {"bits", name(row.bits)},
+            {"turn", name(row.worst())},
+            {"quantities", Json::array()}};
+  for (const QuantityChange& change : row.quantities) json["quantities"].push_back(to_json(change));
+  return json;
 }
 
 }  // namespace
@@ -122,6 +164,70 @@ ResultsChange hold_against(const RecordedResults& old_results, const RecordedRes
   for (const RowPair& pair : pairs.pairs) result.rows.push_back(row_change(pair, options.factors, timed));
   judge_all(result);
   return result;
+}
+
+Json changes_json(const ResultsChange& result) {
+  Json json{{"worse", result.worse()},
+            {"level", result.level},
+            {"tests", result.tests},
+            {"tests_counted", result.counted},
+            {"only_old", result.only_old},
+            {"only_new", result.only_new},
+            {"other_questions", result.other_questions},
+            {"other_environment", result.other_environment},
+            {"rows", Json::array()}};
+  for (const ReportedQuantity& quantity : reported_quantities())
+    json["definitions"][quantity.name] = quantity.definition;
+  for (const RowChange& row : result.rows) json["rows"].push_back(to_json(row));
+  return json;
+}
+
+std::string changes_csv(const ResultsChange& result) {
+  CsvWriter csv;
+  csv.line("scene", "engine", "solver", "dt", "old_settings", "new_settings", "old_run", "new_run", "bits",
+           "quantity", "turn", "old_lower", "old_median", "old_upper", "old_values", "new_lower",
+           "new_median", "new_upper", "new_values", "superiority", "p_value", "adjusted_p_value");
+  for (const RowChange& row : result.rows) {
+    for (const QuantityChange& change : row.quantities) {
+      csv.add(row.old_row.scene, row.old_row.engine, row.old_row.solver, row.old_row.dt, row.old_row.settings,
+              row.new_row.settings, row.old_row.run, row.new_row.run, name(row.bits), change.quantity,
+              name(change.turn));
+      for (const ValueSpread& spread : {change.old_values, change.new_values})
+        csv.add(spread.lower, spread.median, spread.upper, spread.values);
+      if (change.test)
+        csv.line(change.test->superiority, change.test->p_value, change.adjusted_p_value);
+      else
+        csv.line("", "", "");
+    }
+  }
+  return csv.text();
+}
+
+double TurnedNumber::ratio() const {
+  return ratio_of(change->new_values.median, change->old_values.median);
+}
+
+std::vector<TurnedNumber> turned_numbers(const ResultsChange& result) {
+  std::vector<TurnedNumber> turned;
+  for (const RowChange& row : result.rows)
+    for (const QuantityChange& change : row.quantities)
+      if (change.turn != Turn::none) turned.push_back({&row, &change});
+  const auto rank = [](const TurnedNumber& number) {
+    return std::tuple(number.change->turn, std::abs(std::log(std::abs(number.ratio()))));
+  };
+  std::stable_sort(turned.begin(), turned.end(),
+                   [&](const TurnedNumber& a, const TurnedNumber& b) { return rank(a) > rank(b); });
+  return turned;
+}
+
+ValueSpread cost_ratio(const ResultsChange& result) {
+  std::vector<double> ratios;
+  for (const RowChange& row : result.rows)
+    for (const QuantityChange& change : row.quantities)
+      if (change.quantity == "step_time" && row.old_row.steps)
+        ratios.push_back(change.new_values.median / change.old_values.median);
+  if (ratios.empty()) return {};
+  return {quantile(ratios, 0), median(ratios), quantile(ratios, 1), ratios.size()};
 }
 
 }  // namespace rockstack

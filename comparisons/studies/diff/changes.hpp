@@ -1,15 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "comparisons/studies/diff/quantity_change.hpp"
+#include "comparisons/studies/diff/quantities.hpp"
 
 namespace rockstack {
 
 struct ChangeOptions {
-  double level = 0.01;  ///< chance that anything is told where nothing has changed, between 0 and 1
+  double level = 0.01;  ///< chance that anything is reported where nothing has changed, between 0 and 1
   ChangeFactors factors = {};
   std::vector<std::string> across = {};  ///< of row_names(): as pair_rows()
 };
@@ -45,10 +46,35 @@ struct ResultsChange {
   std::size_t draws_needed() const;
 };
 
-/// Holds new results against old ones. A number of draws is told as changed where its test, corrected for how
-/// many there are, says so at the level; a run by itself where the factors say so. Times are told on one
-/// processor alone. @throws InputError as pair_rows().
+/// Holds new results against old ones. A number of draws is reported as changed where its test, corrected for
+/// how many there are, says so at the level; a run by itself where the factors say so. Times are reported on
+/// one processor alone. @throws InputError as pair_rows().
 ResultsChange hold_against(const RecordedResults& old_results, const RecordedResults& new_results,
                            const ChangeOptions& options);
+
+/// Everything that was held together, for programs: what diff.json holds.
+nlohmann::ordered_json changes_json(const ResultsChange& result);
+
+/// A line a row and number:
+/// scene,engine,solver,dt,old_settings,new_settings,old_run,new_run,bits,quantity,turn,
+/// old_lower,old_median,old_upper,old_values,new_…,superiority,p_value,adjusted_p_value.
+std::string changes_csv(const ResultsChange& result);
+
+/// A number of a row that has turned.
+struct TurnedNumber {
+  const RowChange* row;
+  const QuantityChange* change;
+
+  /// The new median over the old one; infinite over 0.
+  double ratio() const;
+};
+
+/// All of them, worst first: worse ones, then changed ones, then better ones, each by how much. They point
+/// into the result.
+std::vector<TurnedNumber> turned_numbers(const ResultsChange& result);
+
+/// Steps that cost as much as before, or more or less, over all rows of engines that tell times: the ratio of
+/// medians, its median over rows, and its least and greatest; no values where there is none.
+ValueSpread cost_ratio(const ResultsChange& result);
 
 }  // namespace rockstack

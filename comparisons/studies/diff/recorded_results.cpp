@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/input/json_reader.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 namespace {
@@ -39,6 +41,78 @@ RecordedRun read_run(const std::filesystem::path& folder, bool drawn) {
   return run;
 }
 
+using Key = std::vector<std::string>;
+using Across = std::vector<std::string>;
+
+bool crosses(const Across& across, const std::string& name) {
+  return std::find(across.begin(), across.end(), name) != across.end();
+}
+
+Key key_of(const RunMetrics& row, const Across& across) {
+  Key key{row.scene, row.engine, row.solver, row.settings, row.dt ? fmt::format("{}", *row.dt) : ""};
+  for (std::size_t i = 0; i < key.size(); ++i)
+    if (crosses(across, row_names()[i])) key[i].clear();
+  return key;
+}
+
+using Rows = std::vector<const RecordedRun*>;
+
+std::map<Key, const RecordedRun*> rows_by_key(const Rows& rows, const Across& across,
+                                              const std::filesystem::path& folder) {
+  std::map<Key, const RecordedRun*> by_key;
+  for (const RecordedRun* run : rows) {
+    const auto [known, added] = by_key.emplace(key_of(run->row, across), run);
+    if (!added)
+      throw InputError(fmt::format("{}: {} and {} agree in all but what --across names: must be one row",
+                                   folder.string(), known->second->row.run, run->row.run));
+  }
+  return by_key;
+}
+
+/// Rows of both results, as yet without a partner.
+struct Unpaired {
+  Rows old_rows, new_rows;
+};
+
+Rows all_rows(const RecordedResults& results) {
+  Rows rows;
+  rows.reserve(results.runs.size());
+  for (const RecordedRun& run : results.runs) rows.push_back(&run);
+  return rows;
+}
+
+/// Takes rows that agree in all but `across` out of those without a partner.
+std::vector<RowPair> take_pairs(Unpaired& rows, const Across& across, const std::filesystem::path& old_folder,
+                                const std::filesystem::path& new_folder) {
+  const auto old_rows = rows_by_key(rows.old_rows, across, old_folder);
+  const auto new_rows = rows_by_key(rows.new_rows, across, new_folder);
+  std::vector<RowPair> pairs;
+  for (const RecordedRun* run : rows.old_rows)
+    if (const auto twin = new_rows.find(key_of(run->row, across)); twin != new_rows.end())
+      pairs.push_back({run, twin->second});
+  std::erase_if(rows.old_rows,
+                [&](const RecordedRun* run) { return new_rows.contains(key_of(run->row, across)); });
+  std::erase_if(rows.new_rows,
+                [&](const RecordedRun* run) { return old_rows.contains(key_of(run->row, across)); });
+  return pairs;
+}
+
+/// The scenes of one name that differ, each with what differs first.
+std::map<std::string, std::string> other_questions(const RecordedResults& old_results,
+                                                   const RecordedResults& new_results, const Across& across) {
+  std::map<std::string, std::string> others;
+  if (crosses(across, "scene")) return others;
+  for (const auto& [scene, facts] : old_results.scenes) {
+    const auto twin = new_results.scenes.find(scene);
+    if (twin == new_results.scenes.end()) continue;
+    for (const auto& [key, value] : facts) {
+      const auto other = twin->second.find(key);
+      if (other != twin->second.end() && other->second != value) others.emplace(scene, key);
+    }
+  }
+  return others;
+}
+
 }  // namespace
 
 RecordedResults read_recorded_results(const std::filesystem::path& folder) {
@@ -58,6 +132,32 @@ RecordedResults read_recorded_results(const std::filesystem::path& folder) {
     results.runs.push_back(read_run(folder / "runs" / row.run, row.draws.value_or(1) > 1));
   }
   return results;
+}
+
+const std::vector<std::string>& row_names() {
+  static const std::vector<std::string> names{"scene", "engine", "solver", "settings", "dt"};
+  return names;
+}
+
+RowPairs pair_rows(const RecordedResults& old_results, const RecordedResults& new_results,
+                   const Across& across) {
+  Unpaired rows{all_rows(old_results), all_rows(new_results)};
+  RowPairs all;
+  for (const Across& names : {Across{}, across}) {
+    const auto taken = take_pairs(rows, names, old_results.folder, new_results.folder);
+    all.pairs.insert(all.pairs.end(), taken.begin(), taken.end());
+  }
+  const auto others = other_questions(old_results, new_results, across);
+  for (const auto& [scene, key] : others)
+    all.other_questions.push_back(fmt::format("scene {}: {}", scene, key));
+  std::erase_if(all.pairs, [&](const RowPair& pair) { return others.contains(pair.old_run->row.scene); });
+  for (const RecordedRun* run : rows.old_rows) all.only_old.push_back(run->row.run);
+  for (const RecordedRun* run : rows.new_rows) all.only_new.push_back(run->row.run);
+  if (all.pairs.empty())
+    throw InputError(
+        fmt::format("{} and {}: must have a row in common: scene, engine, solver, settings and dt",
+                    old_results.folder.string(), new_results.folder.string()));
+  return all;
 }
 
 }  // namespace rockstack
