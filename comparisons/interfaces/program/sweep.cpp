@@ -1,6 +1,5 @@
 #include <atomic>
 #include <csignal>
-#include <memory>
 #include <optional>
 
 #include "comparisons/interfaces/program/commands.hpp"
@@ -9,9 +8,6 @@
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/shipped.hpp"
-#ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/pages/show.hpp"
-#endif
 
 namespace rockstack {
 namespace {
@@ -57,10 +53,7 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
     return 1;
   }
   print_sweep(result, arguments.out, common);
-#ifdef ROCKSTACK_WITH_PLOTS
-  plots::show(arguments.out);
-#endif
-  print_report(arguments.out, common);
+  show_report(arguments.out, common);
   return end_of_runs(result.failed, result.runs, "runs.csv");
 }
 

@@ -1,20 +1,23 @@
 #include "comparisons/studies/sweep/ensemble.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/overrides.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/build.hpp"
+#include "comparisons/studies/sweep/ensemble_keys.hpp"
 
 namespace rockstack {
 namespace {
 
-Value drawn_value(const Variation& variation, const DrawIndex& index) {
+Value number_value(double number, const std::string& place) {
   Value value;
   value.node.kind = Node::Kind::number;
-  value.node.place = variation.place;
-  value.node.number = draw(*variation.distribution, index);
-  value.text = number_text(value.node.number);
+  value.node.number = number;
+  value.node.place = place;
+  value.text = number_text(number);
   return value;
 }
 
@@ -43,6 +46,104 @@ void describe_records(const SceneDocument& document, MotionLibrary& library, std
   }
 }
 
+std::vector<Value> read_values(const Node& array) {
+  if (array.kind != Node::Kind::array || array.children.empty()) {
+    throw wrong_value(array, "an array of numbers or texts");
+  }
+  std::vector<Value> values;
+  for (const Node& child : array.children) {
+    if (child.kind != Node::Kind::number && child.kind != Node::Kind::text) {
+      throw wrong_value(child, "a number or a text");
+    }
+    values.push_back({child, child.kind == Node::Kind::text ? child.text : number_text(child.number)});
+  }
+  return values;
+}
+
+constexpr double most_values = 1e6;  // of one table
+
+std::vector<Value> read_range(const Node& table) {
+  require_table(table, range_keys);
+  const double from = required_number(table, "from");
+  const double to = required_number(table, "to");
+  const auto count =
+      static_cast<std::size_t>(whole_number(required(table, "count", "a whole number"), 2, most_values));
+  const Node* spacing = find(table, "spacing");
+  const bool logarithmic = spacing != nullptr && choice<bool>(*spacing, {{"linear", false}, {"log", true}});
+  if (logarithmic && !(from > 0 && to > 0)) {
+    throw wrong_value(*spacing, "\"linear\" where from or to is not > 0");
+  }
+  std::vector<Value> values{number_value(from, table.place)};
+  const auto steps = static_cast<double>(count - 1);
+  for (std::size_t i = 1; i < count; ++i) {
+    const auto step = static_cast<double>(i);
+    const double inner =
+        logarithmic ? from * std::pow(to / from, step / steps) : from + (to - from) * step / steps;
+    values.push_back(number_value(i + 1 == count ? to : inner, table.place));
+  }
+  return values;
+}
+
+double finite_number(const Node& table, const char* name) {
+  const Node& node = required(table, name, "a number");
+  if (!std::isfinite(number(node))) throw wrong_value(node, "a finite number");
+  return node.number;
+}
+
+double positive_number(const Node& table, const char* name) {
+  const double value = finite_number(table, name);
+  if (!(value > 0)) throw wrong_value(*find(table, name), "a number > 0");
+  return value;
+}
+
+Distribution read_distribution(const Node& node) {
+  if (node.name == "uniform") {
+    if (node.kind != Node::Kind::array || node.children.size() != 2) {
+      throw wrong_value(node, "an array of two numbers, from and to");
+    }
+    const double from = finite_number(node, "1"), to = finite_number(node, "2");
+    if (!(from < to))
+      throw wrong_value(node.children.back(), "a number above the first, " + number_text(from));
+    return {Distribution::Kind::uniform, from, to};
+  }
+  if (node.name == "normal") {
+    require_table(node, normal_keys);
+    return {Distribution::Kind::normal, finite_number(node, "mean"), positive_number(node, "deviation")};
+  }
+  require_table(node, lognormal_keys);
+  return {Distribution::Kind::lognormal, positive_number(node, "median"), positive_number(node, "beta")};
+}
+
+/// Whether the exact motion is the same whatever its value.
+bool is_label(const std::string& key) {
+  return key == "title" || key == "engine.depth";
+}
+
+std::vector<std::string> read_keys(const Node& node) {
+  std::vector<std::string> keys;
+  if (node.kind == Node::Kind::text) {
+    keys.push_back(node.text);
+  } else {
+    for (const Node& child : entries(node, "a key of the scene, or an array of such keys"))
+      keys.push_back(text(child));
+  }
+  return keys;
+}
+
+/// The one way of giving values that a table [[vary]] has.
+const Node& way(const Node& table) {
+  const Node* found = nullptr;
+  for (const Node& child : table.children) {
+    if (child.name == "key" || child.name == "group") continue;
+    if (found != nullptr) throw excluded_key(child, *found);
+    found = &child;
+  }
+  if (found == nullptr) {
+    throw missing_key(table, "values", "given, or range, uniform, normal or lognormal in its place");
+  }
+  return *found;
+}
+
 }  // namespace
 
 bool Variation::is_record(const Value& value) const {
@@ -69,7 +170,8 @@ std::vector<Value> values_of(const Ensemble& ensemble, std::size_t run) {
   for (std::size_t v = 0; v < values.size(); ++v) {
     const Variation& variation = ensemble.variations[v];
     if (!variation.distribution) continue;
-    values[v] = drawn_value(variation, {ensemble.seed, run, static_cast<std::uint32_t>(v)});
+    const DrawIndex index{ensemble.seed, run, static_cast<std::uint32_t>(v)};
+    values[v] = number_value(draw(*variation.distribution, index), variation.place);
   }
   return values;
 }
@@ -102,6 +204,34 @@ std::string identity(const Ensemble& ensemble, MotionLibrary& library) {
     text += "\n";
   }
   return text;
+}
+
+Variation read_variation(const Node& table, const std::filesystem::path& folder) {
+  require_table(table, vary_keys);
+  Variation variation;
+  variation.place = table.place;
+  const Node& key = required(table, "key", "a key of the scene");
+  variation.keys = read_keys(key);
+  if (find(table, "group") == nullptr && std::all_of(variation.keys.begin(), variation.keys.end(), is_label))
+    throw wrong_value(key, "a key that changes the exact motion, or one of a group");
+  const Node& given = way(table);
+  if (given.name == "values") {
+    variation.values = read_values(given);
+  } else if (given.name == "range") {
+    variation.values = read_range(given);
+  } else {
+    variation.distribution = read_distribution(given);
+  }
+  for (Value& value : variation.values) {
+    if (variation.is_record(value))
+      value.node.text = std::filesystem::absolute(folder / value.node.text).string();
+  }
+  return variation;
+}
+
+Value typical_value(const Variation& variation) {
+  return variation.distribution ? number_value(median(*variation.distribution), variation.place)
+                                : variation.values.front();
 }
 
 }  // namespace rockstack

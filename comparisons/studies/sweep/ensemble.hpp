@@ -81,4 +81,13 @@ Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
 /// contents of the records, and the version, compiler and flags of this program.
 std::string identity(const Ensemble& ensemble, MotionLibrary& library);
 
+inline constexpr double most_runs = 1e9;  ///< of an ensemble
+
+/// One table [[vary]]; paths of records are relative to `folder`. @throws InputError with place, key, value
+/// and range.
+Variation read_variation(const Node& table, const std::filesystem::path& folder);
+
+/// The first value of a variation, or the median where values are drawn.
+Value typical_value(const Variation& variation);
+
 }  // namespace rockstack

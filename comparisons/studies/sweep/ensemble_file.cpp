@@ -7,7 +7,6 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
 #include "comparisons/studies/sweep/ensemble_keys.hpp"
-#include "comparisons/studies/sweep/variation.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {

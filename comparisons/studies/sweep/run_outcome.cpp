@@ -28,6 +28,49 @@ bool is_impact(const Event& event) {
   return event.kind == EventKind::impact || event.kind == EventKind::closure || event.kind == EventKind::rest;
 }
 
+/// What interfaces do, at a time or ever.
+struct Freedom {
+  bool slips = false, opens = false, parts = false;
+
+  Freedom& operator|=(const Freedom& other) {
+    slips |= other.slips;
+    opens |= other.opens;
+    parts |= other.parts;
+    return *this;
+  }
+};
+
+Freedom freedom(const Pattern& pattern) {
+  Freedom result;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(pattern.size); ++k) {
+    result.slips |= pattern.slides[k] != 0;
+    result.opens |= pattern.contacts[k] == Contact::left || pattern.contacts[k] == Contact::right;
+    result.parts |= pattern.contacts[k] == Contact::apart;
+  }
+  return result;
+}
+
+/// Of the state that a scene begins with: blocks that lean or turn otherwise than those below, or slip.
+Freedom freedom(const InitialState& initial) {
+  const auto differs = [](const std::vector<double>& values) {
+    double below = 0;
+    return std::any_of(values.begin(), values.end(), [&](double value) {
+      const bool other = value != below;
+      below = value;
+      return other;
+    });
+  };
+  const auto& slips = initial.slip_velocities;
+  return {.slips = std::any_of(slips.begin(), slips.end(), [](double speed) { return speed != 0; }),
+          .opens = differs(initial.angles) || differs(initial.velocities)};
+}
+
+MotionMode mode_of(const Freedom& freedom) {
+  if (freedom.parts) return MotionMode::free_flight;
+  if (freedom.opens) return freedom.slips ? MotionMode::slide_rock : MotionMode::rock;
+  return freedom.slips ? MotionMode::slide : MotionMode::rest;
+}
+
 }  // namespace
 
 SolveOptions run_options(double tolerance) {
@@ -64,6 +107,30 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
   outcome.slip = largest(history.slips_left);
   outcome.lift = largest(history.lifts);
   return outcome;
+}
+
+std::string name(MotionMode mode) {
+  constexpr std::array names{"rest", "slide", "rock", "slide-rock", "free flight", "topple", "fall"};
+  return names.at(static_cast<std::size_t>(mode));
+}
+
+MotionMode onset_mode(const Scene& scene, const History& history) {
+  MotionMode mode = mode_of(freedom(scene.initial));
+  for (auto event = history.events.begin(); mode == MotionMode::rest && event != history.events.end();
+       ++event)
+    mode = mode_of(freedom(event->to));
+  return mode;
+}
+
+MotionMode whole_mode(const Scene& scene, const History& history) {
+  if (!history.events.empty()) {
+    const EventKind last = history.events.back().kind;
+    if (last == EventKind::topple) return MotionMode::topple;
+    if (last == EventKind::fall) return MotionMode::fall;
+  }
+  Freedom ever = freedom(scene.initial);
+  for (const Event& event : history.events) ever |= freedom(event.to);
+  return mode_of(ever);
 }
 
 }  // namespace rockstack

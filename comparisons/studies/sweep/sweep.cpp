@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/provenance.hpp"
-#include "comparisons/studies/sweep/run_table.hpp"
+#include "comparisons/measures/results/journal.hpp"
+#include "comparisons/studies/sweep/runs.hpp"
 #include "comparisons/studies/sweep/summaries.hpp"
 
 namespace rockstack {
