@@ -6,9 +6,9 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/interfaces/program/output.hpp"
-#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/studies/lessons/course/answered.hpp"
 #include "comparisons/studies/lessons/course/run_lesson.hpp"
-#include "comparisons/studies/lessons/course/sheet.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/pages/pages.hpp"
 #include "plots/pages/show.hpp"

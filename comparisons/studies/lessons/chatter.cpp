@@ -3,9 +3,7 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {
@@ -14,6 +12,9 @@ namespace {
 struct Chatter {
   std::vector<Event> impacts;
   double closure = 0;  ///< s
+
+  /// Before the impact of that number, from 1, s.
+  double flight(std::size_t n) const { return impacts[n].time - impacts[n - 1].time; }
 };
 
 Chatter first_chatter(const History& history) {
@@ -36,16 +37,12 @@ Table flights(const Chatter& chatter) {
               {}};
   constexpr std::size_t count = 14;
   for (std::size_t i = 0; i < std::min(count, chatter.impacts.size()); ++i) {
-    const auto flight = [&](std::size_t n) { return chatter.impacts[n].time - chatter.impacts[n - 1].time; };
-    table.rows.push_back({std::to_string(i + 1), cell(chatter.impacts[i].time), i > 0 ? cell(flight(i)) : "",
-                          i > 1 ? cell(flight(i) / flight(i - 1)) : "",
+    table.rows.push_back({std::to_string(i + 1), cell(chatter.impacts[i].time),
+                          i > 0 ? cell(chatter.flight(i)) : "",
+                          i > 1 ? cell(chatter.flight(i) / chatter.flight(i - 1)) : "",
                           cell(std::abs(chatter.impacts[i].after[0]))});
   }
   return table;
-}
-
-std::size_t observed(const History& history) {
-  return observed_impacts(history, 0).size();
 }
 
 Table seen_by_engines(const Scene& scene, std::size_t exact) {
@@ -53,14 +50,9 @@ Table seen_by_engines(const Scene& scene, std::size_t exact) {
   table.rows.push_back({"exact, event by event", "", std::to_string(exact)});
   for (const char* engine : {"bullet", "ode"})
     for (const double dt : {1e-2, 1e-3, 1e-4})
-      table.rows.push_back({engine, cell(dt), std::to_string(observed(answer(engine, "tuned", scene, dt)))});
+      table.rows.push_back(
+          {engine, cell(dt), std::to_string(observed_impacts(answer(engine, "tuned", scene, dt), 0).size())});
   return table;
-}
-
-std::size_t count_impacts(const History& history) {
-  return static_cast<std::size_t>(
-      std::count_if(history.events.begin(), history.events.end(),
-                    [](const Event& event) { return event.kind == EventKind::impact; }));
 }
 
 }  // namespace
@@ -72,27 +64,24 @@ LessonValues chatter_values(const Suite& suite, const std::vector<RunMetrics>& /
   const std::size_t last = chatter.impacts.size() - 1;
   // A flight in the midst, where neither the approach nor rounding shows, and the one two before it.
   const std::size_t middle = chatter.impacts.size() / 2;
-  const auto flight = [&](std::size_t n) { return chatter.impacts[n].time - chatter.impacts[n - 1].time; };
-  const double pair = (flight(middle) + flight(middle - 1)) / (flight(middle - 2) + flight(middle - 3));
-  const double limit =
-      chatter.impacts[middle].time + (flight(middle) + flight(middle - 1)) * pair / (1 - pair);
+  const double two = chatter.flight(middle) + chatter.flight(middle - 1);
+  const double pair = two / (chatter.flight(middle - 2) + chatter.flight(middle - 3));
+  const double limit = chatter.impacts[middle].time + two * pair / (1 - pair);
   const History coarse = solve(scene, {.resolution = 1e-6});
-  LessonValues values;
-  values.numbers = {{"impacts", std::to_string(count_impacts(history))},
-                    {"large", std::to_string(reported_impacts(history, chatter_speed(scene)).size())},
-                    {"speed", fixed(chatter_speed(scene), 3)},
-                    {"count", std::to_string(chatter.impacts.size())},
-                    {"closure", fixed(chatter.closure, 6)},
-                    {"first", fixed(chatter.impacts.front().time, 4)},
-                    {"pair", fixed(pair, 4)},
-                    {"pair_inverse", fixed(1 / pair, 1)},
-                    {"limit", fixed(limit, 6)},
-                    {"apart", power(std::abs(limit - chatter.closure), 1)},
-                    {"last_flight", power(flight(last), 1)},
-                    {"coarse", std::to_string(count_impacts(coarse))}};
-  values.tables = {{"flights", flights(chatter)}, {"seen", seen_by_engines(scene, count_impacts(history))}};
-  values.player = {.time = chatter.impacts[1].time - 0.01, .speed = 0.01, .gain = 100, .chatter = true};
-  return values;
+  return {.numbers = {{"impacts", std::to_string(count_impacts(history))},
+                      {"large", std::to_string(reported_impacts(history, chatter_speed(scene)).size())},
+                      {"speed", fixed(chatter_speed(scene), 3)},
+                      {"count", std::to_string(chatter.impacts.size())},
+                      {"closure", fixed(chatter.closure, 6)},
+                      {"first", fixed(chatter.impacts.front().time, 4)},
+                      {"pair", fixed(pair, 4)},
+                      {"pair_inverse", fixed(1 / pair, 1)},
+                      {"limit", fixed(limit, 6)},
+                      {"apart", power(std::abs(limit - chatter.closure), 1)},
+                      {"last_flight", power(chatter.flight(last), 1)},
+                      {"coarse", std::to_string(count_impacts(coarse))}},
+          .tables = {{"flights", flights(chatter)}, {"seen", seen_by_engines(scene, count_impacts(history))}},
+          .player = {.time = chatter.impacts[1].time - 0.01, .speed = 0.01, .gain = 100, .chatter = true}};
 }
 
 }  // namespace rockstack

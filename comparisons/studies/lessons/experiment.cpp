@@ -1,12 +1,8 @@
-#include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/perturbations.hpp"
 
 namespace rockstack {
@@ -101,28 +97,26 @@ LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>
                by_ratio = impact_time(block_of(scene, concrete, found), 5),
                on_rubber = impact_time(block_of(scene, rubber, rubber.share * shape), 5);
   const RunMetrics& ode = find_run(rows, "ode", "tuned", 1e-3);
-  LessonValues values;
-  values.numbers = {{"shape", fixed(shape, 4)},
-                    {"concrete", fixed(found, 4)},
-                    {"rubber", fixed(rubber.share * shape, 4)},
-                    {"concrete_share", fixed(concrete.share, 2)},
-                    {"squat_share", fixed(measured[2].share, 2)},
-                    {"rubber_share", fixed(rubber.share, 2)},
-                    {"kept_shape", percent(shape * shape, 1)},
-                    {"kept_concrete", percent(found * found, 1)},
-                    {"lost_more", fixed((1 - found * found) / (1 - shape * shape), 1)},
-                    {"fifth_shape", fixed(by_shape, 3)},
-                    {"fifth_concrete", fixed(by_ratio, 3)},
-                    {"fifth_rubber", fixed(on_rubber, 3)},
-                    {"fifth_early", fixed(by_shape - by_ratio, 3)},
-                    {"engine_late", power(std::abs(*ode.first_impact_time_difference), 1)},
-                    {"ode_rms", power(*ode.rms_angle_difference, 1)},
-                    {"spread", percent(assumed_spread, 0)}};
-  values.tables = {{"shapes", shapes(scene)}, {"spreads", spreads(scene, concrete)}};
-  values.measured = {{"fifth_early", by_shape - by_ratio},
-                     {"lost_more", (1 - found * found) / (1 - shape * shape)}};
-  values.player = {.time = 0, .speed = 0.5, .gain = 2};
-  return values;
+  return {.numbers = {{"shape", fixed(shape, 4)},
+                      {"concrete", fixed(found, 4)},
+                      {"rubber", fixed(rubber.share * shape, 4)},
+                      {"concrete_share", fixed(concrete.share, 2)},
+                      {"squat_share", fixed(measured[2].share, 2)},
+                      {"rubber_share", fixed(rubber.share, 2)},
+                      {"kept_shape", percent(shape * shape, 1)},
+                      {"kept_concrete", percent(found * found, 1)},
+                      {"lost_more", fixed((1 - found * found) / (1 - shape * shape), 1)},
+                      {"fifth_shape", fixed(by_shape, 3)},
+                      {"fifth_concrete", fixed(by_ratio, 3)},
+                      {"fifth_rubber", fixed(on_rubber, 3)},
+                      {"fifth_early", fixed(by_shape - by_ratio, 3)},
+                      {"engine_late", power(std::abs(*ode.first_impact_time_difference), 1)},
+                      {"ode_rms", power(*ode.rms_angle_difference, 1)},
+                      {"spread", percent(assumed_spread, 0)}},
+          .tables = {{"shapes", shapes(scene)}, {"spreads", spreads(scene, concrete)}},
+          .player = {.time = 0, .speed = 0.5, .gain = 2},
+          .measured = {{"fifth_early", by_shape - by_ratio},
+                       {"lost_more", (1 - found * found) / (1 - shape * shape)}}};
 }
 
 }  // namespace rockstack

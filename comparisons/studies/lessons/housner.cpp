@@ -2,10 +2,8 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/energies.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/studies/lessons/impact_mechanics.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {
@@ -83,28 +81,26 @@ LessonValues housner_values(const Suite& suite, const std::vector<RunMetrics>& r
   const ImpactEnergies energies = impact_energies(scene, landing);
   const double share = scene.initial.angles.front() / c.alpha;
   const double stored = energy_above_rest(scene, landing.from, scene.initial.angles, {0});
-  LessonValues values;
-  values.numbers = {
-      {"alpha", fixed(c.alpha, 4)},
-      {"R", fixed(c.R, 4)},
-      {"p", fixed(c.p, 4)},
-      {"release", fixed(scene.initial.angles.front(), 2)},
-      {"share", fixed(share, 3)},
-      {"quarter_formula", fixed(quarter_period(c, share), 4)},
-      {"quarter_solver", fixed(landing.time, 4)},
-      {"ratio", fixed(c.ratio, 6)},
-      {"ratio_solver", fixed(landing.after[0] / landing.before[0], 6)},
-      {"lost", percent(1 - c.ratio * c.ratio, 2)},
-      {"stored", fixed(stored, 1)},
-      {"before", fixed(energies.before, 1)},
-      {"after", fixed(energies.after, 1)},
-      {"difference", percent((energies.before - energies.after) / energies.before, 2)},
-      {"bullet_first", power(*find_run(rows, "bullet", "tuned", 1e-3).first_impact_time_difference, 1)},
-      {"ode_first", power(*find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference, 1)},
-  };
-  values.tables = {{"periods", periods(scene, c)}, {"swings", swings(scene, c)}};
-  values.player = {.time = landing.time - 0.1, .speed = 0.1, .gain = 2};
-  return values;
+  return {.numbers = {{"alpha", fixed(c.alpha, 4)},
+                      {"R", fixed(c.R, 4)},
+                      {"p", fixed(c.p, 4)},
+                      {"release", fixed(scene.initial.angles.front(), 2)},
+                      {"share", fixed(share, 3)},
+                      {"quarter_formula", fixed(quarter_period(c, share), 4)},
+                      {"quarter_solver", fixed(landing.time, 4)},
+                      {"ratio", fixed(c.ratio, 6)},
+                      {"ratio_solver", fixed(landing.after[0] / landing.before[0], 6)},
+                      {"lost", percent(1 - c.ratio * c.ratio, 2)},
+                      {"stored", fixed(stored, 1)},
+                      {"before", fixed(energies.before, 1)},
+                      {"after", fixed(energies.after, 1)},
+                      {"difference", percent((energies.before - energies.after) / energies.before, 2)},
+                      {"bullet_first",
+                       power(*find_run(rows, "bullet", "tuned", 1e-3).first_impact_time_difference, 1)},
+                      {"ode_first",
+                       power(*find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference, 1)}},
+          .tables = {{"periods", periods(scene, c)}, {"swings", swings(scene, c)}},
+          .player = {.time = landing.time - 0.1, .speed = 0.1, .gain = 2}};
 }
 
 }  // namespace rockstack

@@ -3,10 +3,30 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/near_word.hpp"
+#include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/suites/shipped.hpp"
+#include "engines/worker/registry.hpp"
 
 namespace rockstack {
+namespace {
+
+std::string superscript(int number) {
+  static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = number < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(number)))
+    text += digits.at(static_cast<std::size_t>(digit - '0'));
+  return text;
+}
+
+}  // namespace
 
 const std::vector<Lesson>& lessons() {
   static const std::vector<Lesson> list{
@@ -40,6 +60,97 @@ const Lesson& find_lesson(const std::string& name) {
   }
   throw InputError(
       fmt::format("teach {}: must be one of {}{}", name, fmt::join(names, ", "), did_you_mean(name, names)));
+}
+
+History answer(const std::string& engine, const std::string& settings, const Scene& scene, double dt,
+               const Parameters& changes) {
+  const EngineSeries series = make_series(find_engine(engine), settings, {dt}, changes);
+  return simulate(*series.engine, scene, dt, series.parameters).history;
+}
+
+History exact_answer(const Scene& scene, double interval) {
+  return solve(scene, {.sample_times = regular_times(interval, scene.duration)});
+}
+
+double error_of(const Scene& scene, const History& answer) {
+  return root_mean_square(difference(solve(scene, {.sample_times = answer.times}), answer));
+}
+
+Scene under(Scene scene, Law law) {
+  scene.law = law;
+  return scene;
+}
+
+double weight_of(const Scene& scene) {
+  double weight = 0;
+  for (const Block& block : scene.blocks) weight += block.mass * scene.gravity;
+  return weight;
+}
+
+double largest_angle(const History& history, std::size_t block) {
+  double most = 0;
+  for (std::size_t i = 0; i < history.size(); ++i)
+    most = std::max(most, std::abs(history.angles_at(i)[block]));
+  return most;
+}
+
+const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine,
+                           const std::string& settings, double dt) {
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const RunMetrics& row) {
+    return (row.engine == engine || row.engine + ":" + row.solver == engine) && row.settings == settings &&
+           row.dt == dt;
+  });
+  if (found == rows.end())
+    throw std::logic_error(fmt::format("lesson: no run of {}, {}, {} s", engine, settings, dt));
+  return *found;
+}
+
+const Event* first_event(const History& history, EventKind kind) {
+  const auto found = std::find_if(history.events.begin(), history.events.end(),
+                                  [&](const Event& event) { return event.kind == kind; });
+  return found == history.events.end() ? nullptr : &*found;
+}
+
+std::size_t count_impacts(const History& history) {
+  return static_cast<std::size_t>(
+      std::count_if(history.events.begin(), history.events.end(),
+                    [](const Event& event) { return event.kind == EventKind::impact; }));
+}
+
+double first_gap(const History& history, int interface, double size) {
+  const auto upper = static_cast<std::size_t>(interface) - 1;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const auto angles = history.angles_at(i);
+    if (std::abs(angles[upper] - (upper > 0 ? angles[upper - 1] : 0)) > size) return history.times[i];
+  }
+  return -1;
+}
+
+std::string fixed(double value, int digits) {
+  const std::string text = fmt::format("{:.{}f}", std::abs(value), digits);
+  const bool zero = text.find_first_not_of("0.") == std::string::npos;
+  return (value < 0 && !zero ? "−" : "") + text;
+}
+
+std::string power(double value, int digits) {
+  if (value == 0) return "0";
+  const std::string text = fmt::format("{:.{}e}", std::abs(value), digits);
+  const std::size_t mark = text.find('e');
+  return (value < 0 ? "−" : "") + text.substr(0, mark) + " × 10" +
+         superscript(std::stoi(text.substr(mark + 1)));
+}
+
+std::string percent(double share, int digits) {
+  return fixed(100 * share, digits) + " %";
+}
+
+std::string cell(double value) {
+  return fmt::format("{}", value);
+}
+
+std::string cell(double value, double scale) {
+  constexpr double rounding = 1e-12;
+  return cell(std::abs(value) < rounding * scale ? 0 : value);
 }
 
 }  // namespace rockstack

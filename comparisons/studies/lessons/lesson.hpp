@@ -1,17 +1,45 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
-#include "comparisons/studies/lessons/values.hpp"
+#include "analytic/scene/history.hpp"
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/run_metrics.hpp"
+#include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
+
+/// How a lesson's player stands when the page opens: at the moment that the lesson is about.
+struct PlayerStart {
+  double time = 0;        ///< s
+  double speed = 1;       ///< times that of the motion: 0.01, 0.05, 0.1, 0.25, 0.5, 1, 2 or 4
+  double gain = 1;        ///< angles are drawn that many times larger, 1 to 100
+  bool overlaid = false;  ///< motions over each other, not side by side
+  bool chatter = false;   ///< stepping stops at impacts of chatter too
+};
+
+/// What a lesson's text leaves open: numbers in words ready to be read, and tables, each by its name.
+struct LessonValues {
+  std::map<std::string, std::string> numbers;
+  std::map<std::string, Table> tables;
+  PlayerStart player = {};
+  std::map<std::string, double> measured = {};  ///< of engines and histories, that predictions ask for
+};
+
+/// Computes the values of one lesson, with the exact solver and engines, from its own suite, run.
+using ValuesOf = LessonValues(const Suite& suite, const std::vector<RunMetrics>& rows);
+
+ValuesOf housner_values, projection_values, separation_values, still_base_values, soft_contacts_values,
+    steps_values, chatter_values, sensitivity_values, limits_values, friction_values, lift_off_values,
+    contact_models_values, experiment_values, reading_values;
 
 /// A lesson: a suite, NAME.toml, a text with places for values, NAME.html, and what computes the values once
 /// the suite has been run. Both files are in this folder; what makes a course of them is in course/.
 struct Lesson {
   std::string name;
-  LessonValues (*values)(const Suite& suite, const std::vector<RunMetrics>& rows);
+  ValuesOf* values;
 };
 
 /// In the order in which to read them.
@@ -22,5 +50,55 @@ std::string title(const Lesson& lesson);
 
 /// @throws InputError naming what was asked for and what there is.
 const Lesson& find_lesson(const std::string& name);
+
+// What values are made of.
+
+/// An engine's answer to a scene, made in passing. `changes` go on top of the named set of parameters.
+/// @throws InputError where this build leaves the engine out, std::runtime_error where the run fails.
+History answer(const std::string& engine, const std::string& settings, const Scene& scene, double dt,
+               const Parameters& changes = {});
+
+/// The exact answer, sampled every `interval` s.
+History exact_answer(const Scene& scene, double interval = 1e-3);
+
+/// Root of the mean square of all differences of an answer's angles from the exact motion, rad.
+double error_of(const Scene& scene, const History& answer);
+
+Scene under(Scene scene, Law law);
+
+/// Of all blocks, N.
+double weight_of(const Scene& scene);
+
+/// The largest absolute angle of a block (from 0), rad.
+double largest_angle(const History& history, std::size_t block);
+
+/// The row of a suite's run; one where that run is not done has no numbers.
+/// @throws std::logic_error where the suite has no such run.
+const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine,
+                           const std::string& settings, double dt);
+
+/// The first event of a kind, or nullptr.
+const Event* first_event(const History& history, EventKind kind);
+
+std::size_t count_impacts(const History& history);
+
+/// Where sampled motion first passes that size of relative angle at an interface (from 1), s; negative where
+/// it never does.
+double first_gap(const History& history, int interface, double size);
+
+/// A number with that many digits after the point, and a true minus sign: "−0.4816".
+std::string fixed(double value, int digits);
+
+/// A number as digits times a power of ten, "3.1 × 10⁻⁵"; 0 as "0".
+std::string power(double value, int digits);
+
+/// A share as per cent, "29.5 %".
+std::string percent(double share, int digits);
+
+/// A cell of a table: a number with all its digits.
+std::string cell(double value);
+
+/// The same, 0 where the number is rounding beside `scale`.
+std::string cell(double value, double scale);
 
 }  // namespace rockstack

@@ -1,11 +1,7 @@
-#include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/measures/metrics/difference.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/measures/metrics/contact/validity.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {
@@ -20,8 +16,7 @@ History with_demands(const Scene& scene) {
 /// How far an engine on a floor of that friction is from the exact motion, which does not slip; RMS, rad.
 double slip_error(Scene scene, const char* engine, double friction, double dt) {
   scene.friction = {friction};
-  const History history = answer(engine, "tuned", scene, dt);
-  return root_mean_square(difference(solve(scene, {.sample_times = history.times}), history));
+  return error_of(scene, answer(engine, "tuned", scene, dt));
 }
 
 Table slipping(const Scene& scene) {
@@ -68,30 +63,27 @@ LessonValues limits_values(const Suite& suite, const std::vector<RunMetrics>& ro
   const History history = with_demands(scene);
   const Demand& force = history.forces[0];
   const Demand& impulse = history.impulses[0];
-  double weight = 0;
-  for (const Block& block : scene.blocks) weight += block.mass * scene.gravity;
-  LessonValues values;
-  values.numbers = {
-      {"force_friction", fixed(force.friction, 4)},
-      {"force_friction_time", fixed(force.friction_time, 2)},
-      {"impulse_friction", fixed(impulse.friction, 4)},
-      {"impulse_friction_time", fixed(impulse.friction_time, 2)},
-      {"least_normal", fixed(force.least_normal, 0)},
-      {"least_share", percent(force.least_normal / weight, 1)},
-      {"weight", fixed(weight, 0)},
-      {"slippery", fixed(scene.friction.front(), 2)},
-      {"bullet_until", fixed(*find_run(rows, "bullet", "tuned", sample_step).agreement_time, 2)},
-      {"ode_until", fixed(*find_run(rows, "ode", "tuned", sample_step).agreement_time, 2)},
-      {"bullet_rough", fixed(slip_error(scene, "bullet", 0.5, sample_step), 4)},
-      {"bullet_rough_finer", fixed(slip_error(scene, "bullet", 0.5, finer_step), 4)},
-      {"finer_step", fixed(1e3 * finer_step, 1)},
-      {"duration", fixed(scene.duration, 0)},
-      {"tolerance", fixed(suite.tolerance, 2)}};
-  values.tables = {{"slipping", slipping(scene)}, {"lifting", lifting(scene)}};
-  // When the engines have left the exact motion far enough for the eye.
-  values.player = {
-      .time = *find_run(rows, "bullet", "tuned", sample_step).agreement_time, .speed = 0.25, .gain = 3};
-  return values;
+  const double weight = weight_of(scene);
+  return {
+      .numbers = {{"force_friction", fixed(force.friction, 4)},
+                  {"force_friction_time", fixed(force.friction_time, 2)},
+                  {"impulse_friction", fixed(impulse.friction, 4)},
+                  {"impulse_friction_time", fixed(impulse.friction_time, 2)},
+                  {"least_normal", fixed(force.least_normal, 0)},
+                  {"least_share", percent(force.least_normal / weight, 1)},
+                  {"weight", fixed(weight, 0)},
+                  {"slippery", fixed(scene.friction.front(), 2)},
+                  {"bullet_until", fixed(*find_run(rows, "bullet", "tuned", sample_step).agreement_time, 2)},
+                  {"ode_until", fixed(*find_run(rows, "ode", "tuned", sample_step).agreement_time, 2)},
+                  {"bullet_rough", fixed(slip_error(scene, "bullet", 0.5, sample_step), 4)},
+                  {"bullet_rough_finer", fixed(slip_error(scene, "bullet", 0.5, finer_step), 4)},
+                  {"finer_step", fixed(1e3 * finer_step, 1)},
+                  {"duration", fixed(scene.duration, 0)},
+                  {"tolerance", fixed(suite.tolerance, 2)}},
+      .tables = {{"slipping", slipping(scene)}, {"lifting", lifting(scene)}},
+      // When the engines have left the exact motion far enough for the eye.
+      .player = {
+          .time = *find_run(rows, "bullet", "tuned", sample_step).agreement_time, .speed = 0.25, .gain = 3}};
 }
 
 }  // namespace rockstack

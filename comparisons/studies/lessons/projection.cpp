@@ -2,10 +2,8 @@
 #include <cmath>
 
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/energies.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/studies/lessons/impact_mechanics.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {
@@ -65,27 +63,25 @@ LessonValues projection_values(const Suite& suite, const std::vector<RunMetrics>
   // The drawing is to scale: lengths are roots of energies, and that before the impact is as long as
   // `length`.
   constexpr double left = 60, ground = 230, length = 520;
-  LessonValues values;
-  values.numbers = {{"time", fixed(first.time, 5)},
-                    {"from", name(first.from)},
-                    {"to", name(first.to)},
-                    {"before_1", fixed(first.before[0], 4)},
-                    {"before_2", fixed(first.before[1], 4)},
-                    {"after_1", fixed(first.after[0], 4)},
-                    {"after_2", fixed(first.after[1], 4)},
-                    {"energy_before", fixed(e.before, 1)},
-                    {"energy_after", fixed(e.after, 1)},
-                    {"energy_jump", fixed(e.jump, 1)},
-                    {"lost", percent(1 - e.after / e.before, 1)},
-                    {"worst", power(worst, 0)},
-                    {"foot_x", fixed(left + length * std::sqrt(e.after / e.before), 1)},
-                    {"middle_x", fixed(left + length / 2 * std::sqrt(e.after / e.before), 1)},
-                    {"tip_y", fixed(ground - length * std::sqrt(e.jump / e.before), 1)},
-                    {"half_y", fixed(ground - length / 2 * std::sqrt(e.jump / e.before), 1)},
-                    {"top_gain", percent(first.after[1] / first.before[1] - 1, 0)}};
-  values.tables = {{"balance", balance(scene, impacts)}, {"candidates", candidates(scene, first)}};
-  values.player = {.time = first.time - 0.01, .speed = 0.01, .gain = 4};
-  return values;
+  return {.numbers = {{"time", fixed(first.time, 5)},
+                      {"from", name(first.from)},
+                      {"to", name(first.to)},
+                      {"before_1", fixed(first.before[0], 4)},
+                      {"before_2", fixed(first.before[1], 4)},
+                      {"after_1", fixed(first.after[0], 4)},
+                      {"after_2", fixed(first.after[1], 4)},
+                      {"energy_before", fixed(e.before, 1)},
+                      {"energy_after", fixed(e.after, 1)},
+                      {"energy_jump", fixed(e.jump, 1)},
+                      {"lost", percent(1 - e.after / e.before, 1)},
+                      {"worst", power(worst, 0)},
+                      {"foot_x", fixed(left + length * std::sqrt(e.after / e.before), 1)},
+                      {"middle_x", fixed(left + length / 2 * std::sqrt(e.after / e.before), 1)},
+                      {"tip_y", fixed(ground - length * std::sqrt(e.jump / e.before), 1)},
+                      {"half_y", fixed(ground - length / 2 * std::sqrt(e.jump / e.before), 1)},
+                      {"top_gain", percent(first.after[1] / first.before[1] - 1, 0)}},
+          .tables = {{"balance", balance(scene, impacts)}, {"candidates", candidates(scene, first)}},
+          .player = {.time = first.time - 0.01, .speed = 0.01, .gain = 4}};
 }
 
 }  // namespace rockstack

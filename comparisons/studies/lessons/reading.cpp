@@ -1,11 +1,8 @@
 #include <fmt/format.h>
 
-#include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/difference.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/measures/statistics/mann_whitney.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {
@@ -13,19 +10,15 @@ namespace {
 constexpr double nominal = 1e-3;  // s
 constexpr int draws = 21;         // of each set of parameters
 
-/// Root of the mean square of all differences from the exact motion, rad.
-double error_of(const char* engine, const char* settings, const Scene& scene, double dt) {
-  const History history = answer(engine, settings, scene, dt);
-  return root_mean_square(difference(solve(scene, {.sample_times = history.times}), history));
-}
-
 /// At steps spread evenly over ±3 % of the nominal one, the nominal one in the middle.
 std::vector<double> errors_of(const char* engine, const char* settings, const Scene& scene) {
   constexpr double widest = 0.03;
   std::vector<double> errors;
   errors.reserve(draws);
-  for (int i = 0; i < draws; ++i)
-    errors.push_back(error_of(engine, settings, scene, nominal * (1 + widest * (2.0 * i / (draws - 1) - 1))));
+  for (int i = 0; i < draws; ++i) {
+    const double dt = nominal * (1 + widest * (2.0 * i / (draws - 1) - 1));
+    errors.push_back(error_of(scene, answer(engine, settings, scene, dt)));
+  }
   return errors;
 }
 
@@ -64,23 +57,21 @@ LessonValues reading_values(const Suite& suite, const std::vector<RunMetrics>& r
                             bullet = errors_of("bullet", "tuned", scene),
                             plain = errors_of("ode", "default", scene);
   const MannWhitney engines = mann_whitney(ode, bullet), sets = mann_whitney(ode, plain);
-  LessonValues values;
-  values.numbers = {{"draws", std::to_string(draws)},
-                    {"one", power(ode[draws / 2], 1)},
-                    {"least", power(quantile(ode, 0), 1)},
-                    {"median", power(quantile(ode, 0.5), 1)},
-                    {"most", power(quantile(ode, 1), 1)},
-                    {"factor", fixed(quantile(ode, 1) / quantile(ode, 0), 1)},
-                    {"engines_share", percent(engines.superiority, 0)},
-                    {"engines_p", power(engines.p_value, 1)},
-                    {"sets_share", percent(sets.superiority, 0)},
-                    {"sets_p", power(sets.p_value, 1)}};
-  values.tables = {
-      {"quartiles", quartiles({{"ODE, tuned", ode}, {"ODE, default", plain}, {"Bullet, tuned", bullet}})},
-      {"matches", matches(rows)}};
-  values.measured = {{"spread_factor", quantile(ode, 1) / quantile(ode, 0)}};
-  values.player = {.time = 0.55, .speed = 0.1, .gain = 3};
-  return values;
+  return {.numbers = {{"draws", std::to_string(draws)},
+                      {"one", power(ode[draws / 2], 1)},
+                      {"least", power(quantile(ode, 0), 1)},
+                      {"median", power(quantile(ode, 0.5), 1)},
+                      {"most", power(quantile(ode, 1), 1)},
+                      {"factor", fixed(quantile(ode, 1) / quantile(ode, 0), 1)},
+                      {"engines_share", percent(engines.superiority, 0)},
+                      {"engines_p", power(engines.p_value, 1)},
+                      {"sets_share", percent(sets.superiority, 0)},
+                      {"sets_p", power(sets.p_value, 1)}},
+          .tables = {{"quartiles",
+                      quartiles({{"ODE, tuned", ode}, {"ODE, default", plain}, {"Bullet, tuned", bullet}})},
+                     {"matches", matches(rows)}},
+          .player = {.time = 0.55, .speed = 0.1, .gain = 3},
+          .measured = {{"spread_factor", quantile(ode, 1) / quantile(ode, 0)}}};
 }
 
 }  // namespace rockstack

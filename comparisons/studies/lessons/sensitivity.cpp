@@ -5,10 +5,9 @@
 
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/measures/statistics/kolmogorov_smirnov.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -118,12 +117,6 @@ Table partings(const History& exact, const std::vector<Other>& others) {
   return table;
 }
 
-double peak_of_top(const History& history) {
-  double most = 0;
-  for (std::size_t i = 0; i < history.size(); ++i) most = std::max(most, std::abs(history.angles_at(i)[1]));
-  return most;
-}
-
 /// Peaks of the top block over many earthquakes, in the order of the seeds.
 struct Peaks {
   std::vector<double> exact, changed, bullet, ode;
@@ -136,8 +129,8 @@ Peaks peaks_over_seeds(const NamedScene& named) {
     const Scene scene = read_scene(file, {fmt::format("ground.horizontal.synthetic={}", seed)});
     peaks.exact.push_back(solve(scene, {.peaks = true}).peaks[1]);
     peaks.changed.push_back(solve(stronger(scene, 1e-3), {.peaks = true}).peaks[1]);
-    peaks.bullet.push_back(peak_of_top(answer("bullet", "tuned", scene, engine_step)));
-    peaks.ode.push_back(peak_of_top(answer("ode", "tuned", scene, engine_step)));
+    peaks.bullet.push_back(largest_angle(answer("bullet", "tuned", scene, engine_step), 1));
+    peaks.ode.push_back(largest_angle(answer("ode", "tuned", scene, engine_step), 1));
   }
   return peaks;
 }

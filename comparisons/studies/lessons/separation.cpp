@@ -1,11 +1,9 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/motion_verdict.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/landing.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/measures/metrics/swings.hpp"
+#include "comparisons/studies/lessons/impact_mechanics.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {
@@ -76,35 +74,32 @@ LessonValues separation_values(const Suite& suite, const std::vector<RunMetrics>
   const Event& impact = *first_event(history, EventKind::impact);
   const Event landed = landing_of_one_body(scene);
   const Landing right = land(scene, {}), printed = land(scene, {true, true});
-  LessonValues values;
-  values.numbers = {
-      {"opening", fixed(opening.time, 4)},
-      {"opening_angle", fixed(opening.angles[0], 4)},
-      {"impact", fixed(impact.time, 4)},
-      {"impact_from", name(impact.from)},
-      {"impact_to", name(impact.to)},
-      {"gap", fixed(impact.angles[1] - impact.angles[0], 4)},
-      {"angle", fixed(std::abs(angle_at(history, 1, quoted_time)), 4)},
-      {"quoted", fixed(quoted_angle, 3)},
-      {"one_body_landing", fixed(landed.time, 4)},
-      {"one_body_angle", fixed(std::abs(angle_after(scene, landed, right)), 4)},
-      {"printed_angle", fixed(std::abs(angle_after(scene, landed, printed)), 4)},
-      {"right_base", fixed(right.base, 3)},
-      {"right_energy", fixed(right.energy, 3)},
-      {"only137_base", fixed(land(scene, {.eq137 = true}).base, 3)},
-      {"only138_base", fixed(land(scene, {.eq138 = true}).base, 3)},
-      {"only138_energy", fixed(land(scene, {.eq138 = true}).energy, 3)},
-      {"printed_base", fixed(printed.base, 3)},
-      {"printed_energy", fixed(printed.energy, 3)},
-      {"gain", percent(printed.energy - 1, 0)},
-      {"loss", percent(1 - right.energy, 0)},
-      {"bullet_rms", power(*find_run(rows, "bullet", "tuned", 1e-4).rms_angle_difference, 1)},
-      {"ode_rms", power(*find_run(rows, "ode", "tuned", 1e-4).rms_angle_difference, 1)},
-  };
-  values.tables = {
-      {"readings", readings(scene)}, {"events", first_events(history)}, {"solvers", solvers(scene, history)}};
-  values.player = {.time = opening.time - 0.02, .speed = 0.05, .gain = 4};
-  return values;
+  return {.numbers = {{"opening", fixed(opening.time, 4)},
+                      {"opening_angle", fixed(opening.angles[0], 4)},
+                      {"impact", fixed(impact.time, 4)},
+                      {"impact_from", name(impact.from)},
+                      {"impact_to", name(impact.to)},
+                      {"gap", fixed(impact.angles[1] - impact.angles[0], 4)},
+                      {"angle", fixed(std::abs(angle_at(history, 1, quoted_time)), 4)},
+                      {"quoted", fixed(quoted_angle, 3)},
+                      {"one_body_landing", fixed(landed.time, 4)},
+                      {"one_body_angle", fixed(std::abs(angle_after(scene, landed, right)), 4)},
+                      {"printed_angle", fixed(std::abs(angle_after(scene, landed, printed)), 4)},
+                      {"right_base", fixed(right.base, 3)},
+                      {"right_energy", fixed(right.energy, 3)},
+                      {"only137_base", fixed(land(scene, {.eq137 = true}).base, 3)},
+                      {"only138_base", fixed(land(scene, {.eq138 = true}).base, 3)},
+                      {"only138_energy", fixed(land(scene, {.eq138 = true}).energy, 3)},
+                      {"printed_base", fixed(printed.base, 3)},
+                      {"printed_energy", fixed(printed.energy, 3)},
+                      {"gain", percent(printed.energy - 1, 0)},
+                      {"loss", percent(1 - right.energy, 0)},
+                      {"bullet_rms", power(*find_run(rows, "bullet", "tuned", 1e-4).rms_angle_difference, 1)},
+                      {"ode_rms", power(*find_run(rows, "ode", "tuned", 1e-4).rms_angle_difference, 1)}},
+          .tables = {{"readings", readings(scene)},
+                     {"events", first_events(history)},
+                     {"solvers", solvers(scene, history)}},
+          .player = {.time = opening.time - 0.02, .speed = 0.05, .gain = 4}};
 }
 
 }  // namespace rockstack

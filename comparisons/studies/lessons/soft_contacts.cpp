@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/measures/metrics/contact/corner_springs.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {
@@ -159,32 +157,30 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
     bounces.push_back(spread(list));
     medians.push_back(median(list));
   }
-  LessonValues values;
-  values.numbers = {{"alpha", fixed(alpha, 3)},
-                    {"ratio", fixed(1 - 1.5 * std::sin(alpha) * std::sin(alpha), 3)},
-                    {"time", fixed(landing.time, 4)},
-                    {"speed", fixed(std::abs(landing.before[0]), 3)},
-                    {"corner_speed", fixed(std::abs(landing.before[0]) * 2 * block.half_width, 3)},
-                    {"depth", power(std::abs(landing.before[0]) * 2 * block.half_width * contact_step, 1)},
-                    {"step", fixed(contact_step, 3)},
-                    {"after", name(landing.to)},
-                    {"heights", std::to_string(heights)},
-                    {"lowest", fixed(lowest, 2)},
-                    {"highest", fixed(highest, 2)},
-                    {"ode_default", bounces[0]},
-                    {"ode_high", bounces[1]},
-                    {"ode_tuned", bounces[3]},
-                    {"bullet_default", bounces[5]},
-                    {"bullet_split", bounces[7]},
-                    {"bullet_tuned", bounces[8]},
-                    {"stiffness", power(lesson_stiffness, 0)}};
-  values.measured = {{"bounce", medians[0]}};
-  values.player = {.time = landing.time - 0.01, .speed = 0.01, .gain = 10};
-  values.tables = {{"rebounds", table},
-                   {"springs", springs(block.mass * scene.gravity)},
-                   {"damped_landings", damped_landings(scene, landing)},
-                   {"parts", parts(rows)}};
-  return values;
+  return {.numbers = {{"alpha", fixed(alpha, 3)},
+                      {"ratio", fixed(1 - 1.5 * std::sin(alpha) * std::sin(alpha), 3)},
+                      {"time", fixed(landing.time, 4)},
+                      {"speed", fixed(std::abs(landing.before[0]), 3)},
+                      {"corner_speed", fixed(std::abs(landing.before[0]) * 2 * block.half_width, 3)},
+                      {"depth", power(std::abs(landing.before[0]) * 2 * block.half_width * contact_step, 1)},
+                      {"step", fixed(contact_step, 3)},
+                      {"after", name(landing.to)},
+                      {"heights", std::to_string(heights)},
+                      {"lowest", fixed(lowest, 2)},
+                      {"highest", fixed(highest, 2)},
+                      {"ode_default", bounces[0]},
+                      {"ode_high", bounces[1]},
+                      {"ode_tuned", bounces[3]},
+                      {"bullet_default", bounces[5]},
+                      {"bullet_split", bounces[7]},
+                      {"bullet_tuned", bounces[8]},
+                      {"stiffness", power(lesson_stiffness, 0)}},
+          .tables = {{"rebounds", table},
+                     {"springs", springs(block.mass * scene.gravity)},
+                     {"damped_landings", damped_landings(scene, landing)},
+                     {"parts", parts(rows)}},
+          .player = {.time = landing.time - 0.01, .speed = 0.01, .gain = 10},
+          .measured = {{"bounce", medians[0]}}};
 }
 
 }  // namespace rockstack

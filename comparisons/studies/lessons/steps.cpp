@@ -1,20 +1,12 @@
 #include <cmath>
 
-#include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/difference.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {
 
 constexpr double iteration_step = 1e-3;  // s
 constexpr double finest_step = 2e-5;     // s, of single precision beside double
-
-double error(const Scene& scene, const History& history) {
-  return root_mean_square(difference(solve(scene, {.sample_times = history.times}), history));
-}
 
 Table over_steps(const std::vector<RunMetrics>& rows, const std::string& scene) {
   Table table{{"engine", "step (s)", "first impact, engine less exact (s)", "RMS angle difference (rad)",
@@ -31,11 +23,11 @@ Table over_steps(const std::vector<RunMetrics>& rows, const std::string& scene) 
 Table over_iterations(const Scene& scene) {
   Table table{{"iterations", "ODE QuickStep: RMS (rad)", "Bullet sequential impulse: RMS (rad)"}, {}};
   for (const double count : {2.0, 5.0, 20.0, 100.0, 500.0})
-    table.rows.push_back(
-        {cell(count),
-         cell(error(scene, answer("ode:quickstep", "tuned", scene, iteration_step,
-                                  {{"quickStepNumIterations", count}}))),
-         cell(error(scene, answer("bullet", "tuned", scene, iteration_step, {{"numIterations", count}})))});
+    table.rows.push_back({cell(count),
+                          cell(error_of(scene, answer("ode:quickstep", "tuned", scene, iteration_step,
+                                                      {{"quickStepNumIterations", count}}))),
+                          cell(error_of(scene, answer("bullet", "tuned", scene, iteration_step,
+                                                      {{"numIterations", count}})))});
   return table;
 }
 
@@ -54,35 +46,34 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
     return power(*find_run(rows, engine, "tuned", dt).rms_angle_difference, 1);
   };
   const auto finer = [&](const char* engine) {
-    return power(error(scene.scene, answer(engine, "tuned", scene.scene, finest_step)), 1);
+    return power(error_of(scene.scene, answer(engine, "tuned", scene.scene, finest_step)), 1);
   };
   const double first_impact = first_event(exact_answer(scene.scene), EventKind::impact)->time;
-  LessonValues values;
-  values.numbers = {
-      {"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
-      {"ode_slope", fixed(slope(rows, "ode", 1e-2, 1e-4), 2)},
-      {"bullet_share",
-       fixed(*find_run(rows, "bullet", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
-      {"ode_share", fixed(*find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
-      {"tolerance", fixed(suite.tolerance, 2)},
-      {"bullet_coarse", rms("bullet", 1e-2)},
-      {"bullet_fine", rms("bullet", 1e-4)},
-      {"ode_coarse", rms("ode", 1e-2)},
-      {"ode_fine", rms("ode", 1e-4)},
-      {"single_fine", rms("bullet-single", 1e-4)},
-      {"bullet_middle", rms("bullet", 1e-3)},
-      {"single_middle", rms("bullet-single", 1e-3)},
-      {"single_finer", finer("bullet-single")},
-      {"double_finer", finer("bullet")},
-      {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
-      {"single_rounding", power(std::ldexp(1.0, -24), 1)}};
-  values.tables = {{"steps", over_steps(rows, scene.name)}, {"iterations", over_iterations(scene.scene)}};
-  values.measured = {
-      {"first_impact_in_steps", *find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3},
-      {"rms_fall", *find_run(rows, "ode", "tuned", 1e-2).rms_angle_difference /
-                       *find_run(rows, "ode", "tuned", 1e-4).rms_angle_difference}};
-  values.player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true};
-  return values;
+  return {
+      .numbers = {{"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
+                  {"ode_slope", fixed(slope(rows, "ode", 1e-2, 1e-4), 2)},
+                  {"bullet_share",
+                   fixed(*find_run(rows, "bullet", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
+                  {"ode_share",
+                   fixed(*find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
+                  {"tolerance", fixed(suite.tolerance, 2)},
+                  {"bullet_coarse", rms("bullet", 1e-2)},
+                  {"bullet_fine", rms("bullet", 1e-4)},
+                  {"ode_coarse", rms("ode", 1e-2)},
+                  {"ode_fine", rms("ode", 1e-4)},
+                  {"single_fine", rms("bullet-single", 1e-4)},
+                  {"bullet_middle", rms("bullet", 1e-3)},
+                  {"single_middle", rms("bullet-single", 1e-3)},
+                  {"single_finer", finer("bullet-single")},
+                  {"double_finer", finer("bullet")},
+                  {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
+                  {"single_rounding", power(std::ldexp(1.0, -24), 1)}},
+      .tables = {{"steps", over_steps(rows, scene.name)}, {"iterations", over_iterations(scene.scene)}},
+      .player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true},
+      .measured = {{"first_impact_in_steps",
+                    *find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3},
+                   {"rms_fall", *find_run(rows, "ode", "tuned", 1e-2).rms_angle_difference /
+                                    *find_run(rows, "ode", "tuned", 1e-4).rms_angle_difference}}};
 }
 
 }  // namespace rockstack

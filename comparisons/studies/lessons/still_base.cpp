@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/energies.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/studies/lessons/impact_mechanics.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {
@@ -51,11 +49,6 @@ double loss(const Scene& scene, const Event& impact) {
   return 1 - energies.after / energies.before;
 }
 
-Scene under(Scene scene, Law law) {
-  scene.law = law;
-  return scene;
-}
-
 }  // namespace
 
 LessonValues still_base_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
@@ -66,23 +59,21 @@ LessonValues still_base_values(const Suite& suite, const std::vector<RunMetrics>
   const Event& other = *first_event(consistent, EventKind::impact);
   const PatternSolution<double> kept =
       velocities_after(make_model<double>(scene), impact_of(first), first.to);
-  LessonValues values;
-  values.numbers = {{"time", fixed(first.time, 4)},
-                    {"paper", name(first.to)},
-                    {"consistent", name(other.to)},
-                    {"speed", fixed(first.before[1], 3)},
-                    {"place", fixed(-kept.reactions.moment[0] / kept.reactions.normal[0], 3)},
-                    {"half_width", fixed(scene.blocks[0].half_width, 2)},
-                    {"push", fixed(kept.reactions.normal[0], 0)},
-                    {"loss_paper", percent(loss(scene, first), 1)},
-                    {"loss_consistent", percent(loss(scene, other), 1)},
-                    {"lift_paper", fixed(lift(paper, first.time), 4)},
-                    {"lift_consistent", fixed(lift(consistent, first.time), 4)},
-                    {"lift_bullet", fixed(lift(answer("bullet", "tuned", scene, 1e-4), first.time), 4)},
-                    {"lift_ode", fixed(lift(answer("ode", "tuned", scene, 1e-4), first.time), 4)}};
-  values.tables = {{"candidates", patterns_after(scene, first)}};
-  values.player = {.time = first.time - 0.01, .speed = 0.05, .gain = 10};
-  return values;
+  return {.numbers = {{"time", fixed(first.time, 4)},
+                      {"paper", name(first.to)},
+                      {"consistent", name(other.to)},
+                      {"speed", fixed(first.before[1], 3)},
+                      {"place", fixed(-kept.reactions.moment[0] / kept.reactions.normal[0], 3)},
+                      {"half_width", fixed(scene.blocks[0].half_width, 2)},
+                      {"push", fixed(kept.reactions.normal[0], 0)},
+                      {"loss_paper", percent(loss(scene, first), 1)},
+                      {"loss_consistent", percent(loss(scene, other), 1)},
+                      {"lift_paper", fixed(lift(paper, first.time), 4)},
+                      {"lift_consistent", fixed(lift(consistent, first.time), 4)},
+                      {"lift_bullet", fixed(lift(answer("bullet", "tuned", scene, 1e-4), first.time), 4)},
+                      {"lift_ode", fixed(lift(answer("ode", "tuned", scene, 1e-4), first.time), 4)}},
+          .tables = {{"candidates", patterns_after(scene, first)}},
+          .player = {.time = first.time - 0.01, .speed = 0.05, .gain = 10}};
 }
 
 }  // namespace rockstack

@@ -4,10 +4,8 @@
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
 #include "comparisons/studies/lessons/contact/contact_need.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -33,11 +31,6 @@ Scene scene_of(const Example& example) {
   return scene;
 }
 
-Scene under(Scene scene, Law law) {
-  scene.law = law;
-  return scene;
-}
-
 std::string friction_cell(double friction) {
   return std::isfinite(friction) ? cell(friction) : "no friction does";
 }
@@ -50,9 +43,7 @@ Table needs() {
   for (const Example& example : examples()) {
     const Scene scene = scene_of(example);
     const ContactNeed need = contact_need(scene);
-    double weight = 0;
-    for (const Block& block : scene.blocks) weight += block.mass * scene.gravity;
-    table.rows.push_back({example.name, cell(example.friction), cell(need.least_normal / weight),
+    table.rows.push_back({example.name, cell(example.friction), cell(need.least_normal / weight_of(scene)),
                           friction_cell(need.force_friction), friction_cell(need.impulse_friction),
                           first_failure(need),
                           law_for(need) == Law::unilateral ? "unilateral" : "consistent"});
@@ -90,28 +81,27 @@ LessonValues contact_models_values(const Suite& /*suite*/, const std::vector<Run
   const History paper = solve(under(squat, Law::paper)), consistent = solve(under(squat, Law::consistent));
   const Event* first = first_event(paper, EventKind::impact);
   const Event* other = first_event(consistent, EventKind::impact);
-  LessonValues values;
-  values.numbers = {
-      {"paper_pattern", name(first->to)},
-      {"consistent_pattern", name(other->to)},
-      {"squat_time", fixed(first->time, 3)},
-      {"shaken_pull", fixed(-shaken.least_normal, 0)},
-      {"shaken_time", fixed(shaken.first_pull, 3)},
-      {"thrown_time", fixed(thrown.first_pull, 3)},
-      {"rough_forces", fixed(rough.force_friction, 4)},
-      {"rough_impulses", fixed(rough.impulse_friction, 4)},
-      {"slippery_friction", fixed(slippery.friction, 1)},
-      {"slippery_time", fixed(slippery.first_force_slip, 3)},
-      {"rubbing_friction", fixed(rubbing.friction, 3)},
-      {"rubbing_forces_time", fixed(rubbing.first_force_slip, 3)},
-      {"rubbing_impulses", fixed(rubbing.impulse_friction, 4)},
-      {"rubbing_short", fixed(rubbing.impulse_friction - rubbing.friction, 3)},
-      {"rubbing_slip",
-       fixed(1e3 * contact_summary(exact_answer(scene_of(examples()[2]))).front().largest_slip, 1)},
-      {"rubbing_time", fixed(rubbing.first_impulse_slip, 3)}};
-  values.tables = {{"needs", needs()}, {"consequences", consequences()}};
-  values.player = {.time = rubbing.first_impulse_slip - 0.02, .speed = 0.1, .gain = 1, .overlaid = true};
-  return values;
+  return {
+      .numbers = {{"paper_pattern", name(first->to)},
+                  {"consistent_pattern", name(other->to)},
+                  {"squat_time", fixed(first->time, 3)},
+                  {"shaken_pull", fixed(-shaken.least_normal, 0)},
+                  {"shaken_time", fixed(shaken.first_pull, 3)},
+                  {"thrown_time", fixed(thrown.first_pull, 3)},
+                  {"rough_forces", fixed(rough.force_friction, 4)},
+                  {"rough_impulses", fixed(rough.impulse_friction, 4)},
+                  {"slippery_friction", fixed(slippery.friction, 1)},
+                  {"slippery_time", fixed(slippery.first_force_slip, 3)},
+                  {"rubbing_friction", fixed(rubbing.friction, 3)},
+                  {"rubbing_forces_time", fixed(rubbing.first_force_slip, 3)},
+                  {"rubbing_impulses", fixed(rubbing.impulse_friction, 4)},
+                  {"rubbing_short", fixed(rubbing.impulse_friction - rubbing.friction, 3)},
+                  {"rubbing_slip",
+                   fixed(1e3 * contact_summary(exact_answer(scene_of(examples()[2]))).front().largest_slip,
+                         1)},
+                  {"rubbing_time", fixed(rubbing.first_impulse_slip, 3)}},
+      .tables = {{"needs", needs()}, {"consequences", consequences()}},
+      .player = {.time = rubbing.first_impulse_slip - 0.02, .speed = 0.1, .gain = 1, .overlaid = true}};
 }
 
 }  // namespace rockstack

@@ -1,14 +1,10 @@
-#include <algorithm>
 #include <cmath>
 
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/contact/closed_forms.hpp"
+#include "comparisons/measures/metrics/contact/contact_summary.hpp"
 #include "comparisons/studies/lessons/contact/contact_need.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -105,11 +101,9 @@ Table stack_slips(const Scene& scene) {
     const History history = exact_answer(with_friction(scene, friction));
     const Slips slips = count_slips(history);
     const InterfaceSummary top = contact_summary(history).back();
-    double peak = 0;
-    for (std::size_t i = 0; i < history.size(); ++i)
-      peak = std::max(peak, std::abs(history.angles_at(i).back()));
     table.rows.push_back({cell(friction), std::to_string(slips.all), std::to_string(slips.at_impacts),
-                          cell(1e3 * top.largest_slip), cell(1e3 * top.final_slip), cell(peak)});
+                          cell(1e3 * top.largest_slip), cell(1e3 * top.final_slip),
+                          cell(largest_angle(history, scene.blocks.size() - 1))});
   }
   return table;
 }
@@ -127,26 +121,25 @@ LessonValues friction_values(const Suite& suite, const std::vector<RunMetrics>& 
   Scene swing = scene;
   swing.duration = impact.time * (1 - 1e-9);
   const Demand top = solve(stack, {.events = EventsKept::summed, .validity = true}).forces.back();
-  LessonValues values;
-  values.numbers = {{"r", fixed(r, 0)},
-                    {"friction", fixed(friction, 3)},
-                    {"needed", fixed(impact_friction(r), 4)},
-                    {"sticking_ratio", fixed(impact_ratio(r, 1), 4)},
-                    {"form_ratio", fixed(impact_ratio(r, friction), 4)},
-                    {"ratio", fixed(impact.after[0] / impact.before[0], 4)},
-                    {"time", fixed(impact.time, 4)},
-                    {"swing_friction", fixed(contact_need(swing).force_friction, 4)},
-                    {"after", name(impact.to)},
-                    {"largest_slip", fixed(1e3 * floor.largest_slip, 2)},
-                    {"final_slip", fixed(std::abs(1e3 * floor.final_slip), 2)},
-                    {"slips", std::to_string(count_slips(history).all)},
-                    {"stack_forces", fixed(top.friction, 2)},
-                    {"stack_time", fixed(top.friction_time, 3)},
-                    {"stack_impulses", fixed(contact_need(stack).impulse_friction, 2)}};
-  values.tables = {
-      {"ratios", impact_ratios(scene)}, {"demands", demands(scene)}, {"stack", stack_slips(stack)}};
-  values.player = {.time = impact.time - 0.02, .speed = 0.05, .gain = 1};
-  return values;
+  return {.numbers = {{"r", fixed(r, 0)},
+                      {"friction", fixed(friction, 3)},
+                      {"needed", fixed(impact_friction(r), 4)},
+                      {"sticking_ratio", fixed(impact_ratio(r, 1), 4)},
+                      {"form_ratio", fixed(impact_ratio(r, friction), 4)},
+                      {"ratio", fixed(impact.after[0] / impact.before[0], 4)},
+                      {"time", fixed(impact.time, 4)},
+                      {"swing_friction", fixed(contact_need(swing).force_friction, 4)},
+                      {"after", name(impact.to)},
+                      {"largest_slip", fixed(1e3 * floor.largest_slip, 2)},
+                      {"final_slip", fixed(std::abs(1e3 * floor.final_slip), 2)},
+                      {"slips", std::to_string(count_slips(history).all)},
+                      {"stack_forces", fixed(top.friction, 2)},
+                      {"stack_time", fixed(top.friction_time, 3)},
+                      {"stack_impulses", fixed(contact_need(stack).impulse_friction, 2)}},
+          .tables = {{"ratios", impact_ratios(scene)},
+                     {"demands", demands(scene)},
+                     {"stack", stack_slips(stack)}},
+          .player = {.time = impact.time - 0.02, .speed = 0.05, .gain = 1}};
 }
 
 }  // namespace rockstack

@@ -1,12 +1,8 @@
-#include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/contact/closed_forms.hpp"
+#include "comparisons/measures/metrics/contact/contact_summary.hpp"
 #include "comparisons/studies/lessons/contact/contact_need.hpp"
-#include "comparisons/studies/lessons/values.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {
@@ -93,21 +89,19 @@ LessonValues lift_off_values(const Suite& suite, const std::vector<RunMetrics>& 
   const double weight = scene.blocks.front().mass * scene.gravity;
   const ContactNeed tied = contact_need(scene);
   constexpr double speed = 3;  // m/s
-  LessonValues values;
-  values.numbers = {{"amplitude", fixed(pulse.amplitude / scene.gravity, 0)},
-                    {"period", fixed(pulse.period, 1)},
-                    {"lift_form", fixed(thrown.lift_off, 6)},
-                    {"lift", fixed(lift.time, 6)},
-                    {"rate", fixed(thrown.lift_off_rate, 4)},
-                    {"flight", fixed(landing.time - lift.time, 3)},
-                    {"pull", fixed(-tied.least_normal / weight, 1)},
-                    {"pull_from", fixed(tied.first_pull, 4)},
-                    {"speed", fixed(speed, 0)}};
-  values.tables = {{"flight", flight(scene, thrown, landing.time)},
-                   {"amplitudes", amplitudes(scene)},
-                   {"slides", slides(scene, thrown, speed)}};
-  values.player = {.time = lift.time - 0.01, .speed = 0.1, .gain = 1};
-  return values;
+  return {.numbers = {{"amplitude", fixed(pulse.amplitude / scene.gravity, 0)},
+                      {"period", fixed(pulse.period, 1)},
+                      {"lift_form", fixed(thrown.lift_off, 6)},
+                      {"lift", fixed(lift.time, 6)},
+                      {"rate", fixed(thrown.lift_off_rate, 4)},
+                      {"flight", fixed(landing.time - lift.time, 3)},
+                      {"pull", fixed(-tied.least_normal / weight, 1)},
+                      {"pull_from", fixed(tied.first_pull, 4)},
+                      {"speed", fixed(speed, 0)}},
+          .tables = {{"flight", flight(scene, thrown, landing.time)},
+                     {"amplitudes", amplitudes(scene)},
+                     {"slides", slides(scene, thrown, speed)}},
+          .player = {.time = lift.time - 0.01, .speed = 0.1, .gain = 1}};
 }
 
 }  // namespace rockstack

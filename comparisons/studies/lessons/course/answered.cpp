@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <random>
 
-#include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/filled_in.hpp"
 #include "comparisons/studies/lessons/course/quantities.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {
@@ -35,6 +38,14 @@ std::string shown(const Part& part, double value) {
 
 Asked asked_in(const Problem& problem, const std::vector<std::string>& changes, const Places& places) {
   return problem.scene.empty() ? Asked() : asked_about(problem.scene, all_filled_in(changes, places));
+}
+
+/// Each value of the range as likely as any other, but for a share of 10⁻¹⁷ or so.
+double drawn(const DrawnRange& range, std::mt19937_64& generator) {
+  const auto count = static_cast<std::uint64_t>(std::floor((range.most - range.least) / range.step + 1.5));
+  const double value = range.least + range.step * static_cast<double>(generator() % count);
+  constexpr double digits = 1e9;  // 0.1 + 2 · 0.1 is 0.3
+  return std::round(value * digits) / digits;
 }
 
 }  // namespace
@@ -69,6 +80,23 @@ nlohmann::ordered_json to_json(const Answered& question) {
     if (!part.choices.empty()) parts.back()["right"] = right_choice(part, value);
   }
   return {{"name", question.name}, {"text", question.text}, {"parts", parts}};
+}
+
+std::vector<Answered> drawn_problems(const std::string& lesson, std::uint64_t seed) {
+  std::mt19937_64 generator(seed ^ checksum(lesson));
+  std::vector<Answered> list;
+  for (const Problem& problem : read_course(lesson).problems) {
+    std::map<std::string, double> numbers;
+    for (const DrawnRange& range : problem.draw) numbers[range.name] = drawn(range, generator);
+    list.push_back(answered(problem, numbers));
+  }
+  return list;
+}
+
+nlohmann::ordered_json sheet_json(const std::string& lesson, const std::string& title, std::uint64_t seed) {
+  nlohmann::ordered_json problems = nlohmann::ordered_json::array();
+  for (const Answered& problem : drawn_problems(lesson, seed)) problems.push_back(to_json(problem));
+  return {{"lesson", lesson}, {"title", title}, {"seed", seed}, {"problems", problems}};
 }
 
 }  // namespace rockstack

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -28,5 +29,12 @@ Answered answered(const Problem& problem, const std::map<std::string, double>& n
 /// As {"name", "text", "parts": [{"ask", "choices", "right", "unit", "within", "value", "shown", "why"}]};
 /// `right` counts choices from 0, and stands only beside some.
 nlohmann::ordered_json to_json(const Answered& question);
+
+/// A lesson's problems with numbers of a student's own. The same seed gives the same sheet.
+/// @throws InputError as answered().
+std::vector<Answered> drawn_problems(const std::string& lesson, std::uint64_t seed);
+
+/// A sheet with its answers: {"lesson", "title", "seed", "problems"}, as `rockstack plot` reads it.
+nlohmann::ordered_json sheet_json(const std::string& lesson, const std::string& title, std::uint64_t seed);
 
 }  // namespace rockstack

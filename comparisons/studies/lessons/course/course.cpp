@@ -1,7 +1,6 @@
 #include "comparisons/studies/lessons/course/course.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"

@@ -9,12 +9,10 @@
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/contact/closed_forms.hpp"
+#include "comparisons/measures/metrics/contact/corner_springs.hpp"
 #include "comparisons/studies/lessons/contact/contact_need.hpp"
-#include "comparisons/studies/lessons/energies.hpp"
-#include "comparisons/studies/lessons/landing.hpp"
+#include "comparisons/studies/lessons/impact_mechanics.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -61,12 +59,6 @@ double fifth_impact(const Asked& asked) {
 double friction_short(const Asked& asked) {
   const ContactNeed need = contact_need(asked.scene);
   return std::max(need.force_friction, need.impulse_friction) - need.friction;
-}
-
-double impacts(const Asked& asked) {
-  return static_cast<double>(
-      std::count_if(asked.history.events.begin(), asked.history.events.end(),
-                    [](const Event& event) { return event.kind == EventKind::impact; }));
 }
 
 /// How the base turns after the first impact, rad/s.
@@ -129,7 +121,7 @@ const std::vector<Quantity>& quantities() {
       {"fifth-impact", fifth_impact},
       {"kept-energy", kept_energy},
       {"lost-energy", [](const Asked& a) { return 1 - kept_energy(a); }},
-      {"impacts", impacts},
+      {"impacts", [](const Asked& a) { return static_cast<double>(count_impacts(a.history)); }},
       {"base-after", base_after},
       {"slenderness", [](const Asked& a) { return slenderness(a.scene.blocks.front()); }},
       {"force-friction", [](const Asked& a) { return contact_need(a.scene).force_friction; }},

@@ -4,9 +4,8 @@
 
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/studies/lessons/answers.hpp"
-#include "comparisons/studies/lessons/contact/closed_forms.hpp"
 #include "comparisons/studies/lessons/contact/contact_need.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {

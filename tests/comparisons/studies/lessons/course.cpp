@@ -9,11 +9,11 @@
 #include <set>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
-#include "comparisons/studies/lessons/contact/closed_forms.hpp"
+#include "comparisons/measures/statistics/mann_whitney.hpp"
+#include "comparisons/studies/lessons/contact/contact_need.hpp"
+#include "comparisons/studies/lessons/course/answered.hpp"
 #include "comparisons/studies/lessons/course/quantities.hpp"
 #include "comparisons/studies/lessons/course/run_lesson.hpp"
-#include "comparisons/studies/lessons/course/sheet.hpp"
 
 namespace rockstack {
 namespace {

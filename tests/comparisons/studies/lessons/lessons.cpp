@@ -7,11 +7,9 @@
 #include "analytic/mechanics/impact.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/histories.hpp"
-#include "comparisons/studies/lessons/energies.hpp"
-#include "comparisons/studies/lessons/landing.hpp"
+#include "comparisons/measures/results/reactions.hpp"
+#include "comparisons/studies/lessons/impact_mechanics.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
-#include "comparisons/studies/lessons/wording.hpp"
 #include "tests/free_rocking.hpp"
 #include "tests/temporary_folder.hpp"
 
