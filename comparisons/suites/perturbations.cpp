@@ -1,6 +1,10 @@
 #include "comparisons/suites/perturbations.hpp"
 
+#include <fmt/format.h>
+
+#include "analytic/scene/input/fields.hpp"
 #include "comparisons/measures/statistics/draws.hpp"
+#include "comparisons/suites/suite_keys.hpp"
 
 namespace rockstack {
 namespace {
@@ -44,6 +48,42 @@ double drawn_step(double dt, const Draws& draws, int draw) {
   if (draw == 0) return dt;
   const double place = (2.0 * draw - 1) / (draws.runs - 1) - 1;
   return dt * (1 + draws.steps * place);
+}
+
+Perturbations read_perturbations(const Node& table) {
+  require_table(table, perturbations_keys);
+  Perturbations perturbations;
+  perturbations.runs = static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 2"), 2));
+  if (const Node* node = find(table, "size")) perturbations.size = number_above_zero(*node);
+  if (perturbations.size > 0.1) throw wrong_value(*find(table, "size"), "a number > 0 and ≤ 0.1");
+  if (const Node* node = find(table, "seed"))
+    perturbations.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
+  return perturbations;
+}
+
+Draws read_draws(const Node& table) {
+  require_table(table, draws_keys);
+  const auto share = [&](const char* key, double& value, double most) {
+    const Node* node = find(table, key);
+    if (node == nullptr) return;
+    if (!(number(*node) >= 0 && node->number <= most))
+      throw wrong_value(*node, fmt::format("a number from 0 to {}", most));
+    value = node->number;
+  };
+  Draws draws;
+  draws.runs = static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 1"), 1, most_draws));
+  for (const char* key : {"finest", "steps"}) {  // the horizon takes the others
+    const Node* node = find(table, key);
+    if (node != nullptr && draws.runs == 1)
+      throw wrong_value(*node, "left out where `runs` is 1: no other step is");
+  }
+  if (const Node* node = find(table, "finest"))
+    draws.finest = static_cast<int>(whole_number(*node, 1, draws.runs));
+  share("steps", draws.steps, 0.5);
+  share("scene", draws.scene, 0.1);
+  if (const Node* node = find(table, "seed"))
+    draws.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
+  return draws;
 }
 
 }  // namespace rockstack

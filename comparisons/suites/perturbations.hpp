@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "analytic/scene/input/document.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
@@ -44,5 +45,10 @@ Scene drawn_scene(const Scene& scene, const Draws& draws, int draw);
 
 /// The time step of one draw, s: dt itself for draw 0; the others are spread evenly over dt (1 ± steps).
 double drawn_step(double dt, const Draws& draws, int draw);
+
+/// The tables [perturbations] and [draws] of a suite or study. @throws InputError with file:line, key, value
+/// and what is allowed.
+Perturbations read_perturbations(const Node& table);
+Draws read_draws(const Node& table);
 
 }  // namespace rockstack

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <map>
 #include <string_view>
 #include <utility>
 
+#include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/scene_file.hpp"
@@ -26,17 +25,6 @@ namespace {
 std::uint64_t mebibytes(const Node& node) {
   if (!(number(node) >= 64 && node.number <= 1e9)) throw wrong_value(node, "a number of MiB from 64 to 1e9");
   return static_cast<std::uint64_t>(node.number * 1048576);
-}
-
-Perturbations read_perturbations(const Node& table) {
-  require_table(table, perturbations_keys);
-  Perturbations perturbations;
-  perturbations.runs = static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 2"), 2));
-  if (const Node* node = find(table, "size")) perturbations.size = number_above_zero(*node);
-  if (perturbations.size > 0.1) throw wrong_value(*find(table, "size"), "a number > 0 and ≤ 0.1");
-  if (const Node* node = find(table, "seed"))
-    perturbations.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
-  return perturbations;
 }
 
 constexpr std::string_view friction_key = "friction=";
@@ -214,47 +202,18 @@ NamedScene read_named_scene(const std::filesystem::path& file, const std::vector
   const SceneDocument document = read_document(file, overrides);
   MotionLibrary library;
   Scene scene = make_scene(document, library);
-  std::ifstream stream(file, std::ios::binary);
-  return {folder_name(file.stem().string()),
-          {std::istreambuf_iterator<char>(stream), {}},
-          std::move(scene),
+  return {folder_name(file.stem().string()), file_text(file), std::move(scene),
           nearest(document.root, "duration").place};
 }
 
-bool is_suite(const std::filesystem::path& file) {
+InputKind kind_of(const std::filesystem::path& file) {
   const Node root = read_toml(file);
-  return std::any_of(suite_keys.keys.begin(), suite_keys.keys.end(), [&](const InputKey& key) {
+  if (const Node* study = find(root, "study"))
+    return study->text == "stability" ? InputKind::stability_study : InputKind::impact_law_study;
+  const bool suite = std::any_of(suite_keys.keys.begin(), suite_keys.keys.end(), [&](const InputKey& key) {
     return find(root, key.name) != nullptr && std::string_view(key.name) != "title";
   });
-}
-
-bool is_study(const std::filesystem::path& file) {
-  return find(read_toml(file), "study") != nullptr;
-}
-
-Draws read_draws(const Node& table) {
-  require_table(table, draws_keys);
-  const auto share = [&](const char* key, double& value, double most) {
-    const Node* node = find(table, key);
-    if (node == nullptr) return;
-    if (!(number(*node) >= 0 && node->number <= most))
-      throw wrong_value(*node, fmt::format("a number from 0 to {}", most));
-    value = node->number;
-  };
-  Draws draws;
-  draws.runs = static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 1"), 1, most_draws));
-  for (const char* key : {"finest", "steps"}) {  // the horizon takes the others
-    const Node* node = find(table, key);
-    if (node != nullptr && draws.runs == 1)
-      throw wrong_value(*node, "left out where `runs` is 1: no other step is");
-  }
-  if (const Node* node = find(table, "finest"))
-    draws.finest = static_cast<int>(whole_number(*node, 1, draws.runs));
-  share("steps", draws.steps, 0.5);
-  share("scene", draws.scene, 0.1);
-  if (const Node* node = find(table, "seed"))
-    draws.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
-  return draws;
+  return suite ? InputKind::suite : InputKind::scene;
 }
 
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
@@ -281,9 +240,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
     }
   }
   if (const Node* node = find(root, "tolerance")) suite.tolerance = number_above_zero(*node);
-  if (const Node* node = find(root, "repeats")) {
-    suite.repeats = static_cast<int>(whole_number(*node, 1));
-  }
+  if (const Node* node = find(root, "repeats")) suite.repeats = static_cast<int>(whole_number(*node, 1));
   if (const Node* node = find(root, "results")) suite.wanted = read_wanted(*node);
   if (const Node* node = find(root, "softness")) suite.softness = read_softness(*node, suite.wanted);
   if (const Node* table = find(root, "perturbations")) suite.perturbations = read_perturbations(*table);

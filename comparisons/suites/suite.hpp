@@ -80,17 +80,16 @@ const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::s
 /// Reads a scene and keeps its text. @throws InputError as read_scene().
 NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// True where a file is a suite: it has a key that only suites have. @throws InputError for a file that is
-/// not TOML.
-bool is_suite(const std::filesystem::path& file);
+/// What a file is that `compare` takes.
+enum class InputKind {
+  scene,
+  suite,            ///< has a key that only suites have
+  stability_study,  ///< has the key `study`, "stability"
+  impact_law_study  ///< or another
+};
 
-/// True where a file asks for a study in place of scenes: it has the key `study`. @throws InputError
-/// likewise.
-bool is_study(const std::filesystem::path& file);
-
-/// Reads the table [draws] of a suite or study. @throws InputError with file:line, key, value and what is
-/// allowed.
-Draws read_draws(const Node& table);
+/// @throws InputError for a file that is not TOML.
+InputKind kind_of(const std::filesystem::path& file);
 
 /// Reads a suite file; paths in it are relative to it, `overrides` go to each of its scenes. Engines that
 /// this build leaves out are passed over (engines_left_out() names them).

@@ -3,81 +3,65 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/provenance.hpp"
-#include "comparisons/studies/impact_laws/study_keys.hpp"
 
 namespace rockstack {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-int read_count(const Node& root, const char* key, int otherwise, int most) {
+/// In the place of what stands there, where the file has it.
+void read_range(const Node& root, const char* key, Range& range) {
   const Node* node = find(root, key);
-  return node == nullptr ? otherwise : static_cast<int>(whole_number(*node, 1, most));
-}
-
-/// Below the least angle at which any block has toppled, π/4.
-double read_largest_angle(const Node& root, double otherwise) {
-  const Node* node = find(root, "largest_angle");
-  if (node == nullptr) return otherwise;
-  if (!(number(*node) > 0 && node->number <= 0.78)) throw wrong_value(*node, "a number > 0 and at most 0.78");
-  return node->number;
-}
-
-Range read_range(const Node& root, const char* key, const Range& otherwise) {
-  const Node* node = find(root, key);
-  if (node == nullptr) return otherwise;
+  if (node == nullptr) return;
   const std::vector<double> values = numbers(*node);
   if (values.size() != 2 || !(values[0] > 0) || !(values[0] < values[1])) {
     throw wrong_value(*node, "two numbers > 0, the smaller one first");
   }
-  return {values[0], values[1]};
+  range = {values[0], values[1]};
 }
 
-std::vector<int> read_blocks(const Node& root, const std::vector<int>& otherwise) {
-  const Node* node = find(root, "blocks");
-  if (node == nullptr) return otherwise;
+std::vector<int> read_blocks(const Node& array) {
+  const char* allowed = "an array of 2 and 3";
   std::vector<int> blocks;
-  entries(*node, "an array of 2 and 3");
-  for (const double value : numbers(*node)) {
-    if (value != 2 && value != 3) throw wrong_value(*node, "an array of 2 and 3");
+  entries(array, allowed);
+  for (const double value : numbers(array)) {
+    if (value != 2 && value != 3) throw wrong_value(array, allowed);
     blocks.push_back(static_cast<int>(value));
   }
   return blocks;
 }
 
-double read_positive(const Node& root, const char* key, double otherwise) {
-  const Node* node = find(root, key);
-  return node == nullptr ? otherwise : number_above_zero(*node);
-}
-
 ImpactDraws read_impact_draws(const Node& root) {
   ImpactDraws draws;
-  if (const Node* seed = find(root, "seed"))
-    draws.seed = static_cast<std::uint64_t>(whole_number(*seed, 0, largest_seed));
-  draws.samples = read_count(root, "samples", draws.samples, 1'000'000);
-  draws.cells = read_count(root, "cells", draws.cells, 100);
-  draws.blocks = read_blocks(root, draws.blocks);
-  draws.aspect_ratio = read_range(root, "aspect_ratio", draws.aspect_ratio);
-  draws.mass_ratio = read_range(root, "mass_ratio", draws.mass_ratio);
-  draws.base_aspect_ratio = read_range(root, "base_aspect_ratio", draws.base_aspect_ratio);
-  draws.width_ratio = read_range(root, "width_ratio", draws.width_ratio);
-  draws.largest_angle = read_largest_angle(root, draws.largest_angle);
-  draws.speed = read_range(root, "speed", draws.speed);
+  if (const Node* node = find(root, "seed"))
+    draws.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
+  if (const Node* node = find(root, "samples"))
+    draws.samples = static_cast<int>(whole_number(*node, 1, 1'000'000));
+  if (const Node* node = find(root, "cells")) draws.cells = static_cast<int>(whole_number(*node, 1, 100));
+  if (const Node* node = find(root, "blocks")) draws.blocks = read_blocks(*node);
+  read_range(root, "aspect_ratio", draws.aspect_ratio);
+  read_range(root, "mass_ratio", draws.mass_ratio);
+  read_range(root, "base_aspect_ratio", draws.base_aspect_ratio);
+  read_range(root, "width_ratio", draws.width_ratio);
+  if (const Node* node = find(root, "largest_angle")) {
+    // Below the least angle at which any block has toppled, π/4.
+    if (!(number(*node) > 0 && node->number <= 0.78))
+      throw wrong_value(*node, "a number > 0 and at most 0.78");
+    draws.largest_angle = node->number;
+  }
+  read_range(root, "speed", draws.speed);
   return draws;
 }
 
-template <class Range>
-std::string spaced(const Range& values) {
+std::string spaced(const std::vector<double>& values) {
   return fmt::format("{}", fmt::join(values, " "));
 }
 
@@ -170,15 +154,15 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
   json["cases"] = Json::array();
   for (const AskedCase& asked : results.cases) json["cases"].push_back(case_json(asked));
   json["engines"] = Json::array();
+  std::vector<const WorkerEngine*> asked;
   for (const EngineSeries& series : study.series) {
+    asked.push_back(series.engine);
     json["engines"].push_back({{"engine", series.engine->name},
                                {"solver", series.engine->solver},
                                {"settings", series.settings},
                                {"parameters", series.parameters}});
   }
   json["left_out"] = engines_left_out();
-  std::vector<const WorkerEngine*> asked;
-  for (const EngineSeries& series : study.series) asked.push_back(series.engine);
   json["environment"] = environment(asked);
   json["command"] = command;
   return json;
@@ -191,15 +175,15 @@ ImpactLawStudy read_impact_law_study(const std::filesystem::path& file) {
   const Node& study_name = required(root, "study", "\"stability\" or \"impact-laws\"");
   if (text(study_name) != "impact-laws") throw wrong_value(study_name, "\"stability\" or \"impact-laws\"");
   require_table(root, impact_law_keys);
-  std::ifstream stream(file, std::ios::binary);
-  ImpactLawStudy study{text(required(root, "title", "text")),
-                       {std::istreambuf_iterator<char>(stream), {}},
-                       read_impact_draws(root),
-                       0,
-                       read_engines(root, file.parent_path())};
-  study.least_clearness = read_positive(root, "least_clearness", 0.1);
-  if (const Node* node = find(root, "least_clearness"); node != nullptr && find(root, "engines") == nullptr)
-    throw wrong_value(*node, "left out where there are no [[engines]], which are asked these cases");
+  ImpactLawStudy study{.title = text(required(root, "title", "text")),
+                       .text = file_text(file),
+                       .draws = read_impact_draws(root),
+                       .series = read_engines(root, file.parent_path())};
+  if (const Node* node = find(root, "least_clearness")) {
+    study.least_clearness = number_above_zero(*node);
+    if (find(root, "engines") == nullptr)
+      throw wrong_value(*node, "left out where there are no [[engines]], which are asked these cases");
+  }
   return study;
 }
 

@@ -2,18 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/studies/stability/study_keys.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -21,13 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string word(const Node& table, const char* key, const std::string& otherwise) {
-  const Node* node = find(table, key);
-  return node != nullptr ? text(*node) : otherwise;
-}
-
 /// Values of one key along the axis: a number each.
-struct Course {
+struct KeyValues {
   std::string key;
   std::vector<double> values;
 };
@@ -44,28 +36,28 @@ Scene stacked(Scene scene, std::size_t blocks) {
   return scene;
 }
 
-std::vector<Course> read_courses(const Node& axis, std::size_t count) {
-  std::vector<Course> courses;
+std::vector<KeyValues> read_set(const Node& axis, std::size_t count) {
+  std::vector<KeyValues> list;
   const Node& set = required(axis, "set", "a table of scene keys, each an array");
   if (set.kind != Node::Kind::table || set.children.empty())
     throw wrong_value(set, "a table of scene keys, each an array");
   for (const Node& child : set.children) {
-    courses.push_back({child.name, numbers(child)});
-    if (courses.back().values.size() != count)
+    list.push_back({child.name, numbers(child)});
+    if (list.back().values.size() != count)
       throw wrong_value(child, fmt::format("an array of {} numbers, one for each of axis.values", count));
-    for (const double value : courses.back().values) {
+    for (const double value : list.back().values) {
       if (child.name == "blocks" && !(value >= 1 && value <= max_blocks && value == std::floor(value)))
         throw wrong_value(child, fmt::format("whole numbers of blocks from 1 to {}", max_blocks));
     }
   }
-  return courses;
+  return list;
 }
 
 StabilityAxis read_axis(const Node& axis) {
   require_table(axis, axis_keys);
   StabilityAxis result;
   result.name = text(required(axis, "name", "a text"));
-  result.parameter = word(axis, "parameter", "");
+  if (const Node* parameter = find(axis, "parameter")) result.parameter = text(*parameter);
   if (result.parameter.empty()) {
     const Node& values = required(axis, "values", "an array of numbers");
     entries(values, "an array of at least one number");
@@ -79,16 +71,16 @@ std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& alon
                                      const std::filesystem::path& scene,
                                      const std::vector<std::string>& overrides) {
   if (!along.parameter.empty()) return {read_named_scene(scene, overrides)};
-  const std::vector<Course> courses = read_courses(axis, along.values.size());
+  const std::vector<KeyValues> set = read_set(axis, along.values.size());
   std::vector<NamedScene> scenes;
   for (std::size_t i = 0; i < along.values.size(); ++i) {
     std::vector<std::string> changes = overrides;
     std::size_t blocks = 0;
-    for (const Course& course : courses) {
-      if (course.key == "blocks") {
-        blocks = static_cast<std::size_t>(course.values[i]);
+    for (const KeyValues& one : set) {
+      if (one.key == "blocks") {
+        blocks = static_cast<std::size_t>(one.values[i]);
       } else {
-        changes.push_back(fmt::format("{}={}", course.key, course.values[i]));
+        changes.push_back(fmt::format("{}={}", one.key, one.values[i]));
       }
     }
     scenes.push_back(read_named_scene(scene, changes));
@@ -157,19 +149,12 @@ Json limits_json(const StabilityLimits& limits) {
 
 }  // namespace
 
-bool is_stability_study(const std::filesystem::path& file) {
-  const Node root = read_toml(file);
-  const Node* study = find(root, "study");
-  return study != nullptr && study->text == "stability";
-}
-
 StabilityStudy read_stability_study(const std::filesystem::path& file,
                                     const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
   require_table(root, stability_keys);
   StabilityStudy study;
-  std::ifstream stream(file, std::ios::binary);
-  study.text = {std::istreambuf_iterator<char>(stream), {}};
+  study.text = file_text(file);
   study.suite.title = text(required(root, "title", "a text"));
   std::vector<std::string> changes;
   if (const Node* set = find(root, "set"))

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -59,17 +60,8 @@ class Findings {
 }  // namespace
 
 std::string name(Soundness soundness) {
-  switch (soundness) {
-    case Soundness::sound:
-      return "sound";
-    case Soundness::inexact:
-      return "inexact";
-    case Soundness::unstable:
-      return "unstable";
-    case Soundness::failed:
-      return "failed";
-  }
-  return {};
+  constexpr std::array names{"sound", "inexact", "unstable", "failed"};
+  return names.at(static_cast<std::size_t>(soundness));
 }
 
 StabilityVerdict judge_stability(const RunMetrics& row, const Scene& scene, const StabilityLimits& limits) {

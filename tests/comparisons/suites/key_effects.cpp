@@ -9,9 +9,7 @@
 #include <sstream>
 
 #include "comparisons/studies/impact_laws/study.hpp"
-#include "comparisons/studies/impact_laws/study_keys.hpp"
 #include "comparisons/studies/stability/study.hpp"
-#include "comparisons/studies/stability/study_keys.hpp"
 #include "comparisons/studies/sweep/ensemble_keys.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 #include "engines/worker/registry.hpp"

@@ -5,9 +5,7 @@
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
-#include "comparisons/studies/impact_laws/study_keys.hpp"
 #include "comparisons/studies/stability/study.hpp"
-#include "comparisons/studies/stability/study_keys.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
 #include "comparisons/studies/sweep/ensemble_keys.hpp"
 #include "comparisons/suites/suite.hpp"
@@ -54,7 +52,7 @@ std::string read_suite_text(const std::string& text) {
 
 std::string read_study_text(const std::string& text) {
   return key_error(text, [](const std::filesystem::path& file) {
-    if (is_stability_study(file)) {
+    if (kind_of(file) == InputKind::stability_study) {
       read_stability_study(file, {});
     } else {
       read_impact_law_study(file);

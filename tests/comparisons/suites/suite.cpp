@@ -41,15 +41,16 @@ TEST(Suites, ShippedOnesAreReadable) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(ROCKSTACK_SUITES)) {
     if (entry.path().extension() != ".toml") continue;
-    if (is_stability_study(entry.path())) {
+    const InputKind kind = kind_of(entry.path());
+    if (kind == InputKind::stability_study) {
       EXPECT_NO_THROW(read_stability_study(entry.path(), {})) << entry.path();
       continue;
     }
-    if (is_study(entry.path())) {
+    if (kind == InputKind::impact_law_study) {
       EXPECT_NO_THROW(read_impact_law_study(entry.path())) << entry.path();
       continue;
     }
-    EXPECT_TRUE(is_suite(entry.path()));
+    EXPECT_EQ(kind, InputKind::suite);
     const Suite suite = read_suite(entry.path(), {});
     EXPECT_FALSE(suite.scenes.empty()) << entry.path();
     ++count;
