@@ -4,19 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <stdexcept>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/alignment.hpp"
-#include "comparisons/measures/metrics/bodies.hpp"
-#include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/metrics/centres.hpp"
+#include "comparisons/measures/metrics/contact_patterns.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
-#include "comparisons/measures/metrics/impacts.hpp"
+#include "comparisons/measures/metrics/difference_parts.hpp"
+#include "comparisons/measures/metrics/energy.hpp"
+#include "comparisons/measures/metrics/magnitude_phase.hpp"
+#include "comparisons/measures/metrics/matching.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/results/tables.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
-#include "comparisons/runs/add_parts.hpp"
+#include "comparisons/measures/statistics/chance_matches.hpp"
 
 namespace rockstack {
 namespace {
@@ -53,17 +55,6 @@ void add_angles(const History& exact, const History& other, const Difference& ap
   if (expected && found) row.second_peak_difference = (*found - *expected) / *expected;
 }
 
-/// What the exact motion itself scores when it is read from samples as an engine's is.
-void add_null_matches(const Scene& scene, const History& exact, const std::vector<ImpactTime>& expected,
-                      double interval, double horizon, RunMetrics& row) {
-  const auto observed = observed_impacts(exact, chatter_speed(scene));
-  const AlignmentCounts counts =
-      count(up_to(align(expected, observed, still_windows(expected, interval)), horizon));
-  row.impacts_matched_null = counts.matched;
-  row.impacts_missed_null = counts.missed;
-  row.impacts_extra_null = counts.extra;
-}
-
 /// The first impact of the interface that impacts first; nothing where the other never does there.
 std::optional<double> first_difference(const std::vector<ImpactTime>& expected,
                                        const std::vector<ImpactTime>& found, double horizon) {
@@ -74,39 +65,41 @@ std::optional<double> first_difference(const std::vector<ImpactTime>& expected,
   return {};
 }
 
-void add_settlings(const Scene& scene, const History& exact, const History& other, double horizon,
-                   RunMetrics& row) {
-  const auto settled = settlings(scene, exact);
-  const std::vector<double> windows(settled.size(), settling_duration(scene));
-  const AlignmentCounts counts = count(up_to(align(settled, settlings(scene, other), windows), horizon));
-  row.settlings_matched = counts.matched;
-  row.settlings_missed = counts.missed;
-  row.settlings_extra = counts.extra;
+/// Counts of an alignment as three columns.
+void set_counts(const std::vector<AlignedImpact>& alignment, std::optional<int>& matched,
+                std::optional<int>& missed, std::optional<int>& extra) {
+  const AlignmentCounts counts = count(alignment);
+  matched = counts.matched;
+  missed = counts.missed;
+  extra = counts.extra;
 }
 
-void add_impacts(const Scene& scene, const History& exact, const OtherAnswer& answer, const Difference& apart,
-                 double horizon, RunMetrics& row, RunFiles& files) {
+void add_impacts(const Scene& scene, const History& exact, const CandidateMotion& candidate,
+                 const Difference& apart, double horizon, RunMetrics& row, RunFiles& files) {
   const auto expected = reported_impacts(exact, chatter_speed(scene));
-  const auto windows = matching_windows(expected, apart, answer.interval);
-  const auto alignment = align(expected, answer.impacts, windows);
+  const auto windows = matching_windows(expected, apart, candidate.interval);
+  const auto alignment = align(expected, candidate.impacts, windows);
   const auto compared = up_to(alignment, horizon);
-  const AlignmentCounts counts = count(compared);
-  row.impacts = static_cast<int>(answer.impacts.size());
-  row.impacts_matched = counts.matched;
-  row.impacts_missed = counts.missed;
-  row.impacts_extra = counts.extra;
-  row.first_impact_time_difference = first_difference(expected, answer.impacts, horizon);
-  if (counts.matched > 0) {
+  row.impacts = static_cast<int>(candidate.impacts.size());
+  set_counts(compared, row.impacts_matched, row.impacts_missed, row.impacts_extra);
+  row.first_impact_time_difference = first_difference(expected, candidate.impacts, horizon);
+  if (*row.impacts_matched > 0) {
     const TimeDifferences times = time_differences(compared);
     row.rms_impact_time_difference = times.root_mean_square;
     row.largest_impact_time_difference = times.largest;
   }
-  add_null_matches(scene, exact, expected, answer.interval, horizon, row);
-  const ChanceMatches chance = chance_matches(up_to(expected, horizon), up_to(answer.impacts, horizon),
+  // What the exact motion itself scores when it is read from samples as an engine's is.
+  const auto sampled = observed_impacts(exact, chatter_speed(scene));
+  set_counts(up_to(align(expected, sampled, still_windows(expected, candidate.interval)), horizon),
+             row.impacts_matched_null, row.impacts_missed_null, row.impacts_extra_null);
+  const ChanceMatches chance = chance_matches(up_to(expected, horizon), up_to(candidate.impacts, horizon),
                                               windows, std::min(horizon, scene.duration));
   row.impacts_matched_random = chance.random;
   row.impacts_matched_shifted = chance.shifted;
-  add_settlings(scene, exact, answer.history, horizon, row);
+  const auto settled = settlings(scene, exact);
+  const std::vector<double> durations(settled.size(), settling_duration(scene));
+  set_counts(up_to(align(settled, settlings(scene, candidate.history), durations), horizon),
+             row.settlings_matched, row.settlings_missed, row.settlings_extra);
   files["impacts.csv"] = impacts_csv(alignment);
 }
 
@@ -118,6 +111,10 @@ void add_patterns(const Scene& scene, const std::vector<double>& times, const Hi
   row.pattern_agreement = agreement(shares);
   row.pattern_sequence_time = sequence_time(times, expected, found);
   files["patterns.csv"] = patterns_csv(shares);
+}
+
+CornerSpring corner_of(const ContactRecord& contacts) {
+  return {contacts.points * contacts.stiffness, contacts.points * contacts.damping};
 }
 
 void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
@@ -135,9 +132,7 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   row.contact_stiffness = bodies.contacts->stiffness;
   row.contact_damping = bodies.contacts->damping;
   row.contact_points = bodies.contacts->points;
-  const CornerSpring corner{*row.contact_points * *row.contact_stiffness,
-                            *row.contact_points * *row.contact_damping};
-  row.contact_damping_ratio = damping_ratio(corner, scene.blocks.front());
+  row.contact_damping_ratio = damping_ratio(corner_of(*bodies.contacts), scene.blocks.front());
   row.contact_restitution = restitution_of(*row.contact_damping_ratio);
 }
 
@@ -169,24 +164,23 @@ std::vector<ImpactTime> told_impacts(const std::vector<ContactImpact>& impacts, 
 }
 
 /// The impacts that the engine's contacts tell, beside the exact ones and beside those read from its angles.
-void add_contact_impacts(const Scene& scene, const History& exact, const OtherAnswer& answer,
+void add_contact_impacts(const Scene& scene, const History& exact, const CandidateMotion& candidate,
                          const Difference& apart, double horizon, RunMetrics& row, RunFiles& files) {
-  if (!answer.bodies->contacts) return;
+  if (!candidate.bodies->contacts) return;
   const double slowest = chatter_speed(scene);
-  const auto told = told_impacts(answer.bodies->contacts->impacts, slowest);
+  const auto told = told_impacts(candidate.bodies->contacts->impacts, slowest);
   const auto expected = reported_impacts(exact, slowest);
-  const auto alignment = align(expected, told, matching_windows(expected, apart, answer.interval));
-  const AlignmentCounts counts = count(up_to(alignment, horizon));
-  row.contact_impacts_matched = counts.matched;
-  row.contact_impacts_missed = counts.missed;
-  row.contact_impacts_extra = counts.extra;
-  const AlignmentCounts readings =
-      count(up_to(align(answer.impacts, told, still_windows(answer.impacts, answer.interval)), horizon));
+  const auto alignment = align(expected, told, matching_windows(expected, apart, candidate.interval));
+  set_counts(up_to(alignment, horizon), row.contact_impacts_matched, row.contact_impacts_missed,
+             row.contact_impacts_extra);
+  const AlignmentCounts readings = count(
+      up_to(align(candidate.impacts, told, still_windows(candidate.impacts, candidate.interval)), horizon));
   row.impact_readings_differ = readings.missed + readings.extra;
   files["contact_impacts.csv"] = impacts_csv(alignment);
 }
 
-/// @throws std::runtime_error where there is none, so that it is not taken for a failure of the other answer.
+/// @throws std::runtime_error where there is none, so that it is not taken for a failure of the other
+/// candidate.
 History exact_motion(const Scene& scene, const std::vector<double>& times) {
   try {
     return solve(scene, {.sample_times = times});
@@ -195,37 +189,103 @@ History exact_motion(const Scene& scene, const std::vector<double>& times) {
   }
 }
 
+/// Of angles that are linear in the factor by which springs are softer, those for factor 1.
+History extrapolated(const History& stiffer, const History& softer, double factor) {
+  History result;
+  result.blocks = stiffer.blocks;
+  const std::size_t samples = std::min(stiffer.size(), softer.size());
+  result.times.assign(stiffer.times.begin(), stiffer.times.begin() + static_cast<std::ptrdiff_t>(samples));
+  for (std::size_t i = 0; i < samples * static_cast<std::size_t>(stiffer.blocks); ++i)
+    result.angles.push_back(stiffer.angles[i] -
+                            (softer.angles[i] - stiffer.angles[i]) * (factor - 1) / factor);
+  return result;
+}
+
+/// Nothing where there is no difference.
+std::optional<double> share(const Difference& part, const Difference& whole) {
+  const double value = share_of(part, whole);
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+void add_sizes(const DifferenceParts& parts, RunMetrics& row) {
+  const Difference whole = whole_of(parts);
+  row.model_difference = root_mean_square(parts.model);
+  row.softness_difference = root_mean_square(parts.softness);
+  row.step_difference = root_mean_square(parts.step);
+  row.model_share = share(parts.model, whole);
+  row.softness_share = share(parts.softness, whole);
+  row.step_share = share(parts.step, whole);
+  if (row.model_share)
+    row.parts_over_whole = std::hypot(*row.model_difference, *row.softness_difference, *row.step_difference) /
+                           root_mean_square(whole);
+}
+
 }  // namespace
 
-void compare_with_exact(const Scene& scene, const Suite& suite, const OtherAnswer& answer, double horizon,
-                        RunMetrics& row, RunFiles& files) {
+SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, CornerSpring spring,
+                       const std::vector<double>& times, double most_steps) {
+  const double factor = spring_factor(scene, spring, most_steps);
+  const auto solved = [&](double softer) {
+    const CornerSpring one{spring.stiffness / softer, spring.damping / softer};
+    return solve(with_springs(scene, friction, one), {.sample_times = times});
+  };
+  if (factor == 1) return {solved(1), 1};
+  return {extrapolated(solved(factor), solved(2 * factor), factor), factor};
+}
+
+void add_parts(const Scene& scene, const History& exact, const CandidateMotion& candidate, double horizon,
+               bool histories, RunMetrics& row, RunFiles& files) {
+  if (!candidate.bodies->contacts) {
+    row.split_reason = "the engine tells no contacts";
+    return;
+  }
+  try {
+    const bool rigid_engine = std::isinf(candidate.bodies->contacts->stiffness);
+    const History rigid =
+        solve(with_rigid_contacts(scene, candidate.friction), {.sample_times = candidate.history.times});
+    SoftMotion soft{rigid};
+    if (!rigid_engine) {
+      soft = soft_motion(scene, candidate.friction, corner_of(*candidate.bodies->contacts),
+                         candidate.history.times);
+      row.spring_factor = soft.factor;
+    }
+    const DifferenceParts parts = difference_parts(exact, rigid, soft.history, candidate.history);
+    add_sizes({up_to(parts.model, horizon), up_to(parts.softness, horizon), up_to(parts.step, horizon)}, row);
+    if (histories) files["parts.csv"] = parts_csv(parts);
+  } catch (const std::exception& failure) {
+    row.split_reason = failure.what();
+  }
+}
+
+void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateMotion& candidate,
+                        double horizon, RunMetrics& row, RunFiles& files) {
   const Wanted& wanted = suite.wanted;
-  const History& history = answer.history;
+  const History& history = candidate.history;
   const History exact = exact_motion(scene, history.times);
   const Difference apart = difference(exact, history);
   row.horizon = horizon;
   // Times are rounded: where everything is compared, so is the last sample.
   if (horizon >= scene.duration) horizon = std::numeric_limits<double>::infinity();
   const Difference compared = up_to(apart, horizon);
-  row.toppling_verdict = toppling_verdict(!reported_toppling(exact).empty(), answer.topples);
+  row.toppling_verdict = toppling_verdict(!reported_toppling(exact).empty(), candidate.topples);
   if (wanted.angles) {
     const History seen = up_to(exact, horizon);
     add_angles(seen, up_to(history, horizon), compared, suite.tolerance, row);
-    add_positions(scene, seen, compared.times, answer.bodies, suite.tolerance, row);
+    add_positions(scene, seen, compared.times, candidate.bodies, suite.tolerance, row);
     row.peak_angle = largest_angle(history);
     row.exact_peak_angle = largest_angle(exact);
     row.residual_motion = residual_motion(exact, history);
   }
-  if (wanted.impacts) add_impacts(scene, exact, answer, apart, horizon, row, files);
+  if (wanted.impacts) add_impacts(scene, exact, candidate, apart, horizon, row, files);
   if (wanted.patterns) add_patterns(scene, compared.times, exact, history, row, files);
-  const bool bodies = answer.bodies && wanted.bodies;
-  if (bodies) add_bodies(scene, *answer.bodies, row);
-  if (bodies && wanted.impacts) add_contact_impacts(scene, exact, answer, apart, horizon, row, files);
-  if (bodies && suite.softness) add_parts(scene, exact, answer, horizon, wanted.histories, row, files);
+  const bool bodies = candidate.bodies && wanted.bodies;
+  if (bodies) add_bodies(scene, *candidate.bodies, row);
+  if (bodies && wanted.impacts) add_contact_impacts(scene, exact, candidate, apart, horizon, row, files);
+  if (bodies && suite.softness) add_parts(scene, exact, candidate, horizon, wanted.histories, row, files);
   if (!wanted.histories) return;
   files["history.csv"] = history_csv(history);
   files["difference.csv"] = difference_csv(apart);
-  if (bodies) files["energy.csv"] = energy_csv(apart.times, energies(scene, exact), *answer.bodies);
+  if (bodies) files["energy.csv"] = energy_csv(apart.times, energies(scene, exact), *candidate.bodies);
 }
 
 }  // namespace rockstack

@@ -3,28 +3,115 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/measures/metrics/impacts.hpp"
+#include "comparisons/measures/results/environment.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fits.hpp"
 #include "comparisons/measures/statistics/ranking.hpp"
-#include "comparisons/runs/draws.hpp"
-#include "comparisons/runs/judge.hpp"
-#include "comparisons/runs/measure.hpp"
 #include "comparisons/runs/paper_statements.hpp"
-#include "comparisons/runs/parts.hpp"
 
 namespace rockstack {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+void add_evidence(const RunMetrics& run, ReplicatedRow& row) {
+  const bool done = run.status == RunStatus::done && run.error;
+  row.errors.push_back(done ? *run.error : std::numeric_limits<double>::infinity());
+  if (!done || !run.peak_angle) return;
+  row.peaks.push_back(*run.peak_angle);
+  row.exact_peaks.push_back(*run.exact_peak_angle);
+}
+
+/// Ranks of the rows of one scene and step, given to them.
+void rank(const std::vector<ReplicatedRow*>& rows) {
+  std::vector<ReplicatedRow> list;
+  list.reserve(rows.size());
+  for (const ReplicatedRow* row : rows) list.push_back(*row);
+  for (const RankedSet& set : rank_all(list))
+    for (ReplicatedRow* one : rows)
+      if (one->row.engine == set.engine && one->row.solver == set.solver && one->row.settings == set.settings)
+        one->row.rank = set.rank;
+}
+
+/// The scenes of suites, with what their rows are held against.
+std::vector<JudgedScene> judged_scenes(const std::vector<Suite>& suites) {
+  std::vector<JudgedScene> scenes;
+  for (const Suite& suite : suites)
+    for (const NamedScene& scene : suite.scenes)
+      scenes.push_back({scene.name, scale_of(scene.scene, suite.tolerance)});
+  return scenes;
+}
+
+/// Rows as they are reported: medians over replicates, with what stands behind them, what becomes of them in
+/// words, and their ranks among those of their scene and step.
+std::vector<ReplicatedRow> reported_rows(const std::vector<DrawnRow>& rows,
+                                         const std::vector<JudgedScene>& scenes) {
+  std::map<std::string, SceneScale> scales;
+  for (const JudgedScene& scene : scenes) scales[scene.name] = scene.scale;
+  std::vector<ReplicatedRow> reported;
+  reported.reserve(rows.size());
+  std::map<std::pair<std::string, double>, std::vector<ReplicatedRow*>> cells;
+  for (const auto& [nominal, draws] : rows) {
+    ReplicatedRow& one = reported.emplace_back(ReplicatedRow{nominal, {}});
+    add_evidence(nominal, one);
+    for (const RunMetrics& draw : draws) add_evidence(draw, one);
+    if (!draws.empty() && nominal.status == RunStatus::done) summarise(draws, one.row);
+    if (!is_engine(one.row)) continue;
+    one.row.outcome = outcome(one.row, scales.at(nominal.scene));
+    cells[{nominal.scene, *nominal.dt}].push_back(&one);
+  }
+  for (const auto& [cell, own] : cells) rank(own);
+  return reported;
+}
+
+/// Tells the rows of engines at one step of a scene once all are there, the nearest first, and likewise those
+/// of the scene's exact solutions. Keeps references.
+class RowTeller {
+ public:
+  using Tell = std::function<void(const std::vector<RunMetrics>&)>;
+
+  RowTeller(const std::vector<Job>& jobs, const std::vector<JudgedScene>& scenes, const Tell& tell)
+      : scenes_(scenes), tell_(tell) {
+    for (const Job& job : jobs) ++left_[cell_of(job)];
+  }
+
+  void add(const Job& job, const DrawnRow& row) {
+    const Cell cell = cell_of(job);
+    std::vector<DrawnRow>& own = rows_[cell];
+    own.push_back(row);
+    if (--left_[cell] > 0) return;
+    std::vector<RunMetrics> rows;
+    for (ReplicatedRow& one : reported_rows(own, scenes_)) rows.push_back(std::move(one.row));
+    const auto place = [](const RunMetrics& one) {
+      return std::tuple(one.status != RunStatus::done, one.rank.value_or(0), one.error.value_or(0));
+    };
+    std::stable_sort(rows.begin(), rows.end(),
+                     [&](const RunMetrics& a, const RunMetrics& b) { return place(a) < place(b); });
+    tell_(rows);
+    rows_.erase(cell);
+  }
+
+ private:
+  using Cell = std::pair<std::string, double>;  ///< scene and step, 0 of the exact solutions
+
+  static Cell cell_of(const Job& job) { return {job.scene.name, job.series == nullptr ? 0 : job.dt}; }
+
+  const std::vector<JudgedScene>& scenes_;
+  const Tell& tell_;
+  std::map<Cell, std::size_t> left_;
+  std::map<Cell, std::vector<DrawnRow>> rows_;
+};
 
 /// Empty where the scene cannot be solved.
 Json predictable_json(const std::string& scene, const std::vector<RunMetrics>& rows) {
@@ -145,12 +232,12 @@ void serve_comparison(Executor& executor, const std::function<std::vector<Suite>
                       const std::string& command) {
   std::vector<Suite> read;
   std::vector<Job> jobs;
-  executor.serve([&](std::size_t part) {
+  executor.serve([&](std::size_t task) {
     if (jobs.empty()) {
       read = suites();
       jobs = jobs_of(read);
     }
-    return compute_part(jobs, part, command, executor.count());
+    return compute_task(jobs, task, command, executor.count());
   });
 }
 
@@ -165,10 +252,10 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   const std::vector<Job> jobs = jobs_of(suites);
   const std::vector<JudgedScene> scenes = judged_scenes(suites);
   RowTeller teller(jobs, scenes, options.rows);
-  const MadeParts made = make_parts(
+  const DoneTasks made = carry_out(
       jobs, folder, executor, options.command,
       {options.progress, [&](std::size_t job, const DrawnRow& row) { teller.add(jobs[job], row); }});
-  ComparisonEvidence evidence{told_rows(made.rows, scenes), {}, {}};
+  ComparisonEvidence evidence{reported_rows(made.rows, scenes), {}, {}};
   CompareResult result{{}, made.reused, {}};
   for (const ReplicatedRow& one : evidence.rows) result.rows.push_back(one.row);
   evidence.fits = fit_runs(result.rows);

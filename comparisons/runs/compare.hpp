@@ -2,13 +2,12 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
-#include "comparisons/runs/parts.hpp"
+#include "comparisons/runs/tasks.hpp"
 #include "comparisons/suites/suite.hpp"
 
 namespace rockstack {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -13,14 +12,14 @@
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/measures/metrics/motion_verdict.hpp"
+#include "comparisons/measures/metrics/toppling.hpp"
+#include "comparisons/measures/results/environment.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/histories.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/runs/against_exact.hpp"
-#include "comparisons/runs/identity.hpp"
 #include "comparisons/runs/stepping_time.hpp"
 
 namespace rockstack {
@@ -64,7 +63,7 @@ void add_validity(const Scene& scene, const History& history, Json& json) {
 }
 
 /// Wall times of solving without samples, after a warm-up.
-SteppingTime time_solving(const Scene& scene, int repeats, const SolveOptions& options = {}) {
+SteppingTime time_solving(const Scene& scene, int repeats, const SolveOptions& options) {
   solve(scene, options);
   std::vector<double> seconds;
   for (int i = 0; i < repeats; ++i) {
@@ -117,15 +116,6 @@ History solve_keeping_known(const Scene& scene, const SolveOptions& options, Run
   }
 }
 
-SolveOptions options_for(const Job& job) {
-  if (!is_baseline(job)) return {};
-  return {.integrator = Integrator::rk4, .step = job.dt};
-}
-
-SolveOptions sampled(const Scene& scene) {
-  return {.sample_times = regular_times(sample_interval, scene.duration), .validity = true};
-}
-
 /// Makes the runs of perturbed scenes, where they are asked for; one that fails leaves an empty tally.
 void run_perturbed(const Job& job, const std::function<MotionTally(const Scene&)>& run, RunFiles& files) {
   const Perturbations& around = job.suite.perturbations;
@@ -142,37 +132,35 @@ void run_perturbed(const Job& job, const std::function<MotionTally(const Scene&)
   files["perturbed.csv"] = tallies_csv(tallies, blocks);
 }
 
-Json run_exact(const Job& job, RunMetrics& row, const std::string& command, RunFiles& files) {
-  const Scene& scene = job.scene.scene;
-  const History history = solve_keeping_known(scene, sampled(scene), files);
-  row.toppled = reported_toppling(history);
-  row.horizon = horizon_of(job);
-  row.impacts = static_cast<int>(reported_impacts(history, chatter_speed(scene)).size());
-  row.slower_impacts = static_cast<int>(reported_impacts(history, 0).size()) - *row.impacts;
-  set_time(time_solving(scene, job.suite.repeats), motion_time(scene, history), row);
-  add_history(history, files);
-  files["reactions.csv"] = reactions_csv(scene, history);
-  run_perturbed(job, exact_tally, files);
-  Json json = summary(row, job.scene, Json::object(), {}, command);
-  add_validity(scene, history, json);
-  return json;
-}
-
-Json run_variant(const Job& job, RunMetrics& row, const std::string& command, RunFiles& files) {
-  const Scene scene = job.variant->apply(job.scene.scene);
-  SolveOptions options = options_for(job);
-  options.sample_times = sampled(scene).sample_times;
+/// The exact solver's run, or that of a variant of it, which is compared with it.
+Json run_solver(const Job& job, RunMetrics& row, const std::string& command, RunFiles& files) {
+  const auto as_run = [&](const Scene& asked) {
+    return job.variant != nullptr ? job.variant->apply(asked) : asked;
+  };
+  const Scene scene = as_run(job.scene.scene);
+  SolveOptions timed;
+  if (is_baseline(job)) timed = {.integrator = Integrator::rk4, .step = job.dt};
+  SolveOptions options = timed;
+  options.sample_times = regular_times(sample_interval, scene.duration);
   options.validity = true;
   const History history = solve_keeping_known(scene, options, files);
   row.toppled = reported_toppling(history);
-  compare_with_exact(
-      job.scene.scene, job.suite,
-      {history, sample_interval, reported_impacts(history, chatter_speed(scene)), !row.toppled.empty(), {}},
-      horizon_of(job), row, files);
-  files["events.csv"] = events_csv(history);
+  const auto impacts = reported_impacts(history, chatter_speed(scene));
+  if (job.variant != nullptr) {
+    compare_with_exact(job.scene.scene, job.suite,
+                       {history, sample_interval, impacts, !row.toppled.empty(), {}}, horizon_of(job), row,
+                       files);
+    files["events.csv"] = events_csv(history);
+  } else {
+    row.horizon = horizon_of(job);
+    row.impacts = static_cast<int>(impacts.size());
+    row.slower_impacts = static_cast<int>(reported_impacts(history, 0).size()) - *row.impacts;
+    add_history(history, files);
+    files["reactions.csv"] = reactions_csv(scene, history);
+  }
   run_perturbed(
-      job, [&](const Scene& other) { return exact_tally(job.variant->apply(other)); }, files);
-  set_time(time_solving(scene, job.suite.repeats, options_for(job)), motion_time(scene, history), row);
+      job, [&](const Scene& other) { return exact_tally(as_run(other)); }, files);
+  set_time(time_solving(scene, job.suite.repeats, timed), motion_time(scene, history), row);
   Json json = summary(row, job.scene, Json::object(), {}, command);
   add_validity(scene, history, json);
   return json;
@@ -228,7 +216,7 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
 RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at_a_time) {
   RunMetrics row = describe(job);
   row.runs_at_a_time = static_cast<int>(runs_at_a_time);
-  const auto make = job.series != nullptr ? run_engine : job.variant != nullptr ? run_variant : run_exact;
+  const auto make = job.series != nullptr ? run_engine : run_solver;
   RunFiles files;
   Json json;
   try {

@@ -20,25 +20,39 @@ Verdict verdict(bool holds) {
   return holds ? Verdict::holds : Verdict::fails;
 }
 
-/// "exact 1.0, bullet 1.1, ode 1.2" for a number of each answer.
-template <class Number>
-std::string each(const std::vector<Answer>& answers, const Number& number) {
-  std::vector<std::string> parts;
-  parts.reserve(answers.size());
-  for (const Answer& answer : answers)
-    parts.push_back(fmt::format("{} {:.4g}", answer.name, number(answer.history)));
-  return fmt::format("{}", fmt::join(parts, ", "));
+std::string shown(double number) {
+  return fmt::format("{:.4g}", number);
 }
 
-const Event& first_ground_impact(const History& exact) {
-  return *std::find_if(exact.events.begin(), exact.events.end(), [](const Event& event) {
-    return event.kind == EventKind::impact && event.interface == 1;
-  });
+const std::string& shown(const std::string& text) {
+  return text;
+}
+
+/// "exact 1.0, bullet 1.1, ode 1.2" for a number, or a text, of each answer.
+template <class Value>
+std::string each(const std::vector<Answer>& answers, const Value& value) {
+  std::string list;
+  for (const Answer& answer : answers)
+    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", answer.name, shown(value(answer.history)));
+  return list;
+}
+
+bool lands(const Event& event) {
+  return event.kind == EventKind::impact && event.interface == 1;
+}
+
+bool base_comes_to_rest(const Event& event) {
+  return event.interface == 1 && event.to[0] == Contact::closed;
+}
+
+/// Precondition: there is one.
+const Event& first_of(const History& exact, bool (*wanted)(const Event&)) {
+  return *std::find_if(exact.events.begin(), exact.events.end(), wanted);
 }
 
 Statement turns_as_one(const Evidence& evidence) {
-  const History& exact = evidence.free_answers.front().history;
-  const double impact = first_ground_impact(exact).time;
+  const History& exact = evidence.free_exact();
+  const double impact = first_of(exact, lands).time;
   const Event& first = exact.events.front();
   const bool opens = first.kind == EventKind::opening && first.time < impact;
   return {"Fig. 18", "The stack turns as one body until the base meets the ground.", verdict(!opens),
@@ -52,8 +66,8 @@ Statement turns_as_one(const Evidence& evidence) {
 }
 
 Statement goes_to_1b(const Evidence& evidence) {
-  const auto& events = evidence.free_answers.front().history.events;
-  const Event& impact = first_ground_impact(evidence.free_answers.front().history);
+  const auto& events = evidence.free_exact().events;
+  const Event& impact = first_of(evidence.free_exact(), lands);
   const auto next = std::find_if(events.begin(), events.end(),
                                  [&](const Event& event) { return event.time > impact.time; });
   return {"Fig. 18",
@@ -65,7 +79,7 @@ Statement goes_to_1b(const Evidence& evidence) {
 }
 
 Statement faster_after_impact(const Evidence& evidence) {
-  const Event& impact = first_ground_impact(evidence.free_answers.front().history);
+  const Event& impact = first_of(evidence.free_exact(), lands);
   const double window = 1e-3;
   return {"Fig. 18", "The first impact increases the angular velocity of the top block.",
           verdict(std::abs(impact.after[top]) > std::abs(impact.before[top])),
@@ -80,48 +94,33 @@ Statement faster_after_impact(const Evidence& evidence) {
 }
 
 Statement base_rests_early(const Evidence& evidence) {
-  const auto& events = evidence.free_answers.front().history.events;
-  const auto closure = std::find_if(events.begin(), events.end(), [](const Event& event) {
-    return event.interface == 1 && event.to[0] == Contact::closed;
-  });
   const auto second = [](const History& history) {
     const auto list = swings(history, base);
     return list.size() > 1 ? list[1].peak : 0;
   };
   return {"Fig. 18", "The base comes to rest for a while very soon; its second swing is already small.",
-          verdict(second(evidence.free_answers.front().history) < 0.2 * evidence.free.initial.angles[base]),
+          verdict(second(evidence.free_exact()) < 0.2 * evidence.free.initial.angles[base]),
           "the second swing stays below a fifth of the first",
           fmt::format("exact: at rest from {:.4f} s; largest angle of the second swing, rad: {}",
-                      closure->time, each(evidence.free_answers, second))};
-}
-
-/// How often the base leaves the ground, and how often because the top block hits it.
-struct Onsets {
-  int all = 0;
-  int by_impact = 0;
-};
-
-Onsets base_onsets(const History& exact) {
-  Onsets onsets;
-  for (const Event& event : exact.events) {
-    if (event.from[0] != Contact::closed || event.to[0] == Contact::closed) continue;
-    ++onsets.all;
-    if (event.kind != EventKind::opening) ++onsets.by_impact;
-  }
-  return onsets;
+                      first_of(evidence.free_exact(), base_comes_to_rest).time,
+                      each(evidence.free_answers, second))};
 }
 
 Statement base_is_hit(const Evidence& evidence) {
-  const Onsets onsets = base_onsets(evidence.free_answers.front().history);
-  return {"Fig. 18", "The base rocks again a few times, as a rule because the top block hits it.",
-          verdict(2 * onsets.by_impact > onsets.all),
-          "most onsets of base motion are impacts between the blocks",
-          fmt::format("exact: {} of {} onsets, most of them within the chatter before rest", onsets.by_impact,
-                      onsets.all)};
+  int onsets = 0, by_impact = 0;  // of the base's motion
+  for (const Event& event : evidence.free_exact().events) {
+    if (event.from[0] != Contact::closed || event.to[0] == Contact::closed) continue;
+    ++onsets;
+    if (event.kind != EventKind::opening) ++by_impact;
+  }
+  return {
+      "Fig. 18", "The base rocks again a few times, as a rule because the top block hits it.",
+      verdict(2 * by_impact > onsets), "most onsets of base motion are impacts between the blocks",
+      fmt::format("exact: {} of {} onsets, most of them within the chatter before rest", by_impact, onsets)};
 }
 
 Statement amplitudes(const Evidence& evidence) {
-  const auto list = swings(evidence.free_answers.front().history, top);
+  const auto list = swings(evidence.free_exact(), top);
   bool falls = list.size() > 4 && list[1].peak > list[0].peak;
   for (std::size_t i = 2; i < 5 && falls; ++i) falls = list[i].peak < list[i - 1].peak;
   const auto first_four = [](const History& history) {
@@ -131,28 +130,23 @@ Statement amplitudes(const Evidence& evidence) {
     }
     return fmt::format("{}", fmt::join(peaks, " "));
   };
-  std::vector<std::string> parts;
-  parts.reserve(evidence.free_answers.size());
-  for (const Answer& answer : evidence.free_answers)
-    parts.push_back(answer.name + " " + first_four(answer.history));
   return {
       "Fig. 18", "The top block's swings get smaller, except the second.", verdict(falls),
       "the second peak is larger than the first, each later one (to the fifth) smaller than the one before",
-      fmt::format("first four peaks, rad: {}", fmt::join(parts, ", "))};
+      fmt::format("first four peaks, rad: {}", each(evidence.free_answers, first_four))};
 }
 
 Statement angle_at_one_second(const Evidence& evidence) {
   const auto at_one = [](const History& history) { return std::abs(angle_at(history, top, 1.0)); };
-  const Swing peak = largest_swing(evidence.free_answers.front().history, top);
+  const Swing peak = largest_swing(evidence.free_exact(), top);
   return {"Fig. 18", "At 1 s the top block's angle reaches 0.183 rad, more than at the start.",
-          verdict(std::abs(at_one(evidence.free_answers.front().history) - 0.183) <= 0.0005),
-          "0.183 rad to the digits given",
+          verdict(std::abs(at_one(evidence.free_exact()) - 0.183) <= 0.0005), "0.183 rad to the digits given",
           fmt::format("at 1 s, rad: {}; the peak is {:.4f} rad, at {:.3f} s",
                       each(evidence.free_answers, at_one), peak.peak, peak.peak_time)};
 }
 
 Statement impact_alone(const Evidence& evidence) {
-  const auto& events = evidence.free_answers.front().history.events;
+  const auto& events = evidence.free_exact().events;
   const auto openings = std::count_if(events.begin(), events.end(),
                                       [](const Event& event) { return event.kind == EventKind::opening; });
   return {"Fig. 18", "In free rocking, patterns change by impact alone.", verdict(openings == 0),
@@ -166,13 +160,13 @@ Statement periods_change(const Evidence& evidence) {
     return list.size() > 4 ? (list[1].end - list[0].end) / (list[4].end - list[3].end) : 1;
   };
   return {"Fig. 18", "The period changes much from swing to swing.",
-          verdict(ratio(evidence.free_answers.front().history) > 1.5),
+          verdict(ratio(evidence.free_exact()) > 1.5),
           "the top block's second swing lasts more than 1.5 times its fifth",
           fmt::format("second swing over fifth: {}", each(evidence.free_answers, ratio))};
 }
 
 Statement linear_deviates(const Evidence& evidence) {
-  const History& exact = evidence.free_answers.front().history;
+  const History& exact = evidence.free_exact();
   std::array<double, 2> largest{};
   std::array<int, 2> beyond{};
   for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -198,34 +192,33 @@ double peak_ratio(const History& history) {
 
 Statement base_moves_less(const Evidence& evidence) {
   return {"Fig. 22", "The base moves much less than the top block.",
-          verdict(peak_ratio(evidence.shaken_answers.front().history) < 0.5),
-          "its peak is below half the top block's",
+          verdict(peak_ratio(evidence.shaken_exact()) < 0.5), "its peak is below half the top block's",
           fmt::format("peak of base over peak of top: {}", each(evidence.shaken_answers, peak_ratio))};
 }
 
 Statement peaks_come_late(const Evidence& evidence) {
-  const History& exact = evidence.shaken_answers.front().history;
+  const History& exact = evidence.shaken_exact();
   const auto& samples = evidence.shaken.horizontal.samples;
   const auto strongest = std::max_element(samples.begin(), samples.end(),
                                           [](double a, double b) { return std::abs(a) < std::abs(b); });
   const double shock = evidence.shaken.horizontal.interval * static_cast<double>(strongest - samples.begin());
-  const double base_time = largest_swing(exact, base).peak_time;
-  const double top_time = largest_swing(exact, top).peak_time;
+  const auto peak_time = [](std::size_t block) {
+    return [block](const History& history) { return largest_swing(history, block).peak_time; };
+  };
+  const double base_time = peak_time(base)(exact), top_time = peak_time(top)(exact);
   return {"Fig. 22",
           "The blocks' largest angles come at different times, and not right after the peak of acceleration.",
           verdict(base_time != top_time && base_time - shock > 0.5 && top_time - shock > 0.5),
           "each more than 0.5 s after it",
           fmt::format("acceleration peaks at {:.2f} s; base at, s: {}; top at, s: {}", shock,
-                      each(evidence.shaken_answers,
-                           [](const History& history) { return largest_swing(history, base).peak_time; }),
-                      each(evidence.shaken_answers,
-                           [](const History& history) { return largest_swing(history, top).peak_time; }))};
+                      each(evidence.shaken_answers, peak_time(base)),
+                      each(evidence.shaken_answers, peak_time(top)))};
 }
 
 Statement hit_base_rocks_as_one(const Evidence& evidence) {
   int hits = 0;
   int as_one = 0;
-  for (const Event& event : evidence.shaken_answers.front().history.events) {
+  for (const Event& event : evidence.shaken_exact().events) {
     if (event.kind == EventKind::opening || event.from[0] != Contact::closed ||
         event.to[0] == Contact::closed)
       continue;
@@ -238,7 +231,7 @@ Statement hit_base_rocks_as_one(const Evidence& evidence) {
 }
 
 Statement ends_before_the_record(const Evidence& evidence) {
-  const History& exact = evidence.shaken_answers.front().history;
+  const History& exact = evidence.shaken_exact();
   const bool rests = !exact.events.empty() && is_closed(exact.events.back().to);
   return {
       "Fig. 22", "Rocking ends before the record does.",
@@ -267,17 +260,17 @@ std::vector<Answer> answers(const Suite& suite, const Scene& scene) {
 
 /// What keeps scenes from being held against what the paper says of its own; empty where nothing does.
 std::string unlike_the_papers(const Evidence& evidence) {
-  const auto& events = evidence.free_answers.front().history.events;
-  const auto has = [&](const auto& wanted) { return std::any_of(events.begin(), events.end(), wanted); };
+  const auto& events = evidence.free_exact().events;
+  const auto has = [&](bool (*wanted)(const Event&)) {
+    return std::any_of(events.begin(), events.end(), wanted);
+  };
   const auto rocks = [](const std::vector<Answer>& answers) {
     return std::all_of(answers.begin(), answers.end(), [](const Answer& answer) {
       return largest_swing(answer.history, base).peak > 0 && largest_swing(answer.history, top).peak > 0;
     });
   };
-  if (!has([](const Event& event) { return event.kind == EventKind::impact && event.interface == 1; }))
-    return "in the free scene no block lands on the ground";
-  if (!has([](const Event& event) { return event.interface == 1 && event.to[0] == Contact::closed; }) ||
-      events.back().time <= first_ground_impact(evidence.free_answers.front().history).time)
+  if (!has(lands)) return "in the free scene no block lands on the ground";
+  if (!has(base_comes_to_rest) || events.back().time <= first_of(evidence.free_exact(), lands).time)
     return "in the free scene the base does not come to rest";
   if (!rocks(evidence.free_answers)) return "in the free scene not both blocks rock";
   if (!rocks(evidence.shaken_answers)) return "in the shaken scene not both blocks rock";
@@ -298,7 +291,7 @@ Evidence gather(const Suite& suite) {
   evidence.shaken_answers = answers(suite, evidence.shaken);
   Scene linear = evidence.free;
   linear.equations = Equations::linear;
-  evidence.free_linear = solve(linear, {.sample_times = evidence.free_answers.front().history.times});
+  evidence.free_linear = solve(linear, {.sample_times = evidence.free_exact().times});
   return evidence;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +39,9 @@ struct Evidence {
   History free_linear;  ///< at the times of the exact answer
   Scene shaken;         ///< Figs. 21 and 22
   std::vector<Answer> shaken_answers;
+
+  const History& free_exact() const { return free_answers.front().history; }
+  const History& shaken_exact() const { return shaken_answers.front().history; }
 };
 
 /// Solves both scenes and runs each tuned engine of the suite at its step nearest to 1 ms. A run that fails

@@ -1,13 +1,19 @@
 #include "comparisons/runs/run_files.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cstdint>
+#include <fstream>
 #include <limits>
+#include <mutex>
 #include <nlohmann/json.hpp>
-#include <vector>
+#include <sstream>
+#include <utility>
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "engines/worker/installation.hpp"
 
 namespace rockstack {
 namespace {
@@ -31,7 +37,64 @@ std::string thinned(const std::string& csv, double interval) {
   return kept + last;
 }
 
+using Json = nlohmann::ordered_json;
+
+/// The checksum of a file's bytes, read once.
+std::uint64_t file_checksum(const std::filesystem::path& file) {
+  static std::map<std::filesystem::path, std::uint64_t> known;
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  const auto found = known.find(file);
+  if (found != known.end()) return found->second;
+  return known[file] = checksum(bytes_of(file));
+}
+
+Json fields_of(const GroundMotion& motion) {
+  Json fields{motion.interval, motion.samples, motion.source, motion.made_up};
+  if (const auto& pulse = motion.pulse)
+    fields.push_back(
+        {pulse->shape, pulse->amplitude, pulse->period, pulse->start, pulse->cycles, pulse->phase});
+  return fields;
+}
+
+/// All of a scene that a run's results may depend on; numbers as JSON has them, which is to the bit.
+Json fields_of(const Scene& scene) {
+  Json blocks;
+  for (const Block& block : scene.blocks)
+    blocks.push_back(
+        {block.half_width, block.half_height, block.mass, block.inertia, block.offset_x, block.offset_y});
+  const InitialState& initial = scene.initial;
+  return {scene.title,
+          scene.duration,
+          scene.gravity,
+          scene.inclination,
+          scene.law,
+          scene.equations,
+          scene.restitution,
+          blocks,
+          {initial.angles, initial.velocities, initial.slip_velocities},
+          fields_of(scene.horizontal),
+          fields_of(scene.vertical),
+          scene.friction,
+          {scene.springs.stiffness, scene.springs.damping, scene.springs.bed_stiffness,
+           scene.springs.bed_damping, scene.springs.tangential, initial.settled},
+          {scene.engine.friction, scene.engine.depth}};
+}
+
+/// Infinity has no form in JSON.
+Json fields_of(const Parameters& parameters) {
+  Json fields = Json::object();
+  for (const auto& [name, value] : parameters) fields[name] = fmt::format("{}", value);
+  return fields;
+}
+
 }  // namespace
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ostringstream bytes;  // by blocks, as a program may have a hundred megabytes
+  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  return std::move(bytes).str();
+}
 
 void thin_histories(RunFiles& files, double interval) {
   if (interval == 0) return;
@@ -59,6 +122,53 @@ std::string pack(const RunFiles& files) {
 RunFiles unpack(const std::string& message) {
   return parse_bytes<nlohmann::json>(message, nlohmann::json::input_format_t::msgpack, "files of a run: ")
       .get<RunFiles>();
+}
+
+std::string identity(const Job& job) {
+  Json run{fields_of(job.scene.scene), job.dt, job.suite.repeats, job.suite.wanted.bodies,
+           job.suite.softness};
+  std::string text = job.variant != nullptr ? job.variant->name() : "";
+  if (job.series != nullptr) {
+    const WorkerEngine& engine = *job.series->engine;
+    run.push_back({engine.solver, fields_of(job.series->parameters)});
+    text = fmt::format("{:x}", file_checksum(engine.program));
+  }
+  const Perturbations& around = job.suite.perturbations;
+  const Draws& nearby = job.suite.draws;  // the horizon is theirs
+  text += fmt::format(" {} {} {} {} {} {} {} {} {:x} ", fmt::join(names_of(job.suite.wanted), " "),
+                      job.suite.tolerance, job.suite.history_interval, around.runs, around.size, around.seed,
+                      nearby.scene, nearby.seed, file_checksum(own_file()));
+  return fmt::format("{:016x}", checksum(text + run.dump()));
+}
+
+std::string draws_identity(const Job& job) {
+  const Draws draws = draws_of(job);
+  return fmt::format("{:016x}", checksum(fmt::format("{} {} {} {} {}", identity(job), draws.runs, draws.steps,
+                                                     draws.scene, draws.seed)));
+}
+
+Checksums checksums(const RunFiles& files) {
+  Checksums sums;
+  for (const auto& [name, text] : files) {
+    if (name != summary_name) sums[name] = fmt::format("{:016x}", checksum(text));
+  }
+  return sums;
+}
+
+std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, const std::string& identity) {
+  const auto whole = [&](const Json& summary) -> std::optional<RunMetrics> {
+    const RunMetrics row = metrics_from(summary);
+    if (row.status != RunStatus::done || summary.at("identity") != identity) return {};
+    for (const auto& [name, sum] : summary.at("files").get<Checksums>()) {
+      if (fmt::format("{:016x}", checksum(bytes_of(run_folder / name))) != sum) return {};
+    }
+    return row;
+  };
+  try {
+    return read_json(run_folder / summary_name, whole);
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 }  // namespace rockstack

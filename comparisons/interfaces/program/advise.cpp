@@ -9,14 +9,11 @@
 #include "comparisons/interfaces/program/output.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/suites/shipped.hpp"
-#ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/pages/show.hpp"
-#endif
 
 namespace rockstack {
 namespace {
 
-void print_trials(const Advice& advice, const Wish& wish) {
+void print_trials(const Advice& advice, const AdviceRequest& request) {
   fmt::print("{:<32} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n", "solver (tuned)", "dt (s)", "off (rad, h)",
              "time (s)", "within", "confirmed", "");
   const auto cell = [](const std::optional<double>& value) {
@@ -42,7 +39,7 @@ void print_trials(const Advice& advice, const Wish& wish) {
       "within: replicates that are off by {} at most, of steps up to {:.0f} % longer and shorter and scenes that\n"
       "differ in the sixth digit; {:.0f} of 100 must be\n"
       "confirmed: the same of others, of steps up to {:.0f} % longer and shorter\n",
-      wish.error, 100 * wish.draws.steps, 100 * passing_share, 100 * wish.confirming.steps);
+      request.error, 100 * request.draws.steps, 100 * passing_share, 100 * request.confirming.steps);
 }
 
 /// What holds after histories have parted.
@@ -58,18 +55,6 @@ void print_beyond(const Advice& advice, double duration) {
                one.apart.p_value < 0.05 ? "another distribution" : "not to be told apart");
 }
 
-/// Those that are named, or those that are usual.
-std::vector<const WorkerEngine*> wished_engines(const std::vector<std::string>& names) {
-  std::vector<const WorkerEngine*> list;
-  for (const std::string& name : names) {
-    for (const WorkerEngine* engine : engines_named(name)) list.push_back(engine);
-  }
-  if (names.empty()) {
-    for (const WorkerEngine& engine : usual_engines()) list.push_back(&engine);
-  }
-  return list;
-}
-
 /// What more time would try.
 void print_untried(const Advice& advice, double within) {
   if (advice.untried.empty()) return;
@@ -79,10 +64,10 @@ void print_untried(const Advice& advice, double within) {
   fmt::print("Not tried, as {} s would not do (--within): {}.\n", within, list);
 }
 
-void print_advice(const Advice& advice, const AdviseArguments& arguments, const Wish& wish, double duration,
-                  const Common& common) {
-  print_trials(advice, wish);
-  print_untried(advice, wish.within);
+void print_advice(const Advice& advice, const AdviseArguments& arguments, const AdviceRequest& request,
+                  double duration, const Common& common) {
+  print_trials(advice, request);
+  print_untried(advice, request.within);
   if (advice.pick < 0) {
     fmt::print("No solver holds to {} rad at a step that was tried.\n", arguments.error);
     return;
@@ -103,19 +88,17 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
   require_positive_option("--time-limit", arguments.time_limit);
   const NamedScene scene = read_one_scene(arguments.scene, common);
   const ResultsFolder folder(arguments.out, Results::advice);
-  Wish wish{
-      .error = arguments.error, .within = arguments.within, .engines = wished_engines(arguments.engines)};
-  wish.limits.time = std::min(arguments.time_limit, arguments.within);
-  const Advice advice = advise(scene, wish, arguments.out, common.command);
-#ifdef ROCKSTACK_WITH_PLOTS
-  plots::show(arguments.out);
-#endif
+  AdviceRequest request{.error = arguments.error,
+                        .within = arguments.within,
+                        .engines = engines_named(arguments.engines, usual_engines)};
+  request.limits.time = std::min(arguments.time_limit, arguments.within);
+  const Advice advice = advise(scene, request, arguments.out, common.command);
   if (common.json) {
-    fmt::print("{}\n", advice_json(scene, wish, advice, common.command).dump(2));
+    fmt::print("{}\n", advice_json(scene, request, advice, common.command).dump(2));
   } else if (!common.quiet) {
-    print_advice(advice, arguments, wish, scene.scene.duration, common);
-    print_report(arguments.out, common);
+    print_advice(advice, arguments, request, scene.scene.duration, common);
   }
+  show_report(arguments.out, common);
   return advice.pick < 0 ? 1 : 0;
 }
 

@@ -8,16 +8,16 @@
 
 namespace rockstack {
 
-/// Work in parts that can be worked on in any order.
+/// Work in tasks that can be worked on in any order.
 struct Work {
-  std::function<std::string(std::size_t part)> compute;               ///< from any thread
-  std::function<void(std::size_t part, const std::string&)> deliver;  ///< from one thread at a time
-  std::function<bool()> stopped;  ///< true: no further part is begun, those begun are finished
-  /// True for a part that need not be made after all, by what was delivered so far.
-  std::function<bool(std::size_t part)> needless = [](std::size_t) { return false; };
+  std::function<std::string(std::size_t task)> compute;               ///< from any thread
+  std::function<void(std::size_t task, const std::string&)> deliver;  ///< from one thread at a time
+  std::function<bool()> stopped;  ///< true: no further task is begun, those begun are finished
+  /// True for a task that need not be made after all, by what was delivered so far.
+  std::function<bool(std::size_t task)> needless = [](std::size_t) { return false; };
 };
 
-/// Executes some work part by part: in threads of this process, or in processes on several machines of which
+/// Executes some work task by task: in threads of this process, or in processes on several machines of which
 /// one leads and the others only compute.
 class Executor {
  public:
@@ -32,14 +32,14 @@ class Executor {
   /// How many.
   virtual std::size_t count() const = 0;
 
-  /// True where this process gives out the parts and keeps what is delivered.
+  /// True where this process gives out the tasks and keeps what is delivered.
   virtual bool leads() const = 0;
 
-  /// Of the leader: has every part computed and delivered. @throws what compute and deliver throw.
-  virtual void run(const std::vector<std::size_t>& parts, const Work& work) = 0;
+  /// Of the leader: has every task computed and delivered. @throws what compute and deliver throw.
+  virtual void run(const std::vector<std::size_t>& tasks, const Work& work) = 0;
 
-  /// Of the others: computes parts until the leader has no more.
-  virtual void serve(const std::function<std::string(std::size_t part)>& compute) = 0;
+  /// Of the others: computes tasks until the leader has no more.
+  virtual void serve(const std::function<std::string(std::size_t task)>& compute) = 0;
 };
 
 /// Threads of this process. Precondition: count ≥ 1.

@@ -11,8 +11,8 @@
 namespace rockstack {
 namespace {
 
-// A rank says "ready", "finished" with the lines of a part, or "failed" with the reason; the leader answers
-// each with the number of a part, or with none. So a rank always waits for an answer, and the leader for
+// A rank says "ready", "finished" with the lines of a task, or "failed" with the reason; the leader answers
+// each with the number of a task, or with none. So a rank always waits for an answer, and the leader for
 // nobody.
 enum Tag { ready = 1, finished, failed, answer };
 
@@ -66,32 +66,32 @@ class Ranks : public Executor {
   std::size_t count() const override { return static_cast<std::size_t>(size_ - 1); }
   bool leads() const override { return rank_ == leader; }
 
-  void run(const std::vector<std::size_t>& parts, const Work& work) override {
+  void run(const std::vector<std::size_t>& tasks, const Work& work) override {
     std::vector<std::uint64_t> given(static_cast<std::size_t>(size_), none);
     std::size_t next = 0;
     while (busy_ > 0) {
       const Message message = receive();
-      std::uint64_t& part = given[static_cast<std::size_t>(message.rank)];
+      std::uint64_t& task = given[static_cast<std::size_t>(message.rank)];
       if (message.tag == failed) {
         dismiss(message.rank);
         throw std::runtime_error("rank " + std::to_string(message.rank) + ": " + message.text);
       }
-      if (message.tag == finished) work.deliver(static_cast<std::size_t>(part), message.text);
-      while (next < parts.size() && work.needless(parts[next])) ++next;
-      if (next == parts.size() || work.stopped()) {
+      if (message.tag == finished) work.deliver(static_cast<std::size_t>(task), message.text);
+      while (next < tasks.size() && work.needless(tasks[next])) ++next;
+      if (next == tasks.size() || work.stopped()) {
         dismiss(message.rank);
       } else {
-        part = parts[next++];
-        MPI_Send(&part, 1, MPI_UINT64_T, message.rank, answer, MPI_COMM_WORLD);
+        task = tasks[next++];
+        MPI_Send(&task, 1, MPI_UINT64_T, message.rank, answer, MPI_COMM_WORLD);
       }
     }
   }
 
-  void serve(const std::function<std::string(std::size_t part)>& compute) override {
+  void serve(const std::function<std::string(std::size_t task)>& compute) override {
     send("", leader, ready);
-    for (std::uint64_t part = next_part(); part != none; part = next_part()) {
+    for (std::uint64_t task = next_task(); task != none; task = next_task()) {
       try {
-        send(compute(static_cast<std::size_t>(part)), leader, finished);
+        send(compute(static_cast<std::size_t>(task)), leader, finished);
       } catch (const std::exception& error) {
         send(error.what(), leader, failed);
       }
@@ -104,10 +104,10 @@ class Ranks : public Executor {
     MPI_Send(&none, 1, MPI_UINT64_T, rank, answer, MPI_COMM_WORLD);
   }
 
-  static std::uint64_t next_part() {
-    std::uint64_t part = none;
-    MPI_Recv(&part, 1, MPI_UINT64_T, leader, answer, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    return part;
+  static std::uint64_t next_task() {
+    std::uint64_t task = none;
+    MPI_Recv(&task, 1, MPI_UINT64_T, leader, answer, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    return task;
   }
 
   int rank_ = 0;

@@ -6,7 +6,7 @@
 
 namespace rockstack {
 
-/// The processes that mpirun has started together: the first leads, each of the others computes a part at a
+/// The processes that mpirun has started together: the first leads, each of the others computes a task at a
 /// time. Nothing where this process was started alone. To be called once in a process.
 /// @throws std::runtime_error where MPI cannot start.
 std::unique_ptr<Executor> find_ranks();

@@ -7,18 +7,18 @@
 namespace rockstack {
 namespace {
 
-/// The parts not yet begun, and the first failure.
+/// The tasks not yet begun, and the first failure.
 class Queue {
  public:
-  Queue(const std::vector<std::size_t>& parts, const Work& work) : parts_(parts), work_(work) {}
+  Queue(const std::vector<std::size_t>& tasks, const Work& work) : tasks_(tasks), work_(work) {}
 
   /// What each thread does.
   void work() {
     try {
-      for (std::size_t part = 0; next(part);) {
-        const std::string text = work_.compute(part);
+      for (std::size_t task = 0; next(task);) {
+        const std::string text = work_.compute(task);
         const std::lock_guard lock(mutex_);
-        work_.deliver(part, text);
+        work_.deliver(task, text);
       }
     } catch (...) {
       const std::lock_guard lock(mutex_);
@@ -31,15 +31,15 @@ class Queue {
   }
 
  private:
-  bool next(std::size_t& part) {
+  bool next(std::size_t& task) {
     const std::lock_guard lock(mutex_);
-    while (next_ < parts_.size() && work_.needless(parts_[next_])) ++next_;
-    if (failure_ || next_ == parts_.size() || work_.stopped()) return false;
-    part = parts_[next_++];
+    while (next_ < tasks_.size() && work_.needless(tasks_[next_])) ++next_;
+    if (failure_ || next_ == tasks_.size() || work_.stopped()) return false;
+    task = tasks_[next_++];
     return true;
   }
 
-  const std::vector<std::size_t>& parts_;
+  const std::vector<std::size_t>& tasks_;
   const Work& work_;
   std::mutex mutex_;
   std::size_t next_ = 0;
@@ -56,8 +56,8 @@ class Threads : public Executor {
   std::size_t count() const override { return count_; }
   bool leads() const override { return true; }
 
-  void run(const std::vector<std::size_t>& parts, const Work& work) override {
-    Queue queue(parts, work);
+  void run(const std::vector<std::size_t>& tasks, const Work& work) override {
+    Queue queue(tasks, work);
     {
       std::vector<std::jthread> threads;
       for (std::size_t i = 0; i < count_; ++i) threads.emplace_back([&queue] { queue.work(); });
@@ -65,7 +65,7 @@ class Threads : public Executor {
     queue.rethrow();
   }
 
-  void serve(const std::function<std::string(std::size_t part)>& /*compute*/) override {}
+  void serve(const std::function<std::string(std::size_t task)>& /*compute*/) override {}
 
  private:
   std::size_t count_;

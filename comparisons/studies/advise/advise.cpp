@@ -11,24 +11,24 @@
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/runs/draws.hpp"
-#include "comparisons/runs/identity.hpp"
+#include "comparisons/runs/job.hpp"
 #include "comparisons/runs/measure.hpp"
-#include "comparisons/runs/predictability.hpp"
+#include "comparisons/runs/run_files.hpp"
 
 namespace rockstack {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Suite suite_of(const NamedScene& scene, const Wish& wish) {
+Suite suite_of(const NamedScene& scene, const AdviceRequest& request) {
   Suite suite;
   suite.title = scene.scene.title;
   suite.scenes = {scene};
   suite.wanted = {.angles = true, .impacts = false, .patterns = false, .bodies = true, .histories = false};
-  suite.repeats = wish.repeats;
-  suite.limits = wish.limits;
-  suite.draws = wish.draws;
-  for (const WorkerEngine* engine : wish.engines)
+  suite.repeats = request.repeats;
+  suite.limits = request.limits;
+  suite.draws = request.draws;
+  for (const WorkerEngine* engine : request.engines)
     suite.series.push_back(make_series(*engine, "tuned", advised_steps()));
   return suite;
 }
@@ -51,26 +51,26 @@ int count_within(const std::vector<RunMetrics>& draws, double error) {
 }
 
 /// Draws about the step itself, for a trial that passes without them.
-void confirm(const Job& job, const Wish& wish, Trial& trial) {
+void confirm(const Job& job, const AdviceRequest& request, Trial& trial) {
   Suite suite = job.suite;
-  suite.draws = wish.confirming;
+  suite.draws = request.confirming;
   const auto draws = make_draws({suite, job.scene, job.dt, job.series}, cores());
   trial.confirming = static_cast<int>(draws.size());
-  trial.confirmed = count_within(draws, wish.error);
+  trial.confirmed = count_within(draws, request.error);
 }
 
-Trial try_out(const Job& job, const Wish& wish, const std::filesystem::path& folder,
+Trial try_out(const Job& job, const AdviceRequest& request, const std::filesystem::path& folder,
               const std::string& command) {
   const auto own = folder / "runs" / describe(job).run;
   Trial trial{nominal_run(job, own, command)};
-  trial.within = meets(trial.row, wish.error) ? 1 : 0;
+  trial.within = meets(trial.row, request.error) ? 1 : 0;
   if (trial.within == 0 || !is_drawn(job)) return trial;
   const auto draws = make_draws(job, cores());
   write_draws(pack_draws(draws, draws_identity(job)), trial.row, own);
   trial.draws += static_cast<int>(draws.size());
-  trial.within += count_within(draws, wish.error);
+  trial.within += count_within(draws, request.error);
   summarise(draws, trial.row);
-  if (trial.passes()) confirm(job, wish, trial);
+  if (trial.passes()) confirm(job, request, trial);
   return trial;
 }
 
@@ -126,13 +126,13 @@ int cheapest(const std::vector<Trial>& trials) {
   return best;
 }
 
-Advice advise(const NamedScene& scene, const Wish& wish, const std::filesystem::path& folder,
+Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::filesystem::path& folder,
               const std::string& command) {
   Advice advice;
-  advice.predictable_time = predictable_time(scene.scene, wish.draws, wish.error);
+  advice.predictable_time = predictable_time(scene.scene, request.draws, request.error);
   NamedScene predictable = scene;
   predictable.scene.duration = advice.predictable_time;
-  const Suite suite = suite_of(predictable, wish);
+  const Suite suite = suite_of(predictable, request);
   struct Search {
     bool over = false;
     double step = 0, took = 0;  ///< of the last trial, s
@@ -148,13 +148,13 @@ Advice advise(const NamedScene& scene, const Wish& wish, const std::filesystem::
       Search& search = searches[i];
       if (search.over) continue;
       const double begin = elapsed();
-      if (search.step > 0 && begin + search.took * search.step / dt > wish.within) {
+      if (search.step > 0 && begin + search.took * search.step / dt > request.within) {
         search.over = true;
         advice.untried.push_back({suite.series[i].engine, search.step});
         continue;
       }
       const Job job{suite, suite.scenes.front(), dt, &suite.series[i]};
-      advice.trials.push_back(try_out(job, wish, folder, command));
+      advice.trials.push_back(try_out(job, request, folder, command));
       search.step = dt;
       search.took = elapsed() - begin;
       const Trial& trial = advice.trials.back();
@@ -171,17 +171,17 @@ Advice advise(const NamedScene& scene, const Wish& wish, const std::filesystem::
     const double dt = *advice.trials[static_cast<std::size_t>(advice.pick)].row.dt;
     advice.beyond = whole_scene({suite, suite.scenes.front(), dt, picked}, scene.scene);
   }
-  const Json json = advice_json(scene, wish, advice, command);
+  const Json json = advice_json(scene, request, advice, command);
   write_file(folder / "advice.csv", csv_of(json.at("trials")));
   write_file(folder / "advice.json", json.dump(2) + "\n");
   return advice;
 }
 
-Json advice_json(const NamedScene& scene, const Wish& wish, const Advice& advice,
+Json advice_json(const NamedScene& scene, const AdviceRequest& request, const Advice& advice,
                  const std::string& command) {
   Json json{{"title", scene.scene.title},
-            {"error", wish.error},
-            {"within", wish.within},
+            {"error", request.error},
+            {"within", request.within},
             {"duration", scene.scene.duration},
             {"predictable_time", advice.predictable_time},
             {"pick", nullptr},
@@ -193,7 +193,7 @@ Json advice_json(const NamedScene& scene, const Wish& wish, const Advice& advice
     json["untried"].push_back(
         {{"engine", one.engine->name}, {"solver", one.engine->solver}, {"below", one.below}});
   for (const Trial& trial : advice.trials) json["trials"].push_back(json_of(trial));
-  json["environment"] = environment(wish.engines);
+  json["environment"] = environment(request.engines);
   json["command"] = command;
   return json;
 }

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,7 @@
 namespace rockstack {
 
 /// What is wanted of an engine.
-struct Wish {
+struct AdviceRequest {
   /// Largest difference from the exact motion: of any angle, rad, and of any centre, as a share of the least
   /// block height; > 0.
   double error = 1e-3;
@@ -52,7 +51,7 @@ struct Advice {
   std::vector<Trial> trials;
   int pick = -1;  ///< of trials; −1: none passes
   std::vector<Untried> untried;
-  /// Until when histories can be compared at all, s (predictability.hpp). Trials end there.
+  /// Until when histories can be compared at all, s (job.hpp). Trials end there.
   double predictable_time = 0;
   /// Of the pick's draws over the whole scene, where it lasts longer than it can be predicted; else empty.
   std::vector<DistributionDistance> beyond;
@@ -74,11 +73,11 @@ int cheapest(const std::vector<Trial>& trials);
 /// columns of comparison.csv and how many draws came within the error.
 /// @throws std::runtime_error where a file cannot be written or
 /// the scene has no exact solution.
-Advice advise(const NamedScene& scene, const Wish& wish, const std::filesystem::path& folder,
+Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::filesystem::path& folder,
               const std::string& command);
 
-/// All of it: what was wished, the pick, what was not tried and the trials.
-nlohmann::ordered_json advice_json(const NamedScene& scene, const Wish& wish, const Advice& advice,
-                                   const std::string& command);
+/// All of it: what was asked for, the pick, what was not tried and the trials.
+nlohmann::ordered_json advice_json(const NamedScene& scene, const AdviceRequest& request,
+                                   const Advice& advice, const std::string& command);
 
 }  // namespace rockstack

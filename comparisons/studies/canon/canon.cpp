@@ -9,10 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
-#include <string>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
@@ -24,7 +22,7 @@
 #include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/measures/statistics/step_fit.hpp"
 #include "comparisons/runs/execution/executor.hpp"
-#include "comparisons/runs/identity.hpp"
+#include "comparisons/runs/run_files.hpp"
 
 namespace rockstack {
 namespace {
@@ -58,22 +56,17 @@ double slowest_turn(const Scene& scene) {
   return scene.gravity * usual_step / widest;
 }
 
-/// @throws whatever kept the engine from answering.
-Deviation answer_once(const Suite& suite, const NamedScene& scene, const EngineSeries& series, double dt,
-                      int replicate) {
-  const Scene drawn = drawn_scene(scene.scene, suite.draws, replicate);
-  const double step = drawn_step(dt, suite.draws, replicate);
-  const History engine = simulate(*series.engine, drawn, step, series.parameters, suite.limits).history;
-  return deviation(drawn, solve(drawn, {.sample_times = engine.times}), engine);
-}
-
 /// Replicates use all cores. @throws whatever kept the engine from answering.
 CanonErrors errors_at(const Suite& suite, const NamedScene& scene, const EngineSeries& series, double dt) {
   CanonErrors errors{dt, std::vector<Deviation>(static_cast<std::size_t>(suite.draws.runs))};
   std::vector<std::size_t> replicates(errors.replicates.size());
   std::iota(replicates.begin(), replicates.end(), 0);
   const auto compute = [&](std::size_t replicate) {
-    errors.replicates[replicate] = answer_once(suite, scene, series, dt, static_cast<int>(replicate));
+    const auto number = static_cast<int>(replicate);
+    const Scene drawn = drawn_scene(scene.scene, suite.draws, number);
+    const double step = drawn_step(dt, suite.draws, number);
+    const History engine = simulate(*series.engine, drawn, step, series.parameters, suite.limits).history;
+    errors.replicates[replicate] = deviation(drawn, solve(drawn, {.sample_times = engine.times}), engine);
     return std::string();
   };
   const auto nothing = [](std::size_t /*replicate*/, const std::string& /*text*/) {};
@@ -82,11 +75,14 @@ CanonErrors errors_at(const Suite& suite, const NamedScene& scene, const EngineS
   return errors;
 }
 
+bool sooner(const Deviation& one, const Deviation& other) {
+  return one.time < other.time;
+}
+
 /// The replicate in the middle.
 Deviation middle_of(std::vector<Deviation> replicates) {
   const auto middle = replicates.begin() + static_cast<std::ptrdiff_t>((replicates.size() - 1) / 2);
-  std::nth_element(replicates.begin(), middle, replicates.end(),
-                   [](const Deviation& one, const Deviation& other) { return one.time < other.time; });
+  std::nth_element(replicates.begin(), middle, replicates.end(), sooner);
   return *middle;
 }
 
@@ -97,8 +93,7 @@ std::string amount_text(double time, const Deviation& kind) {
 /// The least and the largest by time of the three finest steps, which differ by four: under any order from a
 /// half on, the error falls by a factor of two or more between them.
 std::pair<double, double> range_of_finest(const std::vector<Deviation>& deviations) {
-  const auto by_time = [](const Deviation& one, const Deviation& other) { return one.time < other.time; };
-  const auto [least, most] = std::minmax_element(deviations.end() - 3, deviations.end(), by_time);
+  const auto [least, most] = std::minmax_element(deviations.end() - 3, deviations.end(), sooner);
   return {least->time, most->time};
 }
 

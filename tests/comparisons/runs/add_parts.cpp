@@ -1,4 +1,4 @@
-#include "comparisons/runs/add_parts.hpp"
+#include "comparisons/runs/against_exact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ Scene let_go() {
   return scene;
 }
 
-OtherAnswer other_answer(const History& history, const ContactRecord& contacts) {
+CandidateMotion candidate_of(const History& history, const ContactRecord& contacts) {
   BodyRecord bodies;
   bodies.contacts = contacts;
   return {history, sampling, {}, false, bodies, {0.7}};
@@ -47,7 +47,7 @@ TEST(AddParts, AnExactAnswerOnSpringsHasNoStep) {
   const History soft = solve(with_springs(scene, {0.7}, spring), {.sample_times = times});
   RunMetrics row;
   RunFiles files;
-  add_parts(scene, exact, other_answer(soft, contacts_of(spring, 2)), scene.duration, true, row, files);
+  add_parts(scene, exact, candidate_of(soft, contacts_of(spring, 2)), scene.duration, true, row, files);
   EXPECT_EQ(row.split_reason, "");
   EXPECT_EQ(row.spring_factor, 1);
   EXPECT_EQ(row.step_difference, 0);
@@ -66,7 +66,7 @@ TEST(AddParts, PartsAreTheWhole) {
   for (std::size_t i = 0; i < other.angles.size(); ++i) other.angles[i] += 1e-3 * std::sin(20 * times[i]);
   RunMetrics row;
   RunFiles files;
-  add_parts(scene, exact, other_answer(other, contacts_of({1e6, 1e4}, 1)), scene.duration, false, row, files);
+  add_parts(scene, exact, candidate_of(other, contacts_of({1e6, 1e4}, 1)), scene.duration, false, row, files);
   EXPECT_NEAR(*row.model_share + *row.softness_share + *row.step_share, 1, 1e-12);
   EXPECT_TRUE(files.empty());
 
@@ -86,7 +86,7 @@ TEST(AddParts, StiffContactsComeToRigidOnes) {
   const auto softness = [&](const ContactRecord& contacts) {
     RunMetrics row;
     RunFiles files;
-    add_parts(scene, exact, other_answer(exact, contacts), scene.duration, false, row, files);
+    add_parts(scene, exact, candidate_of(exact, contacts), scene.duration, false, row, files);
     EXPECT_EQ(row.split_reason, "");
     return *row.softness_difference;
   };
@@ -127,7 +127,7 @@ TEST(AddParts, AFailureIsTheRowsOwn) {
   RunMetrics row;
   RunFiles files;
   const History none;
-  OtherAnswer nobody = other_answer(none, {});
+  CandidateMotion nobody = candidate_of(none, {});
   nobody.bodies->contacts.reset();
   add_parts(scene, none, nobody, scene.duration, true, row, files);
   EXPECT_EQ(row.split_reason, "the engine tells no contacts");

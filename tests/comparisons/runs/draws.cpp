@@ -8,7 +8,7 @@
 
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/runs/compare.hpp"
-#include "comparisons/runs/predictability.hpp"
+#include "comparisons/runs/job.hpp"
 #include "tests/free_rocking.hpp"
 #include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"

@@ -13,7 +13,7 @@
 namespace rockstack {
 namespace {
 
-std::vector<std::size_t> parts(std::size_t count) {
+std::vector<std::size_t> tasks(std::size_t count) {
   std::vector<std::size_t> list(count);
   std::iota(list.begin(), list.end(), std::size_t{0});
   return list;
@@ -32,9 +32,9 @@ TEST(Threads, DeliverEveryPartOnceOneAtATime) {
     EXPECT_EQ(text.size(), part);
     delivered.push_back(part);
   };
-  make_threads(together)->run(parts(500), {compute, deliver, [] { return false; }});
+  make_threads(together)->run(tasks(500), {compute, deliver, [] { return false; }});
   std::sort(delivered.begin(), delivered.end());
-  EXPECT_EQ(delivered, parts(500));
+  EXPECT_EQ(delivered, tasks(500));
 }
 
 TEST(Threads, AFailureEndsThemAllAndIsThrown) {
@@ -44,7 +44,7 @@ TEST(Threads, AFailureEndsThemAllAndIsThrown) {
                     return {};
                   },
                   [&](std::size_t, const std::string&) { ++delivered; }, [] { return false; }};
-  EXPECT_THROW(make_threads(together)->run(parts(500), work), std::runtime_error);
+  EXPECT_THROW(make_threads(together)->run(tasks(500), work), std::runtime_error);
   EXPECT_LT(delivered, 500U);
 }
 
@@ -60,7 +60,7 @@ TEST(Threads, ShareALibraryOfMotionsThatForgetsTheOldest) {
   };
   std::vector<std::string> answers(200);
   make_threads(together)->run(
-      parts(200),
+      tasks(200),
       {ask, [&](std::size_t part, const std::string& text) { answers[part] = text; }, [] { return false; }});
   for (std::size_t part = 5; part < answers.size(); ++part) EXPECT_EQ(answers[part], answers[part - 5]);
 }

@@ -11,7 +11,7 @@
 
 namespace rockstack {
 
-// A comparison is made in parts, which threads or machines share: the nominal run of a job, or all its draws.
+// A comparison is made in tasks, which threads or machines share: the nominal run of a job, or all its draws.
 
 /// How far a comparison has come.
 struct Progress {
@@ -22,29 +22,25 @@ struct Progress {
   std::optional<double> remaining;
 };
 
-/// Every scene on the exact solver, on its variants and on every series at each step. Keeps references to the
-/// suites.
-std::vector<Job> jobs_of(const std::vector<Suite>& suites);
-
-/// The text of a part, to be delivered. Parts are numbered: the nominal runs of all jobs, then their draws.
-std::string compute_part(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
+/// The text of a task, to be delivered. Tasks are numbered: the nominal runs of all jobs, then their draws.
+std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
                          std::size_t at_a_time);
 
-struct MadeParts {
+struct DoneTasks {
   std::vector<DrawnRow> rows;  ///< one a job
   std::size_t reused = 0;      ///< nominal runs that were there already
 };
 
-/// What is told of parts as they are made, from one thread at a time.
+/// What is told of tasks as they are made, from one thread at a time.
 struct Listener {
   std::function<void(const Progress&)> progress;
-  std::function<void(std::size_t job, const DrawnRow&)> row;  ///< of a job whose parts are all there
+  std::function<void(std::size_t job, const DrawnRow&)> row;  ///< of a job whose tasks are all there
 };
 
-/// Makes the parts that FOLDER/runs does not have, scene by scene from coarse steps to fine ones, a run
+/// Makes the tasks that FOLDER/runs does not have, scene by scene from coarse steps to fine ones, a run
 /// before its draws, and tells how far it has come. Draws of a run that has failed are not made.
 /// Precondition: executor.leads().
-MadeParts make_parts(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
-                     const std::string& command, const Listener& listener);
+DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
+                    const std::string& command, const Listener& listener);
 
 }  // namespace rockstack

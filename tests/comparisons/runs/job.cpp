@@ -1,9 +1,8 @@
-#include "comparisons/runs/disk_use.hpp"
+#include "comparisons/runs/job.hpp"
 
 #include <gtest/gtest.h>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/runs/compare.hpp"
 #include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"
 

@@ -1,0 +1,212 @@
+#include "comparisons/runs/tasks.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <thread>
+#include <utility>
+
+#include "comparisons/runs/measure.hpp"
+#include "comparisons/runs/run_files.hpp"
+
+namespace rockstack {
+namespace {
+
+/// What is computed in one go: the nominal run of a job, or all its draws.
+struct Task {
+  std::size_t job;
+  bool draws;
+};
+
+Task task_of(std::size_t number, std::size_t jobs) {
+  return {number % jobs, number >= jobs};
+}
+
+/// Work that a task is expected to be, in engine steps; an exact run has about as much as 2000 of them.
+double expected_work(const std::vector<Job>& jobs, std::size_t number) {
+  constexpr double fixed = 2000;
+  const Task task = task_of(number, jobs.size());
+  const Job& job = jobs[task.job];
+  if (job.series == nullptr) return fixed;
+  const int runs = task.draws ? draws_of(job).runs : 1 + job.suite.repeats + job.suite.perturbations.runs;
+  return fixed + runs * job.scene.scene.duration / job.dt;
+}
+
+/// The numbers of all tasks that there are to do: scene by scene, from coarse steps to fine ones, so that
+/// what takes little is known soon.
+std::vector<std::size_t> order_of(const std::vector<Job>& jobs) {
+  std::vector<std::size_t> sorted(jobs.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::map<std::string, std::size_t> scenes;
+  for (const Job& job : jobs) scenes.emplace(job.scene.name, scenes.size());
+  const auto key = [&](std::size_t i) {
+    const Job& job = jobs[i];
+    return std::pair(scenes.at(job.scene.name),
+                     job.series == nullptr ? -std::numeric_limits<double>::infinity() : -job.dt);
+  };
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::vector<std::size_t> tasks;
+  for (const std::size_t job : sorted) {
+    tasks.push_back(job);
+    if (is_drawn(jobs[job])) tasks.push_back(job + jobs.size());
+  }
+  return tasks;
+}
+
+/// Counts tasks, and the work that is left.
+class ProgressCounter {
+ public:
+  ProgressCounter(std::size_t tasks, double work, const std::function<void(const Progress&)>& tell)
+      : tell_(tell), left_(work) {
+    report_.total = tasks;
+    tell_(report_);
+  }
+
+  void begin(const std::string& run) {
+    report_.running = run;
+    tell_(report_);
+  }
+
+  /// A task that was there, or was made since.
+  void finish(const std::string& run, double work, bool made) {
+    ++report_.done;
+    report_.last = run;
+    if (report_.running == run) report_.running.clear();
+    left_ -= work;
+    if (made) done_ += work;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    if (done_ > 0) report_.remaining = passed.count() * left_ / done_;
+    tell_(report_);
+  }
+
+ private:
+  const std::function<void(const Progress&)>& tell_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double left_, done_ = 0;
+  Progress report_;
+};
+
+/// All runs of a comparison, in a results folder.
+class Runs {
+ public:
+  Runs(const std::vector<Job>& jobs, const std::filesystem::path& folder)
+      : jobs_(jobs), folder_(folder), rows_(jobs.size()) {
+    for (const Job& job : jobs) left_.push_back(is_drawn(job) ? 2 : 1);
+  }
+
+  /// Counts a task of a job as done: true where it was the last one.
+  bool finish_task(std::size_t job) { return --left_[job] == 0; }
+
+  /// Takes what is there already: true where a task is.
+  bool find(std::size_t number) {
+    const Task task = task_of(number, jobs_.size());
+    const Job& job = jobs_[task.job];
+    DrawnRow& row = rows_[task.job];
+    if (!task.draws) {
+      const auto found = finished_run(run_folder(task.job), identity(job));
+      if (found) row.nominal = *found;
+      return found.has_value();
+    }
+    const std::string text = bytes_of(run_folder(task.job) / "draws.json");
+    const auto found = unpack_draws(text, draws_identity(job));
+    // Draws go with the files of the nominal run.
+    if (!found || row.nominal.run.empty()) return false;
+    row.draws = *found;
+    return true;
+  }
+
+  void deliver(std::size_t number, const std::string& text) {
+    const Task task = task_of(number, jobs_.size());
+    DrawnRow& row = rows_[task.job];
+    if (task.draws) {
+      row.draws = unpack_draws(text, draws_identity(jobs_[task.job])).value();
+      texts_[task.job] = text;
+    } else {
+      const RunFiles files = unpack(text);
+      write_files(files, run_folder(task.job));
+      row.nominal = metrics_in(files.at(summary_name));
+    }
+    if (const auto drawn = texts_.find(task.job); drawn != texts_.end() && !row.nominal.run.empty()) {
+      write_draws(drawn->second, row.nominal, run_folder(task.job));
+      texts_.erase(drawn);
+    }
+  }
+
+  /// True for draws of a run that has failed.
+  bool is_needless(std::size_t number) const {
+    const Task task = task_of(number, jobs_.size());
+    return task.draws && rows_[task.job].nominal.status != RunStatus::done;
+  }
+
+  const std::vector<DrawnRow>& rows() const { return rows_; }
+
+  std::string name(std::size_t number) const {
+    return describe(jobs_[task_of(number, jobs_.size()).job]).run;
+  }
+
+ private:
+  std::filesystem::path run_folder(std::size_t job) const {
+    return folder_ / "runs" / describe(jobs_[job]).run;
+  }
+
+  const std::vector<Job>& jobs_;
+  std::filesystem::path folder_;
+  std::vector<int> left_;                     ///< tasks of each job
+  std::vector<DrawnRow> rows_;                ///< a nominal row without a name is not there yet
+  std::map<std::size_t, std::string> texts_;  ///< draws that came before their nominal run
+};
+
+}  // namespace
+
+std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
+                         std::size_t at_a_time) {
+  const Task task = task_of(number, jobs.size());
+  const Job& job = jobs[task.job];
+  if (!task.draws) return pack(measure(job, command, at_a_time));
+  const std::size_t threads = std::max<std::size_t>(1, std::thread::hardware_concurrency() / at_a_time);
+  return pack_draws(make_draws(job, threads), draws_identity(job));
+}
+
+DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
+                    const std::string& command, const Listener& listener) {
+  Runs runs(jobs, folder);
+  const std::vector<std::size_t> order = order_of(jobs);
+  double work = 0;
+  for (const std::size_t i : order) work += expected_work(jobs, i);
+  ProgressCounter progress(order.size(), work, listener.progress);
+  const auto finish = [&](std::size_t task, bool made) {
+    progress.finish(runs.name(task), expected_work(jobs, task), made);
+    const std::size_t job = task_of(task, jobs.size()).job;
+    if (runs.finish_task(job)) listener.row(job, runs.rows()[job]);
+  };
+  std::vector<std::size_t> tasks;
+  std::size_t reused = 0;
+  for (const std::size_t i : order) {
+    if (!runs.find(i)) {
+      tasks.push_back(i);
+      continue;
+    }
+    if (i < jobs.size()) ++reused;
+    finish(i, false);
+  }
+  const auto compute = [&](std::size_t i) { return compute_task(jobs, i, command, executor.count()); };
+  const auto deliver = [&](std::size_t i, const std::string& text) {
+    runs.deliver(i, text);
+    finish(i, true);
+  };
+  const auto needless = [&](std::size_t i) {
+    if (!runs.is_needless(i)) {
+      progress.begin(runs.name(i));
+      return false;
+    }
+    finish(i, false);
+    return true;
+  };
+  executor.run(tasks, {compute, deliver, [] { return false; }, needless});
+  return {runs.rows(), reused};
+}
+
+}  // namespace rockstack
