@@ -10,22 +10,9 @@
 #include "comparisons/studies/canon/canon.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "engines/worker/registry.hpp"
-#ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/pages/show.hpp"
-#endif
 
 namespace rockstack {
 namespace {
-
-std::vector<const WorkerEngine*> chosen(const std::vector<std::string>& names) {
-  std::vector<const WorkerEngine*> list;
-  for (const std::string& name : names) {
-    for (const WorkerEngine* engine : engines_named(name)) list.push_back(engine);
-  }
-  if (!names.empty()) return list;
-  for (const WorkerEngine& engine : engines()) list.push_back(&engine);
-  return list;
-}
 
 void print(const CanonRow& row, const CanonAnswer& answer) {
   fmt::print("{:<28} {:<8} {:<16} {:<12} {}\n", row.engine->full_name(), row.settings, answer.scene,
@@ -37,7 +24,7 @@ void print(const CanonRow& row, const CanonAnswer& answer) {
 
 int canon_command(const CanonArguments& arguments, const Common& common) {
   Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
-  const std::vector<const WorkerEngine*> engines = chosen(arguments.engines);
+  const std::vector<const WorkerEngine*> asked = engines_named(arguments.engines, engines);
   const std::vector<std::string> sets = both_if_empty(arguments.settings);
   const ResultsFolder folder(arguments.out, Results::canon);
   const bool talk = !common.quiet && !common.json;
@@ -45,10 +32,10 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
     fmt::print("{:<28} {:<8} {:<16} {:<12} by a fit over steps of {:g} to {:g} ms\n", "engine", "set",
                "scene", "verdict", 1e3 * canon_steps.front(), 1e3 * canon_steps.back());
   const auto show = progress(common);
-  const std::size_t total = engines.size() * sets.size() * suite.scenes.size();
+  const std::size_t total = asked.size() * sets.size() * suite.scenes.size();
   std::size_t done = 0, off = 0;
   std::vector<CanonRow> rows;
-  for (const WorkerEngine* engine : engines) {
+  for (const WorkerEngine* engine : asked) {
     for (const std::string& settings : sets) {
       CanonRow& row = rows.emplace_back(CanonRow{engine, settings, {}});
       for (const NamedScene& scene : suite.scenes) {
@@ -65,10 +52,7 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
   write_file(arguments.out / "canon.csv", canon_csv(rows));
   write_file(arguments.out / "canon.json", json);
   if (common.json) fmt::print("{}", json);
-#ifdef ROCKSTACK_WITH_PLOTS
-  plots::show(arguments.out);
-  if (talk) fmt::print("report: {}\n", (arguments.out / "report.html").string());
-#endif
+  show_report(arguments.out, common);
   if (talk)
     fmt::print("{} of {} answers neither agree nor converge{}\n", off, total, off > 0 ? ": exit code 1" : "");
   return off == 0 ? 0 : 1;

@@ -180,6 +180,18 @@ std::vector<const WorkerEngine*> engines_named(const std::string& name) {
   return list;
 }
 
+std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& names,
+                                               EngineList (*otherwise)()) {
+  std::vector<const WorkerEngine*> list;
+  for (const std::string& name : names) {
+    for (const WorkerEngine* engine : engines_named(name)) list.push_back(engine);
+  }
+  if (names.empty()) {
+    for (const WorkerEngine& engine : otherwise()) list.push_back(&engine);
+  }
+  return list;
+}
+
 int check_engine_command(const CheckEngineArguments& arguments, const Common& common) {
   refuse_overrides(common, "its scenes are its own");
   const bool talk = !common.quiet && !common.json;

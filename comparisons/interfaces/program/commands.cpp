@@ -14,7 +14,6 @@
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/runs/compare.hpp"
-#include "comparisons/runs/disk_use.hpp"
 #include "comparisons/runs/measure.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/stability/study.hpp"
@@ -47,10 +46,11 @@ void refuse_choice(const std::string& suite, const SceneChoice& choice) {
 
 Suite read_input(const std::string& input, const CompareArguments& arguments, const Common& common) {
   const auto file = find_input(input);
-  const bool study = is_stability_study(file);
-  if (!study && !is_suite(file)) return suite_for(read_named_scene(file, common.overrides), arguments.choice);
+  const InputKind kind = kind_of(file);
+  if (kind == InputKind::scene) return suite_for(read_named_scene(file, common.overrides), arguments.choice);
   refuse_choice(input, arguments.choice);
-  return study ? read_stability_study(file, common.overrides).suite : read_suite(file, common.overrides);
+  return kind == InputKind::stability_study ? read_stability_study(file, common.overrides).suite
+                                            : read_suite(file, common.overrides);
 }
 
 std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& common) {
@@ -95,15 +95,6 @@ void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& res
 }
 #endif
 
-/// Draws one motion and says where its page is.
-void show_motion(const std::filesystem::path& out, bool plots, const Common& common) {
-  if (!plots) return;
-#ifdef ROCKSTACK_WITH_PLOTS
-  plots::show(out);
-#endif
-  print_report(out, common);
-}
-
 int study_command(const std::filesystem::path& file, const std::filesystem::path& out, const Common& common) {
   refuse_overrides(common, "a study of impact laws makes its own scenes");
   const ImpactLawStudy study = read_impact_law_study(file);
@@ -111,10 +102,7 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   const ImpactLawResults results = run_study(study);
   write_results(study, results, out, common.command);
   print_impact_laws(results, out, common);
-#ifdef ROCKSTACK_WITH_PLOTS
-  plots::show(out);
-#endif
-  print_report(out, common);
+  show_report(out, common);
   const bool failed = std::any_of(results.cases.begin(), results.cases.end(), [](const AskedCase& asked) {
     return std::any_of(asked.verdicts.begin(), asked.verdicts.end(),
                        [](const EngineVerdict& verdict) { return !verdict.failure.empty(); });
@@ -136,7 +124,7 @@ void print_first_of(const std::vector<const WorkerEngine*>& engines, const Commo
 NamedScene read_one_scene(const std::string& input, const Common& common) {
   const auto file = input_file(input, {"scenes", "suites"});
   std::error_code ignored;
-  if (std::filesystem::is_regular_file(file, ignored) && is_suite(file))
+  if (std::filesystem::is_regular_file(file, ignored) && kind_of(file) != InputKind::scene)
     throw InputError(input + ": must be a scene, this is a suite, which `rockstack compare` takes");
   return read_named_scene(file, common.overrides);
 }
@@ -166,7 +154,7 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
   const ResultsFolder folder(arguments.out, Results::motion);
   const History history = solve_into(scene, options, arguments.histories, arguments.out, common.command);
   print_history(scene.scene, history, {}, arguments.out, common);
-  show_motion(arguments.out, arguments.plots, common);
+  if (arguments.plots) show_report(arguments.out, common);
   return 0;
 }
 
@@ -182,7 +170,7 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   const auto [history, support] = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
   if (named.size() > 1) print_first_of(named, common);
   print_history(scene.scene, history, support, arguments.out, common);
-  show_motion(arguments.out, arguments.plots, common);
+  if (arguments.plots) show_report(arguments.out, common);
   return 0;
 }
 
@@ -197,7 +185,8 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   }
   for (const std::string& input : arguments.inputs) {
     const auto file = find_input(input);
-    if (!is_study(file)) continue;
+    const InputKind kind = kind_of(file);
+    if (kind == InputKind::scene || kind == InputKind::suite) continue;
     refuse_choice(input, arguments.choice);
     if (arguments.history_interval)
       throw InputError(
@@ -206,7 +195,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
     if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
     if (arguments.record)
       throw InputError(fmt::format("--record {}: must be left out of a study", *arguments.record));
-    if (is_stability_study(file))
+    if (kind == InputKind::stability_study)
       return stability_command(file, arguments.out, *executor, arguments.draws, common);
     return study_command(file, arguments.out, common);
   }

@@ -5,7 +5,7 @@
 
 #include "comparisons/interfaces/program/arguments.hpp"
 #include "comparisons/runs/execution/executor.hpp"
-#include "engines/worker/worker_engine.hpp"
+#include "engines/worker/registry.hpp"
 
 namespace rockstack {
 
@@ -35,6 +35,10 @@ int stability_command(const std::filesystem::path& file, const std::filesystem::
 /// All solvers of an engine: of a worker program named by its path, or of a name that `list engines` shows;
 /// or one, named with its solver. @throws InputError as find_engine().
 std::vector<const WorkerEngine*> engines_named(const std::string& name);
+
+/// The same of several names; where there is none, those of `otherwise`.
+std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& names,
+                                               EngineList (*otherwise)());
 
 /// Those given, or "default" and "tuned" where none is.
 std::vector<std::string> both_if_empty(const std::vector<std::string>& settings);

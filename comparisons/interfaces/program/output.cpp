@@ -13,6 +13,9 @@
 
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/build.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/pages/show.hpp"
+#endif
 
 namespace rockstack {
 namespace {
@@ -164,6 +167,13 @@ void print_report(const std::filesystem::path& folder, const Common& common) {
 #else
   fmt::print("left out of this build: figures and the report in {}\n", folder.string());
 #endif
+}
+
+void show_report(const std::filesystem::path& folder, const Common& common) {
+#ifdef ROCKSTACK_WITH_PLOTS
+  plots::show(folder);
+#endif
+  print_report(folder, common);
 }
 
 std::string version_text() {

@@ -41,11 +41,14 @@ void print_history(const Scene& scene, const History& history, const Support& su
 void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,
                        const Common& common);
 
-/// Where figures and report are.
 /// Says on standard error how many runs failed, and which file says why. Returns the exit code.
 int end_of_runs(std::size_t failed, std::size_t runs, const char* file);
 
+/// Where figures and report are.
 void print_report(const std::filesystem::path& folder, const Common& common);
+
+/// Draws the figures and the report of a folder, as far as this build can, and says where they are.
+void show_report(const std::filesystem::path& folder, const Common& common);
 
 /// The program's name and version.
 std::string version_text();

@@ -4,17 +4,13 @@
 #include <optional>
 
 #include "analytic/scene/ground/records/record_file.hpp"
-#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/interfaces/program/output.hpp"
 #include "comparisons/measures/metrics/ground.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/provenance.hpp"
-#ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/pages/show.hpp"
-#endif
+#include "comparisons/measures/results/results_folder.hpp"
 
 namespace rockstack {
 namespace {
@@ -149,10 +145,7 @@ int record_command(const RecordArguments& arguments, const Common& common) {
     print_text(record, arguments.base_line);
     if (!arguments.out.empty()) fmt::print("{:<22}{}\n", "results", arguments.out.string());
   }
-#ifdef ROCKSTACK_WITH_PLOTS
-  if (!arguments.out.empty()) plots::show(arguments.out);
-#endif
-  if (!arguments.out.empty()) print_report(arguments.out, common);
+  if (!arguments.out.empty()) show_report(arguments.out, common);
   return 0;
 }
 

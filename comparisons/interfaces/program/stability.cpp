@@ -8,13 +8,9 @@
 
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/interfaces/program/output.hpp"
-#include "comparisons/measures/results/files.hpp"
-#ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/pages/show.hpp"
-#endif
+#include "comparisons/measures/results/results_folder.hpp"
 
 namespace rockstack {
-
 namespace {
 
 void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem::path& out,
@@ -43,10 +39,7 @@ int stability_command(const std::filesystem::path& file, const std::filesystem::
   const std::vector<StabilityRun> rows =
       run_stability(study, out, executor, {.command = common.command, .progress = progress(common)});
   print_verdicts(rows, out, common);
-#ifdef ROCKSTACK_WITH_PLOTS
-  plots::show(out);
-#endif
-  print_report(out, common);
+  show_report(out, common);
   const auto failed = std::count_if(
       rows.begin(), rows.end(), [](const StabilityRun& row) { return row.row.status != RunStatus::done; });
   return end_of_runs(static_cast<std::size_t>(failed), rows.size(), "stability.csv");
