@@ -47,7 +47,7 @@ std::string tables_of(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     const bool times = name == "comparison.csv" || name == "stability.csv" || name == "ranking.csv";
-    found.insert(entry.path().extension() == ".csv" && !times ? name + "\n" + bytes_of(entry.path()) : name);
+    found.insert(entry.path().extension() == ".csv" && !times ? name + "\n" + bytes_in(entry.path()) : name);
   }
   std::string text;
   for (const std::string& one : found) text += one + "\n";
@@ -56,7 +56,7 @@ std::string tables_of(const fs::path& folder) {
 
 /// Members of a file of results.
 std::string members_of(const fs::path& file, std::initializer_list<const char*> names) {
-  const Json json = Json::parse(bytes_of(file));
+  const Json json = Json::parse(bytes_in(file));
   std::string text;
   for (const char* name : names) text += json.at(name).dump() + "\n";
   return text;

@@ -39,8 +39,8 @@ TEST(Sweep, GivesTheSameBytesOnAnyNumberOfThreads) {
   EXPECT_TRUE(sweep_into(one.path(), ensemble).finished());
   EXPECT_TRUE(sweep_into(three.path(), ensemble, {.threads = 3}).finished());
   for (const char* name : {"runs.csv", "sweep.json", "fragility.csv", "fragility-fit.csv"}) {
-    EXPECT_FALSE(bytes_of(one.path() / name).empty()) << name;
-    EXPECT_EQ(bytes_of(one.path() / name), bytes_of(three.path() / name)) << name;
+    EXPECT_FALSE(bytes_in(one.path() / name).empty()) << name;
+    EXPECT_EQ(bytes_in(one.path() / name), bytes_in(three.path() / name)) << name;
   }
 }
 
@@ -53,7 +53,7 @@ TEST(Sweep, GoesOnWhereItWasStoppedAndRepeatsNothing) {
   EXPECT_FALSE(std::filesystem::exists(stopped.path() / "runs.csv"));
   const SweepResult second = sweep_into(stopped.path(), ensemble, {.threads = 2});
   EXPECT_EQ(first.computed + second.computed, 132u);
-  EXPECT_EQ(bytes_of(whole.path() / "runs.csv"), bytes_of(stopped.path() / "runs.csv"));
+  EXPECT_EQ(bytes_in(whole.path() / "runs.csv"), bytes_in(stopped.path() / "runs.csv"));
   const SweepResult third = sweep_into(stopped.path(), ensemble);
   EXPECT_TRUE(third.finished());
   EXPECT_EQ(third.computed, 0u);
@@ -64,13 +64,13 @@ TEST(Sweep, ATornJournalCostsItsLastBlockAlone) {
   const Ensemble ensemble = small_ensemble();
   const TemporaryFolder whole, torn;
   sweep_into(whole.path(), ensemble);
-  const std::string runs = bytes_of(whole.path() / "runs.csv");
-  const std::string journal = bytes_of(whole.path() / "runs.journal");
+  const std::string runs = bytes_in(whole.path() / "runs.csv");
+  const std::string journal = bytes_in(whole.path() / "runs.journal");
   const auto last = journal.rfind("part ");
   for (std::size_t length = last; length < journal.size(); length += testing::stride) {
     torn.write("runs.journal", journal.substr(0, length));
     EXPECT_EQ(sweep_into(torn.path(), ensemble).computed, 4u);
-    ASSERT_EQ(bytes_of(torn.path() / "runs.csv"), runs) << "torn after " << length << " bytes";
+    ASSERT_EQ(bytes_in(torn.path() / "runs.csv"), runs) << "torn after " << length << " bytes";
   }
 }
 
@@ -78,11 +78,11 @@ TEST(Sweep, AJournalThatEndsInItsHeadStartsAnew) {
   const Ensemble ensemble = small_ensemble();
   const TemporaryFolder folder;
   sweep_into(folder.path(), ensemble, {.blocks = 0});
-  const std::string head = bytes_of(folder.path() / "runs.journal");
+  const std::string head = bytes_in(folder.path() / "runs.journal");
   for (const std::size_t length : {std::size_t{0}, std::size_t{5}, head.size() - 1}) {
     folder.write("runs.journal", head.substr(0, length));
     sweep_into(folder.path(), ensemble, {.blocks = 0});
-    EXPECT_EQ(bytes_of(folder.path() / "runs.journal"), head);
+    EXPECT_EQ(bytes_in(folder.path() / "runs.journal"), head);
   }
 }
 
@@ -90,21 +90,21 @@ TEST(Sweep, ABlockWithOneWrongByteIsMadeAgain) {
   const Ensemble ensemble = small_ensemble();
   const TemporaryFolder folder;
   sweep_into(folder.path(), ensemble);
-  const std::string runs = bytes_of(folder.path() / "runs.csv");
-  std::string journal = bytes_of(folder.path() / "runs.journal");
+  const std::string runs = bytes_in(folder.path() / "runs.csv");
+  std::string journal = bytes_in(folder.path() / "runs.journal");
   char& digit = journal[journal.size() - 30];
   digit = digit == '1' ? '2' : '1';
   folder.write("runs.journal", journal);
   EXPECT_EQ(sweep_into(folder.path(), ensemble).computed, 4u);
-  EXPECT_EQ(bytes_of(folder.path() / "runs.csv"), runs);
+  EXPECT_EQ(bytes_in(folder.path() / "runs.csv"), runs);
 }
 
 TEST(Sweep, AFolderOfAnotherEnsembleIsRefusedAndLeftAsItWas) {
   const TemporaryFolder folder;
   sweep_into(folder.path(), small_ensemble("4"), {.blocks = 3});
-  const std::string journal = bytes_of(folder.path() / "runs.journal");
+  const std::string journal = bytes_in(folder.path() / "runs.journal");
   EXPECT_THROW(sweep_into(folder.path(), small_ensemble("5")), InputError);
-  EXPECT_EQ(bytes_of(folder.path() / "runs.journal"), journal);
+  EXPECT_EQ(bytes_in(folder.path() / "runs.journal"), journal);
 }
 
 TEST(Sweep, AValueThatReadsLikeAFailureIsNone) {

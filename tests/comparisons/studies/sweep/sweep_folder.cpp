@@ -54,7 +54,7 @@ SweepResult sweep_into(const std::filesystem::path& folder, const Ensemble& ense
                 [&] { return blocks++ >= plan.blocks; }});
 }
 
-std::string bytes_of(const std::filesystem::path& file) {
+std::string bytes_in(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }

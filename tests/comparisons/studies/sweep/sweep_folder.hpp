@@ -27,6 +27,6 @@ SweepResult sweep_into(const std::filesystem::path& folder, const Ensemble& ense
                        const SweepPlan& plan = {});
 
 /// The bytes of a file.
-std::string bytes_of(const std::filesystem::path& file);
+std::string bytes_in(const std::filesystem::path& file);
 
 }  // namespace rockstack
