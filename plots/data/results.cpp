@@ -3,11 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
+#include <system_error>
 
-#include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/measures/metrics/bodies.hpp"
+#include "analytic/scene/input/document.hpp"
+#include "comparisons/measures/metrics/centres.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -86,7 +86,71 @@ Comparison comparison_of(const Json& json, const fs::path& results) {
   return comparison;
 }
 
+ComparedScene scene_of(const Json& summary, const Run& run) {
+  ComparedScene scene{recorded_scene(summary.at("scene_as_run"))};
+  scene.name = run.scene;
+  scene.toml = summary.at("scene_file").get<std::string>();
+  scene.results = {"histories"};
+  scene.slips = tells_slips(run);
+  scene.alone = true;
+  if (!run.exact()) scene.law.clear();
+  if (fs::exists(run.folder / "ground.csv")) scene.ground_motion = run.folder / "ground.csv";
+  return scene;
+}
+
+/// A motion that was given up is shown up to there.
+Run run_of(const Json& summary, const fs::path& results) {
+  Run run{metrics_from(summary)};
+  run.status = RunStatus::done;
+  run.folder = results;
+  run.files = std::make_shared<KeptFiles>();
+  return run;
+}
+
+Motion motion_of(const Json& summary, const fs::path& results) {
+  Motion motion;
+  motion.comparison.runs = {run_of(summary, results)};
+  motion.comparison.scenes = {scene_of(summary, motion.comparison.runs.front())};
+  motion.comparison.title = motion.comparison.scenes.front().title;
+  motion.comparison.command = summary.at("command").get<std::string>();
+  motion.comparison.environment = facts_of(summary.at("environment"));
+  motion.verdict = summary.at("status") == "done" ? summary.at("verdict").get<std::string>()
+                                                  : "given up: " + summary.at("reason").get<std::string>();
+  Json rest = summary;
+  for (const char* shown : {"scene_file", "verdict", "command"}) rest.erase(shown);
+  motion.summary = facts_of(rest);
+  return motion;
+}
+
 }  // namespace
+
+std::string file_name(const std::string& text, const std::string& place) {
+  if (text.empty() || text == "." || text == ".." || text.find('/') != std::string::npos)
+    throw InputError(fmt::format("{} = \"{}\": must be a name without a slash", place, one_line(text)));
+  return text;
+}
+
+Facts facts_of(const Json& object) {
+  Facts facts;
+  for (const auto& [key, value] : object.items())
+    if (value.is_object())
+      for (auto& [inner, text] : facts_of(value)) facts.emplace_back(key + "." + inner, std::move(text));
+    else
+      facts.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
+  return facts;
+}
+
+void KeptFiles::make_room_for(const std::filesystem::path& file) {
+  constexpr std::uintmax_t room = 500'000'000;
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(file, none);
+  if (none) return;
+  if (bytes_ + size > room) {
+    kept_.clear();
+    bytes_ = 0;
+  }
+  bytes_ += size;
+}
 
 bool ComparedScene::has(const std::string& result) const {
   return std::find(results.begin(), results.end(), result) != results.end();
@@ -140,6 +204,15 @@ bool tells_slips(const Run& run) {
 
 std::string solver_name(const Run& run) {
   return run.exact() || run.solver.empty() ? run.engine : run.engine + ":" + run.solver;
+}
+
+bool has_one_motion(const fs::path& results) {
+  return fs::exists(results / "summary.json") && fs::exists(results / "history.csv");
+}
+
+Motion read_motion(const fs::path& results) {
+  return read_json(results / "summary.json",
+                   [&](const Json& summary) { return motion_of(summary, results); });
 }
 
 }  // namespace rockstack::plots

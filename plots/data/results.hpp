@@ -1,22 +1,60 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
-#include "comparisons/measures/results/provenance.hpp"
+#include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fits.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
-#include "plots/data/json_file.hpp"
-#include "plots/data/kept_files.hpp"
 
 namespace rockstack::plots {
+
+using Json = nlohmann::ordered_json;
+
+/// Names and texts in the order of the file.
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+/// A text that names a file or folder of results: never a path to elsewhere. @throws InputError naming
+/// `place`.
+std::string file_name(const std::string& text, const std::string& place);
+
+/// Everything that an object says, nested names joined by dots.
+Facts facts_of(const Json& object);
+
+/// What was read of files: each is read once and kept while there is room, since figures and pages of one
+/// scene show the same histories.
+class KeptFiles {
+ public:
+  /// What `read` makes of a file. A file is always read by the same function.
+  template <class Read>
+  auto get(const std::filesystem::path& file, const Read& read) {
+    using Value = std::invoke_result_t<Read, const std::filesystem::path&>;
+    if (const auto found = kept_.find(file); found != kept_.end())
+      return std::static_pointer_cast<const Value>(found->second);
+    std::shared_ptr<const Value> value = std::make_shared<const Value>(read(file));
+    make_room_for(file);
+    kept_[file] = value;
+    return value;
+  }
+
+ private:
+  void make_room_for(const std::filesystem::path& file);
+
+  std::map<std::filesystem::path, std::shared_ptr<const void>> kept_;
+  std::uintmax_t bytes_ = 0;  ///< of the files
+};
 
 /// A row of a comparison, and where its files are.
 struct Run : RunMetrics {
@@ -81,6 +119,20 @@ std::string heading(const ComparedScene& scene);
 
 /// Reads comparison.json. @throws InputError naming what is missing or malformed.
 Comparison read_comparison(const std::filesystem::path& results);
+
+/// What `rockstack solve` or `simulate` has written: a comparison of one scene with one run, whose files lie
+/// in the results folder itself.
+struct Motion {
+  Comparison comparison;
+  std::string verdict;  ///< in one line; why it was given up where it was
+  Facts summary;        ///< everything that summary.json says besides
+};
+
+/// True where a folder holds one motion.
+bool has_one_motion(const std::filesystem::path& results);
+
+/// Reads summary.json. @throws InputError naming the file that is missing or malformed.
+Motion read_motion(const std::filesystem::path& results);
 
 /// Everything that a run's summary.json says, nested names joined by dots.
 /// @throws InputError naming the file that is missing or malformed.

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <utility>
+#include <algorithm>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/csv.hpp"
@@ -26,6 +26,20 @@ EnergyHistory read_energies(const std::filesystem::path& file) {
   auto columns = read_columns(file, {"time", "exact", "engine", "input", "balance"});
   return {std::move(columns[0]), std::move(columns[1]), std::move(columns[2]), std::move(columns[3]),
           std::move(columns[4])};
+}
+
+std::vector<AlignedImpact> matched_impacts(const Run& run) {
+  std::vector<AlignedImpact> list = *impacts_of(run);
+  std::erase_if(list, [](const AlignedImpact& one) { return !one.exact || !one.engine || !one.number; });
+  std::stable_sort(list.begin(), list.end(),
+                   [](const AlignedImpact& a, const AlignedImpact& b) { return *a.exact < *b.exact; });
+  return list;
+}
+
+/// The sample nearest before a time. Precondition: times rise and are not empty.
+double at(const std::vector<double>& times, const std::vector<double>& values, double time) {
+  const auto after = std::upper_bound(times.begin(), times.end(), time);
+  return values[after == times.begin() ? 0 : static_cast<std::size_t>(after - times.begin()) - 1];
 }
 
 }  // namespace
@@ -56,6 +70,105 @@ std::vector<double> column_of(const History& history, std::vector<double> Histor
        at += static_cast<std::size_t>(history.blocks))
     values.push_back(all[at]);
   return values;
+}
+
+std::vector<PatternSpan> pattern_spans(const History& history) {
+  if (history.times.empty() || (history.events.empty() && history.patterns.empty())) return {};
+  std::vector<PatternSpan> spans{
+      {0, 0, history.events.empty() ? history.patterns.front() : history.events.front().from}};
+  for (const Event& event : history.events) {
+    if (event.to == spans.back().pattern) continue;
+    spans.back().to = event.time;
+    spans.push_back({event.time, event.time, event.to});
+  }
+  spans.back().to = std::max(history.times.back(), spans.back().from);
+  return spans;
+}
+
+std::vector<double> impact_times(const History& history, int interface) {
+  std::vector<double> times;
+  for (const Event& event : history.events)
+    if (event.kind == EventKind::impact && event.interface == interface) times.push_back(event.time);
+  return times;
+}
+
+std::string shown_pattern(const Pattern& pattern) {
+  std::string text;
+  for (const char letter : name(pattern))
+    text += letter == '<' ? "←" : letter == '>' ? "→" : letter == '-' ? "–" : std::string(1, letter);
+  return text;
+}
+
+ContactSummary read_contact_summary(const Run& run) {
+  const std::filesystem::path file = run.folder / "summary.json";
+  if (!std::filesystem::exists(file)) return {};
+  return read_json(file, [](const Json& json) {
+    ContactSummary summary;
+    for (const Json& one : json.value("contact", Json::array()))
+      summary.interfaces.push_back({one.at("final_slip").get<double>(), one.at("largest_slip").get<double>(),
+                                    one.at("highest_lift").get<double>(), one.at("slips").get<int>(),
+                                    one.at("lift_offs").get<int>()});
+    summary.warnings = json.value("validity_warnings", std::vector<std::string>());
+    return summary;
+  });
+}
+
+std::vector<ImpactLoss> impact_losses(const Run& run) {
+  const auto energy = energies_of(run);
+  const std::vector<double>& times = energy->times;
+  const std::vector<AlignedImpact> impacts = matched_impacts(run);
+  std::vector<ImpactLoss> losses;
+  if (times.empty()) return losses;
+  double exact_from = times.front(), engine_from = times.front();
+  for (std::size_t i = 0; i < impacts.size(); ++i) {
+    const bool last = i + 1 == impacts.size();
+    const double exact_to = last ? times.back() : (*impacts[i].exact + *impacts[i + 1].exact) / 2;
+    const double engine_to = last ? times.back() : (*impacts[i].engine + *impacts[i + 1].engine) / 2;
+    if (exact_to > exact_from && engine_to > engine_from)
+      losses.push_back({static_cast<double>(*impacts[i].number),
+                        at(times, energy->exact, exact_from) - at(times, energy->exact, exact_to),
+                        at(times, energy->balance, engine_from) - at(times, energy->balance, engine_to)});
+    exact_from = exact_to;
+    engine_from = engine_to;
+  }
+  return losses;
+}
+
+std::vector<double> draws_of(const Run& run, const std::string& quantity) {
+  const auto file = run.folder / "draws.csv";
+  if (!std::filesystem::exists(file)) return {};
+  std::vector<double> values = read_columns(file, {quantity}).front();
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+std::map<std::string, SpreadRange> ranges_of(const std::filesystem::path& results,
+                                             const std::string& quantity) {
+  const auto file = results / "spread.csv";
+  std::map<std::string, SpreadRange> ranges;
+  if (!std::filesystem::exists(file)) return ranges;
+  const Table table = read_table(file);
+  const std::size_t run = column(table, "run", file), name = column(table, "quantity", file),
+                    least = column(table, "least", file), greatest = column(table, "greatest", file);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto& row = table.rows[i];
+    if (row[name] != quantity) continue;
+    const std::string place = fmt::format("{}:{}", file.string(), i + 2);
+    ranges[row[run]] = {number(row[least], place, "least"), number(row[greatest], place, "greatest")};
+  }
+  return ranges;
+}
+
+Share toppled_share(const std::vector<MotionTally>& tallies, const std::vector<MotionTally>& exact) {
+  Share share;
+  for (std::size_t i = 0; i < tallies.size(); ++i) {
+    if (tallies[i].failed()) continue;
+    ++share.of;
+    if (tallies[i].topples) ++share.toppled;
+    if (i < exact.size() && !exact[i].failed() && exact[i].topples == tallies[i].topples) ++share.agree;
+  }
+  return share;
 }
 
 }  // namespace rockstack::plots

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "comparisons/measures/metrics/contact/contact_summary.hpp"
 #include "comparisons/measures/results/recorded_history.hpp"
-#include "comparisons/measures/statistics/distributions.hpp"
+#include "comparisons/measures/statistics/fragility.hpp"
+#include "comparisons/measures/statistics/tally.hpp"
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {
@@ -30,5 +35,69 @@ std::shared_ptr<const std::vector<MotionTally>> tallies_of(const Run& run);
 
 /// What a history has row by row of one block, from 0. @throws InputError where it has no such block.
 std::vector<double> column_of(const History& history, std::vector<double> History::*rows, int block);
+
+/// A stretch of time in one pattern.
+struct PatternSpan {
+  double from = 0, to = 0;  ///< s
+  Pattern pattern;
+};
+
+/// From the first time to the last without gaps; none where a history knows no patterns.
+std::vector<PatternSpan> pattern_spans(const History& history);
+
+/// The times of the impacts at an interface, s.
+std::vector<double> impact_times(const History& history, int interface);
+
+/// A pattern's name for people: an arrow the way an interface slides, a dash where it is apart.
+std::string shown_pattern(const Pattern& pattern);
+
+/// What a run's summary.json says of its contacts.
+struct ContactSummary {
+  std::vector<InterfaceSummary> interfaces;  ///< none under laws of pivots
+  std::vector<std::string> warnings;         ///< of where theory has no single answer, and the like
+};
+
+/// @throws InputError naming the file that is malformed; nothing where it is missing.
+ContactSummary read_contact_summary(const Run& run);
+
+/// The energy that an impact loses, J, exact and in an engine with what its contacts store: from halfway to
+/// the matched impact before to halfway to that after, so that both are counted over the same impacts,
+/// whenever each comes.
+struct ImpactLoss {
+  double number = 0;  ///< of the exact impact, from 1
+  double exact = 0, engine = 0;
+};
+
+/// The losses at a run's matched impacts, by time, from its impacts.csv and energy.csv; those are left out
+/// whose halfway times do not rise in both. Meaningful where the ground does not move.
+/// @throws InputError naming the file and what is wrong in it.
+std::vector<ImpactLoss> impact_losses(const Run& run);
+
+/// A number of each draw of a run, rising; empty where the run has no draws. @throws InputError naming the
+/// file and what is wrong in it.
+std::vector<double> draws_of(const Run& run, const std::string& quantity);
+
+/// The whole range of a number over draws.
+struct SpreadRange {
+  double least = 0, greatest = 0;
+};
+
+/// The ranges of one number by the names of the runs that have draws. @throws InputError likewise.
+std::map<std::string, SpreadRange> ranges_of(const std::filesystem::path& results,
+                                             const std::string& quantity);
+
+/// How many perturbed scenes of a run end one way.
+struct Share {
+  std::size_t of = 0;       ///< scenes that were solved
+  std::size_t toppled = 0;  ///< of these
+  std::size_t agree = 0;    ///< whose answer is that of the exact solution, of those that both solved
+
+  double value() const { return static_cast<double>(toppled) / static_cast<double>(of); }
+  /// With 95 % confidence.
+  Bounds bounds() const { return wilson_bounds(toppled, of); }
+};
+
+/// How many perturbed scenes of a run topple, and agree with the exact ones, which are the same.
+Share toppled_share(const std::vector<MotionTally>& tallies, const std::vector<MotionTally>& exact);
 
 }  // namespace rockstack::plots

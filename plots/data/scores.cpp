@@ -1,9 +1,6 @@
 #include "plots/data/scores.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
 #include <set>
 
 #include "comparisons/measures/statistics/samples.hpp"

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <set>
 #include <string_view>
-#include <utility>
 
 #include "comparisons/measures/results/sentences.hpp"
 

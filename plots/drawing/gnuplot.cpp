@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "comparisons/measures/results/files.hpp"
 
@@ -58,19 +59,19 @@ std::string command(const fs::path& folder, double time_limit) {
 std::string script(const Drawing& drawing) {
   constexpr double per_inch = 125;  // pixels of the others that take an inch on paper
   const std::string size = fmt::format("size {},{}", drawing.width, drawing.height);
-  return fmt::format(
-      "set encoding utf8\n{0}"
-      "set terminal pngcairo {1} background '#ffffff' font 'DejaVu Sans,14' enhanced rounded\nmark = 1\n"
-      "set output 'picture.png'\n{2}\nunset output\nreset\n"
-      "set terminal svg {1} dynamic background '#ffffff' font 'DejaVu Sans,14' fontscale 1.25 enhanced "
-      "rounded\nmark = "
-      "0.55\n"
-      "set output 'picture.svg'\n{2}\nunset output\nreset\n"
-      "set terminal pdfcairo size {3:.2f}in,{4:.2f}in background '#ffffff' font 'DejaVu Sans,14' fontscale "
-      "0.57 enhanced "
-      "rounded\n"
-      "mark = 0.62\nset output 'picture.pdf'\n{2}\nunset output\n",
-      drawing.data, size, drawing.commands, drawing.width / per_inch, drawing.height / per_inch);
+  std::string text = "set encoding utf8\n" + drawing.data;
+  const auto add = [&](const std::string& terminal, const std::string& scale, double mark,
+                       const char* format) {
+    text += fmt::format(
+        "set terminal {} background '#ffffff' font 'DejaVu Sans,14' {} enhanced rounded\nmark = {}\n"
+        "set output 'picture.{}'\n{}\nunset output\nreset\n",
+        terminal, scale, mark, format, drawing.commands);
+  };
+  add("pngcairo " + size, "", 1, "png");
+  add("svg " + size + " dynamic", "fontscale 1.25", 0.55, "svg");
+  add(fmt::format("pdfcairo size {:.2f}in,{:.2f}in", drawing.width / per_inch, drawing.height / per_inch),
+      "fontscale 0.57", 0.62, "pdf");
+  return text;
 }
 
 /// gnuplot's complaint in one line.
@@ -111,8 +112,12 @@ void make_film(const Animation& animation, const fs::path& folder, const fs::pat
   write_file(fs::path(stem).concat(".mp4"), contents(folder / "picture.mp4"));
 }
 
-/// Throws where gnuplot did not run, or failed.
-void check_status(const fs::path& folder, const fs::path& stem, double time_limit) {
+/// Has gnuplot draw into a folder. @throws std::runtime_error where it did not run, or failed.
+void run_gnuplot(const fs::path& folder, const std::string& script, const fs::path& stem, double time_limit) {
+  {
+    Gnuplot pipe(command(folder, time_limit));
+    pipe << script;
+  }
   const std::string status = contents(folder / "status");
   constexpr auto not_found = "127\n";
   constexpr auto out_of_time = "124\n";
@@ -135,45 +140,35 @@ std::string without_unseen(std::string svg) {
   return svg;
 }
 
-void check(const fs::path& folder, const fs::path& stem, double time_limit) {
-  check_status(folder, stem, time_limit);
-  const bool whole = contents(folder / "picture.png").find("IEND") != std::string::npos &&
-                     contents(folder / "picture.svg").find("</svg>") != std::string::npos &&
-                     contents(folder / "picture.pdf").find("%%EOF") != std::string::npos;
-  if (!whole)
-    throw std::runtime_error(fmt::format("gnuplot left {} unfinished: {}", stem.string(), complaint(folder)));
-}
-
 }  // namespace
 
 bool has_ffmpeg() {
   return std::system("command -v ffmpeg >/dev/null 2>&1") == 0;
 }
 
-void draw(const Animation& animation, const std::filesystem::path& stem) {
+void draw(const Animation& animation, const fs::path& stem) {
   const Scratch scratch;
   const bool film = has_ffmpeg();
-  {
-    Gnuplot pipe(command(scratch.folder, animation.time_limit));
-    pipe << script(animation, film);
-  }
-  check_status(scratch.folder, stem, animation.time_limit);
+  run_gnuplot(scratch.folder, script(animation, film), stem, animation.time_limit);
   if (film) make_film(animation, scratch.folder, stem);
   fs::create_directories(stem.parent_path());
   write_file(fs::path(stem).concat(".gif"), contents(scratch.folder / "picture.gif"));
 }
 
-void draw(const Drawing& drawing, const std::filesystem::path& stem) {
+void draw(const Drawing& drawing, const fs::path& stem) {
   const Scratch scratch;
-  {
-    Gnuplot pipe(command(scratch.folder, drawing.time_limit));
-    pipe << script(drawing);
+  run_gnuplot(scratch.folder, script(drawing), stem, drawing.time_limit);
+  std::vector<std::pair<const char*, std::string>> pictures;
+  for (const auto& [format, end] : {std::pair{".png", "IEND"}, {".pdf", "%%EOF"}, {".svg", "</svg>"}}) {
+    const std::string& picture =
+        pictures.emplace_back(format, contents(scratch.folder / fs::path("picture").concat(format))).second;
+    if (picture.find(end) == std::string::npos)
+      throw std::runtime_error(
+          fmt::format("gnuplot left {} unfinished: {}", stem.string(), complaint(scratch.folder)));
   }
-  check(scratch.folder, stem, drawing.time_limit);
+  pictures.back().second = without_unseen(std::move(pictures.back().second));
   fs::create_directories(stem.parent_path());
-  for (const std::string format : {".png", ".pdf"})
-    write_file(fs::path(stem).concat(format), contents(scratch.folder / ("picture" + format)));
-  write_file(fs::path(stem).concat(".svg"), without_unseen(contents(scratch.folder / "picture.svg")));
+  for (const auto& [format, picture] : pictures) write_file(fs::path(stem).concat(format), picture);
 }
 
 }  // namespace rockstack::plots

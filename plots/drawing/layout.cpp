@@ -1,6 +1,6 @@
 #include "plots/drawing/layout.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -36,10 +36,8 @@ std::string without_vertical_labels() {
   return fmt::format("set ytics textcolor rgb '{}'\nunset ylabel\n", unseen);
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", \\\n  ") + part;
-  return text;
+std::string joined(const std::vector<std::string>& elements) {
+  return fmt::format("{}", fmt::join(elements, ", \\\n  "));
 }
 
 /// One column of a legend: a plot without data whose only content is the key. The formats measure text

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "comparisons/measures/results/files.hpp"
-#include "plots/data/json_file.hpp"
+#include "plots/data/results.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
 #include "plots/pages/templates.hpp"

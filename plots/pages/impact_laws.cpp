@@ -8,8 +8,7 @@
 #include <sstream>
 
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
-#include "plots/data/law_counts.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "plots/data/law_results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/pages/html.hpp"

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "comparisons/measures/results/files.hpp"
-#include "plots/data/motion.hpp"
+#include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "plots/data/json_file.hpp"
 #include "plots/data/results.hpp"
 #include "plots/figures/table.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "plots/data/motion.hpp"
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {

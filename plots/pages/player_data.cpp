@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "plots/data/events.hpp"
+#include "plots/data/run_files.hpp"
 #include "plots/pages/base64.hpp"
 
 namespace rockstack::plots {

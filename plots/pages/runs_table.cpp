@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "comparisons/measures/results/tables.hpp"
-#include "plots/data/events.hpp"
+#include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"

@@ -12,7 +12,7 @@
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/sentences.hpp"
-#include "plots/data/json_file.hpp"
+#include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
 #include "plots/pages/html.hpp"

@@ -11,7 +11,6 @@
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/rows.hpp"
 #include "plots/drawing/style.hpp"
-#include "plots/drawing/time_axis.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

@@ -6,7 +6,6 @@
 #include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"
-#include "plots/drawing/labels.hpp"
 #include "plots/drawing/series.hpp"
 #include "plots/figures/figure.hpp"
 

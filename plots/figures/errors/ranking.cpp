@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
-#include "plots/data/spread.hpp"
 #include "plots/drawing/rows.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/figure.hpp"

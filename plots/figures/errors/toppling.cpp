@@ -2,7 +2,6 @@
 
 #include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
-#include "plots/data/spread.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/figures/figure.hpp"

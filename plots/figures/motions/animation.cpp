@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "analytic/scene/kinematics.hpp"
-#include "plots/data/events.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/layout.hpp"

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
+#include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
-#include "plots/data/spread.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/series.hpp"
-#include "plots/drawing/time_axis.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

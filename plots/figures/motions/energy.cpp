@@ -8,7 +8,6 @@
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/series.hpp"
-#include "plots/drawing/time_axis.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "plots/drawing/time_axis.hpp"
+#include "plots/drawing/axes.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

@@ -5,12 +5,10 @@
 #include <map>
 #include <utility>
 
-#include "plots/data/events.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/series.hpp"
-#include "plots/drawing/time_axis.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

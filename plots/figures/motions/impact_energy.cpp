@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/measures/statistics/samples.hpp"
-#include "plots/data/impact_losses.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
+#include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/series.hpp"

@@ -6,11 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "plots/data/json_file.hpp"
 #include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"
-#include "plots/drawing/labels.hpp"
 #include "plots/drawing/series.hpp"
 #include "plots/figures/figure.hpp"
 

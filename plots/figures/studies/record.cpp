@@ -5,7 +5,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/csv.hpp"
-#include "plots/data/json_file.hpp"
+#include "plots/data/results.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/figures/figure.hpp"

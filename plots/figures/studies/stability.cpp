@@ -5,7 +5,7 @@
 #include <set>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "plots/data/json_file.hpp"
+#include "plots/data/results.hpp"
 #include "plots/drawing/maps.hpp"
 #include "plots/figures/figure.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plots/data/json_file.hpp"
+#include "plots/data/results.hpp"
 #include "plots/drawing/layout.hpp"
 
 namespace rockstack::plots {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "comparisons/measures/results/files.hpp"
-#include "plots/data/json_file.hpp"
+#include "plots/data/results.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"
 #include "plots/pages/templates.hpp"

@@ -7,7 +7,7 @@
 
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "plots/data/json_file.hpp"
+#include "plots/data/results.hpp"
 #include "plots/pages/course/predictions.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/page_parts.hpp"

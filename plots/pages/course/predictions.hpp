@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "plots/data/json_file.hpp"
+#include "plots/data/results.hpp"
 
 namespace rockstack::plots {
 

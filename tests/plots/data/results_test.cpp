@@ -5,7 +5,6 @@
 #include <fstream>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "plots/data/events.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
 #include "tests/plots/sample.hpp"

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
+#include "tests/plots/sample.hpp"
+
 namespace rockstack::plots {
 namespace {
 
@@ -19,6 +23,49 @@ TEST(LogarithmicTics, ArePowersOfTenAndWithinTwoDecadesTheirMultiplesToo) {
   EXPECT_EQ(logarithmic_tics("y", 0.2, 0.9, 300),
             "set ytics ('2·10^{-1}' 0.2, '3·10^{-1}' 0.3, '5·10^{-1}' 0.5, '7·10^{-1}' 0.7)\n");
   EXPECT_EQ(logarithmic_tics("x", 0.027, 0.08, 185), "set xtics ('3.5·10^{-2}' 0.035, '6·10^{-2}' 0.06)\n");
+}
+
+/// A run that swings until that second, the first of ten, and rests after it.
+plots::Run swinging_until(const std::filesystem::path& folder, int second) {
+  plots::Run run;
+  run.folder = folder / std::to_string(second);
+  std::filesystem::create_directories(run.folder);
+  std::ofstream history(run.folder / "history.csv");
+  history << "time,theta_1,omega_1\n";
+  for (int t = 0; t <= 10; ++t) history << t << "," << (t < second ? 0.1 - 0.2 * (t % 2) : 0) << ",0\n";
+  return run;
+}
+
+ComparedScene scene_until(double predictable_time) {
+  ComparedScene scene;
+  scene.duration = 10;
+  scene.predictable_time = predictable_time;
+  return scene;
+}
+
+TEST(TimeAxis, EndsWithTheMotionAndNotWithTheRest) {
+  const auto folder = testing::fresh_folder();
+  const plots::Run exact = swinging_until(folder, 2), engine = swinging_until(folder, 4);
+  const ComparedScene scene = scene_until(std::nan(""));
+  EXPECT_DOUBLE_EQ(time_axis(scene, {exact}).end, 1.08 * 2);
+  EXPECT_DOUBLE_EQ(time_axis(scene, {exact, engine}).end, 1.08 * 4);
+  EXPECT_EQ(time_axis(scene, {swinging_until(folder, 11)}).end, 10);
+}
+
+TEST(TimeAxis, IsShadedFromTheHorizonOn) {
+  const plots::Run exact = swinging_until(testing::fresh_folder(), 2);
+  Legend legend;
+  for (const double horizon : {std::nan(""), 10.0, 3.0}) {
+    const TimeAxis axis = time_axis(scene_until(horizon), {exact});
+    EXPECT_FALSE(axis.is_shaded()) << horizon;
+    EXPECT_EQ(time_range(axis), "set xrange [0:2.16]\n");
+    explain_shade(axis, legend);
+  }
+  EXPECT_TRUE(legend.empty());
+  const TimeAxis axis = time_axis(scene_until(1.5), {exact});
+  EXPECT_NE(time_range(axis).find("rectangle from 1.5, graph 0 to graph 1, graph 1"), std::string::npos);
+  explain_shade(axis, legend);
+  EXPECT_EQ(legend.size(), 1U);
 }
 
 }  // namespace
