@@ -18,18 +18,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 using plots::packed;
 
-Json impacts_of(const std::vector<ImpactTime>& impacts) {
+/// Adds a track and its impacts, which it has the times of.
+void add_track(Json& answer, Json track, const std::vector<ImpactTime>& impacts) {
   constexpr std::size_t most = 400;
-  Json list = Json::array();
-  for (const ImpactTime& impact : impacts)
-    if (list.size() < most) list.push_back({impact.time, impact.interface, sign(impact.side)});
-  return list;
-}
-
-Json times_of(const Json& impacts) {
-  Json times = Json::array();
-  for (const Json& impact : impacts) times.push_back(impact[0]);
-  return times;
+  answer["impacts"] = track["impacts"] = Json::array();
+  for (const ImpactTime& impact : std::span(impacts).first(std::min(most, impacts.size()))) {
+    answer["impacts"].push_back({impact.time, impact.interface, sign(impact.side)});
+    track["impacts"].push_back(impact.time);
+  }
+  answer["track"] = std::move(track);
 }
 
 plots::InterfaceForces forces_of(const Scene& scene, const History& history) {
@@ -37,12 +34,9 @@ plots::InterfaceForces forces_of(const Scene& scene, const History& history) {
   const auto blocks = static_cast<std::size_t>(history.blocks);
   const std::vector<Reaction> reactions = reactions_of(scene, history);
   forces.rows.reserve(3 * reactions.size());
-  for (std::size_t from = 0; from < reactions.size(); from += blocks) {
-    const std::span<const Reaction> row(reactions.data() + from, blocks);
-    for (const Reaction& reaction : row) forces.rows.push_back(reaction.normal);
-    for (const Reaction& reaction : row) forces.rows.push_back(reaction.tangential);
-    for (const Reaction& reaction : row) forces.rows.push_back(reaction.centre);
-  }
+  for (std::size_t from = 0; from < reactions.size(); from += blocks)
+    for (const auto part : {&Reaction::normal, &Reaction::tangential, &Reaction::centre})
+      for (std::size_t k = 0; k < blocks; ++k) forces.rows.push_back(reactions[from + k].*part);
   return forces;
 }
 
@@ -98,11 +92,10 @@ Json exact_answer(const Scene& scene, double interval) {
   if (!failure.empty()) answer["failure"] = failure;
   if (history.size() == 0) return answer;
   answer["stage"] = stage_of(scene, history);
-  answer["impacts"] = impacts_of(reported_impacts(history, chatter_speed(scene)));
-  Json track = plots::player_track(plots::with_events(history), 1, {"exact", "#1a1a1a", "solid", true, true});
-  track["impacts"] = times_of(answer["impacts"]);
-  plots::add_forces(forces_of(scene, history), history.blocks, 1, track);
-  answer["track"] = std::move(track);
+  add_track(answer,
+            plots::player_track(plots::with_events(history), 1, {"exact", "#1a1a1a", "solid", true, true}),
+            reported_impacts(history, chatter_speed(scene)));
+  plots::add_forces(forces_of(scene, history), history.blocks, 1, answer["track"]);
   add_energies(answer, scene, history.times, exact_energies(scene, history), 1);
   answer["verdict"] = motion_verdict(scene, history);
   return answer;
@@ -117,13 +110,12 @@ Json exact_member(const Scene& scene, double interval) {
 Json engine_answer(const LiveState& state, const WorkerRun& run, std::size_t stride) {
   const History& history = run.run.history;
   Json answer;
-  answer["impacts"] = impacts_of(observed_impacts(history, chatter_speed(state.scene)));
-  const WorkerEngine& engine = *state.series.engine;
-  Json track = plots::player_track(history, stride, {engine.full_name(), "#0072b2", "(8,3)", true, false});
-  track["impacts"] = times_of(answer["impacts"]);
-  answer["track"] = std::move(track);
-  if (run.run.bodies) add_energies(answer, state.scene, history.times, run.run.bodies->energy, stride);
+  add_track(answer,
+            plots::player_track(history, stride,
+                                {state.series.engine->full_name(), "#0072b2", "(8,3)", true, false}),
+            observed_impacts(history, chatter_speed(state.scene)));
   const auto& bodies = run.run.bodies;
+  if (bodies) add_energies(answer, state.scene, history.times, bodies->energy, stride);
   answer["verdict"] = motion_verdict(
       state.scene, history, bodies ? support_of(bodies->penetration, bodies->unsupported_since) : Support{});
   answer["warnings"] = run.run.warnings;

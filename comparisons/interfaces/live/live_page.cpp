@@ -1,12 +1,12 @@
 #include "comparisons/interfaces/live/live_page.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/interfaces/live/live_state.hpp"
-#include "comparisons/interfaces/live/page_files.hpp"
-#include "comparisons/interfaces/live/scene_text.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "engines/worker/registry.hpp"
@@ -17,10 +17,11 @@
 namespace rockstack::live {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// The scene of a file as pages have it; paths of its records, which are added to `records`, hold anywhere.
-Json scene_of(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+Json scene_of(const fs::path& file, const std::vector<std::string>& overrides,
               std::set<std::string>& records) {
   const SceneDocument document = read_document(file, overrides);
   Json scene = page_scene(document.root);
@@ -28,7 +29,7 @@ Json scene_of(const std::filesystem::path& file, const std::vector<std::string>&
   for (const char* axis : {"horizontal", "vertical"}) {
     const Json::json_pointer place(std::string("/ground/") + axis + "/record");
     if (!scene.contains(place)) continue;
-    const std::string path = std::filesystem::absolute(document.folder / scene[place].get<std::string>());
+    const std::string path = fs::absolute(document.folder / scene[place].get<std::string>());
     scene[place] = path;
     records.insert(path);
   }
@@ -67,23 +68,51 @@ Json lesson_list(const PageStart& start, std::set<std::string>& records) {
 }
 
 Json state_json(const PageStart& start, std::set<std::string>& records) {
-  Json state{{"scene", scene_of(start.scene, start.overrides, records)},
-             {"engine", ""},
-             {"settings", "tuned"},
-             {"dt", 1e-3},
-             {"parameters", Json::object()},
-             {"spread", 1e-3}};
-  if (start.engine.empty()) return state;
-  const WorkerEngine& engine = find_engine(start.engine);
-  state["engine"] = engine.full_name();
-  return state;
+  return {{"scene", scene_of(start.scene, start.overrides, records)},
+          {"engine", start.engine.empty() ? "" : find_engine(start.engine).full_name()},
+          {"settings", "tuned"},
+          {"dt", 1e-3},
+          {"parameters", Json::object()},
+          {"spread", 1e-3}};
+}
+
+std::map<std::string, fs::path> files_in(const fs::path& folder) {
+  std::map<std::string, fs::path> files;
+  try {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+      if (!entry.is_symlink() && entry.is_regular_file())
+        files.emplace(entry.path().lexically_relative(folder).generic_string(), fs::absolute(entry.path()));
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(error.what());
+  }
+  return files;
+}
+
+/// The files that are there now; what a link leads to is none of them.
+/// @throws InputError for a folder without pages, or of which not all can be read.
+CourseFiles course_files(const fs::path& folder) {
+  CourseFiles course;
+  course.files = files_in(folder);
+  for (const Lesson& lesson : lessons())
+    if (const std::string page = lesson.name + "/lesson.html"; course.files.contains(page))
+      course.lessons.emplace(lesson.name, page);
+  for (const char* page : {"index.html", "lesson.html"})
+    if (course.first.empty() && course.files.contains(page)) course.first = page;
+  if (course.first.empty())
+    throw InputError(
+        fmt::format("{}: must hold pages; `rockstack plot` writes them from results", folder.string()));
+  return course;
 }
 
 }  // namespace
 
+bool has_course_files(const fs::path& folder) {
+  return fs::exists(folder / "course.json") || fs::exists(folder / "lesson.json");
+}
+
 LivePage make_live_page(const PageStart& start) {
   LivePage page;
-  for (const auto& record : start.records) page.records.insert(std::filesystem::absolute(record));
+  for (const auto& record : start.records) page.records.insert(fs::absolute(record));
   const Json state = state_json(start, page.records);
   MotionLibrary library;
   read_state(state, page.records, library);

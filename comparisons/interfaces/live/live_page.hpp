@@ -5,9 +5,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
-
-#include "comparisons/interfaces/live/course_files.hpp"
 
 namespace rockstack::live {
 
@@ -22,6 +21,16 @@ struct PageStart {
   std::vector<std::filesystem::path> records;  ///< that scenes may name, besides those that the scene has
 };
 
+/// What `rockstack teach` has written into a folder.
+struct CourseFiles {
+  std::string first;                           ///< the path of the page to begin with; empty: no course
+  std::map<std::string, std::string> lessons;  ///< the path of each lesson's page, by its name
+  std::map<std::string, std::filesystem::path> files;  ///< every file of the folder, by its path within it
+};
+
+/// Whether it is a folder of `rockstack teach`: of one lesson, or of all.
+bool has_course_files(const std::filesystem::path& folder);
+
 /// The whole page, the records that its scenes may name, and the lessons beside it.
 struct LivePage {
   std::string text;
@@ -32,5 +41,8 @@ struct LivePage {
 /// The page: one file that needs no network but this server. @throws InputError for a scene that is none, or
 /// beyond what a live page takes.
 LivePage make_live_page(const PageStart& start);
+
+// The files of comparisons/interfaces/live/page/, with {{places}} to fill.
+extern const std::string_view live_html, live_css, live_js, controls_js, charts_js;
 
 }  // namespace rockstack::live

@@ -4,19 +4,73 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
-#include "analytic/scene/input/document.hpp"
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/messages/number_text.hpp"
-#include "comparisons/interfaces/live/scene_text.hpp"
 #include "engines/scene_setup.hpp"
 
 namespace rockstack::live {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr const char* infinite = "inf";
+
+/// As a value's place in messages.
+constexpr const char* place = "the page";
+
+void fill(Node& node, const Json& value) {
+  if (value.is_structured()) {
+    node.kind = value.is_object() ? Node::Kind::table : Node::Kind::array;
+    node.children.reserve(value.size());
+    for (const auto& [name, entry] : value.items()) {
+      const std::string number = std::to_string(node.children.size() + 1);
+      Node child = make_child(node, value.is_object() ? name : number, place);
+      fill(child, entry);
+      node.children.push_back(std::move(child));
+    }
+  } else if (value.is_number() || (value == infinite && node.name != "title")) {
+    node.kind = Node::Kind::number;
+    node.number = value.is_number() ? value.get<double>() : std::numeric_limits<double>::infinity();
+  } else {
+    node.kind = value.is_string() ? Node::Kind::text : Node::Kind::other;
+    node.text = value.is_string() ? value.get<std::string>() : value.dump();
+  }
+}
+
+/// A text, a number or an array of them as TOML.
+std::string toml_value(const Json& value) {
+  if (value.is_string()) return value == infinite ? infinite : toml_text(value.get<std::string>());
+  if (value.is_number()) return number_text(value.get<double>());
+  std::string list;
+  for (const Json& entry : value) list += (list.empty() ? "" : ", ") + toml_value(entry);
+  return "[" + list + "]";
+}
+
+bool is_tables(const Json& value) {
+  return value.is_array() && !value.empty() && value.front().is_object();
+}
+
+/// Values first, then tables, whose headers end those before.
+void add_table(const Json& table, const std::string& key, std::string& text) {
+  for (const auto& [name, value] : table.items())
+    if (!value.is_object() && !is_tables(value))
+      text += fmt::format("{} = {}\n", name,
+                          name == "title" ? toml_text(value.get<std::string>()) : toml_value(value));
+  for (const auto& [name, value] : table.items()) {
+    const std::string inner = fmt::format("{}{}{}", key, key.empty() ? "" : ".", name);
+    const Json tables = is_tables(value) ? value : Json::array({value});
+    for (const Json& entry : tables) {
+      if (!entry.is_object()) continue;
+      text += is_tables(value) ? fmt::format("\n[[{}]]\n", inner) : fmt::format("\n[{}]\n", inner);
+      add_table(entry, inner, text);
+    }
+  }
+}
 
 constexpr KeyTable state_keys{
     "",
@@ -30,13 +84,10 @@ constexpr KeyTable state_keys{
 
 /// No file is read that was not named at the start.
 void require_named_records(const Node& scene, const std::set<std::string>& records) {
-  const Node* ground = find(scene, "ground");
-  if (ground == nullptr) return;
-  for (const char* axis : {"horizontal", "vertical"}) {
-    const Node* motion = find(*ground, axis);
-    const Node* record = motion == nullptr ? nullptr : find(*motion, "record");
-    if (record != nullptr && !records.contains(record->text))
-      throw wrong_value(*record, "a record that `rockstack live` was given, by --record or in a scene");
+  for (const char* key : {"ground.horizontal.record", "ground.vertical.record"}) {
+    const Node& record = nearest(scene, key);
+    if (record.key == key && !records.contains(record.text))
+      throw wrong_value(record, "a record that `rockstack live` was given, by --record or in a scene");
   }
 }
 
@@ -86,15 +137,29 @@ EngineSeries read_series(const Node& root, double dt) {
 }
 
 double read_spread(const Node& root) {
-  const Node* node = find(root, "spread");
-  if (node == nullptr) return 0;
-  const double spread = number(*node);
+  const double spread = number_or(root, "spread", 0);
   if (!(spread >= 0) || spread > widest_spread)
-    throw wrong_value(*node, fmt::format("0 to {}", widest_spread));
+    throw wrong_value(*find(root, "spread"), fmt::format("0 to {}", widest_spread));
   return spread;
 }
 
 }  // namespace
+
+Json page_scene(const Node& node) {
+  if (node.kind == Node::Kind::number) return std::isfinite(node.number) ? Json(node.number) : Json(infinite);
+  if (node.kind == Node::Kind::text || node.kind == Node::Kind::other) return node.text;
+  Json list = Json::array(), table = Json::object();
+  for (const Node& child : node.children)
+    (node.kind == Node::Kind::array ? list.emplace_back() : table[child.name]) = page_scene(child);
+  return node.kind == Node::Kind::array ? list : table;
+}
+
+Node scene_document(const Json& scene) {
+  Node root;
+  root.place = place;
+  fill(root, scene);
+  return root;
+}
 
 LiveState read_state(const Json& json, const std::set<std::string>& records, MotionLibrary& library) {
   const Node root = scene_document(json);
@@ -114,8 +179,9 @@ std::size_t kept_stride(const LiveState& state) {
 }
 
 std::string state_scene_text(const Json& json) {
-  return "# Saved by `rockstack live`. SI units; `rockstack keys scene` explains every key.\n" +
-         scene_file_text(json.at("scene"));
+  std::string text = "# Saved by `rockstack live`. SI units; `rockstack keys scene` explains every key.\n";
+  add_table(json.at("scene"), "", text);
+  return text;
 }
 
 std::string state_suite_text(const Json& json, const LiveState& state, const std::string& name, int runs) {

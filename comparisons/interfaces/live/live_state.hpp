@@ -6,6 +6,7 @@
 #include <string>
 
 #include "analytic/scene/ground/motion_library.hpp"
+#include "analytic/scene/input/document.hpp"
 #include "analytic/scene/scene.hpp"
 #include "comparisons/suites/engine_series.hpp"
 
@@ -31,6 +32,15 @@ struct LiveState {
 /// scene file; std::invalid_argument for a parameter of the engine.
 LiveState read_state(const nlohmann::ordered_json& json, const std::set<std::string>& records,
                      MotionLibrary& library);
+
+// A scene on a page is JSON with the keys and values of a scene file; the text "inf" stands for that number,
+// which JSON does not have.
+
+/// A scene file's document, or a part of it, as a page has it.
+nlohmann::ordered_json page_scene(const Node& document);
+
+/// And back; every value's place is "the page". @throws InputError for what is nested too deeply.
+Node scene_document(const nlohmann::ordered_json& scene);
 
 /// Of how many steps an answer keeps one.
 std::size_t kept_stride(const LiveState& state);

@@ -3,11 +3,17 @@
 #include <arpa/inet.h>
 #include <fmt/format.h>
 #include <httplib.h>
+#include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <stdexcept>
@@ -15,15 +21,14 @@
 #include <utility>
 
 #include "analytic/scene/input/document.hpp"
-#include "comparisons/interfaces/live/connection.hpp"
-#include "comparisons/interfaces/live/strangers.hpp"
+#include "comparisons/interfaces/live/connections.hpp"
 
 namespace rockstack::live {
 namespace {
 
 constexpr const char* home = "127.0.0.1";
 constexpr std::size_t longest_request = std::size_t{512} << 10U;  // bytes, headers included
-constexpr double reading_time = 10;                               // s
+constexpr std::chrono::seconds reading_time{10};                  // of a whole request, and of each write
 constexpr std::size_t threads = 64;
 
 /// Lessons lie under this, a token and a sign, so that links between them keep the token.
@@ -45,61 +50,94 @@ bool is_same(const std::string& given, const std::string& token) {
   return different == 0;
 }
 
-/// A connection as the library wants it.
+using Clock = std::chrono::steady_clock;
+
+/// Waits for an event on a socket. @return whether it came before the end.
+bool wait_for(int socket, short event, Clock::time_point end) {
+  for (;;) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+    pollfd watched{socket, event, 0};
+    const int count = poll(&watched, 1, static_cast<int>(std::max<std::int64_t>(0, left)));
+    if (count > 0) return true;
+    if (count == 0 || errno != EINTR) return false;
+  }
+}
+
+/// A connection that gives up: reads end after so many bytes or so long, whatever they hold. The socket is
+/// not closed with this.
 class BoundedStream : public httplib::Stream {
  public:
-  explicit BoundedStream(socket_t socket) : connection_(socket, longest_request, reading_time) {}
+  explicit BoundedStream(socket_t socket) : socket_(socket) {}
 
-  bool is_readable() const override { return connection_.can_read(); }
-  bool is_writable() const override { return connection_.is_open(); }
-  ssize_t read(char* to, std::size_t size) override { return connection_.read(to, size); }
-  ssize_t write(const char* from, std::size_t size) override { return connection_.write(from, size); }
+  bool is_readable() const override { return left_ > 0 && wait_for(socket_, POLLIN, end_); }
+
+  /// Whether the other side has not closed it.
+  bool is_writable() const override {
+    char byte = 0;
+    const ssize_t count = recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+    return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
+  }
+
+  ssize_t read(char* to, std::size_t size) override {
+    if (!is_readable()) return -1;
+    const ssize_t count = recv(socket_, to, std::min(size, left_), 0);
+    if (count > 0) left_ -= static_cast<std::size_t>(count);
+    return count;
+  }
+
+  /// All of it, or −1.
+  ssize_t write(const char* from, std::size_t size) override {
+    const Clock::time_point end = Clock::now() + reading_time;
+    std::size_t done = 0;
+    while (done < size) {
+      if (!wait_for(socket_, POLLOUT, end)) return -1;
+      const ssize_t count = send(socket_, from + done, size - done, MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (count < 0 && (errno == EAGAIN || errno == EINTR)) continue;
+      if (count <= 0) return -1;
+      done += static_cast<std::size_t>(count);
+    }
+    return static_cast<ssize_t>(done);
+  }
+
   void get_remote_ip_and_port(std::string& ip, int& port) const override {
     ip = home;
     port = 0;
   }
   void get_local_ip_and_port(std::string& ip, int& port) const override { get_remote_ip_and_port(ip, port); }
-  socket_t socket() const override { return connection_.socket(); }
+  socket_t socket() const override { return socket_; }
 
  private:
-  Connection connection_;
+  int socket_;
+  std::size_t left_ = longest_request;
+  Clock::time_point end_ = Clock::now() + reading_time;
 };
 
 /// The library's threads, which tell how many connections there are.
 class Threads : public httplib::ThreadPool {
  public:
-  explicit Threads(Strangers& strangers) : httplib::ThreadPool(threads), strangers_(strangers) {}
+  explicit Threads(Connections& connections) : httplib::ThreadPool(threads), connections_(connections) {}
   void enqueue(std::function<void()> serve) override {
-    strangers_.queue();
+    connections_.queue();
     httplib::ThreadPool::enqueue(std::move(serve));
   }
 
  private:
-  Strangers& strangers_;
+  Connections& connections_;
 };
 
 /// The connection that this thread serves.
 thread_local const BoundedStream* current = nullptr;
-
-/// Whether nobody waits for its answer.
-bool has_left() {
-  return !current->is_writable();
-}
 
 void refuse(httplib::Response& response, int status, const std::string& reason) {
   response.status = status;
   response.set_content(reason + "\n", "text/plain; charset=utf-8");
 }
 
-void set_json(httplib::Response& response, const std::string& text) {
-  response.set_content(text, "application/json");
-}
-
-/// What is wrong with a question is its answer, with status 400.
+/// What is wrong with a request is its answer, with status 400.
 template <class Answer>
 void answer_with(httplib::Response& response, const Answer& answer) {
   try {
-    set_json(response, answer());
+    response.set_content(answer(), "application/json");
   } catch (const nlohmann::json::exception& error) {
     refuse(response, 400, std::string("the page: must be a question in JSON: ") + error.what());
   } catch (const std::invalid_argument& error) {
@@ -125,12 +163,10 @@ void send_file(httplib::Response& response, const std::filesystem::path& file) {
   response.set_content(std::string{std::istreambuf_iterator<char>(in), {}}, media_type(file));
 }
 
-}  // namespace
-
-class LiveServer::Http : public httplib::Server {
+class LiveServer : public httplib::Server {
  public:
-  Http(Questions& questions, LivePage page, int port) : page_(std::move(page)) {
-    new_task_queue = [this] { return new Threads(strangers_); };
+  LiveServer(Requests& requests, LivePage page, int port) : page_(std::move(page)) {
+    new_task_queue = [this] { return new Threads(connections_); };
     // Without the port being shared, which is what the library sets.
     set_socket_options([](socket_t socket) {
       const int yes = 1;
@@ -160,11 +196,12 @@ class LiveServer::Http : public httplib::Server {
       if (file == page_.course.files.end()) return refuse(response, 404, "there is no such page");
       send_file(response, file->second);
     });
-    Post("/answer", [&questions](const httplib::Request& request, httplib::Response& response) {
-      answer_with(response, [&] { return questions.answer(request.body, has_left); });
+    Post("/answer", [&requests](const httplib::Request& request, httplib::Response& response) {
+      const auto has_left = [] { return !current->is_writable(); };
+      answer_with(response, [&] { return requests.answer(request.body, has_left); });
     });
-    Post("/files", [&questions](const httplib::Request& request, httplib::Response& response) {
-      answer_with(response, [&] { return questions.files(request.body); });
+    Post("/files", [&requests](const httplib::Request& request, httplib::Response& response) {
+      answer_with(response, [&] { return requests.files(request.body); });
     });
   }
 
@@ -202,46 +239,39 @@ class LiveServer::Http : public httplib::Server {
       refuse(response, 403, "token: must be that of the address that this `rockstack live` has printed");
       return false;
     }
-    strangers_.admit(current->socket());
+    connections_.admit(current->socket());
     return true;
   }
 
   /// In the place of the library's own: a connection of bounded length and time, for one request.
   bool process_and_close_socket(socket_t socket) override {
     BoundedStream stream(socket);
-    strangers_.enter(socket);
+    connections_.enter(socket);
     current = &stream;
     bool closed = false;
     // Packing an answer takes ten times as long as making it.
     const bool done = process_request(
         stream, true, closed, [](httplib::Request& request) { request.headers.erase("Accept-Encoding"); });
     current = nullptr;
-    strangers_.leave(socket);
+    connections_.leave(socket);
     shutdown(socket, SHUT_RDWR);
     close(socket);
     return done;
   }
 
   LivePage page_;
-  Strangers strangers_{threads};
+  Connections connections_{threads};
   std::string token_ = drawn_token();
   int port_ = 0;
 };
 
-LiveServer::LiveServer(Questions& questions, LivePage page, int port)
-    : http_(std::make_unique<Http>(questions, std::move(page), port)) {}
-LiveServer::~LiveServer() = default;
+}  // namespace
 
-std::string LiveServer::address() const {
-  return http_->address();
-}
-
-void LiveServer::run() {
-  http_->listen_after_bind();
-}
-
-void LiveServer::stop() {
-  http_->stop();
+void serve(Requests& requests, LivePage page, int port,
+           const std::function<void(const std::string& address)>& listening) {
+  LiveServer server(requests, std::move(page), port);
+  listening(server.address());
+  server.listen_after_bind();
 }
 
 }  // namespace rockstack::live

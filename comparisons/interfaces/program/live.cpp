@@ -7,12 +7,10 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <tuple>
+#include <utility>
 
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/interfaces/live/course_files.hpp"
-#include "comparisons/interfaces/live/live_page.hpp"
-#include "comparisons/interfaces/live/questions.hpp"
 #include "comparisons/interfaces/live/server.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
@@ -96,12 +94,12 @@ int live_command(const LiveArguments& arguments, const Common& common) {
     asked.input = LiveArguments().input;
   }
   live::LivePage page = live::make_live_page(start_of(asked, common));
-  live::Questions questions(worker_folder() / "rockstack_exact", page.records);
-  live::LiveServer server(questions, std::move(page), asked.port);
-  const std::string address = server.address() + fragment;
-  print_address(address, common);
-  if (asked.browser) open_browser(address);
-  server.run();
+  live::Requests requests(worker_folder() / "rockstack_exact", page.records);
+  live::serve(requests, std::move(page), asked.port, [&](const std::string& here) {
+    const std::string address = here + fragment;
+    print_address(address, common);
+    if (asked.browser) open_browser(address);
+  });
   return 0;
 }
 

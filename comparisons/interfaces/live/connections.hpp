@@ -6,15 +6,16 @@
 
 namespace rockstack::live {
 
-/// Connections that have not yet shown that they may ask. Where more are open than there are threads, the one
-/// that has been silent for longest makes room, so that no number of idle ones keeps a request waiting.
-class Strangers {
+/// The connections that are open, and which have not yet shown that they may ask. Where more are open than
+/// there are threads, the one that has been silent for longest makes room, so that no number of idle ones
+/// keeps a request waiting.
+class Connections {
  public:
-  explicit Strangers(std::size_t threads) : threads_(threads) {}
+  explicit Connections(std::size_t threads) : threads_(threads) {}
 
   void queue();            ///< one more is open, and has no thread yet
   void enter(int socket);  ///< it has a thread now
-  void admit(int socket);  ///< it is no stranger
+  void admit(int socket);  ///< it may ask
   void leave(int socket);  ///< before it is closed
 
  private:

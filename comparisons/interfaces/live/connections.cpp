@@ -1,4 +1,4 @@
-#include "comparisons/interfaces/live/strangers.hpp"
+#include "comparisons/interfaces/live/connections.hpp"
 
 #include <sys/ioctl.h>
 #include <sys/socket.h>
@@ -15,30 +15,30 @@ bool is_silent(int socket) {
 
 }  // namespace
 
-void Strangers::queue() {
+void Connections::queue() {
   const std::lock_guard lock(mutex_);
   ++open_;
   make_room(-1);
 }
 
-void Strangers::enter(int socket) {
+void Connections::enter(int socket) {
   const std::lock_guard lock(mutex_);
   sockets_.push_back(socket);
   make_room(socket);
 }
 
-void Strangers::admit(int socket) {
+void Connections::admit(int socket) {
   const std::lock_guard lock(mutex_);
   forget(socket);
 }
 
-void Strangers::leave(int socket) {
+void Connections::leave(int socket) {
   const std::lock_guard lock(mutex_);
   forget(socket);
   --open_;
 }
 
-void Strangers::make_room(int except) {
+void Connections::make_room(int except) {
   if (open_ <= threads_) return;
   const auto silent = std::find_if(sockets_.begin(), sockets_.end(),
                                    [&](int socket) { return socket != except && is_silent(socket); });
@@ -47,7 +47,7 @@ void Strangers::make_room(int except) {
   sockets_.erase(silent);
 }
 
-void Strangers::forget(int socket) {
+void Connections::forget(int socket) {
   std::erase(sockets_, socket);
 }
 

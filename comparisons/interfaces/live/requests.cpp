@@ -1,0 +1,166 @@
+#include "comparisons/interfaces/live/requests.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+#include <utility>
+
+#include "analytic/scene/input/json_reader.hpp"
+#include "comparisons/interfaces/live/answers.hpp"
+#include "comparisons/interfaces/live/live_state.hpp"
+#include "comparisons/suites/perturbations.hpp"
+#include "engines/worker/process.hpp"
+
+namespace rockstack::live {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double longest_run = 20;                             // s
+constexpr std::uint64_t run_memory = std::uint64_t{2} << 30U;  // bytes
+constexpr std::uint64_t longest_answer = std::uint64_t{64} << 20U;
+
+/// A request as it was read.
+struct LiveRequest {
+  Client client;
+  int member = 0;
+  Json state;
+  LiveState read;
+};
+
+Kind kind_of(const std::string& name) {
+  if (name == "exact") return Kind::exact;
+  if (name == "engine") return Kind::engine;
+  if (name == "cloud") return Kind::cloud;
+  throw InputError(
+      fmt::format("the page: kind = {}: must be exact, engine or cloud", rockstack::quoted(name)));
+}
+
+LiveRequest read_request(const std::string& text, const std::set<std::string>& records,
+                         MotionLibrary& library) {
+  Json json = parse_json(text, "the page: ");
+  LiveRequest request{
+      {json.at("page"), kind_of(json.at("kind")), json.at("sequence")}, json.value("member", 0), {}, {}};
+  constexpr std::size_t longest_name = 64;
+  constexpr int most_members = 100;
+  if (request.client.page.size() > longest_name) throw InputError("the page: page: must be a short name");
+  if (request.member < 0 || request.member > most_members)
+    throw InputError(fmt::format("the page: member = {}: must be 0 to {}", request.member, most_members));
+  request.state = json.at("state");
+  request.read = read_state(request.state, records, library);
+  if (request.client.kind == Kind::engine && request.read.series.engine == nullptr)
+    throw InputError("the page: state.engine: missing, must be an engine");
+  return request;
+}
+
+Json failure(const std::string& reason) {
+  return {{"failure", reason}};
+}
+
+Json solved(const std::filesystem::path& solver, const LiveRequest& request, const Limits& limits) {
+  const LiveState& state = request.read;
+  const Json asked{{"scene", request.state.at("scene")},
+                   {"interval", static_cast<double>(kept_stride(state)) * state.dt},
+                   {"member", request.member},
+                   {"spread", state.spread}};
+  const ProcessEnd end = run_process(solver, asked.dump(), limits);
+  if (end.unwanted) return {{"dropped", true}};
+  if (end.timed_out) return failure(fmt::format("not done after {} s", limits.time));
+  if (end.signal != 0 || end.exit_code != 0)
+    return failure(end.last_words.empty() ? "more memory or time than a live page has" : end.last_words);
+  return parse_json(end.reply, "the exact solver's answer ");
+}
+
+Json simulated(const LiveRequest& request, const Limits& limits) {
+  const LiveState& state = request.read;
+  const bool member = request.member > 0;
+  const Scene scene =
+      member ? perturbed(state.scene, {request.member, state.spread}, request.member) : state.scene;
+  const WorkerRun run =
+      run_in_worker(*state.series.engine, scene, state.dt, state.series.parameters, 0, limits, !member);
+  if (run.status == "stopped") return {{"dropped", true}};
+  if (run.status != "done") return failure(run.status + ": " + run.reason);
+  const std::size_t stride = kept_stride(state);
+  return member ? engine_member(run, stride) : engine_answer(state, run, stride);
+}
+
+}  // namespace
+
+void Scheduler::note(const Client& client) {
+  constexpr std::size_t most_pages = 64;
+  const std::lock_guard lock(mutex_);
+  const auto [entry, fresh] = newest_.try_emplace(client.page);
+  if (fresh) pages_.push_back(client.page);
+  std::uint64_t& newest = entry->second[static_cast<std::size_t>(client.kind)];
+  newest = std::max(newest, client.sequence);
+  if (pages_.size() <= most_pages) return;
+  newest_.erase(pages_.front());
+  pages_.pop_front();
+}
+
+bool Scheduler::is_superseded(const Client& client) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = newest_.find(client.page);
+  return found != newest_.end() && found->second[static_cast<std::size_t>(client.kind)] > client.sequence;
+}
+
+void Scheduler::serve(Kind kind, const std::function<bool()>& cancelled, const std::function<void()>& run) {
+  constexpr std::chrono::milliseconds tick{5};
+  std::size_t& taken = taken_[kind == Kind::exact ? 0 : 1];
+  {
+    std::unique_lock lock(mutex_);
+    while (taken >= places_) {
+      left_.wait_for(lock, tick);
+      lock.unlock();
+      if (cancelled()) return;
+      lock.lock();
+    }
+    ++taken;
+  }
+  const auto leave = [&](const void*) {
+    {
+      const std::lock_guard lock(mutex_);
+      --taken;
+    }
+    left_.notify_all();
+  };
+  const std::unique_ptr<const void, decltype(leave)> place(this, leave);
+  run();
+}
+
+Requests::Requests(std::filesystem::path solver, std::set<std::string> records)
+    : solver_(std::move(solver)),
+      records_(std::move(records)),
+      scheduler_(std::max<std::size_t>(2, std::thread::hardware_concurrency())) {}
+
+std::string Requests::answer(const std::string& text, const std::function<bool()>& gone) {
+  const auto start = std::chrono::steady_clock::now();
+  const LiveRequest request = read_request(text, records_, library_);
+  scheduler_.note(request.client);
+  const std::function<bool()> cancelled = [&] { return scheduler_.is_superseded(request.client) || gone(); };
+  const Limits limits{
+      .time = longest_run, .memory = run_memory, .reply = longest_answer, .unwanted = &cancelled};
+  Json answer{{"dropped", true}};
+  scheduler_.serve(request.client.kind, cancelled, [&] {
+    const bool exact = request.client.kind == Kind::exact || request.read.series.engine == nullptr;
+    answer = exact ? solved(solver_, request, limits) : simulated(request, limits);
+  });
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  answer["milliseconds"] = taken.count();
+  return answer.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string Requests::files(const std::string& text) {
+  const Json json = parse_json(text, "the page: ");
+  const Json& state = json.at("state");
+  const LiveState read = read_state(state, records_, library_);
+  const Json files{{"scene", state_scene_text(state)},
+                   {"suite", state_suite_text(state, read, json.at("name"), json.value("runs", 0))}};
+  return files.dump();
+}
+
+}  // namespace rockstack::live
