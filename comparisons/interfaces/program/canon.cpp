@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "comparisons/interfaces/program/commands.hpp"
-#include "comparisons/interfaces/program/output.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/canon/canon.hpp"
 #include "comparisons/suites/shipped.hpp"

@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "engines/conformance/check.hpp"
-#include "engines/worker/registry.hpp"
+#include "engines/conformance/known_limits.hpp"
+#include "engines/conformance/scenes.hpp"
 
 namespace rockstack {
 namespace {
@@ -23,9 +21,9 @@ using Json = nlohmann::ordered_json;
 /// What became of a check.
 struct Finding {
   std::string engine, settings, check;
-  std::string verdict;  ///< "holds", "fails", "known limit" or "no run"
+  std::string what = {};           ///< of the value, with its unit; or the reason
+  std::string verdict = "no run";  ///< or "holds", "fails", "known limit"
   double value = 0, limit = 0;
-  std::string what;          ///< of the value, with its unit; or the reason
   std::size_t warnings = 0;  ///< of its runs
 };
 
@@ -48,7 +46,7 @@ Adapter adapter_of(const WorkerEngine& engine, const std::string& settings, std:
 }
 
 Finding judge(const WorkerEngine& engine, const std::string& settings, const Check& check) {
-  Finding finding{engine.full_name(), settings, check.name, "no run", 0, 0, "", 0};
+  Finding finding{engine.full_name(), settings, check.name};
   const std::string limit = known_limit(engine.name, engine.solver, settings, check.name);
   try {
     const Judgement verdict = check.judge(adapter_of(engine, settings, finding.warnings));
@@ -65,19 +63,17 @@ Finding judge(const WorkerEngine& engine, const std::string& settings, const Che
 
 /// Those of some names, or all. @throws InputError naming all for another name.
 std::vector<Check> checks_named(const std::vector<std::string>& names) {
-  if (names.empty()) return checks();
-  std::vector<Check> list;
+  std::vector<Check> list = checks();
   std::vector<std::string> there;
-  there.reserve(checks().size());
-  for (const Check& check : checks()) {
-    there.emplace_back(check.name);
-    if (std::find(names.begin(), names.end(), check.name) != names.end()) list.push_back(check);
-  }
-  for (const std::string& name : names) {
-    if (std::find(there.begin(), there.end(), name) == there.end())
+  for (const Check& check : list) there.emplace_back(check.name);
+  const auto is_in = [](const std::vector<std::string>& all, const std::string& name) {
+    return std::find(all.begin(), all.end(), name) != all.end();
+  };
+  for (const std::string& name : names)
+    if (!is_in(there, name))
       throw InputError(fmt::format("--check {}: must be one of {}{}", name, fmt::join(there, ", "),
                                    did_you_mean(name, there)));
-  }
+  if (!names.empty()) std::erase_if(list, [&](const Check& check) { return !is_in(names, check.name); });
   return list;
 }
 
@@ -167,34 +163,8 @@ Json to_json(const Finding& finding) {
 
 }  // namespace
 
-std::vector<std::string> both_if_empty(const std::vector<std::string>& settings) {
-  return settings.empty() ? std::vector<std::string>{"default", "tuned"} : settings;
-}
-
-std::vector<const WorkerEngine*> engines_named(const std::string& name) {
-  std::vector<const WorkerEngine*> list = chosen_engines(name);
-  if (name.find_first_of(":/") != std::string::npos) return list;
-  const EngineList solvers = engines_called(list.front()->name);
-  list.clear();
-  for (const WorkerEngine& engine : solvers) list.push_back(&engine);
-  return list;
-}
-
-std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& names,
-                                               EngineList (*otherwise)()) {
-  std::vector<const WorkerEngine*> list;
-  for (const std::string& name : names) {
-    for (const WorkerEngine* engine : engines_named(name)) list.push_back(engine);
-  }
-  if (names.empty()) {
-    for (const WorkerEngine& engine : otherwise()) list.push_back(&engine);
-  }
-  return list;
-}
-
 int check_engine_command(const CheckEngineArguments& arguments, const Common& common) {
   refuse_overrides(common, "its scenes are its own");
-  const bool talk = !common.quiet && !common.json;
   Json report{{"engines", Json::array()}, {"checks", Json::array()}};
   std::size_t broken = 0, count = 0;
   const std::vector<Check> chosen = checks_named(arguments.checks);
@@ -202,24 +172,24 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
   const auto tell = [&](const Finding& finding) {
     ++count;
     if (finding.verdict == "fails" || finding.verdict == "no run") ++broken;
-    if (talk) print(finding);
+    if (common.talks()) print(finding);
     report["checks"].push_back(to_json(finding));
   };
   for (const WorkerEngine* engine : engines_named(arguments.engine)) {
     try {
       report["engines"].push_back(capabilities_json(*engine, first_run(*engine, sets.front())));
     } catch (const std::exception& error) {
-      tell({engine->full_name(), sets.front(), "FirstRun", "no run", 0, 0, error.what(), 0});
+      tell({engine->full_name(), sets.front(), "FirstRun", error.what()});
       continue;
     }
-    if (talk) print_capabilities(report["engines"].back());
+    if (common.talks()) print_capabilities(report["engines"].back());
     for (const std::string& settings : sets) {
       for (const Check& check : chosen) tell(judge(*engine, settings, check));
     }
   }
   report["broken"] = broken;
   if (common.json) fmt::print("{}\n", report.dump(2));
-  if (talk) fmt::print("{} of {} checks do not hold\n", broken, count);
+  if (common.talks()) fmt::print("{} of {} checks do not hold\n", broken, count);
   return broken == 0 ? 0 : 1;
 }
 

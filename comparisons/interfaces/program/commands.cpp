@@ -1,125 +1,50 @@
 #include "comparisons/interfaces/program/commands.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "analytic/solve.hpp"
-#include "comparisons/interfaces/program/comparison_output.hpp"
-#include "comparisons/interfaces/program/executor_choice.hpp"
-#include "comparisons/interfaces/program/output.hpp"
-#include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/measures/results/files.hpp"
-#include "comparisons/runs/compare.hpp"
-#include "comparisons/runs/measure.hpp"
-#include "comparisons/studies/impact_laws/study.hpp"
-#include "comparisons/studies/stability/study.hpp"
+#include "comparisons/measures/results/build.hpp"
 #include "comparisons/suites/shipped.hpp"
-#include "engines/engine.hpp"
-#include "engines/scene_setup.hpp"
-#ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/figures/motions/animation.hpp"
-#include "plots/pages/show.hpp"
-#endif
+#include "engines/worker/registry.hpp"
 
 namespace rockstack {
 namespace {
 
-/// The suite or scene that an input of `compare` names.
-std::filesystem::path find_input(const std::string& input) {
-  return input_file(input, {"suites", "scenes"});
+using Json = nlohmann::ordered_json;
+
+bool shows_progress(const Common& common) {
+  return !common.quiet && isatty(STDERR_FILENO) != 0;
 }
 
-/// A suite says by itself what it runs.
-void refuse_choice(const std::string& suite, const SceneChoice& choice) {
-  const std::string option = !choice.engines.empty() ? "--engine " + choice.engines.front()
-                             : !choice.steps.empty() ? fmt::format("--dt {}", choice.steps.front())
-                             : choice.quick          ? "--quick"
-                             : choice.softness       ? "--softness"
-                                                     : "";
-  if (!option.empty())
-    throw InputError(fmt::format("{}: must be left out of {}, a suite or study says its own", option, suite));
-}
-
-Suite read_input(const std::string& input, const CompareArguments& arguments, const Common& common) {
-  const auto file = find_input(input);
-  const InputKind kind = kind_of(file);
-  if (kind == InputKind::scene) return suite_for(read_named_scene(file, common.overrides), arguments.choice);
-  refuse_choice(input, arguments.choice);
-  return kind == InputKind::stability_study ? read_stability_study(file, common.overrides).suite
-                                            : read_suite(file, common.overrides);
-}
-
-std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& common) {
-  std::vector<Suite> suites;
-  for (const std::string& input : arguments.inputs) {
-    Suite& suite = suites.emplace_back(read_input(input, arguments, common));
-    if (arguments.draws > 0) set_runs(suite.draws, arguments.draws);
-    if (arguments.history_interval) suite.history_interval = *arguments.history_interval;
-  }
-  if (arguments.record) replace_made_up_motion(suites, *arguments.record);
-  return suites;
-}
-
-/// Says how much disk a comparison takes where that is much.
-void announce_disk_use(const std::vector<Suite>& suites, const std::filesystem::path& out,
-                       const Common& common) {
-  constexpr double megabyte = 1e6, much = 200 * megabyte;
-  const double bytes = history_bytes(suites);
-  if (bytes < much || common.quiet) return;
-  fmt::print(
-      stderr,
-      "about {:.0f} MB of histories will be written to {}; --history-interval 0.01 keeps a sample every "
-      "10 ms\n",
-      bytes / megabyte, out.string());
-}
-
-#ifdef ROCKSTACK_WITH_PLOTS
-void print_animations(const std::vector<std::filesystem::path>& files, const Common& common) {
-  if (common.quiet || common.json) return;
-  for (const auto& file : files) fmt::print("film: {}\n", file.string());
-}
-
-/// Figures of thousands of scenes take hours: they are drawn when asked for.
-void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& results, const Common& common) {
-  constexpr std::size_t most = 100;
-  std::size_t scenes = 0;
-  for (const Suite& suite : suites) scenes += suite.scenes.size();
-  if (scenes <= most) return plots::show(results);
-  if (!common.quiet)
-    fmt::print(stderr, "{} scenes: figures and report are drawn by `rockstack plot {}`\n", scenes,
-               results.string());
-}
-#endif
-
-int study_command(const std::filesystem::path& file, const std::filesystem::path& out, const Common& common) {
-  refuse_overrides(common, "a study of impact laws makes its own scenes");
-  const ImpactLawStudy study = read_impact_law_study(file);
-  const ResultsFolder folder(out, Results::impact_laws);
-  const ImpactLawResults results = run_study(study);
-  write_results(study, results, out, common.command);
-  print_impact_laws(results, out, common);
-  show_report(out, common);
-  const bool failed = std::any_of(results.cases.begin(), results.cases.end(), [](const AskedCase& asked) {
-    return std::any_of(asked.verdicts.begin(), asked.verdicts.end(),
-                       [](const EngineVerdict& verdict) { return !verdict.failure.empty(); });
-  });
-  return failed ? 1 : 0;
-}
-
-/// Which one it was where a name stands for several.
-void print_first_of(const std::vector<const WorkerEngine*>& engines, const Common& common) {
-  if (common.quiet || common.json) return;
-  std::vector<std::string> solvers;
-  solvers.reserve(engines.size());
-  for (const WorkerEngine* engine : engines) solvers.push_back(engine->solver);
-  fmt::print("engine: {}, the first of {}\n", engines.front()->full_name(), fmt::join(solvers, ", "));
+/// A time to be waited for, in the largest unit that fits.
+std::string waiting_time(double seconds) {
+  if (seconds < 60) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 3600) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
 }
 
 }  // namespace
+
+std::vector<std::string> both_if_empty(const std::vector<std::string>& settings) {
+  return settings.empty() ? std::vector<std::string>{"default", "tuned"} : settings;
+}
+
+std::vector<const WorkerEngine*> engines_named(const std::string& name) {
+  std::vector<const WorkerEngine*> list = chosen_engines(name);
+  if (name.find_first_of(":/") != std::string::npos) return list;
+  const EngineList solvers = engines_called(list.front()->name);
+  list.clear();
+  for (const WorkerEngine& engine : solvers) list.push_back(&engine);
+  return list;
+}
 
 NamedScene read_one_scene(const std::string& input, const Common& common) {
   const auto file = input_file(input, {"scenes", "suites"});
@@ -139,101 +64,87 @@ void refuse_overrides(const Common& common, const char* reason) {
     throw InputError(fmt::format("--set {}: must be left out, {}", common.overrides.front(), reason));
 }
 
-int solve_command(const SolveArguments& arguments, const Common& common) {
-  require_positive_option("--step", arguments.step);
-  require_positive_option("--interval", arguments.interval);
-  const auto scene = read_one_scene(arguments.scene, common);
-  const SolveOptions options{
-      .integrator = arguments.integrator == "rk4" ? Integrator::rk4 : Integrator::taylor,
-      .sample_times = regular_times(arguments.interval, scene.scene.duration),
-      .validity = true,
-      .peaks = true,
-      .resolution = arguments.tolerance,
-      .tolerance = arguments.tolerance,
-      .step = arguments.step};
-  const ResultsFolder folder(arguments.out, Results::motion);
-  const History history = solve_into(scene, options, arguments.histories, arguments.out, common.command);
-  print_history(scene.scene, history, {}, arguments.out, common);
-  if (arguments.plots) show_report(arguments.out, common);
-  return 0;
+std::string shell_word(const std::string& word) {
+  const auto plain = [](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || (letter & 0x80) != 0 ||
+           std::string_view("-_./=:+,@%").find(letter) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string quoted = "'";
+  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
 }
 
-int simulate_command(const SimulateArguments& arguments, const Common& common) {
-  require_positive_option("--dt", arguments.dt);
-  const std::vector<const WorkerEngine*> named = engines_named(arguments.engine);
-  const WorkerEngine& engine = *named.front();
-  const Parameters changes = read_parameters(arguments.parameters, engine);
-  const auto scene = read_one_scene(arguments.scene, common);
-  check_step(arguments.dt, scene.scene.duration);
-  const ResultsFolder folder(arguments.out, Results::motion);
-  const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);
-  const auto [history, support] = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
-  if (named.size() > 1) print_first_of(named, common);
-  print_history(scene.scene, history, support, arguments.out, common);
-  if (arguments.plots) show_report(arguments.out, common);
-  return 0;
+std::function<void(const Progress&)> progress(const Common& common) {
+  if (!shows_progress(common)) return [](const Progress&) {};
+  return [](const Progress& now) {
+    const std::string remaining =
+        now.remaining && now.done < now.total ? ", about " + waiting_time(*now.remaining) + " to go" : "";
+    const std::string run = now.running.empty() ? now.last : "running " + now.running;
+    fmt::print(stderr, "\r\033[K[{}/{}{}] {}{}", now.done, now.total, remaining, run,
+               now.done == now.total ? "\n" : "");
+    std::fflush(stderr);
+  };
 }
 
-int compare_command(const CompareArguments& arguments, const Common& common) {
-  for (const double step : arguments.choice.steps) require_positive_option("--dt", step);
-  if (arguments.history_interval) require_positive_option("--history-interval", *arguments.history_interval);
-  const auto executor = make_executor(arguments.jobs);
-  if (!executor->leads()) {
-    serve_comparison(
-        *executor, [&] { return read_inputs(arguments, common); }, common.command);
-    return 0;
+void clear_progress(const Common& common) {
+  if (shows_progress(common)) fmt::print(stderr, "\r\033[K");
+}
+
+std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const Common& common) {
+  if (!shows_progress(common)) return [](std::size_t, std::size_t, std::size_t) {};
+  using Clock = std::chrono::steady_clock;
+  return [start = Clock::now(), last = Clock::time_point{}](std::size_t done, std::size_t begun_with,
+                                                            std::size_t runs) mutable {
+    const auto now = Clock::now();
+    const bool end = done == runs;
+    if (!end && now - last < std::chrono::milliseconds(100)) return;
+    last = now;
+    const double seconds = std::chrono::duration<double>(now - start).count();
+    const double rest = seconds * static_cast<double>(runs - done) / static_cast<double>(done - begun_with);
+    const std::string remaining =
+        end || done == begun_with ? "" : fmt::format(", {} to go", waiting_time(rest));
+    fmt::print(stderr, "\r\033[K{} of {} runs{}{}", done, runs, remaining, end ? "\n" : "");
+    std::fflush(stderr);
+  };
+}
+
+void print_stopped(const SweepResult& result, const Common& common) {
+  fmt::print(stderr, "{}rockstack: stopped after {} of {} runs; the same command goes on from there\n",
+             shows_progress(common) ? "\n" : "", result.done, result.runs);
+}
+
+void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common) {
+  if (common.json) {
+    fmt::print("{}\n", Json{{"runs", result.runs},
+                            {"done", result.done},
+                            {"computed", result.computed},
+                            {"failed", result.failed},
+                            {"seconds", result.seconds},
+                            {"folder", folder.string()}}
+                           .dump(2));
+  } else if (!common.quiet) {
+    fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
+    fmt::print("results: {}\n", folder.string());
   }
-  for (const std::string& input : arguments.inputs) {
-    const auto file = find_input(input);
-    const InputKind kind = kind_of(file);
-    if (kind == InputKind::scene || kind == InputKind::suite) continue;
-    refuse_choice(input, arguments.choice);
-    if (arguments.history_interval)
-      throw InputError(
-          fmt::format("--history-interval {}: must be left out of a study, which keeps no histories",
-                      *arguments.history_interval));
-    if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
-    if (arguments.record)
-      throw InputError(fmt::format("--record {}: must be left out of a study", *arguments.record));
-    if (kind == InputKind::stability_study)
-      return stability_command(file, arguments.out, *executor, arguments.draws, common);
-    return study_command(file, arguments.out, common);
-  }
-  const std::vector<Suite> suites = read_inputs(arguments, common);
-  require_comparable(suites);
-  const ResultsFolder folder(arguments.out, Results::comparison);
-  announce_disk_use(suites, arguments.out, common);
-  print_legend(suites, common);
-  const CompareResult result =
-      compare(suites, arguments.out, *executor,
-              {.command = common.command, .progress = progress(common), .rows = row_printer(common)});
-#ifdef ROCKSTACK_WITH_PLOTS
-  draw_few(suites, arguments.out, common);
-#endif
-  print_report(arguments.out, common);
-  print_comparison(result, arguments.out, common);
-  const auto failed = std::count_if(result.rows.begin(), result.rows.end(),
-                                    [](const RunMetrics& row) { return row.status != RunStatus::done; });
-  return end_of_runs(static_cast<std::size_t>(failed), result.rows.size(), "comparison.csv");
 }
 
-int plot_command(const PlotArguments& arguments, const Common& common) {
-  refuse_overrides(common, "figures are of results that are there");
-  const std::filesystem::path& results = arguments.results;
-  const FolderLock lock(results);
+int end_of_runs(std::size_t failed, std::size_t runs, const char* file) {
+  if (failed > 0) fmt::print(stderr, "rockstack: {} of {} runs failed, {} says why\n", failed, runs, file);
+  return failed > 0 ? 1 : 0;
+}
+
+void print_report(const std::filesystem::path& folder, const Common& common) {
+  if (!common.talks()) return;
 #ifdef ROCKSTACK_WITH_PLOTS
-  if (arguments.animate && !plots::has_runs(results))
-    throw InputError(fmt::format("plot {} --animate: must be a folder of `rockstack compare` or `teach`",
-                                 results.string()));
-  plots::show(results);
-  print_report(results, common);
-  if (arguments.animate) print_animations(plots::draw_animations(results), common);
-  return 0;
+  fmt::print("report: {}\n", (folder / "report.html").string());
 #else
-  static_cast<void>(common);
-  throw InputError(
-      fmt::format("plot {}: must be asked of a build with ROCKSTACK_PLOTS=ON", results.string()));
+  fmt::print("left out of this build: figures and the report in {}\n", folder.string());
 #endif
+}
+
+std::string version_text() {
+  return fmt::format("rockstack {}", build::version);
 }
 
 }  // namespace rockstack

@@ -1,36 +1,162 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "comparisons/interfaces/program/arguments.hpp"
 #include "comparisons/runs/execution/executor.hpp"
-#include "engines/worker/registry.hpp"
+#include "comparisons/runs/parts.hpp"
+#include "comparisons/studies/diff/changes.hpp"
+#include "comparisons/studies/sweep/sweep.hpp"
+#include "comparisons/suites/suite.hpp"
+#include "engines/worker/worker_engine.hpp"
 
 namespace rockstack {
 
-// Each returns the program's exit code: 0, or 1 where a run failed. Bad input is thrown as InputError.
-// Scenes, suites and ensembles are files, or names that `list` shows.
+/// What every command takes.
+struct Common {
+  std::vector<std::string> overrides;  ///< key=value, of scenes
+  bool quiet = false;                  ///< print nothing but errors
+  bool json = false;                   ///< print the result as JSON
+  std::string workers;                 ///< folders of more engines
+  std::string command;                 ///< the whole command line, for the results
+
+  /// Whether tables and sentences are printed.
+  bool talks() const { return !quiet && !json; }
+};
+
+// Each command returns the program's exit code: 0, or 1 where a run failed. Bad input is thrown as
+// InputError. Scenes, suites and ensembles are files, or names that `list` shows.
+
+struct SolveArguments {
+  std::string scene;
+  std::filesystem::path out;
+  std::string integrator = "taylor";  ///< or "rk4"
+  double step = 2e-4;                 ///< of rk4, s
+  double interval = 1e-3;             ///< of samples, s
+  bool plots = true;                  ///< figures and a page
+  double tolerance = 0;  ///< of taylor: share of the velocity that a step may leave out; 0: rounding
+  std::vector<std::string> histories;  ///< kinds_of_histories() to write
+};
 int solve_command(const SolveArguments& arguments, const Common& common);
+
+struct SimulateArguments {
+  std::string scene;
+  std::filesystem::path out;
+  std::string engine;
+  std::string settings = "tuned";
+  std::vector<std::string> parameters;  ///< name=value, changes of those settings
+  double dt = 0;                        ///< s
+  bool plots = true;                    ///< figures and a page
+};
 int simulate_command(const SimulateArguments& arguments, const Common& common);
+
+struct CompareArguments {
+  std::vector<std::string> inputs;    ///< scenes or suites
+  std::optional<std::string> record;  ///< in the place of made-up motions
+  std::filesystem::path out;
+  std::size_t jobs = 1;                    ///< runs at a time; without effect under mpirun
+  int draws = 0;                           ///< behind each number of an engine; 0: as many as the suites say
+  SceneChoice choice;                      ///< of scenes; suites say their own
+  std::optional<double> history_interval;  ///< in the place of that of the suites, s
+};
 int compare_command(const CompareArguments& arguments, const Common& common);
+
+struct PlotArguments {
+  std::filesystem::path results;
+  bool animate = false;  ///< films of the motions too
+};
 int plot_command(const PlotArguments& arguments, const Common& common);
+
+struct AdviseArguments {
+  std::string scene;
+  std::filesystem::path out;
+  double error = 1e-3;     ///< rad, and of the least block height
+  double within = 60;      ///< of the whole search, s
+  double time_limit = 60;  ///< of each run, s
+  std::vector<std::string> engines = {};
+};
 int advise_command(const AdviseArguments& arguments, const Common& common);
+
+struct DiffArguments {
+  std::filesystem::path old_results, new_results;
+  std::filesystem::path out;  ///< empty: nothing is written
+  ChangeOptions options;
+};
 int diff_command(const DiffArguments& arguments, const Common& common);  ///< 1 where something got worse
+
+struct RecordArguments {
+  std::string file;  ///< may name a channel, see read_record()
+  std::filesystem::path out;
+  std::string base_line = "none";  ///< or "fitted", taken off before anything is measured
+};
 int record_command(const RecordArguments& arguments, const Common& common);
+
+struct SweepArguments {
+  std::string ensemble;
+  std::filesystem::path out;
+  std::size_t threads = 0;  ///< 0: as many as the machine runs at once; without effect under mpirun
+};
 int sweep_command(const SweepArguments& arguments, const Common& common);
+
+struct TeachArguments {
+  std::string lesson;  ///< empty or "list": list them; "all": the whole course
+  std::filesystem::path out;
+  std::optional<std::uint64_t> sheet;  ///< a problem sheet of that seed, in the place of the lesson
+  bool pdf = false;                    ///< slides as PDF too
+};
 int teach_command(const TeachArguments& arguments, const Common& common);
+
+struct LiveArguments {
+  std::string input = "spanos-free-rocking";   ///< scene, lesson, folder of lessons, or a page's link
+  std::vector<std::filesystem::path> records;  ///< that the page may choose
+  int port = 0;                                ///< 0: any that is free
+  bool browser = true;                         ///< is opened where there is one
+};
 int live_command(const LiveArguments& arguments, const Common& common);  ///< serves until it is ended
-int list_command(const std::string& what, const Common& common);         ///< empty: all kinds
+
+struct ListArguments {
+  std::string kind;  ///< "scenes", "suites", "ensembles", "lessons" or "engines"; empty: all
+};
+int list_command(const ListArguments& arguments, const Common& common);
+
+struct CheckEngineArguments {
+  std::string engine;
+  std::vector<std::string> settings;  ///< empty: both
+  std::vector<std::string> checks;    ///< their names; empty: all
+};
 int check_engine_command(const CheckEngineArguments& arguments, const Common& common);
+
+struct CanonArguments {
+  std::vector<std::string> engines;   ///< empty: all
+  std::vector<std::string> settings;  ///< empty: both
+  std::filesystem::path out;
+};
 int canon_command(const CanonArguments& arguments, const Common& common);
+
+struct KeysArguments {
+  std::string kind;  ///< "scene", "suite" or "ensemble"; empty: all
+};
 int keys_command(const KeysArguments& arguments, const Common& common);
+
+struct NewArguments {
+  std::string kind = "scene";         ///< or "suite", "ensemble"
+  std::optional<std::string> record;  ///< of a scene
+  std::filesystem::path out;          ///< a file that is not there; empty: standard output
+};
 int new_command(const NewArguments& arguments, const Common& common);
 
 /// Runs a study of stability, writes and draws its maps, and says how many runs have which verdict.
 /// `draws`: as CompareArguments::draws.
 int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, Executor& executor,
                       int draws, const Common& common);
+
+// What several commands share.
 
 /// All solvers of an engine: of a worker program named by its path, or of a name that `list engines` shows;
 /// or one, named with its solver. @throws InputError as find_engine().
@@ -51,5 +177,40 @@ void require_positive_option(const char* option, double value);
 
 /// @throws InputError with the reason where there are overrides.
 void refuse_overrides(const Common& common, const char* reason);
+
+/// The ranks that mpirun has started, or that many threads.
+std::unique_ptr<Executor> make_executor(std::size_t threads);
+
+/// How many threads the machine runs at once, ≥ 1.
+std::size_t all_cores();
+
+// What the program says on standard output; progress goes to standard error, and only to a terminal.
+
+/// A word as a shell reads it back.
+std::string shell_word(const std::string& word);
+
+/// A line that counts runs, names the one that is made and says how long the rest may take.
+std::function<void(const Progress&)> progress(const Common& common);
+
+/// Takes that line away, so that something else can be printed there.
+void clear_progress(const Common& common);
+
+/// A line that counts runs done and says how long the rest will take.
+std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const Common& common);
+
+/// How far a sweep came that was stopped, and how to go on; on standard error.
+void print_stopped(const SweepResult& result, const Common& common);
+
+/// Runs done, and where the results are.
+void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common);
+
+/// Says on standard error how many runs failed, and which file says why. Returns the exit code.
+int end_of_runs(std::size_t failed, std::size_t runs, const char* file);
+
+/// Where figures and report are.
+void print_report(const std::filesystem::path& folder, const Common& common);
+
+/// The program's name and version.
+std::string version_text();
 
 }  // namespace rockstack

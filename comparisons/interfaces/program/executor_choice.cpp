@@ -1,4 +1,4 @@
-#include "comparisons/interfaces/program/executor_choice.hpp"
+#include "comparisons/interfaces/program/commands.hpp"
 
 #include <algorithm>
 #include <thread>

@@ -18,22 +18,6 @@ struct Listed {
   std::string name, title;
 };
 
-std::vector<Listed> listed_files(const std::string& kind) {
-  std::vector<Listed> list;
-  for (const std::string& name : shipped_names(kind)) {
-    const Node root = read_toml(find_file(name, kind));
-    const Node* title = find(root, "title");
-    list.push_back({name, title != nullptr ? title->text : ""});
-  }
-  return list;
-}
-
-std::vector<Listed> listed_lessons() {
-  std::vector<Listed> list;
-  for (const Lesson& lesson : lessons()) list.push_back({lesson.name, title(lesson)});
-  return list;
-}
-
 std::vector<Listed> listed_engines() {
   std::vector<Listed> list;
   for (const WorkerEngine& engine : engines())
@@ -46,8 +30,18 @@ std::vector<Listed> listed_engines() {
 }
 
 std::vector<Listed> listed(const std::string& kind) {
-  if (kind == "lessons") return listed_lessons();
-  return kind == "engines" ? listed_engines() : listed_files(kind);
+  std::vector<Listed> list;
+  if (kind == "engines") return listed_engines();
+  if (kind == "lessons") {
+    for (const Lesson& lesson : lessons()) list.push_back({lesson.name, title(lesson)});
+    return list;
+  }
+  for (const std::string& name : shipped_names(kind)) {
+    const Node root = read_toml(find_file(name, kind));
+    const Node* title = find(root, "title");
+    list.push_back({name, title != nullptr ? title->text : ""});
+  }
+  return list;
 }
 
 void print_list(const std::vector<Listed>& list, const std::string& indent) {
@@ -64,23 +58,17 @@ Json to_json(const std::vector<Listed>& list) {
 
 }  // namespace
 
-int list_command(const std::string& what, const Common& common) {
+int list_command(const ListArguments& arguments, const Common& common) {
   refuse_overrides(common, "names have no scene keys");
-  if (!what.empty()) {
-    if (common.json) {
-      fmt::print("{}\n", to_json(listed(what)).dump(2));
-    } else {
-      print_list(listed(what), "");
-    }
-    return 0;
-  }
+  const std::string& only = arguments.kind;
   Json all;
   for (const std::string kind : {"scenes", "suites", "ensembles", "lessons", "engines"}) {
+    if (!only.empty() && kind != only) continue;
     if (common.json) {
-      all[kind] = to_json(listed(kind));
+      (only.empty() ? all[kind] : all) = to_json(listed(kind));
     } else {
-      fmt::print("{}\n", kind);
-      print_list(listed(kind), "  ");
+      if (only.empty()) fmt::print("{}\n", kind);
+      print_list(listed(kind), only.empty() ? "  " : "");
     }
   }
   if (common.json) fmt::print("{}\n", all.dump(2));

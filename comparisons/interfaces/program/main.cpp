@@ -1,10 +1,8 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <initializer_list>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -14,7 +12,6 @@
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/options.hpp"
-#include "comparisons/interfaces/program/output.hpp"
 #include "engines/worker/registry.hpp"
 
 namespace {
@@ -48,18 +45,17 @@ void require_temporary_folder() {
 
 /// The command that is given, or none.
 const Command* parsed(const std::vector<Command>& commands) {
-  const auto given = std::find_if(commands.begin(), commands.end(),
-                                  [](const Command& command) { return command.app->parsed(); });
-  return given == commands.end() ? nullptr : &*given;
+  for (const Command& command : commands)
+    if (command.app->parsed()) return &command;
+  return nullptr;
 }
 
 /// What a command needs and was not given, all of it.
 std::string missing(const Command& command) {
   std::string names;
-  for (const CLI::Option* option : command.app->get_options()) {
+  for (const CLI::Option* option : command.app->get_options())
     if (option->get_required() && option->count() == 0)
       names += (names.empty() ? "" : ", ") + option->get_name();
-  }
   return fmt::format("{}: {}: missing", command.app->get_name(), names);
 }
 
@@ -71,9 +67,8 @@ void refuse_unexpected(const CLI::App& app, const Command* given) {
   if (given == nullptr) {
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   } else {
-    for (const CLI::App* owner : std::initializer_list<const CLI::App*>{&app, given->app}) {
+    for (const CLI::App* owner : std::initializer_list<const CLI::App*>{&app, given->app})
       for (const CLI::Option* option : owner->get_options()) names.push_back(option->get_name());
-    }
   }
   throw std::invalid_argument(words.front() + ": not expected" + did_you_mean(words.front(), names));
 }

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <memory>
-#include <string>
 #include <utility>
 
 #include "comparisons/interfaces/program/commands.hpp"
@@ -37,214 +34,173 @@ void add_plots(CLI::App& command, bool& plots) {
       "--no-plots", [&plots] { plots = false; }, "leave out the figure and the page with the player");
 }
 
-Command add_solve(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<SolveArguments>();
-  CLI::App* command = app.add_subcommand("solve", "solve a scene exactly");
-  command->add_option("scene", arguments->scene, scene_help)->required();
-  add_results(*command, arguments->out, [arguments] { return arguments->scene; });
-  command->add_option("--integrator", arguments->integrator, "what makes the steps; rk4 is the baseline")
+void add_solve(CLI::App& command, SolveArguments& arguments) {
+  command.add_option("scene", arguments.scene, scene_help)->required();
+  add_results(command, arguments.out, [&] { return arguments.scene; });
+  command.add_option("--integrator", arguments.integrator, "what makes the steps; rk4 is the baseline")
       ->check(CLI::IsMember({"taylor", "rk4"}))
       ->capture_default_str();
-  command->add_option("--step", arguments->step, "longest step of rk4, s")->capture_default_str();
-  command->add_option("--interval", arguments->interval, "interval of samples in history.csv, s")
+  command.add_option("--step", arguments.step, "longest step of rk4, s")->capture_default_str();
+  command.add_option("--interval", arguments.interval, "interval of samples in history.csv, s")
       ->capture_default_str();
   command
-      ->add_option("--tolerance", arguments->tolerance,
-                   "of taylor: share of the velocity that a step may leave out, and angle below which "
-                   "chatter ends, rad; 0: rounding")
+      .add_option("--tolerance", arguments.tolerance,
+                  "of taylor: share of the velocity that a step may leave out, and angle below which "
+                  "chatter ends, rad; 0: rounding")
       ->check(CLI::Range(0.0, 1e-3))
       ->capture_default_str();
-  command->add_option("--histories", arguments->histories, "what else to write at each sample")
+  command.add_option("--histories", arguments.histories, "what else to write at each sample")
       ->delimiter(',')
       ->check(CLI::IsMember(kinds_of_histories()));
-  add_plots(*command, arguments->plots);
-  return {command, [arguments, &common] { return solve_command(*arguments, common); }};
+  add_plots(command, arguments.plots);
 }
 
-Command add_simulate(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<SimulateArguments>();
-  CLI::App* command = app.add_subcommand("simulate", "run a scene in one physics engine");
-  command->add_option("scene", arguments->scene, scene_help)->required();
-  command->add_option("--engine", arguments->engine, "engine, or engine:solver")->required();
-  command->add_option("--dt", arguments->dt, "time step, s")->required();
-  command->add_option("--settings", arguments->settings, "parameter set")
+void add_simulate(CLI::App& command, SimulateArguments& arguments) {
+  command.add_option("scene", arguments.scene, scene_help)->required();
+  command.add_option("--engine", arguments.engine, "engine, or engine:solver")->required();
+  command.add_option("--dt", arguments.dt, "time step, s")->required();
+  command.add_option("--settings", arguments.settings, "parameter set")
       ->check(CLI::IsMember({"default", "tuned"}))
       ->capture_default_str();
   command
-      ->add_option("--parameter", arguments->parameters,
-                   "change of the parameter set, e.g. erp=0.05; may be repeated")
+      .add_option("--parameter", arguments.parameters,
+                  "change of the parameter set, e.g. erp=0.05; may be repeated")
       ->allow_extra_args(false);
-  add_results(*command, arguments->out, [arguments] { return arguments->scene; });
-  add_plots(*command, arguments->plots);
-  return {command, [arguments, &common] { return simulate_command(*arguments, common); }};
+  add_results(command, arguments.out, [&] { return arguments.scene; });
+  add_plots(command, arguments.plots);
 }
 
-Command add_compare(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command =
-      app.add_subcommand("compare", "run scenes or suites on the exact solver and the engines");
-  command->add_option("inputs", arguments->inputs, "scene or suite files, or names from `rockstack list`")
+void add_compare(CLI::App& command, CompareArguments& arguments) {
+  command.add_option("inputs", arguments.inputs, "scene or suite files, or names from `rockstack list`")
       ->required();
-  command->add_option("--record", arguments->record,
-                      "record in the place of synthetic motions, scaled to their peak");
+  command.add_option("--record", arguments.record,
+                     "record in the place of synthetic motions, scaled to their peak");
   command
-      ->add_option("--jobs", arguments->jobs,
-                   "runs at a time; with more than one, times are those of runs that share the machine")
+      .add_option("--jobs", arguments.jobs,
+                  "runs at a time; with more than one, times are those of runs that share the machine")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command
-      ->add_option("--draws", arguments->draws,
-                   "replicates behind each number of an engine: runs at nearby steps of nearly the same "
-                   "scene; left out: "
-                   "as the suite says, 5 for a scene")
+      .add_option("--draws", arguments.draws,
+                  "replicates behind each number of an engine: runs at nearby steps of nearly the same "
+                  "scene; left out: "
+                  "as the suite says, 5 for a scene")
       ->check(CLI::Range(1, most_draws));
   command
-      ->add_option(
-          "--engine", arguments->choice.engines,
+      .add_option(
+          "--engine", arguments.choice.engines,
           "of scenes: engine, or engine:solver; may be repeated or a list, ode:step,bullet; left out: "
           "the first solver of Bullet, in both precisions, and of ODE")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      ->add_option("--dt", arguments->choice.steps,
-                   "of scenes: time step, s; may be repeated or a list, 1e-2,1e-3; left out: 1e-2,1e-3,1e-4")
+      .add_option("--dt", arguments.choice.steps,
+                  "of scenes: time step, s; may be repeated or a list, 1e-2,1e-3; left out: 1e-2,1e-3,1e-4")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_flag(
-      "--quick", arguments->choice.quick,
+  command.add_flag(
+      "--quick", arguments.choice.quick,
       "of scenes: 3 replicates, steps of 1e-2 and 1e-3 s, one timed run, 2000 samples of each history");
-  command->add_flag(
-      "--softness", arguments->choice.softness,
+  command.add_flag(
+      "--softness", arguments.choice.softness,
       "of scenes: split each engine's difference into contact model, contact softness and time step");
-  command->add_option(
-      "--history-interval", arguments->history_interval,
+  command.add_option(
+      "--history-interval", arguments.history_interval,
       "least time between the samples that files keep, s; numbers are of all samples; left out: 1e-3");
   add_results(
-      *command, arguments->out, [arguments] { return arguments->inputs.front(); },
+      command, arguments.out, [&] { return arguments.inputs.front(); },
       ", where a comparison that was stopped goes on and runs that are done stay");
-  return {command, [arguments, &common] { return compare_command(*arguments, common); }};
 }
 
-Command add_advise(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<AdviseArguments>();
-  CLI::App* command =
-      app.add_subcommand("advise", "find the cheapest engine, solver and step for a scene within an error");
-  command->add_option("scene", arguments->scene, scene_help)->required();
+void add_advise(CLI::App& command, AdviseArguments& arguments) {
+  command.add_option("scene", arguments.scene, scene_help)->required();
   command
-      ->add_option(
-          "--error", arguments->error,
+      .add_option(
+          "--error", arguments.error,
           "largest difference from the exact motion: of angles, rad, and of centres, in least heights")
       ->capture_default_str();
-  command->add_option("--within", arguments->within, "of the whole search, s")->capture_default_str();
-  command->add_option("--engine", arguments->engines, "engine, or engine:solver; more than one may be given");
-  command->add_option("--time-limit", arguments->time_limit, "of each run, s")->capture_default_str();
-  add_results(*command, arguments->out, [arguments] { return arguments->scene; });
-  return {command, [arguments, &common] { return advise_command(*arguments, common); }};
+  command.add_option("--within", arguments.within, "of the whole search, s")->capture_default_str();
+  command.add_option("--engine", arguments.engines, "engine, or engine:solver; more than one may be given");
+  command.add_option("--time-limit", arguments.time_limit, "of each run, s")->capture_default_str();
+  add_results(command, arguments.out, [&] { return arguments.scene; });
 }
 
-Command add_sweep(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<SweepArguments>();
-  CLI::App* command = app.add_subcommand("sweep", "solve a scene many times with values varied");
+void add_sweep(CLI::App& command, SweepArguments& arguments) {
   command
-      ->add_option("ensemble", arguments->ensemble,
-                   "ensemble file, or a name from `rockstack list ensembles`")
+      .add_option("ensemble", arguments.ensemble, "ensemble file, or a name from `rockstack list ensembles`")
       ->required();
   command
-      ->add_option("--threads", arguments->threads,
-                   "threads, as many as the machine has if left out; under mpirun, one a rank")
+      .add_option("--threads", arguments.threads,
+                  "threads, as many as the machine has if left out; under mpirun, one a rank")
       ->check(CLI::Range(1, 1024));
   add_results(
-      *command, arguments->out, [arguments] { return arguments->ensemble; },
-      ", where a sweep that was stopped goes on");
-  return {command, [arguments, &common] { return sweep_command(*arguments, common); }};
+      command, arguments.out, [&] { return arguments.ensemble; }, ", where a sweep that was stopped goes on");
 }
 
-Command add_plot(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<PlotArguments>();
-  CLI::App* command = app.add_subcommand("plot", "draw figures and the report from a results folder");
-  command->add_option("folder", arguments->results, "folder with results")->required();
-  command->add_flag("--animate", arguments->animate,
-                    "write each scene's motion as a GIF too, and as an MP4 where ffmpeg is installed");
-  return {command, [arguments, &common] { return plot_command(*arguments, common); }};
+void add_plot(CLI::App& command, PlotArguments& arguments) {
+  command.add_option("folder", arguments.results, "folder with results")->required();
+  command.add_flag("--animate", arguments.animate,
+                   "write each scene's motion as a GIF too, and as an MP4 where ffmpeg is installed");
 }
 
-Command add_record(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<RecordArguments>();
-  CLI::App* command = app.add_subcommand("record", "measure an accelerogram");
-  command->add_option("file", arguments->file, "record, or record:channel")->required();
-  command->add_option("--out", arguments->out, "folder for results; left out: none are written");
-  command->add_option("--base-line", arguments->base_line, "line to take off the accelerations first")
+void add_record(CLI::App& command, RecordArguments& arguments) {
+  command.add_option("file", arguments.file, "record, or record:channel")->required();
+  command.add_option("--out", arguments.out, "folder for results; left out: none are written");
+  command.add_option("--base-line", arguments.base_line, "line to take off the accelerations first")
       ->check(CLI::IsMember({"none", "fitted"}))
       ->capture_default_str();
-  return {command, [arguments, &common] { return record_command(*arguments, common); }};
 }
 
-Command add_diff(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<DiffArguments>();
-  ChangeOptions& options = arguments->options;
-  CLI::App* command = app.add_subcommand(
-      "diff", "hold two results of `compare` against each other; exit code 1 where something got worse");
-  command->add_option("old", arguments->old_results, "folder with the results of before")->required();
-  command->add_option("new", arguments->new_results, "folder with the new results")->required();
+void add_diff(CLI::App& command, DiffArguments& arguments) {
+  ChangeOptions& options = arguments.options;
+  command.add_option("old", arguments.old_results, "folder with the results of before")->required();
+  command.add_option("new", arguments.new_results, "folder with the new results")->required();
   command
-      ->add_option("--level", options.level,
-                   "chance that any number with replicates is reported as changed where nothing has changed")
+      .add_option("--level", options.level,
+                  "chance that any number with replicates is reported as changed where nothing has changed")
       ->capture_default_str();
-  command->add_option(
+  command.add_option(
       "--factor", options.factors.single,
       "of rows of single runs: from how many times on a number is reported as changed; left out: only "
       "failures are reported");
-  command->add_option(
+  command.add_option(
       "--cost", options.factors.cost,
       "from how many times on the time of a step is reported as changed, where the repeats of both lie "
       "apart; left out: none is");
-  command->add_option("--across", options.across, "what may differ between two rows that are held together")
+  command.add_option("--across", options.across, "what may differ between two rows that are held together")
       ->delimiter(',')
       ->check(CLI::IsMember(row_names()));
-  command->add_option("--out", arguments->out,
-                      "folder for diff.json and diff.csv; left out: none are written");
-  return {command, [arguments, &common] { return diff_command(*arguments, common); }};
+  command.add_option("--out", arguments.out, "folder for diff.json and diff.csv; left out: none are written");
 }
 
-Command add_teach(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<TeachArguments>();
-  CLI::App* command =
-      app.add_subcommand("teach", "list the lessons, or run one and write its page and slides");
-  command->add_option("lesson", arguments->lesson, "name of a lesson, or all; left out, or list: list them");
-  add_results(*command, arguments->out, [arguments] { return arguments->lesson; });
-  command->add_flag("--pdf", arguments->pdf, "slides as PDF too, by Chromium");
+void add_teach(CLI::App& command, TeachArguments& arguments) {
+  command.add_option("lesson", arguments.lesson, "name of a lesson, or all; left out, or list: list them");
+  add_results(command, arguments.out, [&] { return arguments.lesson; });
+  command.add_flag("--pdf", arguments.pdf, "slides as PDF too, by Chromium");
   command
-      ->add_option("--sheet", arguments->sheet,
-                   "write a problem sheet instead, its numbers drawn from this seed, and its key")
+      .add_option("--sheet", arguments.sheet,
+                  "write a problem sheet instead, its numbers drawn from this seed, and its key")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53U));
-  return {command, [arguments, &common] { return teach_command(*arguments, common); }};
 }
 
 #ifdef ROCKSTACK_WITH_LIVE
-Command add_live(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<LiveArguments>();
-  CLI::App* command = app.add_subcommand(
-      "live", "serve a page on this machine with sliders, on which solver and engines answer at once");
+void add_live(CLI::App& command, LiveArguments& arguments) {
   command
-      ->add_option("input", arguments->input,
-                   "scene file, name of a scene or lesson, folder of `rockstack teach`, or a link of a page")
+      .add_option("input", arguments.input,
+                  "scene file, name of a scene or lesson, folder of `rockstack teach`, or a link of a page")
       ->capture_default_str();
-  command->add_option("--record", arguments->records, "record that the page may choose; may be repeated")
+  command.add_option("--record", arguments.records, "record that the page may choose; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("--port", arguments->port, "of 127.0.0.1; left out: any that is free")
+  command.add_option("--port", arguments.port, "of 127.0.0.1; left out: any that is free")
       ->check(CLI::Range(1, 65535));
-  command->add_flag_callback(
-      "--no-browser", [arguments] { arguments->browser = false; }, "print the address alone");
-  return {command, [arguments, &common] { return live_command(*arguments, common); }};
+  command.add_flag_callback(
+      "--no-browser", [&] { arguments.browser = false; }, "print the address alone");
 }
 #endif
 
-Command add_list(CLI::App& app, const Common& common) {
-  const auto what = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("list", "list what there is, with a line on each");
-  command->add_option("what", *what, "scenes, suites, ensembles, lessons or engines; left out: all")
+void add_list(CLI::App& command, ListArguments& arguments) {
+  command.add_option("what", arguments.kind, "scenes, suites, ensembles, lessons or engines; left out: all")
       ->check(CLI::IsMember({"scenes", "suites", "ensembles", "lessons", "engines"}));
-  return {command, [what, &common] { return list_command(*what, common); }};
 }
 
 void add_settings(CLI::App& command, std::vector<std::string>& settings) {
@@ -253,64 +209,73 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings) {
       ->check(CLI::IsMember({"default", "tuned"}));
 }
 
-Command add_check_engine(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<CheckEngineArguments>();
-  CLI::App* command =
-      app.add_subcommand("check-engine", "hold an engine to the laws that every engine must follow");
+void add_check_engine(CLI::App& command, CheckEngineArguments& arguments) {
   command
-      ->add_option("engine", arguments->engine,
-                   "worker program, e.g. ./my_engine.py, or a name from `rockstack list engines`")
+      .add_option("engine", arguments.engine,
+                  "worker program, e.g. ./my_engine.py, or a name from `rockstack list engines`")
       ->required();
-  add_settings(*command, arguments->settings);
-  command->add_option("--check", arguments->checks, "names of checks; left out: all")->delimiter(',');
-  return {command, [arguments, &common] { return check_engine_command(*arguments, common); }};
+  add_settings(command, arguments.settings);
+  command.add_option("--check", arguments.checks, "names of checks; left out: all")->delimiter(',');
 }
 
-Command add_canon(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<CanonArguments>();
-  CLI::App* command =
-      app.add_subcommand("canon", "run small scenes with closed forms on engines: which law do they follow?");
-  command->add_option("engines", arguments->engines,
-                      "worker programs, or names from `rockstack list engines`; left out: all");
-  add_settings(*command, arguments->settings);
+void add_canon(CLI::App& command, CanonArguments& arguments) {
+  command.add_option("engines", arguments.engines,
+                     "worker programs, or names from `rockstack list engines`; left out: all");
+  add_settings(command, arguments.settings);
   add_results(
-      *command, arguments->out,
-      [arguments] { return arguments->engines.empty() ? "all" : arguments->engines.front(); },
+      command, arguments.out, [&] { return arguments.engines.empty() ? "all" : arguments.engines.front(); },
       ", where a canon that was stopped goes on");
-  return {command, [arguments, &common] { return canon_command(*arguments, common); }};
 }
 
-Command add_keys(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<KeysArguments>();
-  CLI::App* command =
-      app.add_subcommand("keys", "explain every key of input files: unit, default, range, meaning");
-  command->add_option("kind", arguments->kind, "scene, suite or ensemble; left out: all")
+void add_keys(CLI::App& command, KeysArguments& arguments) {
+  command.add_option("kind", arguments.kind, "scene, suite or ensemble; left out: all")
       ->check(CLI::IsMember({"scene", "suite", "ensemble"}));
-  return {command, [arguments, &common] { return keys_command(*arguments, common); }};
 }
 
-Command add_new(CLI::App& app, const Common& common) {
-  const auto arguments = std::make_shared<NewArguments>();
-  CLI::App* command = app.add_subcommand("new", "print a commented input file to begin with");
-  command->add_option("kind", arguments->kind, "scene, suite or ensemble")
+void add_new(CLI::App& command, NewArguments& arguments) {
+  command.add_option("kind", arguments.kind, "scene, suite or ensemble")
       ->check(CLI::IsMember({"scene", "suite", "ensemble"}))
       ->capture_default_str();
-  command->add_option("--record", arguments->record, "record that shakes the scene");
-  command->add_option("--out", arguments->out, "new file to write; left out: standard output");
-  return {command, [arguments, &common] { return new_command(*arguments, common); }};
+  command.add_option("--record", arguments.record, "record that shakes the scene");
+  command.add_option("--out", arguments.out, "new file to write; left out: standard output");
 }
 
 }  // namespace
 
 std::vector<Command> add_commands(CLI::App& app, const Common& common) {
   std::vector<Command> commands;
-  for (const auto add : {add_solve, add_simulate, add_compare, add_advise, add_sweep, add_diff, add_plot,
-                         add_record, add_teach,
+  // `add` gives a subcommand its options, which fill arguments of its own.
+  const auto command = [&]<class Arguments>(const char* name, const char* what,
+                                            void (*add)(CLI::App&, Arguments&),
+                                            int (*run)(const Arguments&, const Common&)) {
+    const auto arguments = std::make_shared<Arguments>();
+    CLI::App* made = app.add_subcommand(name, what);
+    add(*made, *arguments);
+    commands.push_back({made, [arguments, run, &common] { return run(*arguments, common); }});
+  };
+  command("solve", "solve a scene exactly", add_solve, solve_command);
+  command("simulate", "run a scene in one physics engine", add_simulate, simulate_command);
+  command("compare", "run scenes or suites on the exact solver and the engines", add_compare,
+          compare_command);
+  command("advise", "find the cheapest engine, solver and step for a scene within an error", add_advise,
+          advise_command);
+  command("sweep", "solve a scene many times with values varied", add_sweep, sweep_command);
+  command("diff", "hold two results of `compare` against each other; exit code 1 where something got worse",
+          add_diff, diff_command);
+  command("plot", "draw figures and the report from a results folder", add_plot, plot_command);
+  command("record", "measure an accelerogram", add_record, record_command);
+  command("teach", "list the lessons, or run one and write its page and slides", add_teach, teach_command);
 #ifdef ROCKSTACK_WITH_LIVE
-                         add_live,
+  command("live", "serve a page on this machine with sliders, on which solver and engines answer at once",
+          add_live, live_command);
 #endif
-                         add_list, add_check_engine, add_canon, add_keys, add_new})
-    commands.push_back(add(app, common));
+  command("list", "list what there is, with a line on each", add_list, list_command);
+  command("check-engine", "hold an engine to the laws that every engine must follow", add_check_engine,
+          check_engine_command);
+  command("canon", "run small scenes with closed forms on engines: which law do they follow?", add_canon,
+          canon_command);
+  command("keys", "explain every key of input files: unit, default, range, meaning", add_keys, keys_command);
+  command("new", "print a commented input file to begin with", add_new, new_command);
   return commands;
 }
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "comparisons/interfaces/program/arguments.hpp"
+#include "comparisons/interfaces/program/commands.hpp"
 
 namespace rockstack {
 

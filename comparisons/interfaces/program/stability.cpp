@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/interfaces/program/commands.hpp"
-#include "comparisons/interfaces/program/output.hpp"
 #include "comparisons/measures/results/results_folder.hpp"
 
 namespace rockstack {

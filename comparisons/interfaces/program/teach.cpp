@@ -5,7 +5,6 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
-#include "comparisons/interfaces/program/output.hpp"
 #include "comparisons/measures/results/results_folder.hpp"
 #include "comparisons/studies/lessons/course/answered.hpp"
 #include "comparisons/studies/lessons/course/run_lesson.hpp"
@@ -20,14 +19,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-void list_lessons(const Common& common) {
-  Json list = Json::array();
-  for (const Lesson& lesson : lessons()) list.push_back({{"name", lesson.name}, {"title", title(lesson)}});
-  if (common.json) return fmt::print("{}\n", list.dump(2));
-  for (std::size_t i = 0; i < list.size(); ++i)
-    fmt::print("{:2}  {:<14} {}\n", i + 1, list[i]["name"].get<std::string>(),
-               list[i]["title"].get<std::string>());
+int list_lessons(const Common& common) {
+  if (common.json) return list_command({"lessons"}, common);
+  for (std::size_t i = 0; const Lesson& lesson : lessons())
+    fmt::print("{:2}  {:<14} {}\n", ++i, lesson.name, title(lesson));
   fmt::print("\nall of them, with an index: rockstack teach all --out DIR\n");
+  return 0;
 }
 
 /// {"lesson": "DIR/lesson.html", …}, or a line for each.
@@ -38,12 +35,8 @@ void print_files(const Json& paths, const Common& common) {
 }
 
 /// Those of "all", or the one of that name.
-std::vector<const Lesson*> lessons_named(const std::string& name) {
-  if (name != "all") return {&find_lesson(name)};
-  std::vector<const Lesson*> list;
-  list.reserve(lessons().size());
-  for (const Lesson& lesson : lessons()) list.push_back(&lesson);
-  return list;
+std::vector<Lesson> lessons_named(const std::string& name) {
+  return name == "all" ? lessons() : std::vector<Lesson>{find_lesson(name)};
 }
 
 /// The pages of a results folder with a lesson, and slides as PDF where they are asked for.
@@ -68,10 +61,8 @@ int teach(const Lesson& lesson, const fs::path& out, const TeachArguments& argum
   const std::vector<RunMetrics> rows = run_lesson(lesson, out, arguments.lesson == "all",
                                                   {.command = common.command, .progress = progress(common)});
   print_files(write_pages(out, arguments.pdf), common);
-  return std::any_of(rows.begin(), rows.end(),
-                     [](const RunMetrics& row) { return row.status != RunStatus::done; })
-             ? 1
-             : 0;
+  const auto is_done = [](const RunMetrics& row) { return row.status == RunStatus::done; };
+  return std::all_of(rows.begin(), rows.end(), is_done) ? 0 : 1;
 }
 
 int teach_all(const TeachArguments& arguments, const Common& common) {
@@ -88,13 +79,12 @@ int teach_all(const TeachArguments& arguments, const Common& common) {
 }
 
 /// Problem sheets of one seed: each with its questions, and a key of its own.
-int write_sheets(const TeachArguments& arguments, const Common& common) {
+int write_sheets(const std::vector<Lesson>& chosen, const TeachArguments& arguments, const Common& common) {
   if (arguments.pdf) throw InputError("--pdf: must be left out beside --sheet, which prints from a browser");
-  const std::vector<const Lesson*> chosen = lessons_named(arguments.lesson);
   const ResultsFolder folder(arguments.out, Results::sheets);
-  for (const Lesson* lesson : chosen) {
-    const fs::path key = arguments.out / fmt::format("{}-key-{}.json", lesson->name, *arguments.sheet);
-    write_file(key, sheet_json(lesson->name, title(*lesson), *arguments.sheet).dump(2) + "\n");
+  for (const Lesson& lesson : chosen) {
+    const fs::path key = arguments.out / fmt::format("{}-key-{}.json", lesson.name, *arguments.sheet);
+    write_file(key, sheet_json(lesson.name, title(lesson), *arguments.sheet).dump(2) + "\n");
 #ifdef ROCKSTACK_WITH_PLOTS
     const plots::SheetPages pages = plots::write_sheet(key);
     print_files({{"sheet", pages.sheet.string()}, {"key", pages.key.string()}}, common);
@@ -109,14 +99,11 @@ int write_sheets(const TeachArguments& arguments, const Common& common) {
 
 int teach_command(const TeachArguments& arguments, const Common& common) {
   refuse_overrides(common, "a lesson's text is about its own scenes; `rockstack compare` takes it");
-  if (arguments.lesson.empty() || arguments.lesson == "list") {
-    list_lessons(common);
-    return 0;
-  }
-  lessons_named(arguments.lesson);
-  if (arguments.sheet) return write_sheets(arguments, common);
+  if (arguments.lesson.empty() || arguments.lesson == "list") return list_lessons(common);
+  const std::vector<Lesson> chosen = lessons_named(arguments.lesson);
+  if (arguments.sheet) return write_sheets(chosen, arguments, common);
   if (arguments.lesson == "all") return teach_all(arguments, common);
-  return teach(find_lesson(arguments.lesson), arguments.out, arguments, common);
+  return teach(chosen.front(), arguments.out, arguments, common);
 }
 
 }  // namespace rockstack

@@ -1,0 +1,294 @@
+#include "comparisons/runs/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/quantity_text.hpp"
+#include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/measures/verdict/outcome.hpp"
+#include "comparisons/runs/disk_use.hpp"
+#include "comparisons/studies/impact_laws/study.hpp"
+#include "comparisons/studies/stability/study.hpp"
+#include "comparisons/suites/shipped.hpp"
+#include "engines/worker/registry.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/pages/show.hpp"
+#endif
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The suite or scene that an input of `compare` names.
+std::filesystem::path find_input(const std::string& input) {
+  return input_file(input, {"suites", "scenes"});
+}
+
+/// A suite says by itself what it runs.
+void refuse_choice(const std::string& suite, const SceneChoice& choice) {
+  const std::string option = !choice.engines.empty() ? "--engine " + choice.engines.front()
+                             : !choice.steps.empty() ? fmt::format("--dt {}", choice.steps.front())
+                             : choice.quick          ? "--quick"
+                             : choice.softness       ? "--softness"
+                                                     : "";
+  if (!option.empty())
+    throw InputError(fmt::format("{}: must be left out of {}, a suite or study says its own", option, suite));
+}
+
+Suite read_input(const std::string& input, const CompareArguments& arguments, const Common& common) {
+  const auto file = find_input(input);
+  const bool study = is_stability_study(file);
+  if (!study && !is_suite(file)) return suite_for(read_named_scene(file, common.overrides), arguments.choice);
+  refuse_choice(input, arguments.choice);
+  return study ? read_stability_study(file, common.overrides).suite : read_suite(file, common.overrides);
+}
+
+std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& common) {
+  std::vector<Suite> suites;
+  for (const std::string& input : arguments.inputs) {
+    Suite& suite = suites.emplace_back(read_input(input, arguments, common));
+    if (arguments.draws > 0) set_runs(suite.draws, arguments.draws);
+    if (arguments.history_interval) suite.history_interval = *arguments.history_interval;
+  }
+  if (arguments.record) replace_made_up_motion(suites, *arguments.record);
+  return suites;
+}
+
+/// Says how much disk a comparison takes where that is much.
+void announce_disk_use(const std::vector<Suite>& suites, const std::filesystem::path& out,
+                       const Common& common) {
+  constexpr double megabyte = 1e6, much = 200 * megabyte;
+  const double bytes = history_bytes(suites);
+  if (bytes < much || common.quiet) return;
+  fmt::print(
+      stderr,
+      "about {:.0f} MB of histories will be written to {}; --history-interval 0.01 keeps a sample every "
+      "10 ms\n",
+      bytes / megabyte, out.string());
+}
+
+#ifdef ROCKSTACK_WITH_PLOTS
+/// Figures of thousands of scenes take hours: they are drawn when asked for.
+void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& results, const Common& common) {
+  constexpr std::size_t most = 100;
+  std::size_t scenes = 0;
+  for (const Suite& suite : suites) scenes += suite.scenes.size();
+  if (scenes <= most) return plots::show(results);
+  if (!common.quiet)
+    fmt::print(stderr, "{} scenes: figures and report are drawn by `rockstack plot {}`\n", scenes,
+               results.string());
+}
+#endif
+
+/// Shares by kind of impact, and what the engines follow.
+void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,
+                       const Common& common) {
+  const std::vector<KindShare> kinds = shares_by_kind(results.laws.shares);
+  if (common.json) {
+    Json list = Json::array();
+    for (const KindShare& kind : kinds)
+      list.push_back(
+          {{"kind", kind.kind}, {"impacts", kind.impacts}, {"differ", kind.differ}, {"none", kind.none}});
+    fmt::print("{}\n", Json{{"kinds", list}, {"folder", folder.string()}}.dump(2));
+    return;
+  }
+  if (common.quiet) return;
+  fmt::print("{:<18} {:>8} {:>9} {:>9}\n", "impact", "number", "differ", "none");
+  for (const KindShare& kind : kinds)
+    fmt::print("{:<18} {:>8} {:>8.2f}% {:>8.2f}%\n", kind.kind, kind.impacts,
+               100.0 * kind.differ / kind.impacts, 100.0 * kind.none / kind.impacts);
+  fmt::print("\n{:<26} {:>7} {:>11} {:>7} {:>8} {:>7}\n", "engine:solver", "dt (s)", "consistent", "paper",
+             "neither", "failed");
+  for (const EngineTally& tally : tallies(results.cases))
+    fmt::print("{:<26} {:>7} {:>11} {:>7} {:>8} {:>7}\n", tally.engine, tally.dt, tally.consistent,
+               tally.paper, tally.neither, tally.failed);
+  fmt::print(
+      "\ndiffer: the laws choose different patterns; none: no pattern is consistent; below: whose "
+      "pattern the\nengines show where the laws differ\n");
+  for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
+  fmt::print("results: {}\n", folder.string());
+}
+
+int study_command(const std::filesystem::path& file, const std::filesystem::path& out, const Common& common) {
+  refuse_overrides(common, "a study of impact laws makes its own scenes");
+  const ImpactLawStudy study = read_impact_law_study(file);
+  const ResultsFolder folder(out, Results::impact_laws);
+  const ImpactLawResults results = run_study(study);
+  write_results(study, results, out, common.command);
+  print_impact_laws(results, out, common);
+#ifdef ROCKSTACK_WITH_PLOTS
+  plots::show(out);
+#endif
+  print_report(out, common);
+  const bool failed = std::any_of(results.cases.begin(), results.cases.end(), [](const AskedCase& asked) {
+    return std::any_of(asked.verdicts.begin(), asked.verdicts.end(),
+                       [](const EngineVerdict& verdict) { return !verdict.failure.empty(); });
+  });
+  return failed ? 1 : 0;
+}
+
+constexpr const char* line_format = "{:>7} {:1} {:<36} {:>19} {:>10} {:>10} {:>9}  {}\n";
+
+/// A number of thousandths with three digits, and no more than four behind the point: "0.0012", "12.3", "0".
+std::string thousandths(double value) {
+  const double shown = 1e3 * value;
+  constexpr double least = 5e-5;
+  if (std::abs(shown) < least) return "0";
+  const int digits = std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(shown)))), 0, 4);
+  return fmt::format("{:.{}f}", shown, digits);
+}
+
+std::string shown_or_blank(const std::optional<double>& value) {
+  return value ? thousandths(*value) : "";
+}
+
+std::string angles(const RunMetrics& row) {
+  const std::string median = shown_or_blank(row.rms_angle_difference);
+  if (!row.rms_angle_difference_lower) return median;
+  return fmt::format("{} ({}-{})", median, thousandths(*row.rms_angle_difference_lower),
+                     thousandths(*row.rms_angle_difference_upper));
+}
+
+std::string signed_or_blank(const std::optional<double>& value) {
+  return value ? (*value > 0 ? "+" : "") + thousandths(*value) : "";
+}
+
+/// Of one scene and step. Where no difference is significant none is marked.
+void print_engine_rows(const std::vector<RunMetrics>& rows) {
+  const bool significant =
+      std::any_of(rows.begin(), rows.end(), [](const RunMetrics& row) { return row.rank.value_or(1) > 1; });
+  for (const RunMetrics& row : rows)
+    fmt::print(line_format, shown_or_blank(row.dt), significant && row.rank == 1 ? "*" : "", set_name(row),
+               angles(row), shown_or_blank(row.rms_position_difference),
+               signed_or_blank(row.first_impact_time_difference),
+               shown_or_blank(row.stepping_time_minimum) + (row.timed_cold ? " cold" : ""), row.outcome);
+}
+
+/// What there is to know of a scene before its engines.
+void print_exact_rows(const std::vector<RunMetrics>& rows) {
+  for (const RunMetrics& row : rows) {
+    if (row.engine != "exact") {
+      fmt::print("{:>9} {:<36} {:>19}\n", "", "exact, " + row.engine,
+                 shown_or_blank(row.rms_angle_difference));
+      continue;
+    }
+    fmt::print("\n{}, law {}: ", row.scene, row.law);
+    if (row.status != RunStatus::done) {
+      fmt::print("no exact motion: {}\n", row.reason);
+      continue;
+    }
+    fmt::print("{}, {} with chatter; can be compared up to {}; solved in {}\n",
+               counted(static_cast<std::size_t>(row.impacts.value_or(0)), "impact"),
+               row.impacts.value_or(0) + row.slower_impacts.value_or(0),
+               quantity_text(row.horizon.value_or(0), "s"),
+               quantity_text(row.stepping_time_minimum.value_or(0), "s"));
+    fmt::print(line_format, "step ms", "", "engine:solver (set)", "angles mrad", "centres mm", "impact ms",
+               "time ms", "outcome");
+  }
+}
+
+/// What the columns mean, and how many runs there will be; nothing where rows are not wanted.
+void print_legend(const std::vector<Suite>& suites, const Common& common) {
+  if (!common.talks()) return;
+  int replicates = 1, finest = 0;
+  for (const Suite& suite : suites) {
+    replicates = std::max(replicates, suite.draws.runs);
+    finest = std::max(finest, suite.draws.finest);
+  }
+  const std::string fewer = finest > 0 ? fmt::format(", {} at the finest step", finest) : "";
+  fmt::print(
+      "angles, centres: RMS differences from the exact motion up to the horizon{}\n"
+      "impact: the first one, engine less exact; time: the shortest wall time of stepping (cold: before the "
+      "engine's runtime was warm)\n"
+      "*: nearest of its scene and step; those that share it cannot be told apart, and none has it where no "
+      "row can\n",
+      replicates > 1 ? fmt::format(", medians of {} replicates{} (quartiles)", replicates, fewer) : "");
+  std::fflush(stdout);
+}
+
+/// Prints rows as CompareOptions::rows has them.
+std::function<void(const std::vector<RunMetrics>&)> row_printer(const Common& common) {
+  if (!common.talks()) return [](const std::vector<RunMetrics>&) {};
+  return [&common](const std::vector<RunMetrics>& rows) {
+    clear_progress(common);
+    const bool engines = rows.empty() || is_engine(rows.front());
+    engines ? print_engine_rows(rows) : print_exact_rows(rows);
+    std::fflush(stdout);
+  };
+}
+
+/// The verdict, what was left out, and where the results are; or all of it as JSON.
+void print_comparison(const CompareResult& result, const std::filesystem::path& folder,
+                      const Common& common) {
+  if (common.json) {
+    Json rows = Json::array();
+    for (const RunMetrics& row : result.rows) rows.push_back(metrics_json(row));
+    fmt::print(
+        "{}\n",
+        Json{{"headline", result.verdict.headline}, {"rows", rows}, {"folder", folder.string()}}.dump(2));
+    return;
+  }
+  if (common.quiet) return;
+  fmt::print("\n");
+  if (std::any_of(result.rows.begin(), result.rows.end(),
+                  [](const RunMetrics& row) { return row.runs_at_a_time.value_or(1) > 1; }))
+    fmt::print("times are those of runs that shared the machine\n");
+  if (result.reused > 0) fmt::print("{} of {} runs were there already\n", result.reused, result.rows.size());
+  for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
+  fmt::print("results: {}\n\n", folder.string());
+  for (const std::string& sentence : result.verdict.headline) fmt::print("{}\n", sentence);
+}
+
+}  // namespace
+
+int compare_command(const CompareArguments& arguments, const Common& common) {
+  for (const double step : arguments.choice.steps) require_positive_option("--dt", step);
+  if (arguments.history_interval) require_positive_option("--history-interval", *arguments.history_interval);
+  const auto executor = make_executor(arguments.jobs);
+  if (!executor->leads()) {
+    serve_comparison(
+        *executor, [&] { return read_inputs(arguments, common); }, common.command);
+    return 0;
+  }
+  for (const std::string& input : arguments.inputs) {
+    const auto file = find_input(input);
+    if (!is_study(file)) continue;
+    refuse_choice(input, arguments.choice);
+    if (arguments.history_interval)
+      throw InputError(
+          fmt::format("--history-interval {}: must be left out of a study, which keeps no histories",
+                      *arguments.history_interval));
+    if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
+    if (arguments.record)
+      throw InputError(fmt::format("--record {}: must be left out of a study", *arguments.record));
+    if (is_stability_study(file))
+      return stability_command(file, arguments.out, *executor, arguments.draws, common);
+    return study_command(file, arguments.out, common);
+  }
+  const std::vector<Suite> suites = read_inputs(arguments, common);
+  require_comparable(suites);
+  const ResultsFolder folder(arguments.out, Results::comparison);
+  announce_disk_use(suites, arguments.out, common);
+  print_legend(suites, common);
+  const CompareResult result =
+      compare(suites, arguments.out, *executor,
+              {.command = common.command, .progress = progress(common), .rows = row_printer(common)});
+#ifdef ROCKSTACK_WITH_PLOTS
+  draw_few(suites, arguments.out, common);
+#endif
+  print_report(arguments.out, common);
+  print_comparison(result, arguments.out, common);
+  const auto failed = std::count_if(result.rows.begin(), result.rows.end(),
+                                    [](const RunMetrics& row) { return row.status != RunStatus::done; });
+  return end_of_runs(static_cast<std::size_t>(failed), result.rows.size(), "comparison.csv");
+}
+
+}  // namespace rockstack

@@ -1,0 +1,126 @@
+#include "analytic/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/measures/metrics/contact/validity.hpp"
+#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/runs/measure.hpp"
+#include "engines/parameters.hpp"
+#include "engines/scene_setup.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/figures/motions/animation.hpp"
+#include "plots/pages/show.hpp"
+#endif
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are.
+void print_history(const Scene& scene, const History& history, const Support& support,
+                   const std::filesystem::path& folder, const Common& common) {
+  std::map<std::string, int> events;
+  for (const Event& event : history.events) ++events[name(event.kind)];
+  const std::string verdict = motion_verdict(scene, history, support);
+  const std::vector<double> peaks = peak_angles(history);
+  const std::vector<std::string> warnings = validity_warnings(scene, history);
+  if (common.json) {
+    fmt::print("{}\n", Json{{"verdict", verdict},
+                            {"events", events},
+                            {"peak_angles", peaks},
+                            {"warnings", warnings},
+                            {"folder", folder.string()}}
+                           .dump(2));
+  } else if (!common.quiet) {
+    fmt::print("{}\n", verdict);
+    for (const auto& [kind, number] : events) fmt::print("{}: {}\n", kind, number);
+    for (std::size_t k = 0; const double peak : peaks)
+      fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak);
+    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+    fmt::print("results: {}\n", folder.string());
+  }
+}
+
+/// Draws one motion and says where its page is.
+void show_motion(const std::filesystem::path& out, bool plots, const Common& common) {
+  if (!plots) return;
+#ifdef ROCKSTACK_WITH_PLOTS
+  plots::show(out);
+#endif
+  print_report(out, common);
+}
+
+/// Which one it was where a name stands for several.
+void print_first_of(const std::vector<const WorkerEngine*>& engines, const Common& common) {
+  if (!common.talks()) return;
+  std::vector<std::string> solvers;
+  solvers.reserve(engines.size());
+  for (const WorkerEngine* engine : engines) solvers.push_back(engine->solver);
+  fmt::print("engine: {}, the first of {}\n", engines.front()->full_name(), fmt::join(solvers, ", "));
+}
+
+}  // namespace
+
+int solve_command(const SolveArguments& arguments, const Common& common) {
+  require_positive_option("--step", arguments.step);
+  require_positive_option("--interval", arguments.interval);
+  const auto scene = read_one_scene(arguments.scene, common);
+  const SolveOptions options{
+      .integrator = arguments.integrator == "rk4" ? Integrator::rk4 : Integrator::taylor,
+      .sample_times = regular_times(arguments.interval, scene.scene.duration),
+      .validity = true,
+      .peaks = true,
+      .resolution = arguments.tolerance,
+      .tolerance = arguments.tolerance,
+      .step = arguments.step};
+  const ResultsFolder folder(arguments.out, Results::motion);
+  const History history = solve_into(scene, options, arguments.histories, arguments.out, common.command);
+  print_history(scene.scene, history, {}, arguments.out, common);
+  show_motion(arguments.out, arguments.plots, common);
+  return 0;
+}
+
+int simulate_command(const SimulateArguments& arguments, const Common& common) {
+  require_positive_option("--dt", arguments.dt);
+  const std::vector<const WorkerEngine*> named = engines_named(arguments.engine);
+  const WorkerEngine& engine = *named.front();
+  const Parameters changes = read_parameters(arguments.parameters, engine);
+  const auto scene = read_one_scene(arguments.scene, common);
+  check_step(arguments.dt, scene.scene.duration);
+  const ResultsFolder folder(arguments.out, Results::motion);
+  const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);
+  const auto [history, support] = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
+  if (named.size() > 1) print_first_of(named, common);
+  print_history(scene.scene, history, support, arguments.out, common);
+  show_motion(arguments.out, arguments.plots, common);
+  return 0;
+}
+
+int plot_command(const PlotArguments& arguments, const Common& common) {
+  refuse_overrides(common, "figures are of results that are there");
+  const std::filesystem::path& results = arguments.results;
+  const FolderLock lock(results);
+#ifdef ROCKSTACK_WITH_PLOTS
+  if (arguments.animate && !plots::has_runs(results))
+    throw InputError(fmt::format("plot {} --animate: must be a folder of `rockstack compare` or `teach`",
+                                 results.string()));
+  plots::show(results);
+  print_report(results, common);
+  if (!arguments.animate) return 0;
+  for (const auto& film : plots::draw_animations(results))
+    if (common.talks()) fmt::print("film: {}\n", film.string());
+  return 0;
+#else
+  static_cast<void>(common);
+  throw InputError(
+      fmt::format("plot {}: must be asked of a build with ROCKSTACK_PLOTS=ON", results.string()));
+#endif
+}
+
+}  // namespace rockstack
