@@ -165,9 +165,9 @@ std::string off_by(double error) {
 }
 
 std::string nearest_phrase(const std::vector<std::string>& first, std::size_t all) {
-  constexpr std::size_t told = 3;
+  constexpr std::size_t named = 3;
   if (first.size() == all) return all == 1 ? first.front() : "none can be told apart";
-  return joined_up_to(told, first) + (first.size() > 1 ? ", which cannot be told apart" : "");
+  return joined_up_to(named, first) + (first.size() > 1 ? ", which cannot be told apart" : "");
 }
 
 std::string span_text(const std::string& low, const std::string& high) {

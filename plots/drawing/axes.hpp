@@ -39,7 +39,7 @@ std::string logarithmic_range(const std::string& axis, double low, double high, 
 /// The time that the figures of a scene show: its motion, without the rest after it.
 struct TimeAxis {
   double end = 0;  ///< s
-  /// After it motions part by nature, s; infinite where they can be compared to the end.
+  /// After it motions diverge by nature, s; infinite where they can be compared to the end.
   double horizon = std::numeric_limits<double>::infinity();
 
   /// Whether there is something beyond the horizon to be seen.

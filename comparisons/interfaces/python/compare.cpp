@@ -1,4 +1,4 @@
-#include "comparisons/interfaces/python/compare.hpp"
+#include "comparisons/runs/compare.hpp"
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -12,16 +12,13 @@
 #include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/interfaces/python/interrupts.hpp"
-#include "comparisons/interfaces/python/scene.hpp"
+#include "comparisons/interfaces/python/module.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/runs/compare.hpp"
+#include "comparisons/measures/results/results_folder.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack::python {
 namespace {
-
-namespace py = pybind11;
 
 /// A scene made in Python with its name and text, or what names a scene or a suite.
 using Input = std::variant<std::tuple<ScenePointer, std::string, std::string>, std::string>;
@@ -60,7 +57,7 @@ std::string compare_all(const std::vector<Input>& inputs, const std::filesystem:
   beside_interpreter([&](const std::atomic<bool>& stop) {
     result =
         compare(suites, out, {.command = "rockstack.compare", .jobs = jobs, .progress = [&](const Progress&) {
-                                if (stop) throw Unwanted();
+                                if (stop) throw Cancelled();
                               }});
   });
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();

@@ -1,23 +1,14 @@
-#include "comparisons/interfaces/python/engines.hpp"
-
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <memory>
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
-#include "comparisons/interfaces/python/arrays.hpp"
-#include "comparisons/interfaces/python/interrupts.hpp"
-#include "comparisons/interfaces/python/motion.hpp"
-#include "comparisons/measures/metrics/impacts.hpp"
+#include "comparisons/interfaces/python/convert.hpp"
+#include "comparisons/interfaces/python/module.hpp"
+#include "comparisons/measures/metrics/contact_patterns.hpp"
 #include "comparisons/studies/canon/canon.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "comparisons/suites/suite.hpp"
@@ -27,21 +18,19 @@
 namespace rockstack::python {
 namespace {
 
-namespace py = pybind11;
+using namespace py::literals;
 
 py::dict to_dict(const Setting& setting) {
-  return py::dict(py::arg("name") = setting.name, py::arg("default") = setting.standard,
-                  py::arg("tuned") = setting.tuned, py::arg("least") = setting.least,
-                  py::arg("most") = setting.most, py::arg("whole") = setting.whole,
-                  py::arg("choices") = setting.choices, py::arg("unit") = setting.unit);
+  return py::dict("name"_a = setting.name, "default"_a = setting.standard, "tuned"_a = setting.tuned,
+                  "least"_a = setting.least, "most"_a = setting.most, "whole"_a = setting.whole,
+                  "choices"_a = setting.choices, "unit"_a = setting.unit);
 }
 
 py::dict to_dict(const WorkerEngine& engine) {
   py::list settings;
   for (const Setting& setting : engine.settings) settings.append(to_dict(setting));
-  return py::dict(py::arg("name") = engine.name, py::arg("solver") = engine.solver,
-                  py::arg("version") = engine.version, py::arg("licence") = engine.licence,
-                  py::arg("settings") = settings);
+  return py::dict("name"_a = engine.name, "solver"_a = engine.solver, "version"_a = engine.version,
+                  "licence"_a = engine.licence, "settings"_a = settings);
 }
 
 py::list list_engines() {
@@ -57,9 +46,9 @@ void require_settings(const std::string& settings) {
 
 py::object to_dict(const std::optional<BodyRecord>& bodies) {
   if (!bodies) return py::none();
-  return py::dict(py::arg("energy") = copied(bodies->energy), py::arg("input") = copied(bodies->input),
-                  py::arg("penetration") = copied(bodies->penetration), py::arg("gap") = bodies->gap,
-                  py::arg("slip") = bodies->slip);
+  return py::dict("energy"_a = copied(bodies->energy), "input"_a = copied(bodies->input),
+                  "penetration"_a = copied(bodies->penetration), "gap"_a = bodies->gap,
+                  "slip"_a = bodies->slip);
 }
 
 /// The motion, warnings, what bodies did, and the reason where the run failed.
@@ -74,8 +63,8 @@ py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name
   check_step(dt, scene->scene.duration);
   WorkerRun made;
   beside_interpreter([&](const std::atomic<bool>& stop) {
-    const std::function<bool()> unwanted = [&] { return stop.load(); };
-    const Limits limits{.time = time_limit, .unwanted = &unwanted};
+    const std::function<bool()> cancelled = [&] { return stop.load(); };
+    const Limits limits{.time = time_limit, .unwanted = &cancelled};
     made = run_in_worker(engine, scene->scene, dt, series.parameters, 0, limits, bodies);
     if (made.status == "done") made.run.history.patterns = sampled_patterns(scene->scene, made.run.history);
   });
@@ -109,7 +98,7 @@ py::list canon(const std::string& engine_name, const std::string& settings,
   std::vector<CanonAnswer> list;
   beside_interpreter([&](const std::atomic<bool>& stop) {
     for (const NamedScene& scene : suite.scenes) {
-      if (stop) throw Unwanted();
+      if (stop) throw Cancelled();
       list.push_back(answer_canon(suite, scene, engine, settings));
     }
   });
@@ -120,9 +109,8 @@ py::list canon(const std::string& engine_name, const std::string& settings,
       amounts[i] = answer.deviations[i].amount();
       steps_off[i] = answer.deviations[i].time / canon_steps[i];
     }
-    answers.append(py::dict(py::arg("scene") = answer.scene, py::arg("verdict") = answer.verdict,
-                            py::arg("reason") = answer.reason, py::arg("amounts") = amounts,
-                            py::arg("steps_off") = steps_off));
+    answers.append(py::dict("scene"_a = answer.scene, "verdict"_a = answer.verdict,
+                            "reason"_a = answer.reason, "amounts"_a = amounts, "steps_off"_a = steps_off));
   }
   return answers;
 }

@@ -1,34 +1,27 @@
-#include "comparisons/interfaces/python/ground.hpp"
-
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "analytic/scene/ground/motion_library.hpp"
 #include "analytic/scene/input/ground_reader.hpp"
-#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
-#include "analytic/scene/scene.hpp"
-#include "comparisons/interfaces/python/arrays.hpp"
-#include "comparisons/interfaces/python/nodes.hpp"
-#include "comparisons/interfaces/python/packed.hpp"
-#include "comparisons/interfaces/python/scene.hpp"
-#include "comparisons/measures/metrics/ground.hpp"
+#include "comparisons/interfaces/python/convert.hpp"
+#include "comparisons/interfaces/python/module.hpp"
+#include "comparisons/measures/metrics/ground/ground_measures.hpp"
+#include "comparisons/measures/metrics/ground/response_spectrum.hpp"
 
 namespace rockstack::python {
 namespace {
 
-namespace py = pybind11;
+using namespace py::literals;
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// The key of a motion in messages, and what they say in place of file and line.
 constexpr const char* motion_key = "motion";
 
-std::shared_ptr<GroundMotion> make(const py::object& mapping) {
+std::shared_ptr<GroundMotion> make_ground(const py::object& mapping) {
   const Node table = read_document(mapping, motion_key);
   MotionLibrary library;
   try {
@@ -57,26 +50,22 @@ Numbers accelerations(const GroundMotion& motion, const Numbers& times) {
 }
 
 py::dict to_dict(const Peak& peak) {
-  return py::dict(py::arg("value") = peak.value, py::arg("time") = peak.time);
+  return py::dict("value"_a = peak.value, "time"_a = peak.time);
 }
 
 py::dict to_dict(const Span& span) {
-  return py::dict(py::arg("begin") = span.begin, py::arg("end") = span.end,
-                  py::arg("length") = span.length());
+  return py::dict("begin"_a = span.begin, "end"_a = span.end, "length"_a = span.length());
 }
 
 py::dict measures(const GroundMotion& motion) {
   const GroundMeasures measures = measure_ground(sampled(motion));
-  return py::dict(py::arg("points") = measures.points, py::arg("interval") = measures.interval,
-                  py::arg("duration") = measures.duration,
-                  py::arg("peak_acceleration") = to_dict(measures.acceleration),
-                  py::arg("peak_velocity") = to_dict(measures.velocity),
-                  py::arg("peak_displacement") = to_dict(measures.displacement),
-                  py::arg("final_velocity") = measures.final_velocity,
-                  py::arg("final_displacement") = measures.final_displacement,
-                  py::arg("arias_intensity") = measures.arias_intensity,
-                  py::arg("significant_5_95") = to_dict(measures.significant_5_95),
-                  py::arg("significant_5_75") = to_dict(measures.significant_5_75));
+  return py::dict(
+      "points"_a = measures.points, "interval"_a = measures.interval, "duration"_a = measures.duration,
+      "peak_acceleration"_a = to_dict(measures.acceleration), "peak_velocity"_a = to_dict(measures.velocity),
+      "peak_displacement"_a = to_dict(measures.displacement), "final_velocity"_a = measures.final_velocity,
+      "final_displacement"_a = measures.final_displacement, "arias_intensity"_a = measures.arias_intensity,
+      "significant_5_95"_a = to_dict(measures.significant_5_95),
+      "significant_5_75"_a = to_dict(measures.significant_5_75));
 }
 
 void require_period(const GroundMotion& motion, double period) {
@@ -119,7 +108,7 @@ std::pair<double, double> base_line(const GroundMotion& motion) {
 
 void add_ground(py::module_& core) {
   py::class_<GroundMotion, std::shared_ptr<GroundMotion>>(core, "GroundMotion")
-      .def_static("made", &make)
+      .def_static("made", &make_ground)
       .def("packed", &packed<GroundMotion>)
       .def_static("unpacked",
                   [](const py::bytes& bytes) {
@@ -130,11 +119,9 @@ void add_ground(py::module_& core) {
                     return std::make_shared<GroundMotion>(axis == "vertical" ? scene.scene.vertical
                                                                              : scene.scene.horizontal);
                   })
-      .def_property_readonly("samples",
-                             [](const py::object& self) {
-                               const auto& samples = self.cast<const GroundMotion&>().samples;
-                               return view(samples, {static_cast<py::ssize_t>(samples.size())}, self);
-                             })
+      .def_property_readonly(
+          "samples",
+          [](const py::object& self) { return view(self.cast<const GroundMotion&>().samples, self); })
       .def_property_readonly("interval", [](const GroundMotion& motion) { return motion.interval; })
       .def_property_readonly("end", &GroundMotion::end)
       .def_property_readonly("source", [](const GroundMotion& motion) { return motion.source; })

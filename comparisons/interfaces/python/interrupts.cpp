@@ -1,22 +1,15 @@
-#include "comparisons/interfaces/python/interrupts.hpp"
-
-#include <pybind11/pybind11.h>
-
 #include <chrono>
-#include <exception>
 #include <future>
 #include <thread>
+
+#include "comparisons/interfaces/python/module.hpp"
 
 namespace rockstack::python {
 namespace {
 
-namespace py = pybind11;
+using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds pause{50};
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 bool signal_raised() {
   const py::gil_scoped_acquire lock;
@@ -25,13 +18,13 @@ bool signal_raised() {
 
 }  // namespace
 
-Interrupts::Interrupts() : next_(now() + std::chrono::duration<double>(pause).count()) {}
-
-bool Interrupts::operator()() {
-  constexpr unsigned steps_between_looks = 64;  // a look at the clock takes as long as some steps
-  if (++asked_ % steps_between_looks != 0 || now() < next_) return false;
-  next_ = now() + std::chrono::duration<double>(pause).count();
-  return signal_raised();
+std::function<bool()> interrupts() {
+  return [asked = 0U, next = Clock::now() + pause]() mutable {
+    constexpr unsigned steps_between_looks = 64;  // a look at the clock takes as long as some steps
+    if (++asked % steps_between_looks != 0 || Clock::now() < next) return false;
+    next = Clock::now() + pause;
+    return signal_raised();
+  };
 }
 
 void beside_interpreter(const std::function<void(const std::atomic<bool>& stop)>& work) {
@@ -41,7 +34,7 @@ void beside_interpreter(const std::function<void(const std::atomic<bool>& stop)>
     std::future<void> end = std::async(std::launch::async, [&] {
       try {
         work(stop);
-      } catch (const Unwanted&) {
+      } catch (const Cancelled&) {
         return;  // what has raised is thrown below
       }
     });

@@ -1,17 +1,53 @@
-#include <pybind11/pybind11.h>
+#include "comparisons/interfaces/python/module.hpp"
+
 #include <pybind11/stl.h>
 
-#include "comparisons/interfaces/python/compare.hpp"
-#include "comparisons/interfaces/python/engines.hpp"
-#include "comparisons/interfaces/python/errors.hpp"
-#include "comparisons/interfaces/python/ground.hpp"
-#include "comparisons/interfaces/python/keys.hpp"
-#include "comparisons/interfaces/python/motion.hpp"
-#include "comparisons/interfaces/python/scene.hpp"
-#include "comparisons/interfaces/python/solve.hpp"
-#include "comparisons/interfaces/python/sweep.hpp"
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+#include "analytic/scene/input/scene_keys.hpp"
 #include "comparisons/measures/results/build.hpp"
+#include "comparisons/studies/sweep/ensemble_keys.hpp"
 #include "comparisons/suites/shipped.hpp"
+#include "comparisons/suites/suite_keys.hpp"
+
+namespace rockstack::python {
+namespace {
+
+/// Lets what is thrown for wrong input arrive as rockstack.InputError, with its text.
+void add_errors(py::module_& core) {
+  // Kept for as long as the interpreter lives, as a translator has no end.
+  core.attr("InputError") = py::module_::import("rockstack.errors").attr("InputError");
+  static const py::handle input_error = py::object(core.attr("InputError")).release();
+  py::register_exception_translator([](std::exception_ptr failure) {
+    try {
+      if (failure) std::rethrow_exception(std::move(failure));
+    } catch (const std::invalid_argument& error) {
+      PyErr_SetString(input_error.ptr(), error.what());
+    }
+  });
+}
+
+py::list rows(std::initializer_list<const KeyTable*> tables) {
+  using namespace py::literals;
+  py::list list;
+  for (const KeyTable* table : tables) {
+    for (const InputKey& key : table->keys)
+      list.append(py::dict("table"_a = table->header, "key"_a = key.name, "unit"_a = key.unit,
+                           "range"_a = key.range, "default"_a = key.standard, "meaning"_a = key.meaning,
+                           "example"_a = key.example));
+  }
+  return list;
+}
+
+py::dict keys() {
+  return py::dict(py::arg("scene") = rows(scene_tables), py::arg("suite") = rows(suite_tables),
+                  py::arg("ensemble") = rows(ensemble_tables));
+}
+
+}  // namespace
+}  // namespace rockstack::python
 
 // What the package `rockstack` in this folder is written over: no more than Python needs to be told, without
 // words.
@@ -19,13 +55,9 @@ PYBIND11_MODULE(_core, core) {
   using namespace rockstack;
   core.attr("version") = build::version;
   core.def("shipped_names", &shipped_names);
+  core.def("keys", &python::keys);
   python::add_errors(core);
-  python::add_scene(core);
-  python::add_motion(core);
-  python::add_solve(core);
-  python::add_ground(core);
-  python::add_keys(core);
-  python::add_sweep(core);
-  python::add_engines(core);
-  python::add_compare(core);
+  for (const auto add : {python::add_scene, python::add_motion, python::add_solve, python::add_ground,
+                         python::add_sweep, python::add_engines, python::add_compare})
+    add(core);
 }

@@ -1,16 +1,57 @@
-#include "comparisons/interfaces/python/motion.hpp"
-
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
-#include "comparisons/interfaces/python/arrays.hpp"
-#include "comparisons/interfaces/python/packed.hpp"
-#include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/measures/results/histories.hpp"
+#include <array>
+#include <utility>
+
+#include "analytic/scene/input/overrides.hpp"
+#include "comparisons/interfaces/python/convert.hpp"
+#include "comparisons/interfaces/python/module.hpp"
+#include "comparisons/measures/metrics/contact/validity.hpp"
+#include "comparisons/measures/results/reactions.hpp"
+#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack::python {
 namespace {
 
-namespace py = pybind11;
+/// What messages say where a file has its name and the line.
+constexpr const char* scene_place = "scene";
+
+std::shared_ptr<GivenScene> make(SceneDocument document) {
+  MotionLibrary library;
+  Scene scene = make_scene(document, library);
+  return std::make_shared<GivenScene>(GivenScene{std::move(document), std::move(scene)});
+}
+
+std::shared_ptr<GivenScene> changed(const GivenScene& scene, const py::dict& values) {
+  SceneDocument document = scene.document;
+  for (const auto& [key, value] : values) {
+    Node node;
+    node.key = key.cast<std::string>();
+    node.place = scene_place;
+    read_value(value, node);
+    set_value(document.root, node.key, node);
+  }
+  return make(std::move(document));
+}
+
+const char* equations_name(const Scene& scene) {
+  static constexpr std::array names{"nonlinear", "linear", "small-angle"};
+  return names[static_cast<std::size_t>(scene.equations)];
+}
+
+template <double (*angle)(const Scene&, int)>
+py::array_t<double> of_blocks(const Scene& scene) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) values.push_back(angle(scene, static_cast<int>(k)));
+  return copied(values);
+}
+
+/// A property of the scene itself.
+template <class Get>
+auto of_scene(const Get& get) {
+  return [get](const GivenScene& given) { return std::invoke(get, given.scene); };
+}
 
 /// A property that looks at a list of a history in place, `columns` numbers for each block of each sample;
 /// None where the history does not have it.
@@ -21,7 +62,7 @@ auto samples(const std::vector<Number> History::*list, py::ssize_t columns = 1) 
     if ((history.*list).empty() && !history.times.empty()) return py::none();
     Shape shape{static_cast<py::ssize_t>(history.size()), history.blocks};
     if (columns > 1) shape.push_back(columns);
-    return view(history.*list, shape, self);
+    return view(history.*list, self, shape);
   };
 }
 
@@ -30,8 +71,7 @@ template <class Number>
 auto of_each(const std::vector<Number> History::*list) {
   return [list](const py::object& self) -> py::object {
     const std::vector<Number>& entries = self.cast<const HeldMotion&>().history.*list;
-    if (entries.empty()) return py::none();
-    return view(entries, {static_cast<py::ssize_t>(entries.size())}, self);
+    return entries.empty() ? py::object(py::none()) : view(entries, self);
   };
 }
 
@@ -93,6 +133,34 @@ py::list doubts(const std::vector<BasicGraze<double>>& list) {
 
 }  // namespace
 
+void add_scene(py::module_& core) {
+  core.def("toml_text", [](const std::string& text) { return toml_text(text); });
+  py::class_<GivenScene, std::shared_ptr<GivenScene>>(core, "Scene")
+      .def_static(
+          "made",
+          [](const py::object& mapping, const std::filesystem::path& folder, const std::string& title) {
+            return make({read_document(mapping, scene_place), folder, title});
+          })
+      .def_static("read",
+                  [](const std::string& name, const std::vector<std::string>& overrides) {
+                    return make(rockstack::read_document(find_file(name, "scenes"), overrides));
+                  })
+      .def("changed", &changed)
+      .def_property_readonly("document",
+                             [](const GivenScene& given) { return to_python(given.document.root); })
+      .def_property_readonly("folder", [](const GivenScene& given) { return given.document.folder; })
+      .def_property_readonly("title", of_scene(&Scene::title))
+      .def_property_readonly("duration", of_scene(&Scene::duration))
+      .def_property_readonly("gravity", of_scene(&Scene::gravity))
+      .def_property_readonly("law", of_scene([](const Scene& scene) { return name(scene.law); }))
+      .def_property_readonly("equations", of_scene(equations_name))
+      .def_property_readonly("blocks", of_scene([](const Scene& scene) { return scene.blocks.size(); }))
+      .def_property_readonly("friction",
+                             of_scene([](const Scene& scene) { return copied(friction_of(scene)); }))
+      .def_property_readonly("slenderness", of_scene(of_blocks<slenderness>))
+      .def_property_readonly("toppling_angles", of_scene(of_blocks<toppling_angle>));
+}
+
 void add_motion(py::module_& core) {
   PYBIND11_NUMPY_DTYPE(Demand, least_normal, least_normal_time, friction, friction_time, first_pull_time,
                        first_slip_time);
@@ -104,11 +172,9 @@ void add_motion(py::module_& core) {
                   [](const ScenePointer& scene, const py::bytes& bytes) {
                     return std::make_shared<HeldMotion>(HeldMotion{scene, unpacked<History>(bytes)});
                   })
-      .def_property_readonly("times",
-                             [](const py::object& self) {
-                               const auto& times = self.cast<const HeldMotion&>().history.times;
-                               return view(times, {static_cast<py::ssize_t>(times.size())}, self);
-                             })
+      .def_property_readonly(
+          "times",
+          [](const py::object& self) { return view(self.cast<const HeldMotion&>().history.times, self); })
       .def_property_readonly("angles", samples(&History::angles))
       .def_property_readonly("velocities", samples(&History::velocities))
       .def_property_readonly("slips", samples(&History::slips))

@@ -1,194 +1,146 @@
-#include "comparisons/interfaces/python/sweep.hpp"
+#include "comparisons/studies/sweep/sweep.hpp"
 
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <map>
 #include <mutex>
 #include <numeric>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "analytic/scene/input/toml_reader.hpp"
-#include "comparisons/interfaces/python/interrupts.hpp"
-#include "comparisons/interfaces/python/nodes.hpp"
+#include "comparisons/interfaces/python/convert.hpp"
+#include "comparisons/interfaces/python/module.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/studies/sweep/runs.hpp"
-#include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack::python {
 namespace {
 
-namespace py = pybind11;
-
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// A column that is made once, at its full length, and into which runs write from any thread.
-template <class Number>
-class Column {
- public:
-  Column(py::dict& columns, const std::string& name, std::size_t runs)
-      : array_(static_cast<py::ssize_t>(runs)), numbers_(array_.mutable_data()) {
-    columns[py::str(name)] = array_;
-  }
-  Number& operator[](std::size_t run) { return numbers_[run]; }
-
- private:
-  py::array_t<Number> array_;
-  Number* numbers_;
-};
-
-/// The values that runs have of one variation: numbers, or texts by their number in a list.
-class VariedColumn {
- public:
-  VariedColumn(py::dict& columns, py::dict& words, const Variation& variation, std::size_t runs) {
-    const bool numbers =
-        std::all_of(variation.values.begin(), variation.values.end(),
-                    [](const Value& value) { return value.node.kind == Node::Kind::number; });
-    if (numbers) {
-      numbers_.emplace(columns, variation.name(), runs);
-      return;
-    }
-    codes_.emplace(columns, variation.name(), runs);
-    py::list texts;
-    for (const Value& value : variation.values)
-      if (code_of_.emplace(value.text, static_cast<std::int32_t>(code_of_.size())).second)
-        texts.append(value.text);
-    words[py::str(variation.name())] = texts;
-  }
-
-  void write(std::size_t run, const Value& value) {
-    if (numbers_) {
-      (*numbers_)[run] = value.node.number;
-    } else {
-      (*codes_)[run] = code_of_.at(value.text);
-    }
-  }
-
- private:
-  std::optional<Column<double>> numbers_;
-  std::optional<Column<std::int32_t>> codes_;
-  std::map<std::string, std::int32_t> code_of_;
-};
-
 /// All columns of a sweep, one row a run; names and meanings are those of runs.csv.
-class Table {
+class SweepTable {
  public:
-  explicit Table(const Ensemble& ensemble) : runs_(run_count(ensemble)) {
-    for (const Variation& variation : ensemble.variations)
-      varied_.emplace_back(columns, words, variation, runs_);
+  explicit SweepTable(const Ensemble& ensemble) : runs_(static_cast<py::ssize_t>(run_count(ensemble))) {
+    for (std::size_t v = 0; v < ensemble.variations.size(); ++v) add_variation(ensemble.variations[v], v);
     const std::size_t blocks = find(ensemble.base.root, "blocks")->children.size();
-    for (std::size_t k = 1; k <= blocks; ++k)
-      peaks_.emplace_back(columns, "peak_" + std::to_string(k), runs_);
-    for (const auto& [name, of] : measures()) measured_.emplace_back(columns, name, runs_);
-    for (const auto& [name, of] : counts()) counted_.emplace_back(columns, name, runs_);
-    for (const auto& [name, of] : modes()) {
-      mode_columns_.emplace_back(columns, name, runs_);
-      py::list names;
-      for (const MotionMode mode : motion_modes) names.append(rockstack::name(mode));
-      words[name] = names;
-    }
+    for (std::size_t k = 0; k < blocks; ++k)
+      add_measure("peak_" + std::to_string(k + 1), [k](const RunOutcome& of) { return of.peaks[k]; });
+    add_measure("peak_ratio", [](const RunOutcome& of) { return of.peak_ratio; });
+    add_measure("topple_time",
+                [](const RunOutcome& of) { return of.toppled > 0 ? of.topple_time : nothing; });
+    add_measure("last_event_time",
+                [](const RunOutcome& of) { return of.events > 0 ? of.last_event_time : nothing; });
+    add_demand("least_normal_force", "force_friction", &RunOutcome::force);
+    add_demand("least_normal_impulse", "impulse_friction", &RunOutcome::impulse);
+    add_measure("slip", [](const RunOutcome& of) { return of.slip.value_or(nothing); });
+    add_measure("lift", [](const RunOutcome& of) { return of.lift.value_or(nothing); });
+    add_count("toppled", &RunOutcome::toppled);
+    add_count("impacts", &RunOutcome::impacts);
+    add_count("events", &RunOutcome::events);
+    add_mode("onset", &RunOutcome::onset);
+    add_mode("motion", &RunOutcome::motion);
   }
 
+  /// From any thread.
   void write(const RunResult& result) {
-    for (std::size_t v = 0; v < varied_.size(); ++v) varied_[v].write(result.run, result.values[v]);
-    const RunOutcome* outcome = result.outcome;
-    for (std::size_t k = 0; k < peaks_.size(); ++k)
-      peaks_[k][result.run] = outcome ? outcome->peaks[k] : nothing;
-    for (std::size_t i = 0; i < measured_.size(); ++i)
-      measured_[i][result.run] = outcome ? measures()[i].of(*outcome) : nothing;
-    for (std::size_t i = 0; i < counted_.size(); ++i)
-      counted_[i][result.run] = outcome ? counts()[i].of(*outcome) : 0;
-    for (std::size_t i = 0; i < mode_columns_.size(); ++i)
-      mode_columns_[i][result.run] =
-          outcome ? static_cast<std::int8_t>(modes()[i].of(*outcome)) : std::int8_t{-1};
-    if (outcome != nullptr) return;
+    for (const auto& write : writers_) write(result);
+    if (result.outcome != nullptr) return;
     const std::lock_guard lock(mutex_);
     failures_[result.run] = result.reason;
   }
 
   /// Columns, the words that the numbers of some stand for, and why runs failed.
-  py::tuple result() const { return py::make_tuple(columns, words, failures_); }
-
-  py::dict columns, words;
+  py::tuple result() const { return py::make_tuple(columns_, words_, failures_); }
 
  private:
-  template <class Number>
-  struct Entry {
-    const char* name;
-    Number (*of)(const RunOutcome&);
-  };
-
-  static double if_finite(double least, double value) { return std::isfinite(least) ? value : nothing; }
-
-  static const std::vector<Entry<double>>& measures() {
-    static const std::vector<Entry<double>> list{
-        {"peak_ratio", [](const RunOutcome& of) { return of.peak_ratio; }},
-        {"topple_time", [](const RunOutcome& of) { return of.toppled > 0 ? of.topple_time : nothing; }},
-        {"last_event_time",
-         [](const RunOutcome& of) { return of.events > 0 ? of.last_event_time : nothing; }},
-        {"least_normal_force",
-         [](const RunOutcome& of) { return if_finite(of.force.least_normal, of.force.least_normal); }},
-        {"force_friction",
-         [](const RunOutcome& of) { return if_finite(of.force.least_normal, of.force.friction); }},
-        {"least_normal_impulse",
-         [](const RunOutcome& of) { return if_finite(of.impulse.least_normal, of.impulse.least_normal); }},
-        {"impulse_friction",
-         [](const RunOutcome& of) { return if_finite(of.impulse.least_normal, of.impulse.friction); }},
-        {"slip", [](const RunOutcome& of) { return of.slip.value_or(nothing); }},
-        {"lift", [](const RunOutcome& of) { return of.lift.value_or(nothing); }}};
-    return list;
+  /// A column that is made once, at its full length; `of` is what it has of a RunResult.
+  template <class Number, class Of>
+  void add(const std::string& name, const Of& of) {
+    py::array_t<Number> array(runs_);
+    writers_.push_back([numbers = array.mutable_data(), of](const RunResult& result) {
+      numbers[result.run] = static_cast<Number>(of(result));
+    });
+    columns_[py::str(name)] = std::move(array);
   }
 
-  static const std::vector<Entry<std::int32_t>>& counts() {
-    static const std::vector<Entry<std::int32_t>> list{
-        {"toppled", [](const RunOutcome& of) { return of.toppled; }},
-        {"impacts", [](const RunOutcome& of) { return static_cast<std::int32_t>(of.impacts); }},
-        {"events", [](const RunOutcome& of) { return static_cast<std::int32_t>(of.events); }}};
-    return list;
+  template <class Of>
+  void add_measure(const std::string& name, const Of& of) {
+    add<double>(name,
+                [of](const RunResult& result) { return result.outcome ? of(*result.outcome) : nothing; });
   }
 
-  static const std::vector<Entry<MotionMode>>& modes() {
-    static const std::vector<Entry<MotionMode>> list{
-        {"onset", [](const RunOutcome& of) { return of.onset; }},
-        {"motion", [](const RunOutcome& of) { return of.motion; }}};
-    return list;
+  void add_demand(const char* least_normal, const char* friction, Demand RunOutcome::*demand) {
+    add_measure(least_normal, [demand](const RunOutcome& of) {
+      const double least = (of.*demand).least_normal;
+      return std::isfinite(least) ? least : nothing;
+    });
+    add_measure(friction, [demand](const RunOutcome& of) {
+      return std::isfinite((of.*demand).least_normal) ? (of.*demand).friction : nothing;
+    });
   }
 
-  std::size_t runs_;
-  std::vector<VariedColumn> varied_;
-  std::vector<Column<double>> peaks_, measured_;
-  std::vector<Column<std::int32_t>> counted_;
-  std::vector<Column<std::int8_t>> mode_columns_;
+  template <class Count>
+  void add_count(const char* name, Count RunOutcome::*count) {
+    add<std::int32_t>(name, [count](const RunResult& result) {
+      return result.outcome ? static_cast<std::int32_t>(result.outcome->*count) : 0;
+    });
+  }
+
+  void add_mode(const char* name, MotionMode RunOutcome::*mode) {
+    add<std::int8_t>(name, [mode](const RunResult& result) {
+      return result.outcome ? static_cast<int>(result.outcome->*mode) : -1;
+    });
+    py::list names;
+    for (const MotionMode one : motion_modes) names.append(rockstack::name(one));
+    words_[name] = names;
+  }
+
+  /// The values that runs have of one variation: numbers, or texts by their number in a list.
+  void add_variation(const Variation& variation, std::size_t index) {
+    const auto is_number = [](const Value& value) { return value.node.kind == Node::Kind::number; };
+    if (std::all_of(variation.values.begin(), variation.values.end(), is_number))
+      return add<double>(variation.name(),
+                         [index](const RunResult& result) { return result.values[index].node.number; });
+    std::map<std::string, std::int32_t> codes;
+    py::list texts;
+    for (const Value& value : variation.values)
+      if (codes.emplace(value.text, static_cast<std::int32_t>(codes.size())).second) texts.append(value.text);
+    words_[py::str(variation.name())] = texts;
+    add<std::int32_t>(variation.name(), [index, codes](const RunResult& result) {
+      return codes.at(result.values[index].text);
+    });
+  }
+
+  py::ssize_t runs_;
+  py::dict columns_, words_;
+  std::vector<std::function<void(const RunResult&)>> writers_;
   std::mutex mutex_;
   std::map<std::size_t, std::string> failures_;
 };
 
 py::tuple run(const Ensemble& ensemble, MotionLibrary& library, std::size_t threads) {
-  Table table(ensemble);
+  SweepTable table(ensemble);
   const std::size_t runs = run_count(ensemble), size = block_size(runs);
   std::vector<std::size_t> blocks((runs + size - 1) / size);
   std::iota(blocks.begin(), blocks.end(), 0);
   beside_interpreter([&](const std::atomic<bool>& stop) {
-    const std::function<bool()> unwanted = [&] { return stop.load(); };
+    const std::function<bool()> cancelled = [&] { return stop.load(); };
     const auto take = [&](const RunResult& result) {
-      if (stop) throw Unwanted();
+      if (stop) throw Cancelled();
       table.write(result);
     };
     const auto compute = [&](std::size_t block) {
-      make_runs(ensemble, block * size, std::min(runs, (block + 1) * size), library, take, &unwanted);
+      make_runs(ensemble, block * size, std::min(runs, (block + 1) * size), library, take, &cancelled);
       return std::string();
     };
-    make_threads(threads)->run(blocks, {compute, [](std::size_t, const std::string&) {}, unwanted});
+    make_threads(threads)->run(blocks, {compute, [](std::size_t, const std::string&) {}, cancelled});
   });
   return table.result();
 }

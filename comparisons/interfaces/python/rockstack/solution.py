@@ -163,8 +163,8 @@ def _unpacked(kind: type[Motion], scene: Scene, packed: bytes) -> Motion:
     return motion
 
 
-def _asked(interval: float | None, times: ArrayLike | None, tolerance: float, integrator: str, step: float) -> _core.Asked:
-    return _core.Asked(interval, None if times is None else numbers("times", times), integrator, tolerance, step)
+def _request(interval: float | None, times: ArrayLike | None, tolerance: float, integrator: str, step: float) -> _core.SolveRequest:
+    return _core.SolveRequest(interval, None if times is None else numbers("times", times), integrator, tolerance, step)
 
 
 def _solution(scene: Scene, core: _core.Motion | None) -> Solution | None:
@@ -181,7 +181,7 @@ def solve(scene: Scene, *, interval: float | None = 1e-3, times: ArrayLike | Non
 
     Raises Unfinished, with the motion up to there, where it cannot be followed; InputError for what is out of range.
     """
-    motion, failure = _core.solve(core_of(scene), _asked(interval, times, tolerance, integrator, step))
+    motion, failure = _core.solve(core_of(scene), _request(interval, times, tolerance, integrator, step))
     if failure is not None:
         raise Unfinished(failure, _solution(scene, motion))
     return Solution(scene, motion)
@@ -199,7 +199,7 @@ def solve_many(scenes: Iterable[Scene], *, interval: float | None = 1e-3, times:
         raise _core.InputError(f"failures = {failures}: must be raise or keep")
     given = list(scenes)
     outcomes = _core.solve_many([core_of(scene) for scene in given],
-                                _asked(interval, times, tolerance, integrator, step), thread_count(threads))
+                                _request(interval, times, tolerance, integrator, step), thread_count(threads))
     results: list[Solution | Unfinished] = []
     for scene, (motion, failure) in zip(given, outcomes):
         if failure is None:

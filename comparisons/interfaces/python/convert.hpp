@@ -1,25 +1,61 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
+#include <pybind11/numpy.h>
 
-#include <concepts>
+#include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include "analytic/scene/ground/ground_motion.hpp"
 #include "analytic/scene/history.hpp"
-#include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/input/document.hpp"
 
 namespace rockstack::python {
+
+namespace py = pybind11;
+
+// Numbers as numpy has them.
+
+using Shape = std::vector<py::ssize_t>;
+
+/// A read-only array of numbers that `owner` keeps, and which keeps `owner`; a single row unless `shape` says
+/// otherwise.
+template <class Number>
+py::array view(const std::vector<Number>& numbers, const py::object& owner, const Shape& shape = {}) {
+  py::array_t<Number> array(shape.empty() ? Shape{static_cast<py::ssize_t>(numbers.size())} : shape,
+                            numbers.data(), owner);
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
+}
+
+/// An array of its own.
+template <class Number>
+py::array_t<Number> copied(const std::vector<Number>& numbers) {
+  return py::array_t<Number>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+}
+
+// Values as the readers of files take them.
+
+/// A value read into `target`: mappings are tables, sequences and arrays are arrays, and keys whose value is
+/// None are left out. @throws InputError for what no file can hold.
+void read_value(const py::handle& value, Node& target);
+
+/// The top of a document from a mapping; `place` is what messages say in place of file and line.
+Node read_document(const py::handle& mapping, const std::string& place);
+
+/// The same as Python has it: dict, list, float, str.
+py::object to_python(const Node& node);
 
 // Values as bytes and back, for processes that hand each other what they have computed; of one build, as
 // numbers are written as they lie in memory.
 
 template <class Value, class Kind>
-concept A = std::same_as<std::remove_const_t<Value>, Kind>;
+concept A = std::is_same_v<std::remove_const_t<Value>, Kind>;
 
 auto fields_of(A<Event> auto& event) {
   return std::tie(event.time, event.kind, event.interface, event.from, event.to, event.angles, event.before,
@@ -76,7 +112,7 @@ void unpack(Value& value, std::string_view& bytes) {
 }
 
 template <class Value>
-pybind11::bytes packed(const Value& value) {
+py::bytes packed(const Value& value) {
   std::string bytes;
   pack(value, bytes);
   return bytes;
@@ -84,7 +120,7 @@ pybind11::bytes packed(const Value& value) {
 
 /// @throws InputError for other bytes than packed() gives.
 template <class Value>
-Value unpacked(const pybind11::bytes& packed) {
+Value unpacked(const py::bytes& packed) {
   auto bytes = packed.cast<std::string_view>();
   Value value;
   unpack(value, bytes);

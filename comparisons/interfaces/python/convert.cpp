@@ -1,16 +1,10 @@
-#include "comparisons/interfaces/python/nodes.hpp"
-
-#include <pybind11/numpy.h>
+#include "comparisons/interfaces/python/convert.hpp"
 
 #include <limits>
-#include <string>
-#include <string_view>
 #include <utility>
 
 namespace rockstack::python {
 namespace {
-
-namespace py = pybind11;
 
 void read(const py::handle& value, Node& target, int depth);
 
@@ -31,17 +25,15 @@ void read_table(const py::object& items, Node& target, int depth) {
   }
 }
 
-Node entry_of(const Node& array) {
-  return make_child(array, std::to_string(array.children.size() + 1), array.place);
+/// A further entry of an array.
+Node& add_entry(Node& array) {
+  Node child = make_child(array, std::to_string(array.children.size() + 1), array.place);
+  return array.children.emplace_back(std::move(child));
 }
 
 void read_sequence(const py::handle& values, Node& target, int depth) {
   target.kind = Node::Kind::array;
-  for (const py::handle value : values) {
-    Node child = entry_of(target);
-    read(value, child, depth + 1);
-    target.children.push_back(std::move(child));
-  }
+  for (const py::handle value : values) read(value, add_entry(target), depth + 1);
 }
 
 void read_numbers(const py::array_t<double>& numbers, Node& target) {
@@ -49,10 +41,9 @@ void read_numbers(const py::array_t<double>& numbers, Node& target) {
   target.children.reserve(static_cast<std::size_t>(numbers.size()));
   const auto values = numbers.unchecked<1>();
   for (py::ssize_t i = 0; i < numbers.size(); ++i) {
-    Node child = entry_of(target);
-    child.kind = Node::Kind::number;
-    child.number = values(i);
-    target.children.push_back(std::move(child));
+    Node& entry = add_entry(target);
+    entry.kind = Node::Kind::number;
+    entry.number = values(i);
   }
 }
 
@@ -132,25 +123,20 @@ Node read_document(const py::handle& mapping, const std::string& place) {
 }
 
 py::object to_python(const Node& node) {
-  switch (node.kind) {
-    case Node::Kind::number:
-      return py::float_(node.number);
-    case Node::Kind::text:
-      return py::str(node.text);
-    case Node::Kind::other:
-      return node.text == "true" || node.text == "false" ? py::object(py::bool_(node.text == "true"))
-                                                         : py::object(py::str(node.text));
-    case Node::Kind::array: {
-      py::list list;
-      for (const Node& child : node.children) list.append(to_python(child));
-      return list;
-    }
-    case Node::Kind::table:
-      break;
-  }
+  if (node.kind == Node::Kind::number) return py::float_(node.number);
+  if (node.kind == Node::Kind::other && (node.text == "true" || node.text == "false"))
+    return py::bool_(node.text == "true");
+  if (node.kind == Node::Kind::text || node.kind == Node::Kind::other) return py::str(node.text);
+  py::list list;
   py::dict dict;
-  for (const Node& child : node.children) dict[py::str(child.name)] = to_python(child);
-  return dict;
+  for (const Node& child : node.children) {
+    const py::object value = to_python(child);
+    if (node.kind == Node::Kind::array)
+      list.append(value);
+    else
+      dict[py::str(child.name)] = value;
+  }
+  return node.kind == Node::Kind::array ? py::object(list) : py::object(dict);
 }
 
 }  // namespace rockstack::python

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/input/scene_file.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
+
+namespace rockstack::python {
+
+namespace py = pybind11;
+
+/// A scene with the document that it was made of, from which others with changed values are made.
+struct GivenScene {
+  SceneDocument document;
+  Scene scene;
+};
+
+using ScenePointer = std::shared_ptr<const GivenScene>;
+
+/// A history of a scene, whose numbers arrays look at in place.
+struct HeldMotion {
+  ScenePointer scene;
+  History history;
+  Support support = {};  ///< of an engine's run that told its bodies
+};
+
+/// To be asked again and again by work without the interpreter's lock: true once a signal's handler has
+/// raised, as Ctrl-C does. Looks at signals twenty times a second.
+std::function<bool()> interrupts();
+
+/// What work may throw to end because it is to stop.
+struct Cancelled {};
+
+/// Does work in a thread of its own, without the interpreter's lock, and looks at signals meanwhile. Once a
+/// handler has raised, `stop` becomes true, and what it has raised is thrown when the work has ended.
+/// @throws what the work throws, but Cancelled.
+void beside_interpreter(const std::function<void(const std::atomic<bool>& stop)>& work);
+
+// What the files of this folder add to the module, as _core.pyi has it.
+void add_scene(py::module_& core);
+void add_motion(py::module_& core);
+void add_solve(py::module_& core);
+void add_ground(py::module_& core);
+void add_sweep(py::module_& core);
+void add_engines(py::module_& core);
+void add_compare(py::module_& core);
+
+}  // namespace rockstack::python
