@@ -2,8 +2,11 @@
 
 #include <pybind11/stl.h>
 
+#include <chrono>
 #include <exception>
+#include <future>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "analytic/scene/input/scene_keys.hpp"
@@ -14,6 +17,15 @@
 
 namespace rockstack::python {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds pause{50};
+
+bool signal_raised() {
+  const py::gil_scoped_acquire lock;
+  return PyErr_Occurred() != nullptr || PyErr_CheckSignals() != 0;
+}
 
 /// Lets what is thrown for wrong input arrive as rockstack.InputError, with its text.
 void add_errors(py::module_& core) {
@@ -47,6 +59,35 @@ py::dict keys() {
 }
 
 }  // namespace
+
+std::function<bool()> interrupts() {
+  return [asked = 0U, next = Clock::now() + pause]() mutable {
+    constexpr unsigned steps_between_looks = 64;  // a look at the clock takes as long as some steps
+    if (++asked % steps_between_looks != 0 || Clock::now() < next) return false;
+    next = Clock::now() + pause;
+    return signal_raised();
+  };
+}
+
+void beside_interpreter(const std::function<void(const std::atomic<bool>& stop)>& work) {
+  std::atomic<bool> stop = false;
+  {
+    const py::gil_scoped_release free;
+    std::future<void> end = std::async(std::launch::async, [&] {
+      try {
+        work(stop);
+      } catch (const Cancelled&) {
+        return;  // what has raised is thrown below
+      }
+    });
+    while (end.wait_for(pause) != std::future_status::ready)
+      if (!stop) stop = signal_raised();
+    if (!stop) return end.get();
+    end.wait();
+  }
+  throw py::error_already_set();
+}
+
 }  // namespace rockstack::python
 
 // What the package `rockstack` in this folder is written over: no more than Python needs to be told, without
@@ -58,6 +99,6 @@ PYBIND11_MODULE(_core, core) {
   core.def("keys", &python::keys);
   python::add_errors(core);
   for (const auto add : {python::add_scene, python::add_motion, python::add_solve, python::add_ground,
-                         python::add_sweep, python::add_engines, python::add_compare})
+                         python::add_sweep, python::add_engines})
     add(core);
 }

@@ -47,7 +47,6 @@ void add_motion(py::module_& core);
 void add_solve(py::module_& core);
 void add_ground(py::module_& core);
 void add_sweep(py::module_& core);
-void add_engines(py::module_& core);
-void add_compare(py::module_& core);
+void add_engines(py::module_& core);  ///< and comparisons
 
 }  // namespace rockstack::python
