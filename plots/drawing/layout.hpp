@@ -52,7 +52,9 @@ class Sheet {
   void leave_room_beside();
 
   /// Adds a line of words in a colour, #rrggbb, under the last panel's axis.
-  void note(const std::string& text, const std::string& colour) { notes_.emplace_back(text, colour); }
+  void note(const std::string& text, const std::string& colour = "#000000") {
+    notes_.emplace_back(text, colour);
+  }
 
   void data(const std::string& block) { blocks_ += block; }
 

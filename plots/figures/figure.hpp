@@ -1,12 +1,21 @@
 #pragma once
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "plots/data/results.hpp"
-#include "plots/drawing/layout.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/drawing/axes.hpp"
+#include "plots/drawing/series.hpp"
+#include "plots/drawing/time_axis.hpp"
 
 namespace rockstack::plots {
 
@@ -22,23 +31,26 @@ struct SceneSubject {
   Sheet sheet(const Legend& legend, const std::string& answer) const;
   /// The scene's title over the reason why there is nothing to show.
   Drawing nothing(const std::string& reason) const;
+
+  /// The exact run and the engines' runs that figures over time show, of these only those that have all of
+  /// some files.
+  Shown shown(const std::vector<std::string>& files = {}) const;
+  /// The time that some motions take, and what its shade means as an entry of the legend.
+  TimeAxis time_axis(const std::vector<Run>& runs, Legend& legend) const;
+  /// Says under the panels what the marks stand for, where they are of replicates.
+  void add_replicates_note(Sheet& sheet) const;
 };
 
 /// What a figure of all scenes of a comparison is drawn of.
 struct ComparisonSubject {
   const Figure& figure;
   const Comparison& comparison;
-
-  /// A sheet with the comparison's title.
-  Sheet sheet(const Legend& legend, const std::string& answer) const;
 };
 
 /// What a figure of a folder that is no comparison is drawn of.
 struct FolderSubject {
   const Figure& figure;
   const std::filesystem::path& folder;
-
-  Sheet sheet(const std::string& title, const Legend& legend, const std::string& answer) const;
 };
 
 /// By what stands behind the figure's name in that of its file; a single drawing has nothing there.
@@ -65,6 +77,98 @@ struct Figure {
   std::string question;     ///< that it answers
   std::string explanation;  ///< how to read it
   std::variant<OfScene, OfComparison, OfFolder> of;
+
+  /// A sheet with a title, the question and the answer.
+  Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const;
 };
+
+/// All figures, in the order of pages.
+const std::vector<Figure>& figures();
+
+/// The figures that a scene's results have data for.
+std::vector<const Figure*> figures_of(const ComparedScene& scene);
+
+/// The figure that a file is of, by its name without folder and ending; null where nobody draws such a file.
+const Figure* figure_in(const std::string& stem);
+
+/// Where a figure of a scene lies, without .png, .svg or .pdf.
+std::filesystem::path figure_stem(const std::filesystem::path& results, const ComparedScene& scene,
+                                  const Figure& figure);
+
+/// Draws all figures of a comparison, or of one motion, as results/figures/<scene>.<figure>.png, .svg and
+/// .pdf.
+/// @throws InputError naming the file that is missing or malformed; std::runtime_error where gnuplot fails.
+void draw_figures(const std::filesystem::path& results, const Comparison& comparison);
+
+/// Draws the figures of what is neither, whose files are there, as results/figures/<figure>.png, .svg and
+/// .pdf. @throws likewise.
+void draw_figures(const std::filesystem::path& results);
+
+/// Draws the motion of every scene of a results folder that a player could show, as
+/// results/figures/<scene>.motion.gif, and as .mp4 where ffmpeg is there: exact and engines side by side, 25
+/// frames a second. Returns the files.
+/// @throws InputError naming the file that is missing or malformed; std::runtime_error where gnuplot or
+/// ffmpeg fails.
+std::vector<std::filesystem::path> draw_animations(const std::filesystem::path& results);
+
+// What figures are drawn with besides the skeletons of plots/drawing.
+
+/// The exact run, where there is one, before those of the engines.
+std::vector<Run> all_runs(const Shown& shown);
+
+/// The marks of runs, of a size; of too many for one panel nothing.
+Legend mark_legend(const std::vector<Run>& runs, double size);
+
+/// Adds a panel, or many, of a curve a run, of those that have one. Their data blocks begin with `stem`.
+void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
+                const std::vector<Curve>& curves, const std::string& stem, const CurveLook& look = {});
+
+/// Where values lie.
+struct Reach {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(double value) { low = std::min(low, value), high = std::max(high, value); }
+  /// With room on a linear axis.
+  Reach wider(double margin) const { return {low - margin, high + margin}; }
+  /// With room on a logarithmic axis: a factor.
+  Reach wider_times(double factor) const { return {low / factor, high * factor}; }
+  /// Where a value is on a logarithmic axis of so many pixels.
+  double place(double value, double pixels) const {
+    return pixels * std::log(value / low) / std::log(high / low);
+  }
+};
+
+/// With room about it on a logarithmic axis, a twenty-fifth of its decades or more.
+Reach with_log_room(const Reach& reach);
+
+/// Ranges and numbers of a panel over two logarithmic axes, of so many pixels.
+std::string logarithmic_axes(const Reach& across, const Reach& up, double width, double height);
+
+/// Lines of numbers as a data block that plot commands call $name.
+using Numbers = std::vector<std::vector<double>>;
+std::string number_block(const std::string& name, const Numbers& lines);
+
+/// Plot elements, each of data blocks of its own.
+class Plots {
+ public:
+  /// `stem` begins the names of the blocks.
+  Plots(Sheet& sheet, std::string stem) : sheet_(sheet), stem_(std::move(stem)) {}
+  /// Draws lines of numbers once a style, "using 1:2 with …".
+  void add(const Numbers& lines, const std::vector<std::string>& styles);
+  const std::vector<std::string>& list() const { return list_; }
+
+ private:
+  Sheet& sheet_;
+  std::string stem_;
+  std::vector<std::string> list_;
+};
+
+/// Words beside whole numbers from `first` on, "set ytics (…)" without what stands around them; they count
+/// down where `step` is −1.
+std::string word_tics(const std::vector<std::string>& words, int first = 0, int step = 1);
+
+/// The settings of the panel over time that has the numbers of those above it.
+inline constexpr auto time_numbers = "set format x '%g'\nset xlabel 'time (s)'\n";
 
 }  // namespace rockstack::plots

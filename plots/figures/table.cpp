@@ -1,13 +1,8 @@
-#include "plots/figures/table.hpp"
-
-#include <utility>
-
 #include "plots/data/scores.hpp"
-#include "plots/drawing/gnuplot.hpp"
+#include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
 
-// Each is drawn by a file of its own.
 using DrawScene = Drawing(const SceneSubject&);
 DrawScene histories, slip, friction, differences, impact_times, impact_energy, ranking, split_parts,
     error_time, error_step, first_impact_step, toppling, distributions, equations, energy, phase, occupancy,
@@ -19,62 +14,22 @@ DrawFolder fragility, incremental, overturning, modes, law_maps, law_engines, st
 
 namespace {
 
-bool sampled(const ComparedScene& scene) {
-  return scene.has("histories");
-}
-
+// What a scene's results must have.
+constexpr auto sampled = [](const auto& scene) { return scene.has("histories"); };
 /// Whether runs stand beside each other at all times.
-bool compared(const ComparedScene& scene) {
-  return sampled(scene) && !scene.alone;
-}
-
-bool slips(const ComparedScene& scene) {
-  return sampled(scene) && scene.slips;
-}
-
-bool frictions(const ComparedScene& scene) {
-  return sampled(scene) && scene.frictions;
-}
-
-bool impacts(const ComparedScene& scene) {
-  return scene.has("impacts");
-}
-
-bool losses(const ComparedScene& scene) {
-  return sampled(scene) && scene.has("bodies") && scene.has("impacts") && scene.ground_motion.empty();
-}
-
-bool errors(const ComparedScene& scene) {
-  return scene.has("angles");
-}
-
-bool split(const ComparedScene& scene) {
-  return scene.split;
-}
-
-bool fitted(const ComparedScene& scene) {
-  return scene.fitted;
-}
-
-bool perturbed(const ComparedScene& scene) {
-  return scene.perturbed;
-}
-
-bool both_equations(const ComparedScene& scene) {
-  return sampled(scene) && scene.both_equations;
-}
-
-bool bodies(const ComparedScene& scene) {
-  return sampled(scene) && scene.has("bodies");
-}
-
-bool patterns(const ComparedScene& scene) {
-  return scene.has("patterns");
-}
-
-bool shaken(const ComparedScene& scene) {
-  return !scene.ground_motion.empty();
-}
+constexpr auto compared = [](const auto& scene) { return sampled(scene) && !scene.alone; };
+constexpr auto slips = [](const auto& scene) { return sampled(scene) && scene.slips; };
+constexpr auto frictions = [](const auto& scene) { return sampled(scene) && scene.frictions; };
+constexpr auto both_equations = [](const auto& scene) { return sampled(scene) && scene.both_equations; };
+constexpr auto bodies = [](const auto& scene) { return sampled(scene) && scene.has("bodies"); };
+constexpr auto impacts = [](const auto& scene) { return scene.has("impacts"); };
+constexpr auto shaken = [](const auto& scene) { return !scene.ground_motion.empty(); };
+constexpr auto losses = [](const auto& scene) { return bodies(scene) && impacts(scene) && !shaken(scene); };
+constexpr auto errors = [](const auto& scene) { return scene.has("angles"); };
+constexpr auto patterns = [](const auto& scene) { return scene.has("patterns"); };
+constexpr auto split = [](const auto& scene) { return scene.split; };
+constexpr auto fitted = [](const auto& scene) { return scene.fitted; };
+constexpr auto perturbed = [](const auto& scene) { return scene.perturbed; };
 
 std::vector<Figure> scene_figures() {
   return {

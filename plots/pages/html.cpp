@@ -1,11 +1,18 @@
 #include "plots/pages/html.hpp"
 
-#include <fmt/core.h>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
 
-#include <algorithm>
+#include "analytic/scene/messages/input_error.hpp"
+#include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack::plots {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Writes `prefix` behind every occurrence of `mark`.
 void insert_after(std::string& text, std::string_view mark, const std::string& prefix) {
@@ -23,30 +30,35 @@ void remove_element(std::string& text, const std::string& name) {
   if (end != std::string::npos) text.erase(begin, end + closing.size() - begin);
 }
 
+std::string contents_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file.string() + ": cannot be read; figures are drawn before the report");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Files of a folder with one of these endings, sorted; none where there is no folder.
+std::set<std::string> names_in(const fs::path& folder, const std::set<std::string>& endings) {
+  std::set<std::string> names;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (endings.contains(entry.path().extension())) names.insert(entry.path().filename());
+  return names;
+}
+
+std::string class_attribute(const std::string& classes) {
+  return classes.empty() ? "" : fmt::format(" class=\"{}\"", classes);
+}
+
 }  // namespace
 
 std::string escaped(std::string_view text) {
+  constexpr std::array<std::pair<char, std::string_view>, 5> entities{
+      {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
   std::string result;
   for (const char c : text) {
-    switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += c;
-    }
+    const auto found =
+        std::find_if(entities.begin(), entities.end(), [&](const auto& one) { return one.first == c; });
+    result += found == entities.end() ? std::string_view(&c, 1) : found->second;
   }
   return result;
 }
@@ -66,6 +78,140 @@ std::string inline_svg(const std::string& file, const std::string& prefix, const
   if (svg.size() > tag_length)
     svg.insert(tag_length, fmt::format(" role=\"img\" aria-label=\"{}\"", escaped(label)));
   return svg;
+}
+
+std::string text_at(const Json& json, const char* key) {
+  return json.at(key).get<std::string>();
+}
+
+std::string escaped_at(const Json& json, const char* key) {
+  return escaped(text_at(json, key));
+}
+
+std::string link(const std::string& to, const std::string& words) {
+  return element("a", words, fmt::format(" href=\"{}\"", to));
+}
+
+std::string details(const std::string& summary, const std::string& content, const std::string& attributes) {
+  return element("details", element("summary", summary) + content, attributes) + "\n";
+}
+
+std::string section(const std::string& title, const std::string& content, const std::string& attributes) {
+  return element("section", "\n" + element("h2", escaped(title)) + "\n" + content, attributes) + "\n";
+}
+
+std::string code_block(const std::string& text) {
+  return element("pre", element("code", escaped(text)));
+}
+
+std::string page(const PageParts& parts) {
+  return filled_in(page_html,
+                   {{"title", escaped(parts.title)},
+                    {"kind", parts.kind},
+                    {"css", std::string(page_css) + std::string(player_css) + std::string(lesson_css)},
+                    {"js", std::string(page_js)},
+                    {"player_js", std::string(player_js)},
+                    {"content", parts.content}});
+}
+
+std::string answer_box(const std::vector<std::string>& sentences) {
+  std::string paragraphs;
+  for (const std::string& sentence : sentences) paragraphs += element("p", escaped(sentence)) + "\n";
+  return paragraphs.empty() ? "" : element("div", paragraphs, " class=\"answer\"");
+}
+
+std::string sentence_list(const std::vector<std::string>& sentences) {
+  std::string items;
+  for (const std::string& sentence : sentences) items += element("li", escaped(sentence)) + "\n";
+  return element("ul", items) + "\n";
+}
+
+std::string table(const std::vector<std::string>& columns, const std::string& rows) {
+  std::string headings;
+  for (const std::string& column : columns) headings += heading(column);
+  return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
+}
+
+std::string wide_table(const std::vector<std::string>& columns, const std::string& rows,
+                       const std::string& label) {
+  return element("div", table(columns, rows),
+                 fmt::format(" class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"", label));
+}
+
+std::string titled_table(const std::string& title, const std::vector<std::string>& columns,
+                         const std::string& rows) {
+  return element("h3", title) + element("div", table(columns, rows), " class=\"statements\"") + "\n";
+}
+
+std::string table_row(const std::vector<std::string>& columns, const std::vector<std::string>& cells,
+                      const std::string& attributes) {
+  std::string row;
+  for (std::size_t i = 0; i < columns.size(); ++i) row += table_cell(columns[i], cells[i]);
+  return element("tr", row, attributes) + "\n";
+}
+
+std::string definition_list(const Facts& facts) {
+  std::string items;
+  for (const auto& [name, text] : facts)
+    items += element("dt", escaped(name)) + element("dd", escaped(text)) + "\n";
+  return element("dl", items);
+}
+
+std::string table_cell(const std::string& column, const std::string& cell, const std::string& kind,
+                       int significant) {
+  const bool is_count = cell.find_first_not_of("0123456789") == std::string::npos;
+  if (const std::optional<double> value = number_in(cell))
+    return element("td", is_count ? cell : fmt::format("{:.{}g}", *value, significant),
+                   fmt::format(" class=\"number{1}{2}\" data-value=\"{0}\" title=\"{0}\"", escaped(cell),
+                               kind.empty() ? "" : " ", kind));
+  const std::string classes = column == "reason" && !cell.empty() ? "reason " + kind : kind;
+  return element("td", escaped(cell), class_attribute(classes));
+}
+
+std::string heading(std::string column, const std::string& kind) {
+  for (char& c : column)
+    if (c == '_') c = ' ';
+  return element("th", element("button", escaped(column), " type=\"button\""),
+                 " scope=\"col\"" + class_attribute(kind));
+}
+
+std::string drawn_figure(const fs::path& results, const std::string& stem, const std::string& prefix,
+                         const std::string& label) {
+  const Figure* figure = figure_in(stem);
+  const std::string words = figure == nullptr ? "" : figure->question + " " + figure->explanation;
+  return element("figure", inline_svg(contents_of(results / "figures" / (stem + ".svg")), prefix, label) +
+                               element("figcaption", escaped(words)));
+}
+
+std::string drawn_figures(const fs::path& results, const std::set<std::string>& known) {
+  std::string text;
+  for (const std::string& name : names_in(results / "figures", {".svg"})) {
+    const std::string stem = fs::path(name).stem();
+    if (known.contains(stem)) continue;
+    const Figure* figure = figure_in(stem);
+    std::string title = stem;
+    std::replace_if(
+        title.begin(), title.end(), [](char c) { return c == '.' || c == '-'; }, ' ');
+    if (figure != nullptr)
+      title = figure->title + (stem == figure->name ? "" : ": " + stem.substr(figure->name.size() + 1));
+    text += element("h3", escaped(title)) + drawn_figure(results, stem, escaped(stem) + "-", title) + "\n";
+  }
+  return text;
+}
+
+std::string scene_figure(const fs::path& results, const Comparison& comparison, std::size_t scene,
+                         const Figure& figure) {
+  const ComparedScene& compared = comparison.scenes[scene];
+  return drawn_figure(results, figure_stem("", compared, figure).filename(),
+                      fmt::format("s{}-{}-", scene + 1, figure.name),
+                      fmt::format("{}: {}", figure.title, compared.title));
+}
+
+std::string file_links(const fs::path& results) {
+  std::string text;
+  for (const std::string& name : names_in(results, {".csv", ".json"}))
+    text += (text.empty() ? "" : ", ") + link(escaped(name), escaped(name));
+  return text;
 }
 
 }  // namespace rockstack::plots

@@ -1,22 +1,109 @@
 #pragma once
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/filled_in.hpp"
+#include "plots/data/json_file.hpp"
+#include "plots/data/results.hpp"
+#include "plots/data/selection.hpp"
+#include "plots/figures/figure.hpp"
+#include "plots/pages/templates.hpp"
 
 namespace rockstack::plots {
+
+// What pages are made of. Where there are attributes, they start with a space.
 
 /// Text for use inside an element or a quoted attribute.
 std::string escaped(std::string_view text);
 
-/// <name>content</name>, the content as it is. `attributes` starts with a space where there are any.
+/// <name>content</name>, the content as it is.
 std::string element(const std::string& name, const std::string& content, const std::string& attributes = "");
 
 using rockstack::filled_in;
 
+/// What a description says under a name, as it is and for use in a page.
+std::string text_at(const Json& json, const char* key);
+std::string escaped_at(const Json& json, const char* key);
+
+/// A link; "#id" leads to a place of the page itself. `words` are markup.
+std::string link(const std::string& to, const std::string& words);
+
+/// What is seen when its summary is chosen; both are markup.
+std::string details(const std::string& summary, const std::string& content,
+                    const std::string& attributes = "");
+
+/// A section under its title, which is text.
+std::string section(const std::string& title, const std::string& content, const std::string& attributes = "");
+
+/// Text as a file or a terminal has it.
+std::string code_block(const std::string& text);
+
 /// The part of an SVG file that stands inside a page: without its preamble, every id begun with `prefix`,
 /// with `label` as its text for those who do not see it.
 std::string inline_svg(const std::string& file, const std::string& prefix, const std::string& label);
+
+/// What pages differ in.
+struct PageParts {
+  std::string title;    ///< as plain text
+  std::string kind;     ///< for the style sheet: "report" or "lesson"
+  std::string content;  ///< header and main part
+};
+
+/// A page that needs nothing beside itself: its content in the frame, style and script of all pages.
+std::string page(const PageParts& parts);
+
+/// The sentences that a reader came for, in a box of their own; nothing where there are none.
+std::string answer_box(const std::vector<std::string>& sentences);
+
+/// Plain sentences as a list.
+std::string sentence_list(const std::vector<std::string>& sentences);
+
+/// A table of rows whose headings sort it.
+std::string table(const std::vector<std::string>& columns, const std::string& rows);
+
+/// The same in a part that scrolls by itself, as `label` calls it, and of sentences under a title.
+std::string wide_table(const std::vector<std::string>& columns, const std::string& rows,
+                       const std::string& label);
+std::string titled_table(const std::string& title, const std::vector<std::string>& columns,
+                         const std::string& rows);
+
+/// A row of cells as table_cell() makes them. Precondition: as many cells as columns.
+std::string table_row(const std::vector<std::string>& columns, const std::vector<std::string>& cells,
+                      const std::string& attributes = "");
+
+/// Names and texts, one under the other.
+std::string definition_list(const Facts& facts);
+
+/// A cell of a table, of a class where one is named. Counts stand as they are, other numbers with
+/// `significant` digits; the whole number is kept for sorting and as a tooltip.
+std::string table_cell(const std::string& column, const std::string& cell, const std::string& kind = "",
+                       int significant = 4);
+
+/// A column's heading, which sorts when chosen: "rms_angle_difference" as words that may break into lines.
+std::string heading(std::string column, const std::string& kind = "");
+
+/// A figure results/figures/STEM.svg that has been drawn, with its question and how to read it; every id in
+/// it begins with `prefix`, and `label` is for those who do not see it.
+/// @throws InputError naming the file that is missing.
+std::string drawn_figure(const std::filesystem::path& results, const std::string& stem,
+                         const std::string& prefix, const std::string& label);
+
+/// All figures that have been drawn without those that are `known`, each under its title.
+std::string drawn_figures(const std::filesystem::path& results, const std::set<std::string>& known = {});
+
+/// The figure of a scene, likewise.
+std::string scene_figure(const std::filesystem::path& results, const Comparison& comparison,
+                         std::size_t scene, const Figure& figure);
+
+/// Links to the tables and descriptions of a folder, CSV and JSON, that stand beside its page.
+std::string file_links(const std::filesystem::path& results);
 
 }  // namespace rockstack::plots

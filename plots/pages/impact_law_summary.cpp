@@ -1,14 +1,9 @@
-#include "plots/pages/impact_law_summary.hpp"
-
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <map>
 
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/statistics/quantile.hpp"
-#include "plots/data/law_results.hpp"
-#include "plots/data/selection.hpp"
+#include "plots/data/law_counts.hpp"
+#include "plots/pages/sections.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -19,6 +14,14 @@ std::vector<Entry> ranked(std::vector<Entry> entries, const Value& value) {
   std::stable_sort(entries.begin(), entries.end(),
                    [&](const Entry& a, const Entry& b) { return value(a) > value(b); });
   return entries;
+}
+
+LawTally all_runs(const LawResults& results) {
+  return tallies_by(results.runs, [](const LawRun&) { return std::string(); }).front();
+}
+
+LawShare all_cells(const std::vector<LawCell>& cells) {
+  return shares_by(cells, [](const LawCell&) { return std::string(); }).front();
 }
 
 double differ_percent(const LawShare& share) {
@@ -35,18 +38,6 @@ std::string worst_kinds(const std::vector<LawShare>& kinds) {
   return joined(words);
 }
 
-/// The cells of kinds after which the laws differ at all.
-std::vector<LawCell> of_differing_kinds(const std::vector<LawCell>& cells,
-                                        const std::vector<LawShare>& kinds) {
-  std::vector<LawCell> found;
-  for (const LawCell& cell : cells) {
-    const auto kind =
-        std::find_if(kinds.begin(), kinds.end(), [&](const LawShare& one) { return one.of == cell.kind; });
-    if (kind->differ > 0) found.push_back(cell);
-  }
-  return found;
-}
-
 std::string extremes(const std::vector<LawShare>& shares) {
   const std::vector<LawShare> order = ranked(shares, differ_percent);
   return fmt::format("most from {} ({:.1f} %), least from {} ({:.1f} %)", order.front().of,
@@ -54,7 +45,7 @@ std::string extremes(const std::vector<LawShare>& shares) {
 }
 
 void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::string>& sentences) {
-  const LawShare all = shares_by(cells, [](const LawCell&) { return std::string(); }).front();
+  const LawShare all = all_cells(cells);
   const auto kinds = shares_by(cells, [](const LawCell& cell) { return cell.kind; });
   const auto differing =
       std::count_if(kinds.begin(), kinds.end(), [](const LawShare& kind) { return kind.differ > 0; });
@@ -67,7 +58,11 @@ void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::
                                              "of these kinds: {}{}.",
                                              all.differ_percent(), differing,
                                              differing > 3 ? "most often after " : "", worst_kinds(kinds)));
-    const std::vector<LawCell> where = of_differing_kinds(cells, kinds);
+    std::vector<LawCell> where = cells;  // of kinds after which the laws differ at all
+    std::erase_if(where, [&](const LawCell& cell) {
+      return std::any_of(kinds.begin(), kinds.end(),
+                         [&](const LawShare& kind) { return kind.of == cell.kind && !(kind.differ > 0); });
+    });
     sentences.push_back(fmt::format(
         "The share within {} by height over width of the top block: {}; by its mass over that of the block "
         "below: {}.",
@@ -134,14 +129,6 @@ void add_velocities(const LawResults& results, const LawTally& all, std::vector<
                                   all.farthest->run.scene));
 }
 
-LawTally all_runs(const LawResults& results) {
-  return tallies_by(results.runs, [](const LawRun&) { return std::string(); }).front();
-}
-
-LawShare all_cells(const std::vector<LawCell>& cells) {
-  return shares_by(cells, [](const LawCell&) { return std::string(); }).front();
-}
-
 }  // namespace
 
 std::vector<std::string> law_answer(const LawResults& results) {
@@ -150,8 +137,7 @@ std::vector<std::string> law_answer(const LawResults& results) {
     const LawTally all = all_runs(results);
     sentences.push_back(
         fmt::format("Where the laws differ, engines take the pattern of law consistent in {} of {}, and that "
-                    "of law paper "
-                    "in {}.",
+                    "of law paper in {}.",
                     all.consistent, counted(results.runs.size(), "run"), all.paper));
   }
   if (!results.cells.empty())

@@ -1,20 +1,11 @@
-#include "plots/pages/pages.hpp"
-
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <map>
-#include <set>
+#include <numeric>
 #include <sstream>
 
-#include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/statistics/quantile.hpp"
-#include "plots/data/law_results.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/pages/html.hpp"
-#include "plots/pages/impact_law_summary.hpp"
-#include "plots/pages/page_parts.hpp"
-#include "plots/pages/templates.hpp"
+#include "plots/data/law_counts.hpp"
+#include "plots/pages/sections.hpp"
+#include "plots/pages/show.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -26,49 +17,50 @@ std::string whole(double count) {
   return fmt::format("{:.0f}", count);
 }
 
-std::string percent(double share) {
-  return fmt::format("{:.2f}", share);
+/// The parts of a name that semicolons set apart.
+Cells parts_of(const std::string& name) {
+  Cells parts;
+  std::istringstream names(name);
+  for (std::string part; std::getline(names, part, ';');) parts.push_back(part);
+  return parts;
 }
 
-std::string by_blocks(const LawCell& cell, const std::string& rest) {
-  return fmt::format("{};{}", cell.blocks, rest);
+Cells followed_by(Cells columns, const Cells& others) {
+  columns.insert(columns.end(), others.begin(), others.end());
+  return columns;
 }
 
-/// The cells of a share, after those that its name holds, set apart by semicolons.
-std::string share_row(const Cells& columns, const LawShare& share) {
-  Cells cells;
-  std::istringstream names(share.of);
-  for (std::string name; std::getline(names, name, ';');) cells.push_back(name);
-  for (const double count : {share.impacts, share.differ}) cells.push_back(whole(count));
-  cells.push_back(percent(share.differ_percent()));
-  cells.push_back(whole(share.none));
-  cells.push_back(percent(share.none_percent()));
-  return table_row(columns, cells);
+const Cells share_columns{"impacts", "laws differ", "differ (%)", "none", "none (%)"};
+
+/// Rows of cells together that have the same number of blocks and the same other name: its parts, then
+/// counts.
+template <class Name>
+std::string share_rows(const Cells& columns, const std::vector<LawCell>& cells, const Name& name) {
+  const auto percent = [](double share) { return fmt::format("{:.2f}", share); };
+  std::string rows;
+  for (const LawShare& share :
+       shares_by(cells, [&](const LawCell& cell) { return fmt::format("{};{}", cell.blocks, name(cell)); }))
+    rows += table_row(columns,
+                      followed_by(parts_of(share.of),
+                                  {whole(share.impacts), whole(share.differ), percent(share.differ_percent()),
+                                   whole(share.none), percent(share.none_percent())}));
+  return rows;
 }
 
 std::string kinds_table(const std::vector<LawCell>& cells) {
-  const Cells columns{"blocks", "kind", "impacts", "laws differ", "differ (%)", "none", "none (%)"};
-  std::string rows;
-  for (const LawShare& share :
-       shares_by(cells, [](const LawCell& cell) { return by_blocks(cell, cell.kind); }))
-    rows += share_row(columns, share);
-  return table(columns, rows);
+  const Cells columns = followed_by({"blocks", "kind"}, share_columns);
+  return table(columns, share_rows(columns, cells, [](const LawCell& cell) { return cell.kind; }));
 }
 
 std::string stacks_table(const std::vector<LawCell>& cells) {
-  const Cells columns{"blocks",      "of the top block", "from", "to",      "impacts",
-                      "laws differ", "differ (%)",       "none", "none (%)"};
-  std::string rows;
-  for (const LawShare& share : shares_by(cells, [](const LawCell& cell) {
-         return by_blocks(
-             cell, fmt::format("height over width;{};{}", cell.aspect_ratio_from, cell.aspect_ratio_to));
-       }))
-    rows += share_row(columns, share);
-  for (const LawShare& share : shares_by(cells, [](const LawCell& cell) {
-         return by_blocks(cell, fmt::format("mass;{};{}", cell.mass_ratio_from, cell.mass_ratio_to));
-       }))
-    rows += share_row(columns, share);
-  return table(columns, rows);
+  const Cells columns = followed_by({"blocks", "of the top block", "from", "to"}, share_columns);
+  const auto slenderness = [](const LawCell& cell) {
+    return fmt::format("height over width;{};{}", cell.aspect_ratio_from, cell.aspect_ratio_to);
+  };
+  const auto mass = [](const LawCell& cell) {
+    return fmt::format("mass;{};{}", cell.mass_ratio_from, cell.mass_ratio_to);
+  };
+  return table(columns, share_rows(columns, cells, slenderness) + share_rows(columns, cells, mass));
 }
 
 std::string pairs_table(const std::vector<LawPair>& pairs) {
@@ -100,20 +92,13 @@ Cells with_tally(Cells names, const LawTally& tally) {
   return names;
 }
 
-Cells followed_by(Cells columns, const Cells& others) {
-  columns.insert(columns.end(), others.begin(), others.end());
-  return columns;
-}
-
 std::string solvers_table(const std::vector<LawRun>& runs) {
   const Cells columns = followed_by({"solver", "time step (s)"}, tally_columns);
   std::string rows;
   for (const LawTally& tally : tallies_by(runs, [](const LawRun& one) {
          return fmt::format("{};{}", line_label(one.run), value_of(one.run.dt));
-       })) {
-    const std::size_t end = tally.of.find(';');
-    rows += table_row(columns, with_tally({tally.of.substr(0, end), tally.of.substr(end + 1)}, tally));
-  }
+       }))
+    rows += table_row(columns, with_tally(parts_of(tally.of), tally));
   return table(columns, rows);
 }
 
@@ -146,7 +131,7 @@ std::vector<std::size_t> order_of(const Cells& columns) {
                     "consistent", "from_paper",  "from_consistent", "before",
                     "rates",      "rates_paper", "rates_consistent"};
   std::vector<std::size_t> order(columns.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::iota(order.begin(), order.end(), 0);
   const auto place = [&](std::size_t i) { return std::find(first.begin(), first.end(), columns[i]); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
@@ -178,40 +163,38 @@ std::string maps(const fs::path& results, const std::vector<LawCell>& cells) {
   return text;
 }
 
-std::string details_of(const std::vector<std::pair<std::string, Facts>>& parts) {
+/// Facts under names: of each, what `titled` makes of them.
+template <class Titled>
+std::string facts_under(const std::vector<std::pair<std::string, Facts>>& parts, const Titled& titled) {
   std::string text;
-  for (const auto& [name, facts] : parts)
-    text += element("details", element("summary", escaped(name)) + definition_list(facts)) + "\n";
-  return text;
-}
-
-std::string definitions_of(const LawResults& results) {
-  std::string text;
-  for (const auto& [file, facts] : results.definitions)
-    text += element("h3", escaped(file)) + definition_list(facts);
+  for (const auto& [name, facts] : parts) text += titled(escaped(name), definition_list(facts));
   return text;
 }
 
 std::string content(const fs::path& folder, const LawResults& results) {
-  return filled_in(impact_laws_html,
-                   {{"title", escaped(results.title)},
-                    {"answer", answer_box(law_answer(results))},
-                    {"law_summary", sentence_list(law_summary(results))},
-                    {"engine_summary", sentence_list(engine_summary(results))},
-                    {"maps", maps(folder, results.cells)},
-                    {"kinds", kinds_table(results.cells)},
-                    {"stacks", stacks_table(results.cells)},
-                    {"pairs", pairs_table(results.pairs)},
-                    {"engine_figure", drawn_figure(folder, "impact-laws.engines", "laws-engines-",
-                                                   "How far every engine run is from either law")},
-                    {"solvers", solvers_table(results.runs)},
-                    {"states", states_table(results)},
-                    {"runs", runs_table(results)},
-                    {"suite", escaped(results.suite_file)},
-                    {"parameters", details_of(results.engines)},
-                    {"definitions", definitions_of(results)},
-                    {"command", escaped(results.command)},
-                    {"environment", definition_list(results.environment)}});
+  return filled_in(
+      impact_laws_html,
+      {{"title", escaped(results.title)},
+       {"answer", answer_box(law_answer(results))},
+       {"law_summary", sentence_list(law_summary(results))},
+       {"engine_summary", sentence_list(engine_summary(results))},
+       {"maps", maps(folder, results.cells)},
+       {"kinds", kinds_table(results.cells)},
+       {"stacks", stacks_table(results.cells)},
+       {"pairs", pairs_table(results.pairs)},
+       {"engine_figure", drawn_figure(folder, "impact-laws.engines", "laws-engines-",
+                                      "How far every engine run is from either law")},
+       {"solvers", solvers_table(results.runs)},
+       {"states", states_table(results)},
+       {"runs", runs_table(results)},
+       {"suite", escaped(results.suite_file)},
+       {"parameters", facts_under(results.engines,
+                                  [](const auto& name, const auto& facts) { return details(name, facts); })},
+       {"definitions",
+        facts_under(results.definitions,
+                    [](const auto& name, const auto& facts) { return element("h3", name) + facts; })},
+       {"command", escaped(results.command)},
+       {"environment", definition_list(results.environment)}});
 }
 
 }  // namespace

@@ -1,24 +1,18 @@
-#include "plots/pages/sections.hpp"
-
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <map>
-#include <set>
 
 #include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/scores.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/pages/html.hpp"
+#include "plots/pages/sections.hpp"
 
 namespace rockstack::plots {
 namespace {
 
 /// Energy gained, as a share of weight times height, that is worth a word: beyond rounding of 32 bits.
 constexpr double told_gain = 1e-4;
-/// How many times worse than another a number is that is worth a word: draws alone differ by as much.
+/// How many times worse than another a number is that is worth a word: replicates alone differ by as much.
 constexpr double told_ratio = 2;
 
 const ComparedScene& scene_of(const Comparison& comparison, const Run& run) {
@@ -61,19 +55,17 @@ class Ranking {
 
   const std::vector<const Score*>& best() const { return best_; }
 
+  /// Of a solver's set in `best`, and with its defaults; null where it has none.
   const Score* of(const std::string& solver) const {
-    const auto found = std::find_if(best_.begin(), best_.end(), [&](const Score* score) {
-      return solver_name(score->runs.front()) == solver;
-    });
-    return found == best_.end() ? nullptr : *found;
+    for (const Score* score : best_)
+      if (solver_name(score->runs.front()) == solver) return score;
+    return nullptr;
   }
-
   const Score* with_defaults(const std::string& solver) const {
-    const auto found = std::find_if(all_.begin(), all_.end(), [&](const Score& score) {
-      const Run& run = score.runs.front();
-      return solver_name(run) == solver && run.settings == "default";
-    });
-    return found == all_.end() ? nullptr : &*found;
+    for (const Score& score : all_)
+      if (const Run& run = score.runs.front(); solver_name(run) == solver && run.settings == "default")
+        return &score;
+    return nullptr;
   }
 
  private:
@@ -232,8 +224,7 @@ std::vector<SolverRemarks> remarks(const Comparison& comparison) {
 std::string remarks_section(const Comparison& comparison) {
   const std::vector<SolverRemarks> list = remarks(comparison);
   if (list.empty()) return "";
-  std::string text = element("h2", "What each solver's author can act on") +
-                     element("p",
+  std::string text = element("p",
                              "Medians over scenes; the figures above have the scenes. Ranks are those of the "
                              "comparison's verdict: sets that replicates do not tell apart share one.",
                              " class=\"hint\"") +
@@ -244,7 +235,7 @@ std::string remarks_section(const Comparison& comparison) {
       items += element("li", escaped(one.sentence) + " " + element("code", escaped(one.command))) + "\n";
     text += element("h3", escaped(solver.solver)) + element("ul", items) + "\n";
   }
-  return element("section", "\n" + text, " id=\"solvers\"") + "\n";
+  return section("What each solver's author can act on", text, " id=\"solvers\"");
 }
 
 }  // namespace rockstack::plots

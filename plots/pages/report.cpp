@@ -1,19 +1,9 @@
-#include "plots/pages/pages.hpp"
-
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <optional>
-#include <set>
 
-#include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/sentences.hpp"
-#include "plots/data/results.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/pages/html.hpp"
-#include "plots/pages/page_parts.hpp"
+#include "plots/data/motion.hpp"
 #include "plots/pages/sections.hpp"
-#include "plots/pages/templates.hpp"
+#include "plots/pages/show.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -42,8 +32,7 @@ std::string impacts_table(const Comparison& comparison, const std::string& scene
                        fmt::format("{}", run.impacts_matched_shifted.value_or(0))});
   }
   if (rows.empty()) return "";
-  return element("h3", "Impacts, and what reading and chance alone would give") +
-         element("div", table(columns, rows), " class=\"statements\"") + "\n";
+  return titled_table("Impacts, and what reading and chance alone would give", columns, rows);
 }
 
 /// What the paper says beside what was computed; nothing where no statements were asked for.
@@ -54,51 +43,44 @@ std::string statements_section(const Comparison& comparison) {
   for (const PaperStatement& statement : comparison.statements)
     rows += table_row(columns, {statement.source, statement.claim, statement.verdict, statement.criterion,
                                 statement.computed});
-  return element("section",
-                 element("h2", "What the paper says, and what was computed") + "\n" +
-                     element("div", table(columns, rows), " class=\"statements\""),
-                 " id=\"statements\"");
+  return section("What the paper says, and what was computed",
+                 element("div", table(columns, rows), " class=\"statements\""), " id=\"statements\"");
 }
 
 std::string scene_anchor(std::size_t scene) {
   return fmt::format("scene-{}", scene + 1);
 }
 
+std::string ground_of(const ComparedScene& scene) {
+  return scene.ground.empty() ? "" : element("p", escaped("The ground moves by: " + scene.ground)) + "\n";
+}
+
 std::string scene_section(const fs::path& results, const Comparison& comparison, std::size_t scene) {
   const ComparedScene& compared = comparison.scenes[scene];
-  std::string body = element("h2", escaped(heading(compared))) + "\n";
-  if (!compared.ground.empty())
-    body += element("p", escaped("The ground moves by: " + compared.ground)) + "\n";
+  std::string body = ground_of(compared);
   if (has_motion(comparison, compared))
     body += element("h3", "The motion to look at") + player_part(comparison, scene) + "\n";
   for (const Figure* figure : figures_of(compared))
     body += element("h3", escaped(figure->title)) + scene_figure(results, comparison, scene, *figure) + "\n";
-  body += parts_table(comparison, compared.name);
-  body += impacts_table(comparison, compared.name);
-  body += element("details", element("summary", fmt::format("The scene file of {}", escaped(compared.name))) +
-                                 element("pre", element("code", escaped(compared.toml))));
-  return element("section", "\n" + body, fmt::format(" id=\"{}\"", scene_anchor(scene))) + "\n";
-}
-
-std::optional<std::size_t> first_player(const Comparison& comparison) {
-  for (std::size_t i = 0; i < comparison.scenes.size(); ++i)
-    if (has_motion(comparison, comparison.scenes[i])) return i;
-  return std::nullopt;
+  body += parts_table(comparison, compared.name) + impacts_table(comparison, compared.name) +
+          details(fmt::format("The scene file of {}", escaped(compared.name)), code_block(compared.toml));
+  return section(heading(compared), body, fmt::format(" id=\"{}\"", scene_anchor(scene)));
 }
 
 std::string contents_list(const Comparison& comparison) {
-  const auto item = [](const std::string& anchor, const std::string& label) {
-    return element("li", fmt::format("<a href=\"#{}\">{}</a>", anchor, escaped(label)));
-  };
   std::string items;
-  if (const std::optional<std::size_t> first = first_player(comparison))
-    items += element("li", fmt::format("<a href=\"#{}\">Player</a>", player_anchor(*first)));
-  items += item("summary", "Summary");
-  for (std::size_t i = 0; i < comparison.scenes.size(); ++i)
-    items += item(scene_anchor(i), comparison.scenes[i].title);
-  if (!comparison.statements.empty()) items += item("statements", "What the paper says");
-  items += item("runs", "All runs");
-  items += item("parameters", "Parameters") + item("columns", "Columns") + item("again", "To run it again");
+  const auto add = [&](const std::string& anchor, const std::string& label) {
+    items += element("li", link("#" + anchor, escaped(label)));
+  };
+  for (std::size_t i = 0; i < comparison.scenes.size() && items.empty(); ++i)
+    if (has_motion(comparison, comparison.scenes[i])) add(player_anchor(i), "Player");
+  add("summary", "Summary");
+  for (std::size_t i = 0; i < comparison.scenes.size(); ++i) add(scene_anchor(i), comparison.scenes[i].title);
+  if (!comparison.statements.empty()) add("statements", "What the paper says");
+  add("runs", "All runs");
+  add("parameters", "Parameters");
+  add("columns", "Columns");
+  add("again", "To run it again");
   return element("ul", items);
 }
 
@@ -117,7 +99,7 @@ std::string whole_summary(const Comparison& comparison) {
   std::string text = sentence_list(counts_of(comparison));
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
     const ComparedScene& scene = comparison.scenes[i];
-    text += element("h3", fmt::format("<a href=\"#{}\">{}</a>", scene_anchor(i), escaped(scene.title))) +
+    text += element("h3", link("#" + scene_anchor(i), escaped(scene.title))) +
             sentence_list(comparison.verdict.scenes[i]);
   }
   return text;
@@ -162,10 +144,35 @@ std::string content(const fs::path& results, const Comparison& comparison) {
                                  {"environment", definition_list(comparison.environment)}});
 }
 
+std::string content(const fs::path& results, const Motion& motion) {
+  const Comparison& comparison = motion.comparison;
+  const ComparedScene& scene = comparison.scenes.front();
+  const std::string contents = element("ul", element("li", link("#" + player_anchor(0), "Player")));
+  const std::string header =
+      element("h1", escaped(heading(scene))) +
+      element("nav", contents, " aria-label=\"Parts of this page\"") +
+      answer_box({fmt::format("{}: {}.", run_label(comparison.runs.front()), motion.verdict)});
+  std::string drawn;
+  for (const Figure* figure : figures_of(scene)) drawn += scene_figure(results, comparison, 0, *figure);
+  const std::string again = code_block(comparison.command) +
+                            details("The scene file", code_block(scene.toml)) +
+                            details("The summary", definition_list(motion.summary)) +
+                            element("p", "The tables as files: " + file_links(results));
+  return element("header", header) + "\n" +
+         element("main", "\n" + section("The motion", ground_of(scene) + player_part(comparison, 0)) +
+                             contact_section(comparison) + section("Figures", drawn) +
+                             section("To run it again", again));
+}
+
 }  // namespace
 
 void write_report(const fs::path& results, const Comparison& comparison) {
   write_file(results / "report.html", page({comparison.title, "report", content(results, comparison)}));
+}
+
+/// Of one motion.
+void write_report(const fs::path& results, const Motion& motion) {
+  write_file(results / "report.html", page({motion.comparison.title, "report", content(results, motion)}));
 }
 
 }  // namespace rockstack::plots

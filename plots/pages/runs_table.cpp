@@ -1,16 +1,13 @@
-#include "plots/pages/sections.hpp"
-
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <array>
-#include <vector>
+#include <cmath>
 
 #include "comparisons/measures/results/tables.hpp"
-#include "plots/data/run_files.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/pages/html.hpp"
-#include "plots/pages/page_parts.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
+#include "plots/data/events.hpp"
+#include "plots/pages/sections.hpp"
+
+// What a comparison's page says of its runs: all numbers, parameters and files, contacts, parts of
+// differences.
 
 namespace rockstack::plots {
 namespace {
@@ -66,9 +63,13 @@ Order order_of(const Comparison& comparison) {
   return order;
 }
 
+std::string run_anchor(std::size_t run) {
+  return fmt::format("run-{}", run + 1);
+}
+
 std::string run_row(const Comparison& comparison, const Order& order, std::size_t index) {
   const Run& run = comparison.runs[index];
-  std::string name = element("a", escaped(run.run), fmt::format(" href=\"#{}\"", run_anchor(index)));
+  std::string name = link("#" + run_anchor(index), escaped(run.run));
   if (!run.done()) name += " " + escaped(rockstack::name(run.status));
   std::string cells = element("th", name, fmt::format(" scope=\"row\" data-value=\"{}\"", escaped(run.run)));
   for (std::size_t i = 1; i < order.columns.size(); ++i) {
@@ -83,9 +84,7 @@ std::string run_row(const Comparison& comparison, const Order& order, std::size_
 std::string links(const fs::path& folder, const std::string& prefix, const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names)
-    if (fs::exists(folder / name))
-      text += (text.empty() ? "" : ", ") +
-              element("a", name, fmt::format(" href=\"{}\"", escaped(prefix + name)));
+    if (fs::exists(folder / name)) text += (text.empty() ? "" : ", ") + link(escaped(prefix + name), name);
   return text;
 }
 
@@ -108,36 +107,40 @@ std::string details_of(const Comparison& comparison, std::size_t index) {
                                    "draws.csv", "summary.json"});
   if (!files.empty()) text += element("p", "Files beside this page: " + files);
   if (fs::exists(run.folder / "summary.json")) text += definition_list(read_summary(run));
-  return element("details", element("summary", escaped(run.run)) + text,
-                 fmt::format(" id=\"{}\"", run_anchor(index))) +
-         "\n";
+  return details(escaped(run.run), text, fmt::format(" id=\"{}\"", run_anchor(index)));
 }
 
-const std::vector<std::string>& contact_columns() {
-  static const std::vector<std::string> list{
-      "run",           "interface",        "slip left (m)",  "largest slip (m)",
-      "times it slid", "highest lift (m)", "times it lifted"};
-  return list;
+/// Per cent, without a sign of zero.
+double percent_of(double share) {
+  return std::round(100 * share) + 0.0;
 }
 
-std::string rows_of(const Run& run, const ContactSummary& summary, const std::string& label) {
-  std::string rows;
-  for (std::size_t k = 0; k < summary.interfaces.size(); ++k) {
-    const InterfaceSummary& one = summary.interfaces[k];
-    rows += table_row(contact_columns(),
-                      {label, fmt::format("{}", k + 1), fmt::format("{}", one.final_slip),
-                       fmt::format("{}", one.largest_slip), fmt::format("{}", one.slips),
-                       fmt::format("{}", one.highest_lift), fmt::format("{}", one.lift_offs)},
-                      run.exact() ? " class=\"exact\"" : "");
+std::string size_and_share(const std::optional<double>& size, const std::optional<double>& share) {
+  const std::string text = fmt::format("{:.2g}", value_of(size));
+  return share ? fmt::format("{} ({:.0f} %)", text, percent_of(*share)) : text;
+}
+
+std::string cell_of(const std::optional<double>& value) {
+  return value ? fmt::format("{:.2g}", *value) : "";
+}
+
+std::string sentence(const std::vector<Run>& runs) {
+  std::vector<double> model, softness, step;
+  for (const Run& run : runs) {
+    if (!run.step_share) continue;
+    model.push_back(value_of(run.model_share));
+    softness.push_back(value_of(run.softness_share));
+    step.push_back(*run.step_share);
   }
-  return rows;
+  if (step.empty()) return "";
+  return element(
+      "p", fmt::format("In the median of {} runs the contact model makes {:.0f} % of the difference, contact "
+                       "softness {:.0f} % and the time step {:.0f} %.",
+                       step.size(), percent_of(median(model)), percent_of(median(softness)),
+                       percent_of(median(step))));
 }
 
 }  // namespace
-
-std::string run_anchor(std::size_t run) {
-  return fmt::format("run-{}", run + 1);
-}
 
 std::string runs_table(const Comparison& comparison) {
   const Order order = order_of(comparison);
@@ -155,7 +158,35 @@ std::string run_details(const Comparison& comparison) {
   return text;
 }
 
+std::string parts_table(const Comparison& comparison, const std::string& scene) {
+  const std::vector<std::string> columns{"run",
+                                         "RMS difference (rad)",
+                                         "contact model (share)",
+                                         "contact softness (share)",
+                                         "time step (share)",
+                                         "stiffness of a point (N/m)",
+                                         "damping ratio",
+                                         "restitution",
+                                         "spring softer by, then extrapolated"};
+  std::vector<Run> runs = done_runs(comparison, scene);
+  std::erase_if(runs, [](const Run& run) { return !run.step_difference; });
+  if (runs.empty()) return "";
+  std::string rows;
+  for (const Run& run : runs)
+    rows += table_row(columns, {run_label(run), fmt::format("{:.2g}", value_of(run.rms_angle_difference)),
+                                size_and_share(run.model_difference, run.model_share),
+                                size_and_share(run.softness_difference, run.softness_share),
+                                size_and_share(run.step_difference, run.step_share),
+                                cell_of(run.contact_stiffness), cell_of(run.contact_damping_ratio),
+                                cell_of(run.contact_restitution), cell_of(run.spring_factor)});
+  return element("h3", "What the differences are made of") + sentence(runs) +
+         element("div", table(columns, rows), " class=\"statements\"") + "\n";
+}
+
 std::string contact_section(const Comparison& comparison) {
+  const std::vector<std::string> columns{
+      "run",           "interface",        "slip left (m)",  "largest slip (m)",
+      "times it slid", "highest lift (m)", "times it lifted"};
   std::string rows;
   std::vector<std::string> warnings;
   for (const Run& run : comparison.runs) {
@@ -164,18 +195,21 @@ std::string contact_section(const Comparison& comparison) {
     if (summary.interfaces.empty()) continue;
     const std::string label =
         comparison.scenes.size() > 1 ? fmt::format("{}: {}", run.scene, run_label(run)) : run_label(run);
-    rows += rows_of(run, summary, label);
+    int number = 0;
+    for (const InterfaceSummary& one : summary.interfaces)
+      rows += table_row(columns,
+                        {label, fmt::format("{}", ++number), fmt::format("{}", one.final_slip),
+                         fmt::format("{}", one.largest_slip), fmt::format("{}", one.slips),
+                         fmt::format("{}", one.highest_lift), fmt::format("{}", one.lift_offs)},
+                        run.exact() ? " class=\"exact\"" : "");
     for (const std::string& warning : summary.warnings)
       warnings.push_back(fmt::format("{}: {}", label, warning));
   }
   if (rows.empty()) return "";
-  std::string text = element("h2", "Slip and lift-off") + "\n" +
-                     element("div", table(contact_columns(), rows),
-                             " class=\"scroll\" tabindex=\"0\" role=\"region\" "
-                             "aria-label=\"Slip and lift-off\"");
+  std::string text = wide_table(columns, rows, "Slip and lift-off");
   if (!warnings.empty())
     text += element("h3", "Where the laws of contact have no single answer") + sentence_list(warnings);
-  return element("section", "\n" + text + "\n", " id=\"contacts\"") + "\n";
+  return section("Slip and lift-off", text, " id=\"contacts\"");
 }
 
 }  // namespace rockstack::plots

@@ -3,11 +3,21 @@
 #include <string>
 #include <vector>
 
-#include "plots/data/results.hpp"
+#include "plots/data/law_results.hpp"
+#include "plots/pages/html.hpp"
 
 namespace rockstack::plots {
 
-// What a comparison's page says beside its figures.
+// What pages say beside their figures.
+
+/// The id of the picture in a scene's player, which takes keys.
+std::string player_anchor(std::size_t scene);
+
+/// The player of a scene, with the motions of the runs that figures over time show, thinned so that a page of
+/// all scenes' players stays small. `start` is how it stands at first, by the names of lesson.json; null: at
+/// the beginning. Precondition: has_motion(). @throws InputError naming the file that is missing or
+/// malformed.
+std::string player_part(const Comparison& comparison, std::size_t scene, const Json& start = {});
 
 /// What the differences of a scene are made of: a sentence, and a row for each run with its contact model,
 /// contact softness and time step; nothing where none is split.
@@ -31,18 +41,26 @@ std::vector<SolverRemarks> remarks(const Comparison& comparison);
 /// The same as a section of a page; nothing where there is none.
 std::string remarks_section(const Comparison& comparison);
 
-/// The id under which a page tells the version, parameters and files of a run.
-std::string run_anchor(std::size_t run);
-
 /// All runs of a comparison: ten columns, errors first, and a switch that shows the others. The name of a run
-/// leads to run_anchor().
+/// leads to its details.
 std::string runs_table(const Comparison& comparison);
 
-/// Version, parameters and files of every run, by its anchor. @throws InputError naming a malformed file.
+/// Version, parameters and files of every run. @throws InputError naming a malformed file.
 std::string run_details(const Comparison& comparison);
 
 /// How far blocks slipped and lifted in each run of law `unilateral`, an interface a row, and where theory
 /// has no single answer. Empty where no run has that law.
 std::string contact_section(const Comparison& comparison);
+
+// Of a study of impact laws, one sentence an entry, as plain text.
+
+/// The shortest answer: whose pattern engines take where the laws differ, and how often the laws do.
+std::vector<std::string> law_answer(const LawResults& results);
+
+/// How often and where the laws differ over the random stacks.
+std::vector<std::string> law_summary(const LawResults& results);
+
+/// Which law the engines are nearer to, how near, and where they are farthest from it.
+std::vector<std::string> engine_summary(const LawResults& results);
 
 }  // namespace rockstack::plots

@@ -2,42 +2,44 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+
 #include "analytic/scene/messages/input_error.hpp"
-#include "plots/figures/table.hpp"
-#include "plots/pages/pages.hpp"
+#include "plots/data/motion.hpp"
+#include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
-namespace {
 
 namespace fs = std::filesystem;
+
+using WritePage = void(const fs::path&);
+WritePage write_course, write_record_report, write_canon_report, write_advice_report, write_stability_report,
+    write_sweep_report, write_impact_law_report;
+/// Of one motion: its verdict, its player, its figures and everything that its summary says.
+void write_report(const fs::path& results, const Motion& motion);
+
+namespace {
 
 /// Results that are known by a file, and how their page is written.
 struct Kind {
   const char* file;
-  void (*write_page)(const fs::path&);
+  WritePage* write_page;
 };
 
 /// The first that is there holds: a study of stability has runs too.
-constexpr Kind kinds[]{{"course.json", write_course},
-                       {"record.json", write_record_report},
-                       {"canon.json", write_canon_report},
-                       {"advice.json", write_advice_report},
-                       {"stability.json", write_stability_report},
-                       {"sweep.json", write_sweep_report},
-                       {"impact-laws.csv", write_impact_law_report}};
+constexpr std::array kinds{Kind{"course.json", write_course},
+                           Kind{"record.json", write_record_report},
+                           Kind{"canon.json", write_canon_report},
+                           Kind{"advice.json", write_advice_report},
+                           Kind{"stability.json", write_stability_report},
+                           Kind{"sweep.json", write_sweep_report},
+                           Kind{"impact-laws.csv", write_impact_law_report}};
 
-/// Files of runs are read once for figures and pages together.
-void show_runs(const fs::path& results) {
-  const Comparison comparison = read_comparison(results);
-  draw_figures(results, comparison);
-  write_report(results, comparison);
-  if (fs::exists(results / "lesson.json")) write_lesson(results, comparison);
-}
-
-void show_motion(const fs::path& results) {
-  const Motion motion = read_motion(results);
-  draw_figures(results, motion.comparison);
-  write_report(results, motion);
+const Kind* kind_of(const fs::path& results) {
+  const auto* const kind = std::find_if(kinds.begin(), kinds.end(),
+                                        [&](const Kind& one) { return fs::exists(results / one.file); });
+  return kind == kinds.end() ? nullptr : kind;
 }
 
 }  // namespace
@@ -46,16 +48,29 @@ bool has_runs(const fs::path& results) {
   return fs::exists(results / "comparison.json") && !fs::exists(results / "stability.json");
 }
 
+bool write_study_page(const fs::path& results) {
+  const Kind* kind = kind_of(results);
+  if (kind != nullptr) kind->write_page(results);
+  return kind != nullptr;
+}
+
 void show(const fs::path& results) {
-  for (const Kind& kind : kinds)
-    if (fs::exists(results / kind.file)) {
-      draw_figures(results);
-      return kind.write_page(results);
-    }
-  if (has_one_motion(results)) return show_motion(results);
-  if (has_runs(results)) return show_runs(results);
-  throw InputError(
-      fmt::format("{}: cannot be read: must be a folder with results that have figures", results.string()));
+  if (kind_of(results) != nullptr) {
+    draw_figures(results);
+    write_study_page(results);
+  } else if (has_one_motion(results)) {
+    const Motion motion = read_motion(results);
+    draw_figures(results, motion.comparison);
+    write_report(results, motion);
+  } else if (has_runs(results)) {
+    const Comparison comparison = read_comparison(results);  // whose files are read once for all
+    draw_figures(results, comparison);
+    write_report(results, comparison);
+    if (fs::exists(results / "lesson.json")) write_lesson(results, comparison);
+  } else {
+    throw InputError(
+        fmt::format("{}: cannot be read: must be a folder with results that have figures", results.string()));
+  }
 }
 
 }  // namespace rockstack::plots

@@ -1,23 +1,13 @@
-#include "plots/pages/pages.hpp"
-
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numeric>
-#include <vector>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/sentences.hpp"
-#include "plots/data/results.hpp"
-#include "plots/data/selection.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
 #include "plots/pages/html.hpp"
-#include "plots/pages/page_parts.hpp"
-#include "plots/pages/templates.hpp"
+#include "plots/pages/show.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -29,52 +19,60 @@ using Sentences = std::vector<std::string>;
 struct Study {
   std::string title;
   Sentences answers;
-  std::vector<std::string> tables;  ///< files to be shown, where they are there
-  Facts facts;
-  std::string command;  ///< empty where the results do not say
+  std::vector<std::string> tables = {};  ///< files to be shown, where they are there
 };
 
 std::string table_of(const fs::path& file) {
   const Table table = read_table(file);
   std::string rows;
   for (const auto& row : table.rows) rows += table_row(table.columns, row);
-  return element("h3", escaped(file.filename().string())) +
-         element("div", plots::table(table.columns, rows),
-                 " class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table\"") +
-         "\n";
+  return element("h3", escaped(file.filename().string())) + wide_table(table.columns, rows, "Table") + "\n";
 }
 
-void write_study(const fs::path& results, const Study& study) {
-  std::string tables, command;
-  for (const std::string& name : study.tables)
-    if (fs::exists(results / name)) tables += table_of(results / name);
-  if (!study.command.empty())
-    command = element("h2", "To run it again") + element("pre", element("code", escaped(study.command)));
-  const std::string content = filled_in(study_html, {{"title", escaped(study.title)},
-                                                     {"answer", answer_box(study.answers)},
-                                                     {"figures", drawn_figures(results)},
-                                                     {"files", file_links(results)},
-                                                     {"tables", tables},
-                                                     {"command", command},
-                                                     {"facts", definition_list(study.facts)}});
-  write_file(results / "report.html", page({study.title, "report", content}));
+/// Empty where the results do not say. Of a sweep it stands beside its results, which are the same bytes
+/// whatever the command.
+std::string command_of(const fs::path& results, const Json& description) {
+  const fs::path timing = results / "timing.json";
+  return description.value("command", fs::exists(timing) ? read_json(timing).value("command", "") : "");
 }
 
-/// Reads a description; a missing or wrong entry names its file.
-Study study_of(const fs::path& file, const std::function<Study(const Json&)>& read) {
-  return read_json(file, [&](const Json& json) {
-    Study study = read(json);
-    study.command = json.value("command", study.command);
-    study.facts = facts_of(json);
-    std::erase_if(study.facts, [](const auto& fact) {
-      return fact.first == "command" || fact.first == "title" || fact.first.starts_with("trials.");
-    });
-    return study;
+/// Everything that a description says and the page has nowhere else.
+Facts facts_beside(const Json& description) {
+  Facts facts = facts_of(description);
+  std::erase_if(facts, [](const auto& fact) {
+    return fact.first == "command" || fact.first == "title" || fact.first.starts_with("trials.");
+  });
+  return facts;
+}
+
+/// Writes the page of a description; a missing or wrong entry names its file.
+void write_study(const fs::path& results, const char* file, const std::function<Study(const Json&)>& read) {
+  read_json(results / file, [&](const Json& json) {
+    const Study study = read(json);
+    std::string tables;
+    for (const std::string& name : study.tables)
+      if (fs::exists(results / name)) tables += table_of(results / name);
+    const std::string command = command_of(results, json);
+    const std::string content =
+        filled_in(study_html,
+                  {{"title", escaped(study.title)},
+                   {"answer", answer_box(study.answers)},
+                   {"figures", drawn_figures(results)},
+                   {"files", file_links(results)},
+                   {"tables", tables},
+                   {"command", command.empty() ? "" : element("h2", "To run it again") + code_block(command)},
+                   {"facts", definition_list(facts_beside(json))}});
+    write_file(results / "report.html", page({study.title, "report", content}));
   });
 }
 
-double sum(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
+/// The sum of each column of a file, whole numbers; none where there is no such file.
+std::vector<double> sums(const fs::path& file, const std::vector<std::string>& names) {
+  std::vector<double> list;
+  if (!fs::exists(file)) return list;
+  for (const std::vector<double>& values : read_columns(file, names))
+    list.push_back(std::accumulate(values.begin(), values.end(), 0.0));
+  return list;
 }
 
 void add_toppled(const fs::path& results, Sentences& sentences) {
@@ -105,23 +103,18 @@ void add_fit(const fs::path& results, const std::string& intensity, Sentences& s
                                intensity, fit[0][0], fit[1][0]));
 }
 
-void add_overturning(const fs::path& results, Sentences& sentences) {
-  const fs::path file = results / "overturning.csv";
-  if (!fs::exists(file)) return;
-  const auto counts =
-      read_columns(file, {"rest", "rocking", "toppled_after_impact", "toppled_without_impact"});
-  sentences.push_back(
-      fmt::format("{} stay at rest, {} rock and stand, {} topple after an impact, {} without one.",
-                  sum(counts[0]), sum(counts[1]), sum(counts[2]), sum(counts[3])));
-}
-
-void add_modes(const fs::path& results, Sentences& sentences) {
-  const fs::path file = results / "modes.csv";
-  if (!fs::exists(file)) return;
-  const auto counts = read_columns(file, {"rest", "slide", "rock", "slide_rock", "free_flight", "fall"});
-  sentences.push_back(fmt::format("{} rest, {} slide, {} rock, {} do both, {} lift off; {} fall off.",
-                                  sum(counts[0]), sum(counts[1]), sum(counts[2]), sum(counts[3]),
-                                  sum(counts[4]), sum(counts[5])));
+void add_outcomes(const fs::path& results, Sentences& sentences) {
+  if (const auto counts = sums(results / "overturning.csv",
+                               {"rest", "rocking", "toppled_after_impact", "toppled_without_impact"});
+      !counts.empty())
+    sentences.push_back(
+        fmt::format("{} stay at rest, {} rock and stand, {} topple after an impact, {} without one.",
+                    counts[0], counts[1], counts[2], counts[3]));
+  if (const auto counts =
+          sums(results / "modes.csv", {"rest", "slide", "rock", "slide_rock", "free_flight", "fall"});
+      !counts.empty())
+    sentences.push_back(fmt::format("{} rest, {} slide, {} rock, {} do both, {} lift off; {} fall off.",
+                                    counts[0], counts[1], counts[2], counts[3], counts[4], counts[5]));
 }
 
 /// How many engine runs have each verdict.
@@ -144,24 +137,22 @@ std::string verdicts(const fs::path& results) {
 void add_stable_steps(const fs::path& results, const std::string& axis, Sentences& sentences) {
   const fs::path file = results / "steps.csv";
   const Table steps = read_table(file);
-  const std::size_t stable = column(steps, "largest_stable_step", file);
+  const std::vector<double> stable = read_columns(file, {"largest_stable_step"})[0];
   const std::size_t engine = column(steps, "engine", file), solver = column(steps, "solver", file),
                     settings = column(steps, "settings", file);
   std::map<std::string, std::vector<double>> lists;
   for (std::size_t i = 0; i < steps.rows.size(); ++i) {
     const auto& row = steps.rows[i];
-    lists[fmt::format("{} {}, {}", row[engine], row[solver], row[settings])].push_back(
-        number(row[stable], fmt::format("{}:{}", file.string(), i + 2), "largest_stable_step"));
+    lists[fmt::format("{} {}, {}", row[engine], row[solver], row[settings])].push_back(stable[i]);
   }
   const auto words = [](double step) { return step > 0 ? duration_text(step) : std::string("none"); };
   for (const auto& [name, list] : lists) {
     const auto [least, most] = std::minmax_element(list.begin(), list.end());
-    sentences.push_back(
-        *least == *most
-            ? fmt::format("{}: the largest stable step is {} at all {} values of {}.", name, words(*least),
-                          list.size(), axis)
-            : fmt::format("{}: the largest stable step is between {} and {} over {} values of {}.", name,
-                          words(*least), words(*most), list.size(), axis));
+    sentences.push_back(fmt::format("{}: the largest stable step is {} {} values of {}.", name,
+                                    *least == *most
+                                        ? fmt::format("{} at all", words(*least))
+                                        : fmt::format("between {} and {} over", words(*least), words(*most)),
+                                    list.size(), axis));
   }
 }
 
@@ -169,12 +160,6 @@ void add_stable_steps(const fs::path& results, const std::string& axis, Sentence
 std::string peak(const Json& json, const char* unit) {
   return fmt::format("{:.4g} {} at {:.4g} s", json.at("value").get<double>(), unit,
                      json.at("time").get<double>());
-}
-
-/// Of a sweep the command stands beside its results, which are the same bytes whatever the command.
-std::string command_of_sweep(const fs::path& results) {
-  const fs::path file = results / "timing.json";
-  return fs::exists(file) ? read_json(file).value("command", "") : "";
 }
 
 /// The advice in words: what to take, how sure it is, and what was not tried.
@@ -185,12 +170,11 @@ Sentences advised(const Json& json) {
   if (const Json& pick = json.at("pick"); pick.is_null()) {
     sentences.push_back(fmt::format("No solver holds to {:g} at a step that was tried.", error));
   } else {
-    sentences.push_back(
-        fmt::format("Take {}:{} at {} with tuned settings: the cheapest that was tried and stays "
-                    "within {:g} rad of the exact angles, and within that share of the least block height of "
-                    "the exact centres.",
-                    pick.at("engine").get<std::string>(), pick.at("solver").get<std::string>(),
-                    duration_text(pick.at("dt").get<double>()), error));
+    sentences.push_back(fmt::format(
+        "Take {}:{} at {} with tuned settings: the cheapest that was tried and stays "
+        "within {:g} rad of the exact angles, and within that share of the least block height of "
+        "the exact centres.",
+        text_at(pick, "engine"), text_at(pick, "solver"), duration_text(pick.at("dt").get<double>()), error));
     sentences.push_back(
         fmt::format("Of {1} replicates at nearby steps {0} are within; nine of ten must be.",
                     pick.at("draws_within").get<int>() + pick.at("confirming_draws_within").get<int>(),
@@ -200,8 +184,7 @@ Sentences advised(const Json& json) {
     sentences.push_back(fmt::format("This holds until {:.4g} s, the horizon of predictability.", until));
   std::vector<std::string> untried;
   for (const Json& one : json.at("untried"))
-    untried.push_back(fmt::format("{}:{} below {}", one.at("engine").get<std::string>(),
-                                  one.at("solver").get<std::string>(),
+    untried.push_back(fmt::format("{}:{} below {}", text_at(one, "engine"), text_at(one, "solver"),
                                   duration_text(one.at("below").get<double>())));
   if (!untried.empty())
     sentences.push_back(fmt::format("As the search had {:g} s, it has not tried {}.",
@@ -211,62 +194,45 @@ Sentences advised(const Json& json) {
 
 }  // namespace
 
-void write_sweep_report(const std::filesystem::path& results) {
-  write_study(results, study_of(results / "sweep.json", [&](const Json& json) {
-                Study study{json.at("title").get<std::string>(),
-                            {},
-                            {"fragility-fit.csv", "fragility.csv", "incremental-fractiles.csv"},
-                            {},
-                            {}};
-                add_toppled(results, study.answers);
-                add_fit(results, axis_title(json.at("summary").at("intensity").get<std::string>()),
-                        study.answers);
-                add_overturning(results, study.answers);
-                add_modes(results, study.answers);
-                study.command = command_of_sweep(results);
-                return study;
-              }));
+void write_sweep_report(const fs::path& results) {
+  write_study(results, "sweep.json", [&](const Json& json) {
+    Study study{
+        text_at(json, "title"), {}, {"fragility-fit.csv", "fragility.csv", "incremental-fractiles.csv"}};
+    add_toppled(results, study.answers);
+    add_fit(results, axis_title(text_at(json.at("summary"), "intensity")), study.answers);
+    add_outcomes(results, study.answers);
+    return study;
+  });
 }
 
-void write_stability_report(const std::filesystem::path& results) {
-  write_study(results, study_of(results / "stability.json", [&](const Json& json) {
-                Study study{"Stability: " + json.at("title").get<std::string>(),
-                            {verdicts(results)},
-                            {"steps.csv", "stability.csv"},
-                            {},
-                            {}};
-                add_stable_steps(results, json.at("axis").get<std::string>(), study.answers);
-                return study;
-              }));
+void write_stability_report(const fs::path& results) {
+  write_study(results, "stability.json", [&](const Json& json) {
+    Study study{"Stability: " + text_at(json, "title"), {verdicts(results)}, {"steps.csv", "stability.csv"}};
+    add_stable_steps(results, text_at(json, "axis"), study.answers);
+    return study;
+  });
 }
 
-void write_advice_report(const std::filesystem::path& results) {
-  write_study(
-      results, study_of(results / "advice.json", [](const Json& json) {
-        Study study{"Advice: " + json.at("title").get<std::string>(), advised(json), {"advice.csv"}, {}, {}};
-        return study;
-      }));
+void write_advice_report(const fs::path& results) {
+  write_study(results, "advice.json", [](const Json& json) {
+    return Study{"Advice: " + text_at(json, "title"), advised(json), {"advice.csv"}};
+  });
 }
 
-void write_record_report(const std::filesystem::path& results) {
-  write_study(
-      results, study_of(results / "record.json", [&](const Json& json) {
-        const double gravity = json.at("gravity").get<double>();
-        const double most = std::abs(json.at("peak_acceleration").at("value").get<double>());
-        const Json& span = json.at("significant_5_95");
-        return Study{
-            "Record " + fs::path(json.at("file").get<std::string>()).filename().string(),
-            {fmt::format("The peak acceleration is {}, {:.4g} g.", peak(json.at("peak_acceleration"), "m/s²"),
-                         most / gravity),
-             fmt::format("The peak velocity is {}, the peak displacement {}.",
-                         peak(json.at("peak_velocity"), "m/s"), peak(json.at("peak_displacement"), "m")),
-             fmt::format("Strong shaking lasts {:.4g} s, from 5 to 95 % of the Arias intensity of "
-                         "{:.4g} m/s.",
-                         span.at("length").get<double>(), json.at("arias_intensity").get<double>())},
-            {},
-            {},
-            {}};
-      }));
+void write_record_report(const fs::path& results) {
+  write_study(results, "record.json", [](const Json& json) {
+    const double gravity = json.at("gravity").get<double>();
+    const double most = std::abs(json.at("peak_acceleration").at("value").get<double>());
+    const Json& span = json.at("significant_5_95");
+    return Study{
+        "Record " + fs::path(text_at(json, "file")).filename().string(),
+        {fmt::format("The peak acceleration is {}, {:.4g} g.", peak(json.at("peak_acceleration"), "m/s²"),
+                     most / gravity),
+         fmt::format("The peak velocity is {}, the peak displacement {}.",
+                     peak(json.at("peak_velocity"), "m/s"), peak(json.at("peak_displacement"), "m")),
+         fmt::format("Strong shaking lasts {:.4g} s, from 5 to 95 % of the Arias intensity of {:.4g} m/s.",
+                     span.at("length").get<double>(), json.at("arias_intensity").get<double>())}};
+  });
 }
 
 }  // namespace rockstack::plots

@@ -13,7 +13,12 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/build.hpp"
 #include "comparisons/suites/shipped.hpp"
-#include "engines/worker/registry.hpp"
+#include "engines/parameters.hpp"
+#include "engines/scene_setup.hpp"
+#ifdef ROCKSTACK_WITH_PLOTS
+#include "plots/figures/figure.hpp"
+#include "plots/pages/show.hpp"
+#endif
 
 namespace rockstack {
 namespace {

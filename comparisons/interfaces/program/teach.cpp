@@ -9,7 +9,6 @@
 #include "comparisons/studies/lessons/course/answered.hpp"
 #include "comparisons/studies/lessons/course/run_lesson.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/pages/pages.hpp"
 #include "plots/pages/show.hpp"
 #endif
 

@@ -1,16 +1,7 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 #include <utility>
-#include <vector>
 
-#include "analytic/scene/messages/number_text.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/drawing/axes.hpp"
+#include "analytic/scene/messages/quantity_text.hpp"
 #include "plots/drawing/rows.hpp"
-#include "plots/drawing/style.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
@@ -27,14 +18,15 @@ struct CommonAxes {
   /// How much of a set's colour a step has: the coarser, the paler.
   double strength(double dt) const {
     constexpr double palest = 0.35;
-    const auto at = static_cast<double>(std::find(steps.begin(), steps.end(), dt) - steps.begin());
-    return steps.size() < 2 ? 1 : palest + (1 - palest) * at / static_cast<double>(steps.size() - 1);
+    return steps.size() < 2 ? 1 : palest + (1 - palest) * place(dt) / static_cast<double>(steps.size() - 1);
   }
   /// Where the line of a set and step lies, from the row's middle.
   double height(std::size_t set, double dt) const {
     constexpr double part = 0.27;
-    const auto at = static_cast<double>(std::find(steps.begin(), steps.end(), dt) - steps.begin());
-    return static_cast<double>(set) + part * (at - 0.5 * static_cast<double>(steps.size() - 1));
+    return static_cast<double>(set) + part * (place(dt) - 0.5 * static_cast<double>(steps.size() - 1));
+  }
+  double place(double dt) const {
+    return static_cast<double>(std::find(steps.begin(), steps.end(), dt) - steps.begin());
   }
 };
 
@@ -77,36 +69,21 @@ std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& 
   return places;
 }
 
-/// Plot elements, each of a data block of its own.
-class Plots {
- public:
-  Plots(Sheet& sheet, std::string stem) : sheet_(sheet), stem_(std::move(stem)) {}
-  void add(const std::string& point, const std::string& style) {
-    const std::string name = fmt::format("{}_{}", stem_, list_.size());
-    sheet_.data(fmt::format("${} << END\n{}\nEND\n", name, point));
-    list_.push_back(fmt::format("${} {} notitle", name, style));
-  }
-  const std::vector<std::string>& list() const { return list_; }
-
- private:
-  Sheet& sheet_;
-  std::string stem_;
-  std::vector<std::string> list_;
-};
-
-constexpr auto failure_style = "using 1:2 with points pt 2 ps 0.9*mark lw 2 lc rgb '#B00020'";
+constexpr auto failure_style = "with points pt 2 ps 0.9*mark lw 2 lc rgb '#B00020'";
+constexpr auto tolerance_style = "lw 2 dt (5,8) lc rgb '#666666'";
+constexpr auto quartiles_style = "lw 1.5 lc rgb '#000000'";
 
 /// From nought to when it stops to agree, with the quartiles over replicates.
 void add_times(Plots& plots, const Place& place, const SceneScale& scale) {
   const Run& run = *place.run;
-  if (!run.done()) return plots.add(fmt::format("0 {}", place.height), failure_style);
+  if (!run.done()) return plots.add({{0, place.height}}, {fmt::format("using 1:2 {}", failure_style)});
   const double end = agreement_end(run, scale);
-  plots.add(fmt::format("0 {} {}", place.height, plain(end)),
-            fmt::format("using 1:2:3:(0) with vectors nohead lw 6 lc rgb '{}'", place.colour));
+  plots.add({{0, place.height, end}},
+            {fmt::format("using 1:2:3:(0) with vectors nohead lw 6 lc rgb '{}'", place.colour)});
   if (run.agreement_time_lower && run.agreement_time_upper && run.agreement_time <= end)
-    plots.add(fmt::format("{} {} {}", plain(*run.agreement_time_lower), place.height,
-                          plain(*run.agreement_time_upper - *run.agreement_time_lower)),
-              "using 1:2:3:(0) with vectors nohead lw 1.5 lc rgb '#000000'");
+    plots.add(
+        {{*run.agreement_time_lower, place.height, *run.agreement_time_upper - *run.agreement_time_lower}},
+        {fmt::format("using 1:2:3:(0) with vectors nohead {}", quartiles_style)});
 }
 
 /// The largest difference before the horizon: of an angle in rad, or of a centre as a share of the least
@@ -115,28 +92,23 @@ double largest_of(const Run& run) {
   return std::max(run.largest_angle_difference.value_or(0), run.relative_position_difference.value_or(0));
 }
 
-struct SizeAxis {
-  double low = 0, high = 0;
-};
-
 /// Of all scenes, almost two decades below the tolerance at least, so that no number stands at the end.
-SizeAxis size_axis(const Comparison& comparison) {
+Reach size_axis(const Comparison& comparison) {
   constexpr double decades_below = 1e-4, room = 1.5;
-  double low = comparison.tolerance / 80, high = comparison.tolerance * 10;
+  Reach axis{comparison.tolerance / 80, comparison.tolerance * 10};
   for (const Run& run : comparison.runs)
     if (is_shown(run) && run.done() && run.error) {
-      high = std::max(high, room * largest_of(run));
-      low = std::min(low, largest_of(run) / room);
+      axis.add(room * largest_of(run));
+      axis.add(largest_of(run) / room);
     }
-  return {std::max(low, comparison.tolerance * decades_below), high};
+  return {std::max(axis.low, comparison.tolerance * decades_below), axis.high};
 }
 
-void add_size(Plots& plots, const Place& place, const SizeAxis& axis) {
+void add_size(Plots& plots, const Place& place, double least) {
   if (!place.run->done() || !place.run->error) return;
-  const Style style = style_of(*place.run);
-  plots.add(
-      fmt::format("{} {}", plain(std::max(largest_of(*place.run), axis.low)), place.height),
-      fmt::format("using 1:2 with points lw 2 lc rgb '{}' pt {} ps 1.1*mark", place.colour, style.mark));
+  plots.add({{std::max(largest_of(*place.run), least), place.height}},
+            {fmt::format("using 1:2 with points lw 2 lc rgb '{}' pt {} ps 1.1*mark", place.colour,
+                         style_of(*place.run).mark)});
 }
 
 /// A scene's axis ends behind its horizon, or where it ends.
@@ -149,16 +121,16 @@ TimeAxis axis_of(const ComparedScene& scene) {
 /// Scenes side by side: until when, and under that by how much.
 void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& frame, std::size_t from,
                 std::size_t to) {
-  const SizeAxis sizes = size_axis(comparison);
+  const Reach sizes = size_axis(comparison);
   std::vector<RowColumn> times, largest;
   for (std::size_t s = from; s < to; ++s) {
     const ComparedScene& scene = comparison.scenes[s];
     Plots until(sheet, fmt::format("until_{}", s)), off(sheet, fmt::format("off_{}", s));
-    off.add(fmt::format("{} -0.7 {}", plain(comparison.tolerance), frame.sets.size()),
-            "using 1:2:(0):3 with vectors nohead lw 2 dt (5,8) lc rgb '#666666'");
+    off.add({{comparison.tolerance, -0.7, static_cast<double>(frame.sets.size())}},
+            {fmt::format("using 1:2:(0):3 with vectors nohead {}", tolerance_style)});
     for (const Place& place : places_of(comparison, scene, frame)) {
       add_times(until, place, scale_of(comparison, scene));
-      add_size(off, place, sizes);
+      add_size(off, place, sizes.low);
     }
     const TimeAxis axis = axis_of(scene);
     times.push_back({"agrees until (s)", until.list(), scene.name, [axis](double width) {
@@ -174,22 +146,21 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& fr
 }
 
 Legend legend_of(const Comparison& comparison, const CommonAxes& frame) {
+  const auto any = [&](const auto& holds) {
+    return std::any_of(comparison.runs.begin(), comparison.runs.end(),
+                       [&](const Run& run) { return is_shown(run) && holds(run); });
+  };
   Legend legend;
   for (const double dt : frame.steps)
     legend.emplace_back(fmt::format("with lines lw 6 lc rgb '{}'", paler("#333333", frame.strength(dt))),
                         "step " + duration_text(dt));
-  legend.emplace_back("with lines lw 2 dt (5,8) lc rgb '#666666'", "tolerance");
-  const auto drawn = [](const Run& run) { return is_shown(run) && run.draws.value_or(1) > 1; };
-  if (std::any_of(comparison.runs.begin(), comparison.runs.end(), drawn))
-    legend.emplace_back("with lines lw 1.5 lc rgb '#000000'", "quartiles of replicates");
-  for (const ComparedScene& scene : comparison.scenes)
-    if (const TimeAxis axis = axis_of(scene); axis.is_shaded()) {
-      explain_shade(axis, legend);
-      break;
-    }
-  const auto failed = [](const Run& run) { return is_shown(run) && !run.done(); };
-  if (std::any_of(comparison.runs.begin(), comparison.runs.end(), failed))
-    legend.emplace_back("with points pt 2 ps 0.9*mark lw 2 lc rgb '#B00020'", "failed");
+  legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
+  if (any([](const Run& run) { return run.draws.value_or(1) > 1; }))
+    legend.emplace_back(fmt::format("with lines {}", quartiles_style), "quartiles of replicates");
+  const auto shaded = std::find_if(comparison.scenes.begin(), comparison.scenes.end(),
+                                   [](const ComparedScene& scene) { return axis_of(scene).is_shaded(); });
+  if (shaded != comparison.scenes.end()) explain_shade(axis_of(*shaded), legend);
+  if (any([](const Run& run) { return !run.done(); })) legend.emplace_back(failure_style, "failed");
   return legend;
 }
 
@@ -213,12 +184,12 @@ Drawings agreement(const ComparisonSubject& subject) {
   const bool any = std::any_of(comparison.runs.begin(), comparison.runs.end(),
                                [](const Run& run) { return is_shown(run) && run.error; });
   if (!any) return {};
-  Sheet sheet = subject.sheet(legend_of(comparison, frame), answer(comparison));
+  Sheet sheet = subject.figure.sheet(comparison.title, legend_of(comparison, frame), answer(comparison));
   const std::size_t scenes = std::min(comparison.scenes.size(), most_scenes);
   for (std::size_t from = 0; from < scenes; from += scenes_in_a_row)
     add_scenes(sheet, comparison, frame, from, std::min(from + scenes_in_a_row, scenes));
   if (scenes < comparison.scenes.size())
-    sheet.note(fmt::format("the first {} of {} scenes", scenes, comparison.scenes.size()), "#000000");
+    sheet.note(fmt::format("the first {} of {} scenes", scenes, comparison.scenes.size()));
   return {{"", sheet.finish()}};
 }
 

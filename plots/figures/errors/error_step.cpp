@@ -1,12 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "comparisons/measures/statistics/samples.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/drawing/axes.hpp"
-#include "plots/drawing/series.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
@@ -16,7 +7,7 @@ namespace {
 struct Errors {
   std::string column, axis, short_axis, unit;
   std::optional<double> RunMetrics::*of;
-  std::optional<double> RunMetrics::*lower = nullptr;  ///< quartiles over draws, where there are some
+  std::optional<double> RunMetrics::*lower = nullptr;  ///< quartiles over replicates, where there are some
   std::optional<double> RunMetrics::*upper = nullptr;
 };
 
@@ -24,9 +15,9 @@ struct Errors {
 struct ErrorLine {
   Run run;  ///< any of the line
   std::string label;
-  Curve errors;                      ///< by ascending time step
-  std::vector<double> lower, upper;  ///< quartiles over draws; the error itself where there are none
-  const StepFit* fit = nullptr;      ///< null where there is none
+  /// By ascending time step: this, the error, and its quartiles over replicates or the error again.
+  Numbers errors;
+  const StepFit* fit = nullptr;  ///< null where there is none
 
   bool fits() const { return fit != nullptr && fit->holds(); }
 };
@@ -41,7 +32,7 @@ std::string fit_label(const StepFit& fit) {
                      fit.order.high, model_error);
 }
 
-/// An engine may have no error at all in a draw, which no logarithm shows.
+/// An engine may have no error at all in a replicate, which no logarithm shows.
 double drawable(double error) {
   return std::max(error, least_error);
 }
@@ -50,33 +41,25 @@ std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::stri
                                    const Errors& errors) {
   std::vector<ErrorLine> lines;
   for (const StepLine& runs : step_lines(comparison, scene)) {
-    ErrorLine line{runs.front(), line_label(runs), {}, {}, {}, fit_of(comparison, runs, errors.column)};
+    ErrorLine line{runs.front(), line_label(runs), {}, fit_of(comparison, runs, errors.column)};
     for (const Run& run : runs) {
       const double error = std::abs(value_of(run.*errors.of));
       if (!(error > 0) || !std::isfinite(error)) continue;
-      line.errors.times.push_back(value_of(run.dt));
-      line.errors.values.push_back(drawable(error));
-      const bool drawn = errors.lower != nullptr;
-      line.lower.push_back(drawable(drawn ? (run.*errors.lower).value_or(error) : error));
-      line.upper.push_back(drawable(drawn ? (run.*errors.upper).value_or(error) : error));
+      const auto quartile = [&](std::optional<double> RunMetrics::*of) {
+        return drawable(of == nullptr ? error : (run.*of).value_or(error));
+      };
+      line.errors.push_back(
+          {value_of(run.dt), drawable(error), quartile(errors.lower), quartile(errors.upper)});
     }
-    if (line.errors.size() > 0) lines.push_back(line);
+    if (!line.errors.empty()) lines.push_back(line);
   }
   return lines;
-}
-
-std::string errors_block(std::size_t index, const ErrorLine& line) {
-  std::string text = fmt::format("$errors_{} << EOD\n", index);
-  for (std::size_t i = 0; i < line.errors.size(); ++i)
-    text += fmt::format("{} {} {} {}\n", plain(line.errors.times[i]), plain(line.errors.values[i]),
-                        plain(line.lower[i]), plain(line.upper[i]));
-  return text + "EOD\n";
 }
 
 /// The fitted curve between the smallest and the largest step.
 Curve fitted(const ErrorLine& line) {
   constexpr int points = 60;
-  const double first = line.errors.times.front(), last = line.errors.times.back();
+  const double first = line.errors.front()[0], last = line.errors.back()[0];
   Curve curve;
   for (int i = 0; i <= points; ++i) {
     const double dt = first * std::pow(last / first, static_cast<double>(i) / points);
@@ -88,25 +71,23 @@ Curve fitted(const ErrorLine& line) {
 }
 
 /// Half a decade of room around all marks.
-std::string ranges(const std::vector<ErrorLine>& lines, double across, double up) {
-  double shortest = 1e300, longest = 0, small = 1e300, large = 0;
-  for (const ErrorLine& line : lines) {
-    shortest = std::min(shortest, line.errors.times.front());
-    longest = std::max(longest, line.errors.times.back());
-    small = std::min(small, quantile(line.lower, 0));
-    large = std::max(large, quantile(line.upper, 1));
-  }
+std::string ranges(const std::vector<ErrorLine>& lines, double width, double height) {
+  Reach across, up;
+  for (const ErrorLine& line : lines)
+    for (const std::vector<double>& error : line.errors) {
+      across.add(error[0]);
+      up.add(error[2]), up.add(error[3]);
+    }
   constexpr double room = 1.6;
-  return logarithmic_range("x", shortest / room, longest * room, across) +
-         logarithmic_range("y", small / room, large * room, up) + grid_lines;
+  return logarithmic_axes(across.wider_times(room), up.wider_times(room), width, height);
 }
 
 /// The least error of all, with its step.
 std::string answer(const std::vector<ErrorLine>& lines, const Errors& errors) {
   double least = 1e300, dt = 0;
   for (const ErrorLine& line : lines)
-    for (std::size_t i = 0; i < line.errors.size(); ++i)
-      if (line.errors.values[i] < least) least = line.errors.values[i], dt = line.errors.times[i];
+    for (const std::vector<double>& error : line.errors)
+      if (error[1] < least) least = error[1], dt = error[0];
   return fmt::format("At least {:.2g} {}, at {}", least, errors.unit, duration_text(dt));
 }
 
@@ -126,33 +107,28 @@ std::vector<std::string> plots_of(const ErrorLine& line, std::size_t i, double s
 }
 
 Drawing draw_errors(const SceneSubject& subject, const Errors& errors) {
-  const Comparison& comparison = subject.comparison;
-  const ComparedScene& scene = subject.scene;
-  const std::vector<ErrorLine> lines = error_lines(comparison, scene.name, errors);
+  const std::vector<ErrorLine> lines = error_lines(subject.comparison, subject.scene.name, errors);
   if (lines.empty()) return subject.nothing("No engine run of this scene with an error.");
-  std::vector<Run> runs;
+  const bool many = lines.size() > most_series;
+  Legend legend;
+  for (const ErrorLine& line : lines)
+    if (!many) legend.emplace_back(mark_style(line.run, 1.5), line.label);
+  Sheet sheet = subject.sheet(legend, answer(lines, errors));
   std::vector<Series> series;
-  std::string data;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    runs.push_back(lines[i].run);
-    series.push_back(mark_series(lines[i].run, fmt::format("errors_{}", i), 1.5));
+    const std::string block = fmt::format("errors_{}", i);
+    series.push_back(mark_series(lines[i].run, block, 1.5));
     series.back().words = lines[i].label;
     series.back().plots = plots_of(lines[i], i, 1.5);
     series.back().alone = plots_of(lines[i], i, 1.1);
-    data += errors_block(i, lines[i]);
-    if (lines[i].fits()) data += data_block(fmt::format("fitted_{}", i), fitted(lines[i]));
+    sheet.data(number_block(block, lines[i].errors));
+    if (lines[i].fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted(lines[i])));
   }
-  Legend legend;
-  for (const ErrorLine& line : lines)
-    if (!are_many(runs)) legend.emplace_back(mark_style(line.run, 1.5), line.label);
-  Sheet sheet = subject.sheet(legend, answer(lines, errors));
-  sheet.data(data);
   const auto axes = [&](double width, double height) { return ranges(lines, width, height); };
-  add_series(sheet, {"time step (s)", errors.axis, errors.short_axis, true, axes, 560, 0}, series,
-             are_many(runs));
+  add_series(sheet, {"time step (s)", errors.axis, errors.short_axis, true, axes, 560, 0}, series, many);
   for (const ErrorLine& line : lines)
     if (line.fit != nullptr) sheet.note(line.label + ": " + fit_label(*line.fit), style_of(line.run).colour);
-  if (const std::string note = draws_note(comparison, scene.name); !note.empty()) sheet.note(note, "#000000");
+  subject.add_replicates_note(sheet);
   return sheet.finish();
 }
 

@@ -1,12 +1,5 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "plots/data/run_files.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/drawing/axes.hpp"
-#include "plots/drawing/series.hpp"
+#include "plots/drawing/labels.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
@@ -16,7 +9,7 @@ namespace {
 struct Cost {
   double time, error;
   std::string label;
-  double lower, upper;  ///< quartiles over draws; the error itself where there are none
+  double lower, upper;  ///< quartiles over replicates; the error itself where there are none
 };
 
 constexpr double panel_up = 520;  ///< height of the one panel of few, pixels
@@ -63,28 +56,27 @@ double exact_cost(const std::vector<Run>& exact) {
   return end > 0 ? *exact.front().stepping_time_minimum / end : 0;
 }
 
-std::string line_data(std::size_t index, const CostLine& line) {
-  std::string text = fmt::format("$line_{} << EOD\n", index);
-  for (const Cost& cost : line.costs)
-    text += fmt::format("{} {} {} {}\n", plain(cost.time), plain(cost.error), plain(cost.lower),
-                        plain(cost.upper));
-  return text + "EOD\n";
+Numbers numbers_of(const CostLine& line) {
+  Numbers numbers;
+  numbers.reserve(line.costs.size());
+  for (const Cost& cost : line.costs) numbers.push_back({cost.time, cost.error, cost.lower, cost.upper});
+  return numbers;
 }
 
-/// Whether the errors of two neighbouring runs tell a trend: their quartiles over draws part, and without
-/// draws histories can be compared to the end. Elsewhere a line between them would mean nothing.
+/// Whether the errors of two neighbouring runs tell a trend: their quartiles over replicates part, and
+/// without replicates histories can be compared to the end. Elsewhere a line between them would mean nothing.
 bool parts(const Cost& a, const Cost& b, bool comparable) {
-  const bool drawn = a.lower < a.upper || b.lower < b.upper;
-  return drawn ? a.upper < b.lower || b.upper < a.lower : comparable;
+  const bool spread = a.lower < a.upper || b.lower < b.upper;
+  return spread ? a.upper < b.lower || b.upper < a.lower : comparable;
 }
 
 /// The lines between neighbours that part, as pieces.
-std::string pieces(std::size_t index, const CostLine& line, bool comparable) {
-  std::string text = fmt::format("$pieces_{} << EOD\n", index);
+Numbers pieces(const CostLine& line, bool comparable) {
+  Numbers numbers;
   for (std::size_t i = 1; i < line.costs.size(); ++i)
     if (const Cost& a = line.costs[i - 1], &b = line.costs[i]; parts(a, b, comparable))
-      text += fmt::format("{} {} {} {}\n", plain(a.time), plain(a.error), plain(b.time), plain(b.error));
-  return text + "EOD\n";
+      numbers.push_back({a.time, a.error, b.time, b.error});
+  return numbers;
 }
 
 /// Scenes are perturbed where histories part; elsewhere results may say until when they can be compared.
@@ -97,31 +89,22 @@ double end_of(const std::vector<CostLine>& lines) {
   return value_of(lines.front().run.steps) * value_of(lines.front().run.dt);
 }
 
-/// The panel's edges, and where its points lie in pixels from its lower left corner.
+/// The panel's edges.
 struct Frame {
-  double fast = 1e300, slow = 0, small = 1e300, large = 0;
-
-  void add(double time) { fast = std::min(fast, time), slow = std::max(slow, time); }
-  std::string ranges(double width, double height) const {
-    return logarithmic_range("x", fast, slow, width) + logarithmic_range("y", small, large, height) +
-           grid_lines;
-  }
-  double across(double time) const { return panel_width * std::log(time / fast) / std::log(slow / fast); }
-  double up(double error) const { return panel_up * std::log(error / small) / std::log(large / small); }
+  Reach across, up;
 };
 
 Frame frame_of(const std::vector<CostLine>& lines, double exact) {
   Frame frame;
-  if (exact > 0) frame.add(exact);
+  if (exact > 0) frame.across.add(exact);
   for (const CostLine& line : lines)
     for (const Cost& cost : line.costs) {
-      frame.add(cost.time);
-      frame.small = std::min(frame.small, cost.lower);
-      frame.large = std::max(frame.large, cost.upper);
+      frame.across.add(cost.time);
+      frame.up.add(cost.lower), frame.up.add(cost.upper);
     }
   constexpr double room = 2;
-  const double above = std::max(room, std::pow(frame.large / frame.small, 0.06));
-  return {frame.fast / room, frame.slow * room, frame.small / above, frame.large * above};
+  const double above = std::max(room, std::pow(frame.up.high / frame.up.low, 0.06));
+  return {frame.across.wider_times(room), frame.up.wider_times(above)};
 }
 
 /// The time steps beside their marks: where there is no room, the other runs with that step lie beside it.
@@ -130,8 +113,9 @@ std::string labels(const std::vector<CostLine>& lines, const Frame& frame) {
   for (const CostLine& line : lines) {
     panel.lines.emplace_back();
     for (const Cost& cost : line.costs)
-      panel.lines.back().push_back(
-          {frame.across(cost.time), frame.up(cost.error), cost.label, style_of(line.run).colour});
+      panel.lines.back().push_back({frame.across.place(cost.time, panel_width),
+                                    frame.up.place(cost.error, panel_up), cost.label,
+                                    style_of(line.run).colour});
   }
   return placed_labels(panel);
 }
@@ -151,12 +135,13 @@ std::string slope_guides(const std::vector<CostLine>& lines, const Frame& frame,
   constexpr double enough = 30;
   const bool single =
       std::none_of(lines.begin(), lines.end(), [](const CostLine& line) { return line.costs.size() > 1; });
-  if (single || frame.large < enough * frame.small) return "";
+  const auto& [across, up] = frame;
+  if (single || up.high < enough * up.low) return "";
   std::string text;
   for (const int order : {1, 2}) {
-    const double from = frame.fast * std::pow(frame.slow / frame.fast, 0.04 + 0.05 * (order - 1));
-    const double high = frame.large / 1.4;
-    const double gain = std::min(std::pow(high / frame.small / 1.4, 1.0 / order), frame.slow / from / 2);
+    const double from = across.low * std::pow(across.high / across.low, 0.04 + 0.05 * (order - 1));
+    const double high = up.high / 1.4;
+    const double gain = std::min(std::pow(high / up.low / 1.4, 1.0 / order), across.high / from / 2);
     const std::string to = plain(from * gain) + ", " + plain(high / std::pow(gain, order));
     text += fmt::format("set arrow from {}, {} to {} nohead lw 1.5 dt (2,5) lc rgb '#707070' back\n",
                         plain(from), plain(high), to);
@@ -215,54 +200,54 @@ void add_notes(Sheet& sheet, const std::vector<CostLine>& lines, bool guided, bo
   if (guided)
     sheet.note(
         "lines join runs whose errors tell a trend; dotted slopes: a method of order one, and of two; black: "
-        "the exact solver",
-        "#000000");
+        "the exact solver");
   const bool changed = std::any_of(lines.begin(), lines.end(), [](const CostLine& line) {
     return line.run.settings.find('+') != std::string::npos;
   });
   if (many && changed)
-    sheet.note("stars and crosses: sets with a parameter changed, which the ranking names", "#000000");
+    sheet.note("stars and crosses: sets with a parameter changed, which the ranking names");
 }
 
 std::string exact_line(double cost, bool named) {
   if (cost <= 0) return "";
-  const std::string line = fmt::format(
+  std::string line = fmt::format(
       "set arrow from {0}, graph 0 to {0}, graph 1 nohead lw 3 lc rgb '#000000' back\n", plain(cost));
-  return named ? line +
-                     fmt::format("set label ' exact solver' at {}, graph 0.04 left font ',12'\n", plain(cost))
-               : line;
+  if (named)
+    line += fmt::format("set label ' exact solver' at {}, graph 0.04 left font ',12'\n", plain(cost));
+  return line;
 }
 
 }  // namespace
 
 Drawing error_time(const SceneSubject& subject) {
-  const Comparison& comparison = subject.comparison;
-  const ComparedScene& scene = subject.scene;
-  const std::vector<CostLine> lines = cost_lines(comparison, scene.name);
+  const std::vector<CostLine> lines = cost_lines(subject.comparison, subject.scene.name);
   if (lines.empty()) return subject.nothing("No engine run of this scene with both an error and a time.");
-  const double exact = exact_cost(shown_runs(comparison, scene.name).exact);
+  const double exact = exact_cost(subject.shown().exact);
   const Frame frame = frame_of(lines, exact);
-  const bool many = lines.size() > most_series, comparable = are_comparable(scene, end_of(lines));
+  const bool many = lines.size() > most_series, comparable = are_comparable(subject.scene, end_of(lines));
   Legend legend;
   if (!many)
     for (const CostLine& line : lines) legend.emplace_back(mark_style(line.run, 1.7), line.label);
-  Sheet sheet = subject.sheet(legend, answer(lines, comparison.tolerance));
+  Sheet sheet = subject.sheet(legend, answer(lines, subject.comparison.tolerance));
   for (std::size_t i = 0; i < lines.size(); ++i)
-    sheet.data(line_data(i, lines[i]) + pieces(i, lines[i], comparable));
+    sheet.data(number_block(fmt::format("line_{}", i), numbers_of(lines[i])) +
+               number_block(fmt::format("pieces_{}", i), pieces(lines[i], comparable)));
   const std::string guides = slope_guides(lines, frame, !many);
-  SeriesPanel panel{"stepping time for one second of motion (s)",
+  const auto axes = [&](double width, double height) {
+    return logarithmic_axes(frame.across, frame.up, width, height);
+  };
+  SeriesPanel panel{many ? "stepping time a second (s)" : "stepping time for one second of motion (s)",
                     "RMS angle difference (rad)",
                     "RMS (rad)",
                     true,
-                    [&](double width, double height) { return frame.ranges(width, height); },
+                    axes,
                     panel_up,
                     0};
-  if (many) panel.across = "stepping time a second (s)";
   if (!many) panel.under = floors(lines);
   panel.few = guides + exact_line(exact, true) + labels(lines, frame);
   panel.many = guides + exact_line(exact, false);
   add_series(sheet, panel, series_of(lines, many), many);
-  if (const std::string note = draws_note(comparison, scene.name); !note.empty()) sheet.note(note, "#000000");
+  subject.add_replicates_note(sheet);
   add_notes(sheet, lines, !guides.empty(), many);
   return sheet.finish();
 }

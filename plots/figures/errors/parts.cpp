@@ -1,9 +1,5 @@
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <array>
 
-#include "plots/data/selection.hpp"
 #include "plots/drawing/rows.hpp"
 #include "plots/figures/figure.hpp"
 
@@ -34,75 +30,65 @@ std::vector<StepLine> split_lines(const Comparison& comparison, const std::strin
   return lines;
 }
 
-/// The bars of one step: left end, row, right end, lower and upper edge of each.
+/// The bars of one step: left end, row, left and right end, lower and upper edge of each.
 std::vector<std::string> bars(Sheet& sheet, const std::vector<StepLine>& lines, double dt, std::size_t at) {
-  std::vector<std::string> plots;
-  for (std::size_t p = 0; p < parts_of_difference.size(); ++p) {
-    const Part& part = parts_of_difference[p];
-    const std::string name = fmt::format("part_{}_{}", at, p);
-    std::string block = "$" + name + " << END\n";
+  Plots plots(sheet, fmt::format("part_{}", at));
+  double below = -0.36;
+  for (const Part& part : parts_of_difference) {
+    Numbers numbers;
     for (std::size_t i = 0; i < lines.size(); ++i)
       for (const Run& run : lines[i]) {
         if (run.dt != dt) continue;
-        const double top = static_cast<double>(i) - 0.36 + 0.24 * static_cast<double>(p);
-        block += fmt::format("{} {} {} {} {} {}\n", plain(least_part), plain(top + 0.12), plain(least_part),
-                             plain(std::max((run.*part.size).value_or(0), least_part)), plain(top),
-                             plain(top + 0.24));
+        const double low = static_cast<double>(i) + below;
+        const double size = std::max((run.*part.size).value_or(0), least_part);
+        numbers.push_back({least_part, low + 0.12, least_part, size, low, low + 0.24});
       }
-    sheet.data(block + "END\n");
-    plots.push_back(
-        fmt::format("${} with boxxyerror fs solid noborder lc rgb '{}' notitle", name, part.colour));
+    plots.add(numbers, {fmt::format("with boxxyerror fs solid noborder lc rgb '{}'", part.colour)});
+    below += 0.24;
   }
-  return plots;
+  return plots.list();
 }
 
-double largest_part(const std::vector<StepLine>& lines) {
+double largest_part(const std::vector<Run>& runs) {
   double largest = 10 * least_part;
-  for (const StepLine& line : lines)
-    for (const Run& run : line)
-      for (const Part& part : parts_of_difference) largest = std::max(largest, (run.*part.size).value_or(0));
+  for (const Run& run : runs)
+    for (const Part& part : parts_of_difference) largest = std::max(largest, (run.*part.size).value_or(0));
   return largest;
 }
 
 /// How many of the runs have that part as their largest.
-std::size_t led_by(const std::vector<StepLine>& lines, const Part& led) {
-  std::size_t count = 0;
-  for (const StepLine& line : lines)
-    count += static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [&](const Run& run) {
-      return std::all_of(parts_of_difference.begin(), parts_of_difference.end(), [&](const Part& part) {
-        return part.size == led.size || run.*part.size < run.*led.size;
-      });
-    }));
-  return count;
+auto led_by(const std::vector<Run>& runs, const Part& led) {
+  return std::count_if(runs.begin(), runs.end(), [&](const Run& run) {
+    return std::all_of(parts_of_difference.begin(), parts_of_difference.end(), [&](const Part& part) {
+      return part.size == led.size || run.*part.size < run.*led.size;
+    });
+  });
 }
 
 }  // namespace
 
 Drawing split_parts(const SceneSubject& subject) {
-  const Comparison& comparison = subject.comparison;
-  const ComparedScene& scene = subject.scene;
-  const std::vector<StepLine> lines = split_lines(comparison, scene.name);
+  const std::vector<StepLine> lines = split_lines(subject.comparison, subject.scene.name);
   if (lines.empty()) return subject.nothing("No engine run of this scene that is split.");
-  Legend legend;
-  for (const Part& part : parts_of_difference)
-    legend.emplace_back(fmt::format("with lines lw 8 lc rgb '{}'", part.colour), part.name);
-  std::string answer;
-  for (const Part& part : parts_of_difference)
-    answer += fmt::format("{}{} in {}", answer.empty() ? "" : ", ", part.name, led_by(lines, part));
-  Sheet sheet = subject.sheet(legend, "The largest part, runs: " + answer);
-  RowPanel panel{{}, least_part, 1.5 * largest_part(lines), "x", 34};
+  std::vector<std::string> words;
   std::vector<Run> runs;
   for (const StepLine& line : lines) {
-    panel.words.push_back(line_label(line));
+    words.push_back(line_label(line));
     runs.insert(runs.end(), line.begin(), line.end());
   }
+  Legend legend;
+  std::string answer;
+  for (const Part& part : parts_of_difference) {
+    legend.emplace_back(fmt::format("with lines lw 8 lc rgb '{}'", part.colour), part.name);
+    answer += fmt::format("{}{} in {}", answer.empty() ? "" : ", ", part.name, led_by(runs, part));
+  }
+  Sheet sheet = subject.sheet(legend, "The largest part, runs: " + answer);
   std::vector<RowColumn> columns;
   for (const double dt : chosen_steps(runs))
     columns.push_back({"step " + duration_text(dt), bars(sheet, lines, dt, columns.size())});
-  add_rows(sheet, panel, columns);
-  sheet.note("RMS of each part over all samples and blocks (rad); as histories the three add up", "#000000");
-  if (const std::string note = draws_note(comparison, scene.name); !note.empty())
-    sheet.note("medians over replicates", "#000000");
+  add_rows(sheet, {words, least_part, 1.5 * largest_part(runs), "x", 34}, columns);
+  sheet.note("RMS of each part over all samples and blocks (rad); as histories the three add up");
+  if (!draws_note(subject.comparison, subject.scene.name).empty()) sheet.note("medians over replicates");
   return sheet.finish();
 }
 

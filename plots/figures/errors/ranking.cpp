@@ -1,23 +1,16 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "plots/data/run_files.hpp"
-#include "plots/data/selection.hpp"
+#include "plots/data/scores.hpp"
+#include "plots/data/spread.hpp"
 #include "plots/drawing/rows.hpp"
-#include "plots/drawing/style.hpp"
 #include "plots/figures/figure.hpp"
+
+// Who is first: of the runs of one scene, and of solvers over all scenes.
 
 namespace rockstack::plots {
 namespace {
 
 using Ranges = std::map<std::string, SpreadRange>;
-
-bool has_error(const Run& run) {
-  return !is_variant(run) && run.error > 0;
-}
 
 /// One row: the runs of a series that have errors, and what the rows are ordered by.
 struct RankedSeries {
@@ -31,7 +24,7 @@ struct RankedSeries {
 std::vector<RankedSeries> rows_of(const StepLine& line) {
   RankedSeries whole{line_label(line), {}, 0, 0};
   for (const Run& run : line)
-    if (has_error(run)) {
+    if (!is_variant(run) && run.error > 0) {
       whole.runs.push_back(run);
       whole.largest = std::max(whole.largest, *run.error);
     }
@@ -58,51 +51,32 @@ std::vector<RankedSeries> ranked(const Comparison& comparison, const std::string
   return rows;
 }
 
-/// A run's error, its quartiles and its whole range over draws.
-std::string point(const Run& run, std::size_t row, const Ranges& ranges) {
+/// The whole range of a run's error over replicates.
+SpreadRange range_of(const Run& run, const Ranges& ranges) {
   const auto found = ranges.find(run.run);
+  return found == ranges.end() ? SpreadRange{*run.error, *run.error} : found->second;
+}
+
+Reach reach_of(const std::vector<Run>& runs, const Ranges& ranges) {
+  Reach reach;
+  for (const Run& run : runs) {
+    const SpreadRange range = range_of(run, ranges);
+    reach.low = std::min(reach.low, std::max(range.least, *run.error / 100));
+    reach.high = std::max(reach.high, range.greatest);
+  }
+  return with_log_room({std::max(reach.low, least_error), std::max(reach.high, least_error)});
+}
+
+/// A run's error, its quartiles and its whole range over replicates.
+void add_run(Plots& plots, const Run& run, std::size_t row, const Ranges& ranges) {
   const double error = *run.error;
-  const SpreadRange range = found == ranges.end() ? SpreadRange{error, error} : found->second;
-  const auto shown = [](double value) { return plain(std::max(value, least_error)); };
-  return fmt::format("{} {} {} {} {} {}\n", shown(error), row, shown(run.error_lower.value_or(error)),
-                     shown(run.error_upper.value_or(error)), shown(range.least), shown(range.greatest));
-}
-
-struct ErrorExtent {
-  double low = std::numeric_limits<double>::infinity(), high = 0;
-};
-
-ErrorExtent extent_of(const std::vector<RankedSeries>& rows, const Ranges& ranges) {
-  ErrorExtent extent;
-  for (const RankedSeries& row : rows)
-    for (const Run& run : row.runs) {
-      const auto found = ranges.find(run.run);
-      const double error = *run.error;
-      extent.low =
-          std::min(extent.low, found == ranges.end() ? error : std::max(found->second.least, error / 100));
-      extent.high = std::max(extent.high, found == ranges.end() ? error : found->second.greatest);
-    }
-  const double low = std::max(extent.low, least_error), high = std::max(extent.high, least_error);
-  const double room = std::max(1.5, std::pow(high / low, 0.04));
-  return {low / room, high * room};
-}
-
-std::vector<std::string> column_plots(Sheet& sheet, const std::vector<RankedSeries>& rows, double dt,
-                                      std::size_t at, const Ranges& ranges) {
-  std::vector<std::string> plots;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (const Run& run : rows[i].runs) {
-      if (run.dt != dt) continue;
-      const std::string name = fmt::format("rank_{}_{}_{}", at, i, plots.size());
-      const std::string colour = style_of(run).colour;
-      sheet.data("$" + name + " << END\n" + point(run, i, ranges) + "END\n");
-      plots.push_back(
-          fmt::format("${} using 1:2:5:6 with xerrorbars lw 1 lc rgb '{}' pt 0 notitle", name, colour));
-      plots.push_back(
-          fmt::format("${} using 1:2:3:4 with xerrorbars lw 4 lc rgb '{}' pt 0 notitle", name, colour));
-      plots.push_back(fmt::format("${} using 1:2 {} notitle", name, mark_style(run, 1.4)));
-    }
-  return plots;
+  const SpreadRange range = range_of(run, ranges);
+  const auto shown = [](double value) { return std::max(value, least_error); };
+  const std::string bars = fmt::format("lc rgb '{}' pt 0", style_of(run).colour);
+  plots.add({{shown(error), static_cast<double>(row), shown(run.error_lower.value_or(error)),
+              shown(run.error_upper.value_or(error)), shown(range.least), shown(range.greatest)}},
+            {"using 1:2:5:6 with xerrorbars lw 1 " + bars, "using 1:2:3:4 with xerrorbars lw 4 " + bars,
+             "using 1:2 " + mark_style(run, 1.4)});
 }
 
 /// Which rows share the first rank, step by step.
@@ -121,36 +95,97 @@ std::string answer(const std::vector<Run>& runs, const std::vector<double>& step
   return parts.empty() ? "Nothing moves, and none is ranked" : fmt::format("{}", fmt::join(parts, "; "));
 }
 
+/// What the axis shows. Answers below it, and those that are none at all, stand on its left edge.
+Reach reach_of(const std::vector<Score>& list) {
+  constexpr double decades = 1e8;
+  Reach reach{std::numeric_limits<double>::infinity(), 0};
+  for (const Score& score : list)
+    for (const double value : score.values) {
+      reach.high = std::max(reach.high, value);
+      if (value > 0) reach.low = std::min(reach.low, value);
+    }
+  if (reach.high == 0) return {least_error, 1};
+  return with_log_room({std::max(reach.low, reach.high / decades), reach.high});
+}
+
+std::string words_of(const Score& score, std::size_t scenes) {
+  const std::size_t answered = score.runs.size();
+  return line_label(score.runs.front()) +
+         (answered < scenes ? fmt::format(" ({} of {})", answered, scenes) : "");
+}
+
+/// All solvers by their answers to one question: a row a solver and set, a small mark a scene, a large one
+/// their median. Precondition: there is a score.
+Drawing drawing(const ComparisonSubject& subject, const SolverQuestion& question, std::vector<Score> list) {
+  const std::size_t all = list.size(), scenes = list.front().runs.size();
+  list.resize(std::min(list.size(), most_rows));
+  const Run& first = list.front().runs.front();
+  Sheet sheet = subject.figure.sheet(subject.comparison.title, {},
+                                     question.name == "accuracy"
+                                         ? first_of_all(subject.comparison)
+                                         : fmt::format("{}: {:.2g} in the median of {} scenes",
+                                                       line_label(first), list.front().median, scenes));
+  const Reach reach = reach_of(list);
+  RowPanel panel{{}, reach.low, reach.high};
+  Plots plots(sheet, "row");
+  for (const Score& score : list) {
+    const Run& run = score.runs.front();
+    const auto row = static_cast<double>(panel.words.size());
+    panel.words.push_back(words_of(score, scenes));
+    Numbers marks;
+    marks.reserve(score.values.size());
+    for (const double value : score.values) marks.push_back({std::max(value, reach.low), row});
+    plots.add(marks, {fmt::format("using 1:2 with points pt 2 ps 0.7 lc rgb '{}'", style_of(run).colour)});
+    plots.add({{std::max(score.median, reach.low), row}}, {"using 1:2 " + mark_style(run, 1.6)});
+  }
+  add_rows(sheet, panel, {{question.axis, plots.list()}});
+  if (all > list.size()) sheet.note(fmt::format("the first {} of {}", list.size(), all));
+  sheet.note(fmt::format(
+      "{}; crosses: scenes; large marks: their median; on the left edge: nothing, or too little to show",
+      question.steps.empty() ? "at a step of " + duration_text(value_of(first.dt)) : question.steps));
+  return sheet.finish();
+}
+
 }  // namespace
 
 Drawing ranking(const SceneSubject& subject) {
-  const Comparison& comparison = subject.comparison;
-  const ComparedScene& scene = subject.scene;
-  const std::vector<RankedSeries> rows = ranked(comparison, scene.name);
+  const std::vector<RankedSeries> rows = ranked(subject.comparison, subject.scene.name);
   if (rows.empty()) return subject.nothing("No engine run of this scene with an error.");
   const Ranges ranges = ranges_of(rows.front().runs.front().folder.parent_path().parent_path(), "error");
-  const ErrorExtent extent = extent_of(rows, ranges);
-  RowPanel panel{{}, extent.low, extent.high};
   std::vector<Run> runs;
+  std::vector<std::string> words;
   for (const RankedSeries& row : rows) {
-    panel.words.push_back(row.label);
+    words.push_back(row.label);
     runs.insert(runs.end(), row.runs.begin(), row.runs.end());
   }
   const std::vector<double> steps = chosen_steps(runs);
   Sheet sheet = subject.sheet({}, answer(runs, steps));
   std::vector<RowColumn> columns;
-  columns.reserve(steps.size());
-  for (const double dt : steps)
-    columns.push_back({"step " + duration_text(dt), column_plots(sheet, rows, dt, columns.size(), ranges)});
-  add_rows(sheet, panel, columns);
+  for (const double dt : steps) {
+    Plots plots(sheet, fmt::format("rank_{}", columns.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (const Run& run : rows[i].runs)
+        if (run.dt == dt) add_run(plots, run, i, ranges);
+    columns.push_back({"step " + duration_text(dt), plots.list()});
+  }
+  const Reach reach = reach_of(runs, ranges);
+  add_rows(sheet, {words, reach.low, reach.high}, columns);
   sheet.note(
-      "RMS differences up to the horizon: of angles (rad), or of centres as a share of the least block height",
-      "#000000");
+      "RMS differences up to the horizon: of angles (rad), or of centres as a share of the least block height");
   sheet.note(ranges.empty()
                  ? "one run each"
-                 : "marks: medians over replicates; thick bars: quartiles; thin: least to greatest",
-             "#000000");
+                 : "marks: medians over replicates; thick bars: quartiles; thin: least to greatest");
   return sheet.finish();
+}
+
+Drawings solver_scores(const ComparisonSubject& subject) {
+  if (!has_scores(subject.comparison)) return {};
+  const auto question =
+      std::find_if(solver_questions().begin(), solver_questions().end(),
+                   [&](const SolverQuestion& one) { return "solvers." + one.name == subject.figure.name; });
+  std::vector<Score> list = scores(subject.comparison, *question);
+  if (list.empty()) return {};
+  return {{"", drawing(subject, *question, std::move(list))}};
 }
 
 }  // namespace rockstack::plots

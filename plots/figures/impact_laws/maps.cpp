@@ -1,15 +1,7 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
+#include <array>
 #include <set>
-#include <string>
-#include <vector>
 
 #include "plots/data/law_results.hpp"
-#include "plots/drawing/gnuplot.hpp"
-#include "plots/drawing/layout.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
@@ -54,83 +46,65 @@ std::vector<Map> maps_of(const std::vector<LawCell>& cells) {
   return maps;
 }
 
-/// Grid coordinates by the lower edges of the cells.
-std::vector<double> edges(const Map& map, double LawCell::*from, double LawCell::*to) {
+/// Edges of all cells along one axis.
+std::vector<double> edges(const std::vector<LawCell>& cells, double LawCell::*from, double LawCell::*to) {
   std::set<double> values;
-  for (const LawCell& cell : map.cells) {
-    values.insert(cell.*from);
-    if (cell.*to > *values.rbegin() * (1 + 1e-9)) values.insert(cell.*to);
-  }
+  for (const LawCell& cell : cells) values.insert({cell.*from, cell.*to});
   std::vector<double> list(values.begin(), values.end());
   const auto same = [](double a, double b) { return b - a < 1e-9 * b; };
   list.erase(std::unique(list.begin(), list.end(), same), list.end());
   return list;
 }
 
-/// Every second edge as a tic, so that there is room for its number.
-std::string tics(const std::vector<double>& at) {
-  std::string text;
-  for (std::size_t i = 0; i < at.size(); i += 2) {
-    text += fmt::format("{}'{:.2g}' {}", text.empty() ? "" : ", ", at[i], plain(std::log2(at[i])));
-  }
-  return "(" + text + ")";
+/// The range of an axis, and every second edge as a tic, so that there is room for its number.
+std::string axis_of(const std::string& axis, const std::vector<double>& edges) {
+  std::string tics;
+  for (std::size_t i = 0; i < edges.size(); i += 2)
+    tics += fmt::format("{}'{:.2g}' {}", tics.empty() ? "" : ", ", edges[i], plain(std::log2(edges[i])));
+  return fmt::format("set {0}range [{1}:{2}]\nset {0}tics ({3})\n", axis, plain(std::log2(edges.front())),
+                     plain(std::log2(edges.back())), tics);
 }
 
-std::string data_of(const Map& map, std::size_t index) {
-  std::string text = fmt::format("$map_{} << END\n", index);
-  for (const LawCell& cell : map.cells) {
-    if (!(cell.impacts > 0)) continue;
-    const auto middle = [](double from, double to) { return (std::log2(from) + std::log2(to)) / 2; };
-    const auto half = [](double from, double to) { return (std::log2(to) - std::log2(from)) / 2; };
-    text += fmt::format("{} {} {} {} {}\n", plain(middle(cell.aspect_ratio_from, cell.aspect_ratio_to)),
-                        plain(middle(cell.mass_ratio_from, cell.mass_ratio_to)),
-                        plain(half(cell.aspect_ratio_from, cell.aspect_ratio_to)),
-                        plain(half(cell.mass_ratio_from, cell.mass_ratio_to)),
-                        plain(100 * cell.*map.count / cell.impacts));
-  }
-  return text + "END\n";
+Numbers numbers_of(const Map& map) {
+  const auto middle = [](double from, double to) { return (std::log2(from) + std::log2(to)) / 2; };
+  const auto half = [](double from, double to) { return (std::log2(to) - std::log2(from)) / 2; };
+  Numbers numbers;
+  for (const LawCell& cell : map.cells)
+    if (cell.impacts > 0)
+      numbers.push_back({middle(cell.aspect_ratio_from, cell.aspect_ratio_to),
+                         middle(cell.mass_ratio_from, cell.mass_ratio_to),
+                         half(cell.aspect_ratio_from, cell.aspect_ratio_to),
+                         half(cell.mass_ratio_from, cell.mass_ratio_to),
+                         100 * cell.*map.count / cell.impacts});
+  return numbers;
 }
 
-constexpr int width = 1200;
-constexpr double left = 104, right = 128, top = 158, gap_across = 66, gap_down = 92, bottom = 84;
+/// From none of the impacts to all of them.
+constexpr std::array shades{"#FFFFFF", "#C6DBEF", "#6BAED6", "#2171B5", "#08306B"};
+constexpr auto no_impact = "#C8C8C8";
 
-/// Where panels lie, in pixels.
-struct Grid {
-  int columns, rows;
-  double side;  ///< of a panel
+Legend shade_legend() {
+  Legend legend;
+  for (const char* shade : shades)
+    legend.emplace_back(
+        fmt::format("with boxes fillcolor rgb '{}' fillstyle solid 1 border lc rgb '#808080'", shade),
+        fmt::format("{} % of impacts", 25 * legend.size()));
+  legend.emplace_back(fmt::format("with boxes fillcolor rgb '{}' fillstyle solid 1 noborder", no_impact),
+                      "no impact was judged");
+  return legend;
+}
 
-  explicit Grid(std::size_t panels) {
-    constexpr std::size_t few = 6;
-    columns = panels > few ? 4 : 3;
-    rows = (static_cast<int>(panels) + columns - 1) / columns;
-    side = (width - left - right - (columns - 1) * gap_across) / columns;
-  }
-  double height() const { return top + bottom + rows * side + (rows - 1) * gap_down; }
-};
-
-std::string panel(const Map& map, std::size_t index, std::size_t panels, const Grid& grid) {
-  const auto place = static_cast<int>(index);
-  const double x = left + (place % grid.columns) * (grid.side + gap_across);
-  const int row = place / grid.columns;
-  const double y = top + row * (grid.side + gap_down);
-  const bool lowest = index + static_cast<std::size_t>(grid.columns) >= panels;
-  const auto across = edges(map, &LawCell::aspect_ratio_from, &LawCell::aspect_ratio_to);
-  const auto up = edges(map, &LawCell::mass_ratio_from, &LawCell::mass_ratio_to);
-  std::string text = fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", plain(x / width),
-                                 plain((x + grid.side) / width), plain(1 - (y + grid.side) / grid.height()),
-                                 plain(1 - y / grid.height()));
-  text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset xtics {}\nset ytics {}\n",
-                      plain(std::log2(across.front())), plain(std::log2(across.back())),
-                      plain(std::log2(up.front())), plain(std::log2(up.back())), tics(across), tics(up));
-  text += lowest ? "set xlabel 'top: height / width'\n" : "unset xlabel\n";
-  text += place % grid.columns == 0 ? "set ylabel 'its mass over that below'\n" : "unset ylabel\n";
-  text += fmt::format("set label 1 {} noenhanced at graph 0, graph 1 offset 0,1.7 font ',13'\n",
-                      in_quotes(map.kind));
-  text += fmt::format("set label 2 {} noenhanced at graph 0, graph 1 offset 0,0.7 font ',12'\n",
-                      in_quotes(fmt::format("{}: {:.1f} %", map.heading, share_of(map))));
-  text += fmt::format("plot $map_{} using 1:2:3:4:5 with boxxyerror fs solid noborder lc palette notitle\n",
-                      index);
-  return text;
+/// Of all panels.
+std::string settings_of(const std::vector<LawCell>& cells) {
+  std::string palette;
+  for (std::size_t i = 0; i < shades.size(); ++i)
+    palette += fmt::format("{}{} '{}'", i > 0 ? ", " : "", 25 * i, shades.at(i));
+  return fmt::format(
+             "set tics out nomirror scale 0.6\nset palette defined ({})\nset cbrange [0:100]\nunset colorbox\n"
+             "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb '{}' fs solid noborder\n",
+             palette, no_impact) +
+         axis_of("x", edges(cells, &LawCell::aspect_ratio_from, &LawCell::aspect_ratio_to)) +
+         axis_of("y", edges(cells, &LawCell::mass_ratio_from, &LawCell::mass_ratio_to));
 }
 
 /// The kind of impact after which the laws differ most.
@@ -140,37 +114,6 @@ std::string answer_of(const std::vector<Map>& maps) {
     if (map.count == &LawCell::differ && (most == nullptr || share_of(map) > share_of(*most))) most = &map;
   return most == nullptr ? "After no kind of impact"
                          : fmt::format("Most after {}: {:.1f} % of its states", most->kind, share_of(*most));
-}
-
-std::string words_under_title(int label, const std::string& words, double below, double height) {
-  return fmt::format(
-      "set label {} {} noenhanced at screen 0.5, screen {} center font ',14' tc rgb '#404040'\n", label,
-      in_quotes(words), plain(1 - below / height));
-}
-
-Drawing drawing(const std::string& question, int blocks, const std::vector<Map>& maps) {
-  const Grid grid(maps.size());
-  Drawing result{width, static_cast<int>(grid.height()), {}, {}};
-  result.commands = fmt::format(
-      "set multiplot\nunset key\nset tics out nomirror scale 0.6 font ',10'\n"
-      "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb '#C8C8C8' fs solid noborder\n"
-      "set palette defined (0 '#FFFFFF', 25 '#C6DBEF', 50 '#6BAED6', 75 '#2171B5', 100 '#08306B')\n"
-      "set cbrange [0:100]\nset cblabel 'share of impacts (%)'\n"
-      "set colorbox user origin screen {}, screen {} size screen 0.014, screen {}\n"
-      "set label 9 {} noenhanced at screen 0.5, screen {} center font ',17'\n",
-      plain(1 - (right - 22) / width), plain(1 - (top + grid.side) / grid.height()),
-      plain(grid.side / grid.height()),
-      in_quotes(fmt::format("Which pattern follows an impact of {} blocks", blocks)),
-      plain(1 - 22 / grid.height()));
-  result.commands += words_under_title(7, question, 56, grid.height()) +
-                     words_under_title(8, answer_of(maps), 78, grid.height());
-  for (std::size_t i = 0; i < maps.size(); ++i) {
-    result.data += data_of(maps[i], i);
-    result.commands += panel(maps[i], i, maps.size(), grid);
-    if (i == 0) result.commands += "unset label 7\nunset label 8\nunset label 9\nunset colorbox\n";
-  }
-  result.commands += "unset multiplot";
-  return result;
 }
 
 }  // namespace
@@ -184,9 +127,23 @@ Drawings law_maps(const FolderSubject& subject) {
   for (const auto& [blocks, cells] : by_blocks) {
     const std::string part = fmt::format("{}-blocks", blocks);
     const std::vector<Map> maps = maps_of(cells);
-    drawings[part] = maps.empty()
-                         ? empty_sheet("impact-laws." + part, "Both laws give the same pattern everywhere.")
-                         : drawing(subject.figure.question, blocks, maps);
+    if (maps.empty()) {
+      drawings[part] = empty_sheet("impact-laws." + part, "Both laws give the same pattern everywhere.");
+      continue;
+    }
+    Sheet sheet = subject.figure.sheet(fmt::format("Which pattern follows an impact of {} blocks", blocks),
+                                       shade_legend(), answer_of(maps));
+    std::vector<Multiple> panels;
+    for (const Map& map : maps) {
+      const std::string name = fmt::format("map_{}", panels.size());
+      sheet.data(number_block(name, numbers_of(map)));
+      panels.push_back(
+          {fmt::format("{}, {}: {:.1f} %", map.kind, map.heading, share_of(map)),
+           "#000000",
+           {fmt::format("${} using 1:2:3:4:5 with boxxyerror fs solid noborder lc palette notitle", name)}});
+    }
+    add_multiples(sheet, panels, {}, settings_of(cells), "top: height / width", "mass over that below");
+    drawings[part] = sheet.finish();
   }
   return drawings;
 }

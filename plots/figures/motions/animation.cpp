@@ -1,16 +1,9 @@
-#include "plots/figures/motions/animation.hpp"
-
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <memory>
 
 #include "analytic/scene/kinematics.hpp"
 #include "plots/data/run_files.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/drawing/layout.hpp"
-#include "plots/drawing/style.hpp"
+#include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -1,13 +1,5 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "comparisons/measures/statistics/samples.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "plots/data/run_files.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/drawing/axes.hpp"
-#include "plots/drawing/series.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
@@ -64,23 +56,12 @@ Energies read_energies(const Run& run, const Shown& shown, std::size_t bins) {
           medians(file->times, apart, stretches(shown, end))};
 }
 
-std::string range_of(const std::vector<const Curve*>& curves, double height) {
-  double low = 0, high = 0;
-  for (const Curve* curve : curves)
-    for (const double value : curve->values) low = std::min(low, value), high = std::max(high, value);
-  const double margin = std::max(0.06 * (high - low), 1e-9);
-  return linear_range("y", low - margin, high + margin, height) + "set format y '%.5g'\n";
-}
-
-std::vector<std::string> level_plots(const std::vector<Energies>& all, bool many) {
-  std::vector<std::string> plots;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    plots.push_back(fmt::format(
-        "$engine_{} using 1:2 {} notitle", i,
-        many ? fmt::format("with lines lw 1 lc rgb '{}'", context_colour) : curve_style(all[i].run, i)));
-  plots.push_back(fmt::format("$exact using 1:2 {} notitle", exact_style));
-  plots.push_back(exact_core("exact"));
-  return plots;
+std::string range_of(const std::vector<Curve>& curves, double height) {
+  Reach reach{0, 0};
+  for (const Curve& curve : curves)
+    for (const double value : curve.values) reach.add(value);
+  reach = reach.wider(std::max(0.06 * (reach.high - reach.low), 1e-9));
+  return linear_range("y", reach.low, reach.high, height) + "set format y '%.5g'\n";
 }
 
 /// The exact curve of the run that lasts longest.
@@ -102,48 +83,44 @@ std::string answer(const std::vector<Energies>& all) {
 }  // namespace
 
 Drawing energy(const SceneSubject& subject) {
-  const Comparison& comparison = subject.comparison;
-  const ComparedScene& scene = subject.scene;
-  const Shown shown = shown_runs(comparison, scene.name);
+  const Shown shown = subject.shown({"energy.csv"});
   std::vector<Energies> all;
-  std::vector<Run> runs;
+  all.reserve(shown.engines.size());
   for (const Run& run : shown.engines)
-    if (std::filesystem::exists(run.folder / "energy.csv")) {
-      runs.push_back(run);
-      all.push_back(read_energies(run, shown, bins_for(3 * shown.engines.size())));
-    }
+    all.push_back(read_energies(run, shown, bins_for(3 * shown.engines.size())));
   if (all.empty()) return subject.nothing("No engine run of this scene tells its energy.");
-  const bool many = are_many(runs);
-  Legend legend = legend_of(runs, curve_style);
+  const bool many = are_many(shown.engines);
+  const std::string in_grey = fmt::format("with lines lw 1 lc rgb '{}'", context_colour);
+  Legend legend = legend_of(shown.engines, curve_style);
   legend.insert(legend.begin(), {exact_style, "exact"});
-  if (many) legend.emplace_back(fmt::format("with lines lw 1 lc rgb '{}'", context_colour), "engines");
-  std::vector<Run> motions = shown.exact;
-  motions.insert(motions.end(), runs.begin(), runs.end());
-  const TimeAxis axis = time_axis(scene, motions);
-  explain_shade(axis, legend);
+  if (many) legend.emplace_back(in_grey, "engines");
+  const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
   Sheet sheet = subject.sheet(legend, answer(all));
-  const Curve& exact = longest_exact(all);
-  sheet.data(data_block("exact", exact));
-  std::vector<const Curve*> levels{&exact}, differences;
-  std::vector<Series> series;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    levels.push_back(&all[i].engine);
-    differences.push_back(&all[i].apart);
-    const std::string apart = fmt::format("apart_{}", i);
-    sheet.data(data_block(fmt::format("engine_{}", i), all[i].engine) + data_block(apart, all[i].apart));
-    series.push_back(curve_series(all[i].run, apart, i, {2, true}));
+  std::vector<Curve> levels{longest_exact(all)}, differences;
+  std::string data = data_block("exact", levels.front());
+  std::vector<std::string> plots;
+  for (const Energies& one : all) {
+    const std::size_t order = differences.size();
+    const std::string engine = fmt::format("engine_{}", order);
+    data += data_block(engine, one.engine);
+    plots.push_back(
+        fmt::format("${} using 1:2 {} notitle", engine, many ? in_grey : curve_style(one.run, order)));
+    levels.push_back(one.engine);
+    differences.push_back(one.apart);
   }
+  sheet.data(data);
+  plots.push_back(fmt::format("$exact using 1:2 {} notitle", exact_style));
+  plots.push_back(exact_core("exact"));
   const std::string across = time_range(axis) + grid_lines;
   constexpr double tall = 380, low = 260, space = 20;
   sheet.panel(tall, 0,
               across + range_of(levels, tall) + without_horizontal_labels() +
                   "set ylabel 'energy above rest (J)' offset 0\n",
-              level_plots(all, many));
+              plots);
   const auto axes = [&](double, double height) { return across + range_of(differences, height); };
-  add_series(
-      sheet,
-      {"time (s)", "engine − exact, median (J)", "engine − exact (J)", true, axes, low, space, {zero_line}},
-      series, many);
+  SeriesPanel panel{"time (s)", "engine − exact, median (J)", "engine − exact (J)", true, axes, low, space,
+                    {zero_line}};
+  add_curves(sheet, panel, shown.engines, differences, "apart", {2, true});
   return sheet.finish();
 }
 

@@ -1,14 +1,5 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <utility>
-
+#include "plots/data/events.hpp"
 #include "plots/data/run_files.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/drawing/axes.hpp"
-#include "plots/drawing/series.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
@@ -51,8 +42,16 @@ std::string pattern_band(const std::vector<PatternSpan>& spans, double end) {
   return text;
 }
 
-/// What the letters of patterns mean, where blocks slide or fly.
-void add_letters(Sheet& sheet, const std::vector<PatternSpan>& spans) {
+void add_band(Sheet& sheet, const History& exact, double end) {
+  const std::vector<PatternSpan> spans = pattern_spans(exact);
+  if (spans.empty()) return;
+  constexpr double height = 26, space = 8;
+  sheet.panel(height, space,
+              fmt::format("set xrange [0:{}]\n", plain(end)) + time_numbers +
+                  "set yrange [0:1]\nunset ytics\nunset grid\nunset ylabel\n"
+                  "set label 'pattern ' at graph -0.004, graph 0.5 right font ',12'\n" +
+                  pattern_band(spans, end),
+              {});
   const auto slides = [](const PatternSpan& span) {
     return name(span.pattern).find_first_of("<>-") != std::string::npos;
   };
@@ -61,19 +60,6 @@ void add_letters(Sheet& sheet, const std::vector<PatternSpan>& spans) {
         "patterns from the ground up: C closed, L and R on the left and right corner, – apart, ← → the way "
         "it slides",
         "#444444");
-}
-
-void add_band(Sheet& sheet, const History& exact, double end) {
-  const std::vector<PatternSpan> spans = pattern_spans(exact);
-  if (spans.empty()) return;
-  constexpr double height = 26, space = 8;
-  sheet.panel(height, space,
-              fmt::format("set xrange [0:{}]\n", plain(end)) +
-                  "set format x '%g'\nset xlabel 'time (s)'\nset yrange [0:1]\nunset ytics\nunset grid\n"
-                  "unset ylabel\nset label 'pattern ' at graph -0.004, graph 0.5 right font ',12'\n" +
-                  pattern_band(spans, end),
-              {});
-  add_letters(sheet, spans);
 }
 
 /// The largest angles of the first motion, the exact one where there is one, or of all that are asked about.
@@ -87,28 +73,20 @@ std::string answer(const std::vector<Run>& runs, bool all) {
   return text;
 }
 
-/// All angles of a block, and a panel or several that show them.
-struct BlockCurves {
-  std::vector<Run> runs;  ///< the exact one first, where there is one
-  std::vector<Curve> curves;
-  std::vector<std::string> names;  ///< of their data blocks
-};
-
-/// `drawn`: how many curves the figure has for a block.
-BlockCurves curves_of(Sheet& sheet, const std::vector<Run>& runs, std::size_t drawn, int blocks, int block) {
+/// All angles of a block; `drawn`: how many curves the figure has for one.
+std::vector<Curve> curves_of(const std::vector<Run>& runs, std::size_t drawn, int blocks, int block) {
   const std::size_t bins = bins_for(drawn * static_cast<std::size_t>(blocks));
-  BlockCurves list{runs, {}, {}};
+  std::vector<Curve> curves;
   for (const Run& run : runs) {
     const auto history = history_of(run);
-    list.names.push_back(fmt::format("angle_{}_{}", list.curves.size(), block + 1));
-    list.curves.push_back(thin({history->times, column_of(*history, &History::angles, block)}, bins));
-    sheet.data(data_block(list.names.back(), list.curves.back()));
+    curves.push_back(thin({history->times, column_of(*history, &History::angles, block)}, bins));
   }
-  return list;
+  return curves;
 }
 
-std::string axes_of(const BlockCurves& curves, const TimeAxis& axis, double height) {
-  const Extent extent = extent_of(curves.runs, curves.curves, 0.5, 1e-6);
+std::string axes_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, const TimeAxis& axis,
+                    double height) {
+  const Extent extent = extent_of(runs, curves, 0.5, 1e-6);
   return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
 }
 
@@ -116,21 +94,16 @@ std::string ticks_of(const Run& first, int block, double end, double width) {
   return first.exact() ? impact_ticks(impact_times(*history_of(first), block + 1), end, width) : "";
 }
 
-/// One panel of all runs.
-void add_angles(Sheet& sheet, const BlockCurves& curves, int blocks, int block, const TimeAxis& axis,
+/// One panel of all runs, the exact one first.
+void add_angles(Sheet& sheet, const std::vector<Run>& runs, int blocks, int block, const TimeAxis& axis,
                 bool lowest) {
-  const std::string words = angle_name(block + 1) + " (rad)";
-  SeriesPanel panel{"time (s)", words, words, lowest, {}};
-  std::vector<Series> series;
-  for (std::size_t i = 0; i < curves.runs.size(); ++i) {
-    if (curves.curves[i].size() == 0) continue;
-    series.push_back(curve_series(curves.runs[i], curves.names[i], i));
-    if (curves.runs[i].exact()) panel.over.push_back(exact_core(curves.names[i]));
-  }
-  panel.axes = [&](double, double height) { return axes_of(curves, axis, height); };
-  panel.height = panel_height(blocks);
-  panel.few = ticks_of(curves.runs.front(), block, axis.end, panel_width);
-  add_series(sheet, panel, series, false);
+  const std::vector<Curve> curves = curves_of(runs, runs.size(), blocks, block);
+  const std::string words = angle_name(block + 1) + " (rad)", stem = fmt::format("angle_{}", block + 1);
+  const auto axes = [&](double, double height) { return axes_of(runs, curves, axis, height); };
+  SeriesPanel panel{"time (s)", words, words, lowest, axes, panel_height(blocks)};
+  if (runs.front().exact() && curves.front().size() > 0) panel.over = {exact_core(stem + "_0")};
+  panel.few = ticks_of(runs.front(), block, axis.end, panel_width);
+  add_curves(sheet, panel, runs, curves, stem);
 }
 
 constexpr auto fine = "with lines lw 1.5", coarse = "with lines lw 1.5 dt (5,5)";
@@ -146,33 +119,31 @@ std::string words_of(const StepLine& line) {
   return line.size() < 2 ? finest : finest + ", " + step(line.back()) + " dashed";
 }
 
-/// A panel a line over the exact curve.
-void add_lines(Sheet& sheet, const BlockCurves& curves, const std::vector<StepLine>& lines, int block,
-               const TimeAxis& axis) {
+/// A panel a line over the exact curve; `runs` are the exact one, where there is one, and both ends of each
+/// line.
+void add_lines(Sheet& sheet, const std::vector<Run>& runs, const std::vector<Curve>& curves,
+               const std::vector<StepLine>& lines, int block, const TimeAxis& axis) {
+  const auto plot = [&](std::size_t run, const std::string& style) {
+    const std::string name = fmt::format("angle_{}_{}", block + 1, run);
+    sheet.data(data_block(name, curves[run]));
+    return fmt::format("${} using 1:2 {} notitle", name, style);
+  };
   std::vector<std::string> context;
   std::size_t at = 0;
-  if (curves.runs.front().exact())
-    context.push_back(fmt::format("${} using 1:2 {} notitle", curves.names[at++], exact_style));
+  if (runs.front().exact()) context.push_back(plot(at++, exact_style));
   std::vector<Multiple> multiples;
   for (const StepLine& line : lines) {
     Multiple one{words_of(line), style_of(line.front()).colour, {}};
-    const std::size_t runs = ends_of(line).size();
-    for (std::size_t i = 0; i < runs; ++i, ++at)
-      if (curves.curves[at].size() > 0)
-        one.plots.push_back(fmt::format("${} using 1:2 {} lc rgb '{}' notitle", curves.names[at],
-                                        i + 1 < runs ? coarse : fine, one.colour));
+    const std::size_t last = at + ends_of(line).size() - 1;
+    for (; at <= last; ++at)
+      if (curves[at].size() > 0)
+        one.plots.push_back(plot(at, fmt::format("{} lc rgb '{}'", at < last ? coarse : fine, one.colour)));
     multiples.push_back(std::move(one));
   }
   add_multiples(
       sheet, multiples, context,
-      axes_of(curves, axis, multiple_height) + ticks_of(curves.runs.front(), block, axis.end, multiple_width),
+      axes_of(runs, curves, axis, multiple_height) + ticks_of(runs.front(), block, axis.end, multiple_width),
       "time (s)", angle_name(block + 1) + " (rad)");
-}
-
-TimeAxis axis_of(const SceneSubject& subject, const std::vector<Run>& runs, Legend& legend) {
-  const TimeAxis axis = time_axis(subject.scene, runs);
-  explain_shade(axis, legend);
-  return axis;
 }
 
 /// All runs in one panel a block; `all`: the answer is of each.
@@ -180,12 +151,10 @@ Drawing draw_runs(const SceneSubject& subject, const std::vector<Run>& runs, boo
   const int blocks = subject.scene.blocks();
   if (runs.empty()) return subject.nothing("No run of this scene was done.");
   Legend legend = legend_of(runs, curve_style);
-  const TimeAxis axis = axis_of(subject, runs, legend);
+  const TimeAxis axis = subject.time_axis(runs, legend);
   const bool banded = runs.front().exact() && !pattern_spans(*history_of(runs.front())).empty();
   Sheet sheet = subject.sheet(legend, answer(runs, all));
-  for (int k = 0; k < blocks; ++k)
-    add_angles(sheet, curves_of(sheet, runs, runs.size(), blocks, k), blocks, k, axis,
-               k + 1 == blocks && !banded);
+  for (int k = 0; k < blocks; ++k) add_angles(sheet, runs, blocks, k, axis, k + 1 == blocks && !banded);
   if (banded) add_band(sheet, *history_of(runs.front()), axis.end);
   return sheet.finish();
 }
@@ -206,14 +175,14 @@ Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
   };
   explain(fine, dashed ? "engine, finest step" : "engine");
   if (dashed) explain(coarse, "engine, coarsest step");
-  const TimeAxis axis = axis_of(subject, runs, legend);
+  const TimeAxis axis = subject.time_axis(runs, legend);
   Sheet sheet = subject.sheet(legend, answer(runs, false));
   constexpr double first = 24, between = 24;
   const std::size_t drawn = runs.size() + lines.size() * exact.size();
   sheet.leave_room_above(first);
   for (int k = 0; k < blocks; ++k) {
     if (k > 0) sheet.leave_room_above(between);
-    add_lines(sheet, curves_of(sheet, runs, drawn, blocks, k), lines, k, axis);
+    add_lines(sheet, runs, curves_of(runs, drawn, blocks, k), lines, k, axis);
   }
   if (!exact.empty()) {
     constexpr double room = 70;
@@ -226,7 +195,7 @@ Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
 }  // namespace
 
 Drawing histories(const SceneSubject& subject) {
-  const std::vector<Run> exact = shown_runs(subject.comparison, subject.scene.name).exact;
+  const std::vector<Run> exact = subject.shown().exact;
   const std::vector<StepLine> lines = shown_lines(subject.comparison, subject.scene.name);
   if (!lines.empty() && !subject.scene.alone) return draw_lines(subject, exact, lines);
   return draw_runs(subject, lines.empty() ? exact : lines.front(), false);

@@ -1,12 +1,4 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <map>
-
 #include "comparisons/measures/results/csv.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/drawing/axes.hpp"
-#include "plots/drawing/series.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
@@ -24,43 +16,45 @@ struct Occupancy {
 Occupancy read_occupancy(const Run& run) {
   const std::filesystem::path file = run.folder / "patterns.csv";
   const Table table = read_table(file);
-  const std::size_t exact = column(table, "exact", file), engine = column(table, "engine", file),
-                    share = column(table, "share", file);
+  const std::size_t exact = column(table, "exact", file), engine = column(table, "engine", file);
+  const std::vector<double> shares = read_columns(file, {"share"})[0];
   Occupancy result{.run = run, .exact = {}, .engine = {}};
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const std::vector<std::string>& row = table.rows[i];
-    const double part = number(row[share], fmt::format("{}:{}", file.string(), i + 2), "share");
-    result.exact[row[exact]] += part;
-    result.engine[row[engine]] += part;
-    if (row[exact] == row[engine]) result.same += part;
+    result.exact[row[exact]] += shares[i];
+    result.engine[row[engine]] += shares[i];
+    if (row[exact] == row[engine]) result.same += shares[i];
   }
   return result;
+}
+
+double share_in(const Shares& shares, const std::string& pattern) {
+  const auto found = shares.find(pattern);
+  return found == shares.end() ? 0 : found->second;
+}
+
+/// The largest share of time of any motion in each pattern.
+Shares largest_shares(const std::vector<Occupancy>& all) {
+  Shares largest;
+  for (const Occupancy& one : all)
+    for (const Shares* shares : {&one.exact, &one.engine})
+      for (const auto& [pattern, share] : *shares) largest[pattern] = std::max(largest[pattern], share);
+  return largest;
 }
 
 /// Patterns that anybody spends a visible share of time in, the exact motion's longest first.
 std::vector<std::string> patterns_of(const std::vector<Occupancy>& all) {
   constexpr double visible = 0.002;
   constexpr std::size_t most = 12;
-  Shares largest;
-  for (const Occupancy& one : all)
-    for (const Shares* shares : {&one.exact, &one.engine})
-      for (const auto& [pattern, share] : *shares) largest[pattern] = std::max(largest[pattern], share);
   std::vector<std::string> patterns;
-  for (const auto& [pattern, share] : largest)
+  for (const auto& [pattern, share] : largest_shares(all))
     if (share >= visible) patterns.push_back(pattern);
-  const auto share_of = [&](const std::string& pattern) {
-    const auto found = all.front().exact.find(pattern);
-    return found == all.front().exact.end() ? 0 : found->second;
-  };
-  std::stable_sort(patterns.begin(), patterns.end(),
-                   [&](const std::string& a, const std::string& b) { return share_of(a) > share_of(b); });
+  const Shares& exact = all.front().exact;
+  std::stable_sort(patterns.begin(), patterns.end(), [&](const std::string& a, const std::string& b) {
+    return share_in(exact, a) > share_in(exact, b);
+  });
   patterns.resize(std::min(patterns.size(), most));
   return patterns;
-}
-
-double share_in(const Shares& shares, const std::string& pattern) {
-  const auto found = shares.find(pattern);
-  return found == shares.end() ? 0 : found->second;
 }
 
 /// Marks of one run: the share, and the row's middle counted from above.
@@ -78,15 +72,11 @@ constexpr auto exact_bar =
     "$exact using (0):2:(0):1:($2-0.42):($2+0.42) with boxxyerror fillcolor rgb '#DADADA' fillstyle solid 1 "
     "noborder notitle";
 
-std::string pattern_tics(const std::vector<std::string>& patterns) {
+std::string pattern_tics(std::vector<std::string> patterns) {
   constexpr std::size_t longest = 52;  // letters beside the panel
-  std::string tics;
-  for (std::size_t i = 0; i < patterns.size(); ++i) {
-    const std::string name =
-        patterns[i].size() > longest ? patterns[i].substr(0, longest - 1) + "…" : patterns[i];
-    tics += fmt::format("{}{} {}", i > 0 ? ", " : "", in_quotes(name), i);
-  }
-  return tics;
+  for (std::string& name : patterns)
+    if (name.size() > longest) name = name.substr(0, longest - 1) + "…";
+  return word_tics(patterns);
 }
 
 /// Where the panel begins, so that the longest name has room beside it.
@@ -95,14 +85,6 @@ double names_room(const std::vector<std::string>& patterns) {
   std::size_t most = 0;
   for (const std::string& pattern : patterns) most = std::max(most, pattern.size());
   return std::clamp(0.045 + letter * static_cast<double>(most), left_edge, widest);
-}
-
-/// For how much of the time each is in the exact pattern.
-void add_agreements(Sheet& sheet, const std::vector<Occupancy>& all) {
-  for (const Occupancy& one : all)
-    sheet.note(
-        fmt::format("{}: in the exact pattern for {:.1f} % of the time", run_label(one.run), 100 * one.same),
-        style_of(one.run).colour);
 }
 
 std::string answer(const std::vector<Occupancy>& all) {
@@ -119,18 +101,10 @@ std::string answer(const std::vector<Occupancy>& all) {
   return engines.size() == 1 ? words(**most) : words(**most) + ", " + words(**least);
 }
 
-/// The largest share of time of any motion in any pattern.
-double largest_share(const std::vector<Occupancy>& all) {
-  double largest = 0;
-  for (const Occupancy& one : all)
-    for (const Shares* shares : {&one.exact, &one.engine})
-      for (const auto& [pattern, share] : *shares) largest = std::max(largest, share);
-  return largest;
-}
-
 std::string panel_settings(const std::vector<Occupancy>& all, const std::vector<std::string>& patterns,
                            double width) {
-  const double end = 1.06 * largest_share(all);
+  double end = 0;
+  for (const auto& [pattern, share] : largest_shares(all)) end = std::max(end, 1.06 * share);
   return fmt::format(
              "set yrange [{}:-0.6]\nset ytics ({}) noenhanced font ',11'\nset xrange [0:{}]\n"
              "set grid x lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n",
@@ -141,25 +115,22 @@ std::string panel_settings(const std::vector<Occupancy>& all, const std::vector<
 }  // namespace
 
 Drawing occupancy(const SceneSubject& subject) {
-  const Comparison& comparison = subject.comparison;
-  const ComparedScene& scene = subject.scene;
+  const std::vector<Run> runs = subject.shown({"patterns.csv"}).engines;
   std::vector<Occupancy> all;
-  for (const Run& run : shown_runs(comparison, scene.name).engines)
-    if (std::filesystem::exists(run.folder / "patterns.csv")) all.push_back(read_occupancy(run));
+  all.reserve(runs.size());
+  for (const Run& run : runs) all.push_back(read_occupancy(run));
   if (all.empty()) return subject.nothing("No engine run of this scene tells its patterns.");
   const std::vector<std::string> patterns = patterns_of(all);
-  std::vector<Run> runs;
   std::vector<Series> series;
   std::string data = data_block("exact", marks(patterns, all.front().exact, 0));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string block = fmt::format("marks_{}", i);
     data += data_block(block, marks(patterns, all[i].engine, aside(i, all.size())));
-    runs.push_back(all[i].run);
     series.push_back(mark_series(all[i].run, block, 1.2));
     series.back().words += fmt::format(": {:.1f} %", 100 * all[i].same);
     series.back().context.clear();
   }
-  Legend legend = legend_of(runs, [](const Run& run, std::size_t) { return mark_style(run, 1.5); });
+  Legend legend = mark_legend(runs, 1.5);
   legend.insert(legend.begin(), {"with boxes fillcolor rgb '#DADADA' fillstyle solid 1 noborder", "exact"});
   Sheet sheet = subject.sheet(legend, answer(all));
   sheet.data(data);
@@ -175,9 +146,12 @@ Drawing occupancy(const SceneSubject& subject) {
   panel.left = names_room(patterns);
   add_series(sheet, panel, series, are_many(runs));
   if (are_many(runs))
-    sheet.note("in percent: for how much of the time each is in the exact pattern", "#000000");
+    sheet.note("in percent: for how much of the time each is in the exact pattern");
   else
-    add_agreements(sheet, all);
+    for (const Occupancy& one : all)
+      sheet.note(fmt::format("{}: in the exact pattern for {:.1f} % of the time", run_label(one.run),
+                             100 * one.same),
+                 style_of(one.run).colour);
   return sheet.finish();
 }
 

@@ -1,12 +1,4 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "plots/data/run_files.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/drawing/axes.hpp"
-#include "plots/drawing/series.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
@@ -30,38 +22,29 @@ Curve read_orbit(const Run& run, int block, double tolerance) {
 
 /// Edges with room, of the exact orbits where there are some, of either kind of equations: an engine's block
 /// that falls must not shrink the rest.
-Extent range(const std::vector<Run>& runs, const std::vector<Curve>& orbits,
-             std::vector<double> Curve::*along) {
-  Extent extent;
+Reach reach_of(const std::vector<Run>& runs, const std::vector<Curve>& orbits,
+               std::vector<double> Curve::*along) {
+  Reach reach{0, 0};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs.front().exact() && !runs[i].exact() && !has_other_equations(runs[i])) continue;
-    for (const double value : orbits[i].*along)
-      extent = {std::min(extent.low, value), std::max(extent.high, value)};
+    for (const double value : orbits[i].*along) reach.add(value);
   }
-  const double margin = std::max(0.12 * (extent.high - extent.low), 1e-6);
-  return {extent.low - margin, extent.high + margin};
+  return reach.wider(std::max(0.12 * (reach.high - reach.low), 1e-6));
 }
 
 void add_block(Sheet& sheet, const std::vector<Run>& runs, int block, int blocks,
                const std::vector<Curve>& orbits) {
-  std::vector<Series> series;
-  std::vector<std::string> core;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const std::string name = fmt::format("orbit_{}_{}", i, block + 1);
-    sheet.data(data_block(name, orbits[i]));
-    if (orbits[i].size() == 0) continue;
-    series.push_back(curve_series(runs[i], name, i));
-    if (runs[i].exact()) core = {exact_core(name)};
-  }
-  const Extent across = range(runs, orbits, &Curve::times), up = range(runs, orbits, &Curve::values);
+  const Reach across = reach_of(runs, orbits, &Curve::times), up = reach_of(runs, orbits, &Curve::values);
   const auto axes = [&](double width, double height) {
     return linear_range("x", across.low, across.high, width) + linear_range("y", up.low, up.high, height) +
            grid_lines;
   };
   constexpr double space = 78;
   const std::string angle = angle_name(block + 1), rate = fmt::format("d{}/dt (rad/s)", angle);
-  add_series(sheet, {angle + " (rad)", rate, rate, true, axes, panel_height(blocks), space, {}, core}, series,
-             are_many(runs));
+  const std::string stem = fmt::format("orbit_{}", block + 1);
+  SeriesPanel panel{angle + " (rad)", rate, rate, true, axes, panel_height(blocks), space};
+  if (runs.front().exact() && orbits.front().size() > 0) panel.over = {exact_core(stem + "_0")};
+  add_curves(sheet, panel, runs, orbits, stem);
 }
 
 /// The largest angle of any block, the exact motion's where there is one.
@@ -75,11 +58,9 @@ std::string answer(const std::vector<Run>& runs) {
 }  // namespace
 
 Drawing phase(const SceneSubject& subject) {
-  const Comparison& comparison = subject.comparison;
   const ComparedScene& scene = subject.scene;
-  const Shown shown = shown_runs(comparison, scene.name);
-  std::vector<Run> runs = shown.exact;
-  runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
+  const Shown shown = subject.shown();
+  const std::vector<Run> runs = all_runs(shown);
   if (runs.empty()) return subject.nothing("No run of this scene was done.");
   const auto curves = static_cast<double>(shown.engines.size() + 1) * scene.blocks();
   constexpr double finest = 3e-4,

@@ -1,13 +1,6 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "plots/data/run_files.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/drawing/axes.hpp"
-#include "plots/drawing/series.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
@@ -28,13 +21,11 @@ Quantity read_quantity(const std::vector<Run>& runs, std::vector<double> History
   Quantity quantity{words, scale, {}};
   for (const Run& run : runs) {
     const auto history = history_of(run);
-    if (((*history).*rows).empty()) {
-      quantity.curves.emplace_back();
-      continue;
-    }
+    Curve& curve = quantity.curves.emplace_back();
+    if (((*history).*rows).empty()) continue;
     std::vector<double> values = column_of(*history, rows, block);
     for (double& value : values) value *= scale;
-    quantity.curves.push_back(thin({history->times, std::move(values)}, bins));
+    curve = thin({history->times, std::move(values)}, bins);
   }
   return quantity;
 }
@@ -62,26 +53,18 @@ Drawing drawn(const SceneSubject& subject, const std::vector<Run>& runs,
   Legend legend = legend_of(runs, curve_style);
   for (std::size_t i = 0; i < legend.size(); ++i)
     if (!tells_slips(runs[i])) legend[i].second += ", where nothing slips";
-  const TimeAxis axis = time_axis(subject.scene, runs);
-  explain_shade(axis, legend);
+  const TimeAxis axis = subject.time_axis(runs, legend);
   Sheet sheet = subject.sheet(legend, answer);
   for (std::size_t p = 0; p < quantities.size(); ++p) {
     const Quantity& quantity = quantities[p];
-    std::vector<Series> series;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      if (quantity.curves[i].size() == 0) continue;
-      const std::string name = fmt::format("contact_{}_{}", p, i);
-      sheet.data(data_block(name, quantity.curves[i]));
-      series.push_back(curve_series(runs[i], name, i));
-    }
     const Extent extent = extent_of(runs, quantity.curves, 1, least * quantity.scale);
     const auto axes = [&](double, double height) {
       return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
     };
-    add_series(sheet,
-               {"time (s)", quantity.words, quantity.words, p + 1 == quantities.size(), axes,
-                panel_height(static_cast<int>(quantities.size()))},
-               series, are_many(runs));
+    const SeriesPanel panel{"time (s)",     quantity.words,
+                            quantity.words, p + 1 == quantities.size(),
+                            axes,           panel_height(static_cast<int>(quantities.size()))};
+    add_curves(sheet, panel, runs, quantity.curves, fmt::format("contact_{}", p));
   }
   return sheet.finish();
 }
@@ -138,12 +121,9 @@ std::size_t bins_of(const std::vector<Run>& runs, int blocks) {
 }  // namespace
 
 Drawing slip(const SceneSubject& subject) {
-  const Comparison& comparison = subject.comparison;
   const ComparedScene& scene = subject.scene;
-  const Shown shown = shown_runs(comparison, scene.name);
-  std::vector<Run> runs;
-  for (const std::vector<Run>& list : {shown.exact, shown.engines})
-    std::copy_if(list.begin(), list.end(), std::back_inserter(runs), tells_slips);
+  std::vector<Run> runs = all_runs(subject.shown());
+  std::erase_if(runs, [](const Run& run) { return !tells_slips(run); });
   const std::size_t bins = bins_of(runs, scene.blocks());
   std::vector<Quantity> panels = read_slips(runs, scene.blocks(), bins);
   const std::string answer = slip_answer(runs, panels);
@@ -159,10 +139,9 @@ Drawing slip(const SceneSubject& subject) {
 }
 
 Drawing friction(const SceneSubject& subject) {
-  const Comparison& comparison = subject.comparison;
   const ComparedScene& scene = subject.scene;
   std::vector<Run> runs;
-  for (const Run& run : done_runs(comparison, scene.name))
+  for (const Run& run : done_runs(subject.comparison, scene.name))
     if (run.exact() || has_own_friction(run)) runs.push_back(run);
   const std::size_t bins = bins_of(runs, scene.blocks());
   std::vector<Quantity> panels;

@@ -1,15 +1,7 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <tuple>
 #include <utility>
-#include <vector>
 
-#include "plots/data/results.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/drawing/axes.hpp"
-#include "plots/drawing/series.hpp"
+#include "plots/data/json_file.hpp"
+#include "plots/drawing/labels.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
@@ -17,6 +9,7 @@ namespace {
 
 constexpr double tall = 460;  // pixels
 constexpr auto ring = "with points pt 6 lw 2.5 lc rgb '#000000'";
+constexpr auto limit_style = "with lines lw 2 dt (8,6) lc rgb '#404040'";
 
 /// A run that was tried.
 struct TrialMark {
@@ -50,26 +43,11 @@ TrialLines lines_of(const Json& advice) {
   return lines;
 }
 
-/// What the axes show, with room about it.
-struct Span {
-  double fast = 1e300, slow = 0, small, large;
-
-  Span(const TrialLines& lines, double error) : small(error), large(error) {
-    for (const auto& line : lines)
-      for (const TrialMark& mark : line) {
-        fast = std::min(fast, mark.time), slow = std::max(slow, mark.time);
-        small = std::min(small, mark.error), large = std::max(large, mark.error);
-      }
-    fast /= 2, slow *= 2, small /= 2, large *= 2;
-  }
-  double across(double time) const { return panel_width * std::log(time / fast) / std::log(slow / fast); }
-  double up(double error) const { return tall * std::log(error / small) / std::log(large / small); }
-};
-
-std::string block_of(const std::string& name, const std::vector<TrialMark>& marks) {
-  std::string text = fmt::format("${} << EOD\n", name);
-  for (const TrialMark& mark : marks) text += fmt::format("{} {}\n", plain(mark.time), plain(mark.error));
-  return text + "EOD\n";
+Numbers numbers_of(const std::vector<TrialMark>& marks) {
+  Numbers numbers;
+  numbers.reserve(marks.size());
+  for (const TrialMark& mark : marks) numbers.push_back({mark.time, mark.error});
+  return numbers;
 }
 
 std::string answer_of(const TrialLines& lines, double error) {
@@ -89,41 +67,38 @@ Drawings advice(const FolderSubject& subject) {
   const std::string title = json.at("title").get<std::string>();
   if (lines.empty()) return {{"", empty_sheet(title, "No trial was done.")}};
   const double error = json.at("error").get<double>();
-  const Span span(lines, error);
+  Reach across, up{error, error};
+  for (const auto& line : lines)
+    for (const TrialMark& mark : line) across.add(mark.time), up.add(mark.error);
+  across = across.wider_times(2), up = up.wider_times(2);
   Legend legend;
+  for (const auto& line : lines)
+    legend.emplace_back(mark_style(line.front().run, 1.5), solver_name(line.front().run));
+  legend.emplace_back(limit_style, fmt::format("asked for: {:g}", error));
+  legend.emplace_back(fmt::format("{} ps 2.6*mark", ring), "nine of ten replicates are within");
+  Sheet sheet = subject.figure.sheet(title, legend, answer_of(lines, error));
   LabelledPanel labelled{panel_width, tall, {}};
+  Plots trials(sheet, "trials");
   std::vector<TrialMark> passing, picked;
-  std::vector<std::string> plots{
-      fmt::format("{} with lines lw 2 dt (8,6) lc rgb '#404040' notitle", plain(error))};
-  std::string data;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Run& run = lines[i].front().run;
-    const Style style = style_of(run);
+  for (const auto& line : lines) {
+    const Run& run = line.front().run;
+    const std::string colour = style_of(run).colour;
     labelled.lines.emplace_back();
-    for (const TrialMark& mark : lines[i]) {
-      labelled.lines.back().push_back(
-          {span.across(mark.time), span.up(mark.error), duration_text(value_of(mark.run.dt)), style.colour});
+    for (const TrialMark& mark : line) {
+      labelled.lines.back().push_back({across.place(mark.time, panel_width), up.place(mark.error, tall),
+                                       duration_text(value_of(mark.run.dt)), colour});
       if (mark.passes) passing.push_back(mark);
       if (mark.picked) picked.push_back(mark);
     }
-    data += block_of(fmt::format("solver_{}", i), lines[i]);
-    plots.push_back(fmt::format("$solver_{} using 1:2 with lines lw 1.5 lc rgb '{}' notitle", i,
-                                paler(style.colour, 0.6)));
-    plots.push_back(fmt::format("$solver_{} using 1:2 {} notitle", i, mark_style(run, 1.5)));
-    legend.emplace_back(mark_style(run, 1.5), solver_name(run));
+    trials.add(numbers_of(line), {fmt::format("using 1:2 with lines lw 1.5 lc rgb '{}'", paler(colour, 0.6)),
+                                  "using 1:2 " + mark_style(run, 1.5)});
   }
-  for (const auto& [name, marks, size] : {std::tuple{"passing", &passing, 2.6}, {"picked", &picked, 3.6}}) {
-    if (marks->empty()) continue;
-    data += block_of(name, *marks);
-    plots.push_back(fmt::format("${} using 1:2 {} ps {}*mark notitle", name, ring, size));
-  }
-  legend.emplace_back("with lines lw 2 dt (8,6) lc rgb '#404040'", fmt::format("asked for: {:g}", error));
-  legend.emplace_back(fmt::format("{} ps 2.6*mark", ring), "nine of ten replicates are within");
-  Sheet sheet = subject.sheet(title, legend, answer_of(lines, error));
-  sheet.data(data);
+  for (const auto& [marks, size] : {std::pair{&passing, 2.6}, {&picked, 3.6}})
+    if (!marks->empty()) trials.add(numbers_of(*marks), {fmt::format("using 1:2 {} ps {}*mark", ring, size)});
+  std::vector<std::string> plots = trials.list();
+  plots.insert(plots.begin(), fmt::format("{} {} notitle", plain(error), limit_style));
   sheet.panel(tall, 0,
-              logarithmic_range("x", span.fast, span.slow, panel_width) +
-                  logarithmic_range("y", span.small, span.large, tall) + grid_lines +
+              logarithmic_axes(across, up, panel_width, tall) +
                   "set logscale xy\nset xlabel 'computing time of stepping (s)'\n"
                   "set ylabel 'largest difference (rad, least heights)'\n" +
                   placed_labels(labelled),

@@ -1,87 +1,168 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include <utility>
 
 #include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/statistics/quantile.hpp"
 #include "plots/data/fragility_fit.hpp"
-#include "plots/drawing/layout.hpp"
-#include "plots/drawing/style.hpp"
 #include "plots/figures/figure.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
+
+// What a stack bears as a motion grows: how likely it topples, and how far it turns.
 
 namespace rockstack::plots {
 namespace {
 
 constexpr auto counted_style = "with yerrorbars pt 7 ps 1.1*mark lw 1.4 lc rgb '#1A1A1A'";
 constexpr auto fitted_style = "with lines lw 2 lc rgb '#0B4F8A'";
-
 constexpr auto bounds_style = "with filledcurves fc rgb '#CFE0EE' fs solid 1 noborder";
 
 /// The fitted curve between its bounds, from zero to the highest intensity.
-std::string fitted_curve(const FragilityFit& fit, double end) {
+Numbers fitted_curve(const FragilityFit& fit, double end) {
   constexpr int points = 200;
-  std::string text = "$fitted << END\n";
+  Numbers numbers;
   for (int i = 1; i <= points; ++i) {
     const double x = end * i / points;
-    text += fmt::format("{} {} {} {}\n", plain(x), plain(fit.probability(x)), plain(fit.lower(x)),
-                        plain(fit.upper(x)));
+    numbers.push_back({x, fit.probability(x), fit.lower(x), fit.upper(x)});
   }
-  return text + "END\n";
+  return numbers;
 }
 
-std::string fit_words(const FragilityFit& fit, double median, double beta) {
-  return fmt::format("lognormal fit, median {:.4g} ({:.3g}–{:.3g}), β {:.3g}", median, fit.median_lower(),
-                     fit.median_upper(), beta);
+constexpr double last_ratio = 1.2;  // of the axis of peak angle over slenderness
+constexpr double edge = 1.14;       // where blocks that topple are drawn
+constexpr std::size_t enough = 7;   // motions, of which 16 % are one at least
+constexpr auto run_style = "with points pt 7 ps 0.8*mark lc rgb '#8FA6BA'";
+constexpr auto middle_style = "with lines lw 3 lc rgb '#0B4F8A'";
+constexpr auto outer_style = "with lines lw 2.4 dt (10,6) lc rgb '#B03A00'";
+
+/// What one motion does as it is scaled up.
+struct ScaledMotion {
+  std::vector<double> intensities, ratios;  ///< rising; of angle and slenderness, infinite where it topples
+  std::vector<double> reached;              ///< the largest ratio up to each intensity
+};
+
+std::vector<ScaledMotion> read_motions(const std::filesystem::path& file) {
+  const auto columns = read_columns(file, {"curve", "intensity", "peak_ratio", "toppled"});
+  std::vector<ScaledMotion> motions;
+  for (std::size_t i = 0; i < columns[0].size(); ++i) {
+    if (i == 0 || columns[0][i] != columns[0][i - 1]) motions.emplace_back();
+    ScaledMotion& motion = motions.back();
+    motion.intensities.push_back(columns[1][i]);
+    motion.ratios.push_back(columns[3][i] > 0 ? std::numeric_limits<double>::infinity() : columns[2][i]);
+    motion.reached.push_back(motion.reached.empty() ? motion.ratios.back()
+                                                    : std::max(motion.reached.back(), motion.ratios.back()));
+  }
+  return motions;
+}
+
+/// A mark a run: lines between them would go to and fro, since a stronger motion may turn a block less.
+Numbers run_marks(const std::vector<ScaledMotion>& motions) {
+  Numbers marks;
+  for (const ScaledMotion& motion : motions)
+    for (std::size_t i = 0; i < motion.ratios.size(); ++i)
+      marks.push_back({std::min(motion.ratios[i], edge), motion.intensities[i]});
+  return marks;
+}
+
+/// A capacity curve: the angle that a share of the motions stays within up to each intensity. It never turns
+/// back. A line is an angle over slenderness, and an intensity.
+Numbers capacity(const std::vector<ScaledMotion>& motions, double share) {
+  std::map<double, std::vector<double>> levels;
+  for (const ScaledMotion& motion : motions)
+    for (std::size_t i = 0; i < motion.reached.size(); ++i)
+      levels[motion.intensities[i]].push_back(motion.reached[i]);
+  Numbers curve;
+  for (const auto& [intensity, reached] : levels) {
+    curve.push_back({std::min(quantile(reached, share), edge), intensity});
+    if (curve.back()[0] >= edge) break;
+  }
+  return curve;
+}
+
+/// The first intensity at which a capacity curve reaches the slenderness.
+std::string answer_of(const Numbers& median, const std::string& axis) {
+  for (const std::vector<double>& line : median)
+    if (line[0] >= 1) return "Half of the motions turn it by its slenderness at " + value_on(axis, line[1]);
+  return "Half of the motions turn it by less than its slenderness throughout";
 }
 
 }  // namespace
 
 Drawings fragility(const FolderSubject& subject) {
-  const std::filesystem::path& results = subject.folder;
-  const SweepFacts facts = sweep_facts(results);
+  const SweepFacts facts = sweep_facts(subject.folder);
   const auto levels =
-      read_columns(results / "fragility.csv", {"intensity", "fraction", "lower", "upper", "runs"});
-  const auto fit = read_columns(results / "fragility-fit.csv", {"median", "beta"});
+      read_columns(subject.folder / "fragility.csv", {"intensity", "fraction", "lower", "upper", "runs"});
+  const auto fit = read_columns(subject.folder / "fragility-fit.csv", {"median", "beta"});
   double end = 0, runs = 0;
   std::vector<TestedLevel> tested;
-  std::string data = "$levels << END\n";
+  Numbers counts;
   for (std::size_t i = 0; i < levels[0].size(); ++i) {
     end = std::max(end, levels[0][i]);
     runs = std::max(runs, levels[4][i]);
     if (std::isnan(levels[1][i])) continue;
     tested.push_back({levels[0][i], levels[4][i]});
-    data += fmt::format("{} {} {} {}\n", plain(levels[0][i]), plain(levels[1][i]), plain(levels[2][i]),
-                        plain(levels[3][i]));
+    counts.push_back({levels[0][i], levels[1][i], levels[2][i], levels[3][i]});
   }
   end *= 1.04;
-  data += "END\n";
   Legend legend{{counted_style, fmt::format("counted, up to {:g} runs a level, with 95 % bounds", runs)}};
-  std::vector<std::string> elements{fmt::format("$levels using 1:2:3:4 {} notitle", counted_style)};
   std::string answer = "No curve fits these counts";
+  Numbers curve;
   if (!fit[0].empty()) {
     const double median = fit[0][0], beta = fit[1][0];
     const FragilityFit fitted(median, beta, tested);
-    legend.emplace_back(fitted_style, fit_words(fitted, median, beta));
+    legend.emplace_back(fitted_style,
+                        fmt::format("lognormal fit, median {:.4g} ({:.3g}–{:.3g}), β {:.3g}", median,
+                                    fitted.median_lower(), fitted.median_upper(), beta));
     legend.emplace_back(bounds_style, "95 % bounds of the fit");
-    elements.insert(elements.begin(), {fmt::format("$fitted using 1:3:4 {} notitle", bounds_style),
-                                       fmt::format("$fitted using 1:2 {} notitle", fitted_style)});
     answer = fmt::format("Half of the motions topple it at {}", value_on(facts.intensity, median));
     if (facts.least_acceleration > 0)
       answer += fmt::format(", {:.3g} times g tan α", median / facts.least_acceleration);
-    data += fitted_curve(fitted, end);
+    curve = fitted_curve(fitted, end);
   }
-  Sheet sheet = subject.sheet(facts.title, legend, answer);
-  sheet.data(data);
+  Sheet sheet = subject.figure.sheet(facts.title, legend, answer);
+  Plots plots(sheet, "share");
+  if (!curve.empty())
+    plots.add(curve,
+              {fmt::format("using 1:3:4 {}", bounds_style), fmt::format("using 1:2 {}", fitted_style)});
+  plots.add(counts, {fmt::format("using 1:2:3:4 {}", counted_style)});
   if (facts.least_acceleration > 0) sheet.leave_room_above(axis_above);
   sheet.panel(
       460, 0,
       fmt::format("set xrange [0:{}]\nset yrange [-0.02:1.02]\nset ytics 0.2\nset xlabel {} noenhanced\n"
                   "set ylabel 'share of runs that topple'\n",
                   plain(end), in_quotes(facts.intensity)) +
-          grid_lines + dimensionless_axis("x", 0, end, facts.least_acceleration, "over g tan α, of uplift"),
-      elements);
+          grid_lines + dimensionless_axis("x", 0, end, facts.least_acceleration),
+      plots.list());
+  return {{"", sheet.finish()}};
+}
+
+Drawings incremental(const FolderSubject& subject) {
+  const SweepFacts facts = sweep_facts(subject.folder);
+  const std::vector<ScaledMotion> motions = read_motions(subject.folder / "incremental.csv");
+  Legend legend{{run_style, fmt::format("runs of {} motions", motions.size())}};
+  std::string answer = fmt::format("{} motions are too few for fractiles", motions.size());
+  const bool are_enough = motions.size() >= enough;
+  if (are_enough) {
+    legend.emplace_back(middle_style, "largest angle up to there, median");
+    legend.emplace_back(outer_style, "16 % and 84 %");
+    answer = answer_of(capacity(motions, 0.5), facts.intensity);
+  }
+  Sheet sheet = subject.figure.sheet(facts.title, legend, answer);
+  Plots plots(sheet, "motions");
+  plots.add(run_marks(motions), {fmt::format("using 1:2 {}", run_style)});
+  if (are_enough)
+    for (const auto& [share, style] :
+         {std::pair{0.16, outer_style}, {0.84, outer_style}, {0.5, middle_style}})
+      plots.add(capacity(motions, share), {fmt::format("using 1:2 {}", style)});
+  double top = 1e-9;
+  for (const ScaledMotion& motion : motions) top = std::max(top, 1.04 * motion.intensities.back());
+  if (facts.least_acceleration > 0) sheet.leave_room_beside();
+  sheet.panel(560, 0,
+              fmt::format("set xrange [0:{0}]\nset yrange [0:{1}]\n"
+                          "set xtics (0, 0.2, 0.4, 0.6, 0.8, 1, 'toppled' {2})\n"
+                          "set xlabel 'largest angle over slenderness'\nset ylabel {3} noenhanced\n"
+                          "set arrow 1 from 1, graph 0 to 1, graph 1 nohead lw 1 dt (4,4) lc rgb '#606060'\n",
+                          last_ratio, plain(top), edge, in_quotes(facts.intensity)) +
+                  grid_lines + dimensionless_axis("y", 0, top, facts.least_acceleration),
+              plots.list());
   return {{"", sheet.finish()}};
 }
 

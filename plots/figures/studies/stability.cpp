@@ -1,7 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <map>
 #include <set>
 
 #include "comparisons/measures/results/csv.hpp"
@@ -32,11 +28,9 @@ struct Cell {
 class Places {
  public:
   explicit Places(const std::set<double>& values) : values_(values.begin(), values.end()) {}
-  std::size_t of(double value) const {
-    return static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), value) -
-                                    values_.begin());
+  double of(double value) const {
+    return static_cast<double>(std::lower_bound(values_.begin(), values_.end(), value) - values_.begin());
   }
-  std::size_t size() const { return values_.size(); }
   /// Labels in a unit that many times smaller.
   std::string tics(double times = 1) const {
     std::string text;
@@ -59,41 +53,34 @@ struct Map {
 std::map<std::string, Map> read_maps(const std::filesystem::path& results) {
   const auto file = results / "stability.csv";
   const Table table = read_table(file);
+  const auto numbers = read_columns(file, {"value", "dt"});
   const auto at = [&](const char* name) { return column(table, name, file); };
-  const std::size_t engine = at("engine"), solver = at("solver"), settings = at("settings"), dt = at("dt"),
-                    value = at("value"), verdict = at("verdict");
+  const std::size_t engine = at("engine"), solver = at("solver"), settings = at("settings"),
+                    verdict = at("verdict");
   std::map<std::string, Map> maps;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto& row = table.rows[i];
-    if (row[dt].empty()) continue;
-    const std::string place = fmt::format("{}:{}", file.string(), i + 2);
+    if (std::isnan(numbers[1][i])) continue;
     Map& map = maps[row[engine] + "-" + row[solver] + "-" + row[settings]];
     map.solver = fmt::format("{} {}, {}", row[engine], row[solver], row[settings]);
-    map.cells.push_back({number(row[value], place, "value"), number(row[dt], place, "dt"), row[verdict]});
+    map.cells.push_back({numbers[0][i], numbers[1][i], row[verdict]});
   }
-  const auto steps_file = results / "steps.csv";
-  const Table steps = read_table(steps_file);
-  const std::size_t stable = column(steps, "largest_stable_step", steps_file);
-  const std::size_t along = column(steps, "value", steps_file);
+  const Table steps = read_table(results / "steps.csv");
+  const auto stable = read_columns(results / "steps.csv", {"value", "largest_stable_step"});
   for (std::size_t i = 0; i < steps.rows.size(); ++i) {
     const auto& row = steps.rows[i];
-    const std::string place = fmt::format("{}:{}", steps_file.string(), i + 2);
-    maps[row[0] + "-" + row[1] + "-" + row[2]].stable.emplace_back(
-        number(row[along], place, "value"), number(row[stable], place, "largest_stable_step"));
+    maps[row[0] + "-" + row[1] + "-" + row[2]].stable.emplace_back(stable[0][i], stable[1][i]);
   }
   return maps;
 }
 
 /// The upper edges of the squares of the largest stable steps, as a staircase.
-std::string staircase(const Map& map, const Places& across, const Places& up) {
-  std::string text = "$stable << END\n";
-  std::vector<std::pair<std::size_t, double>> edges;
-  for (const auto& [value, step] : map.stable)
-    edges.emplace_back(across.of(value), step > 0 ? static_cast<double>(up.of(step)) + 0.5 : -0.5);
-  std::sort(edges.begin(), edges.end());
-  for (const auto& [x, y] : edges)
-    text += fmt::format("{} {}\n{} {}\n", static_cast<double>(x) - 0.5, y, static_cast<double>(x) + 0.5, y);
-  return text + "END\n";
+Numbers staircase(const Map& map, const Places& across, const Places& up) {
+  std::map<double, double> edges;
+  for (const auto& [value, step] : map.stable) edges[across.of(value)] = step > 0 ? up.of(step) + 0.5 : -0.5;
+  Numbers stairs;
+  for (const auto& [x, y] : edges) stairs.insert(stairs.end(), {{x - 0.5, y}, {x + 0.5, y}});
+  return stairs;
 }
 
 std::string answer(const Map& map) {
@@ -119,7 +106,7 @@ Drawing drawing(const FolderSubject& subject, const Map& map, const Json& facts)
   const Places across(values), up(steps);
   std::vector<MapCell> cells;
   for (const Cell& cell : map.cells) {
-    const auto x = static_cast<double>(across.of(cell.value)), y = static_cast<double>(up.of(cell.dt));
+    const double x = across.of(cell.value), y = up.of(cell.dt);
     cells.push_back({x - 0.5, x + 0.5, y - 0.5, y + 0.5, kind_of(cell.verdict)});
   }
   CellMap drawn = cell_map("kind", cells, verdict_kinds(), "white");
@@ -127,8 +114,9 @@ Drawing drawing(const FolderSubject& subject, const Map& map, const Json& facts)
   const char* stable_style = "with lines lw 4 lc rgb 'black'";
   legend.emplace_back(stable_style, "largest stable step");
   drawn.elements.push_back(fmt::format("$stable using 1:2 {} notitle", stable_style));
-  Sheet sheet = subject.sheet(map.solver + ": " + facts.at("title").get<std::string>(), legend, answer(map));
-  sheet.data(staircase(map, across, up) + drawn.data);
+  Sheet sheet =
+      subject.figure.sheet(map.solver + ": " + facts.at("title").get<std::string>(), legend, answer(map));
+  sheet.data(number_block("stable", staircase(map, across, up)) + drawn.data);
   sheet.panel(460, 0,
               map_axes(drawn) + fmt::format("set xtics ({})\nset ytics ({})\nset xlabel {} noenhanced\n"
                                             "set ylabel 'time step (ms)'\n",

@@ -4,9 +4,26 @@
 #include <optional>
 #include <string>
 
-#include "plots/figures/studies/initiation.hpp"
-
 namespace rockstack::plots {
+
+/// A uniform block at rest that a rectangular pulse of horizontal acceleration a strikes, and in step with it
+/// a vertical one of `vertical` times a, up positive.
+struct StruckBlock {
+  double slenderness_ratio = 0;  ///< r, height over width
+  double gravity = 0;            ///< m/s²
+  double vertical = 0;
+};
+
+/// The least friction coefficient with which a block of ratio r that a pulse of A times gravity tilts does
+/// not slip: [A (4 + r²) + 3 r] / [1 + 4 r² + 3 A r]. Shenton 1996, Journal of Engineering Mechanics 122,
+/// 690–693.
+double rocking_friction(double slenderness_ratio, double push);
+
+/// The boundaries between rest, slide, rock, slide-rock and free flight over a, in m/s², and friction, up to
+/// either's largest value: gnuplot's lines of points, an empty one between lines. Vertical motion changes
+/// gravity to g + `vertical` a.
+std::string initiation_boundaries(const StruckBlock& block, double largest_acceleration,
+                                  double largest_friction);
 
 /// What figures of a sweep say beside their data.
 struct SweepFacts {
@@ -32,6 +49,6 @@ inline constexpr double axis_above = 52;
 /// A second axis, "x2" or "y2", opposite of "x" or "y" with its range, on which values are divided by `unit`;
 /// nothing where that is 0.
 std::string dimensionless_axis(const std::string& axis, double low, double high, double unit,
-                               const std::string& words);
+                               const std::string& words = "over g tan α, of uplift");
 
 }  // namespace rockstack::plots

@@ -1,29 +1,21 @@
-#include "plots/pages/pages.hpp"
-
-#include <fmt/format.h>
-
-#include "comparisons/measures/results/files.hpp"
-#include "plots/data/results.hpp"
 #include "plots/pages/html.hpp"
-#include "plots/pages/page_parts.hpp"
-#include "plots/pages/templates.hpp"
+#include "plots/pages/show.hpp"
+
+// The list of all lessons, and problem sheets.
 
 namespace rockstack::plots {
 namespace {
 
 std::string entry(const Json& lesson) {
-  const auto name = lesson.at("name").get<std::string>();
   std::string aims, after;
   for (const Json& aim : lesson.at("aims")) aims += element("li", aim.get<std::string>()) + "\n";
   for (const Json& one : lesson.at("after"))
     after +=
-        fmt::format("{}<a href=\"#{}\">{}</a>", after.empty() ? " After: " : "; ",
-                    escaped(one.at("name").get<std::string>()), escaped(one.at("title").get<std::string>()));
+        (after.empty() ? " After: " : "; ") + link("#" + escaped_at(one, "name"), escaped_at(one, "title"));
   return fmt::format(
       "<li id=\"{0}\"><h2><a href=\"{0}/lesson.html\">{1}</a></h2>\n<p class=\"hint\">{2} minutes · "
       "<code>{0}</code> · <a href=\"{0}/slides.html\">slides</a>.{3}</p>\n<ul>\n{4}</ul></li>\n",
-      escaped(name), escaped(lesson.at("title").get<std::string>()), lesson.at("minutes").dump(), after,
-      aims);
+      escaped_at(lesson, "name"), escaped_at(lesson, "title"), lesson.at("minutes").dump(), after, aims);
 }
 
 std::string course_page(const Json& course) {
@@ -40,11 +32,68 @@ std::string course_page(const Json& course) {
                                        {"lessons", lessons}})});
 }
 
+/// Room for an answer, or the answer.
+std::string part_text(const Json& part, bool with_answer) {
+  std::string choices;
+  for (const Json& choice : part.at("choices"))
+    choices += (choices.empty() ? " " : " / ") + choice.get<std::string>();
+  const std::string answer = with_answer ? element("strong", text_at(part, "shown"), " class=\"key\"")
+                                         : "<span class=\"blank\"></span> " + escaped_at(part, "unit");
+  return element("li", fmt::format("{}{} {}", text_at(part, "ask"), choices, answer)) + "\n";
+}
+
+std::string problem_text(const Json& problem, bool with_answers) {
+  std::string parts;
+  for (const Json& part : problem.at("parts")) parts += part_text(part, with_answers);
+  return element("li", element("p", text_at(problem, "text")) +
+                           element("ol", "\n" + parts, " class=\"parts\"") +
+                           (with_answers ? "" : "<div class=\"work\"></div>")) +
+         "\n";
+}
+
+std::string sheet_page(const Json& sheet, bool with_answers) {
+  std::string problems;
+  for (const Json& problem : sheet.at("problems")) problems += problem_text(problem, with_answers);
+  const std::string lesson = escaped_at(sheet, "lesson"), title = text_at(sheet, "title");
+  const std::string seed = sheet.at("seed").dump(), kind = with_answers ? "Key" : "Problem sheet";
+  const char* name_line = "<p class=\"name\">Name: <span class=\"blank\"></span></p>";
+  const std::string note =
+      with_answers
+          ? fmt::format(
+                "Answers are computed by the exact solver and closed forms: "
+                "<code>rockstack teach {} --sheet {} --out DIR</code>.",
+                lesson, seed)
+          : "Angles in rad, clockwise positive; gravity is 9.81 m/s². Give answers to the digits that your "
+            "way of computing supports, and say what you assumed.";
+  return page({fmt::format("{}: {} {}", title, kind, seed), "sheet",
+               filled_in(sheet_html, {{"kind", kind},
+                                      {"lesson", element("code", lesson)},
+                                      {"seed", seed},
+                                      {"title", escaped(title)},
+                                      {"name_line", with_answers ? "" : name_line},
+                                      {"problems", problems},
+                                      {"note", note},
+                                      {"css", std::string(sheet_css)}})});
+}
+
 }  // namespace
 
 void write_course(const std::filesystem::path& results) {
   read_json(results / "course.json",
             [&](const Json& course) { write_file(results / "index.html", course_page(course)); });
+}
+
+SheetPages write_sheet(const std::filesystem::path& answers) {
+  return read_json(answers, [&](const Json& sheet) {
+    const auto place = [&](const char* kind) {
+      return answers.parent_path() /
+             fmt::format("{}-{}-{}.html", text_at(sheet, "lesson"), kind, sheet.at("seed").dump());
+    };
+    SheetPages pages{place("sheet"), place("key")};
+    write_file(pages.sheet, sheet_page(sheet, false));
+    write_file(pages.key, sheet_page(sheet, true));
+    return pages;
+  });
 }
 
 }  // namespace rockstack::plots

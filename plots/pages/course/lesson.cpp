@@ -1,18 +1,8 @@
-#include "plots/pages/pages.hpp"
-
-#include <fmt/core.h>
-
 #include <map>
-#include <set>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/files.hpp"
-#include "plots/data/results.hpp"
-#include "plots/pages/course/predictions.hpp"
-#include "plots/pages/html.hpp"
-#include "plots/pages/page_parts.hpp"
-#include "plots/pages/player.hpp"
-#include "plots/pages/templates.hpp"
+#include "plots/pages/sections.hpp"
+#include "plots/pages/show.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -50,6 +40,46 @@ std::string lesson_table(const Json& json) {
   return table(columns, rows);
 }
 
+std::string choices_of(const Json& part, const std::string& name) {
+  std::string labels;
+  int place = 0;
+  for (const Json& choice : part.at("choices"))
+    labels += fmt::format(
+        "<label class=\"choice\"><input type=\"radio\" name=\"predict-{}\" value=\"{}\"> {}</label>\n", name,
+        place++, choice.get<std::string>());
+  return labels;
+}
+
+std::string number_field(const Json& part, const std::string& name) {
+  const std::string unit = escaped_at(part, "unit");
+  return fmt::format(
+      "<label>Your answer{}{}: <input type=\"text\" aria-describedby=\"ask-{}\" inputmode=\"decimal\" "
+      "autocomplete=\"off\"></label>\n",
+      unit.empty() ? "" : ", ", unit, name);
+}
+
+/// A question that is answered before the text goes on: `question` is as comparisons write it, `numbers` are
+/// the lesson's. Its answer is told once a choice or a number has been committed to.
+std::string prediction_part(const Json& question, Values numbers) {
+  const std::string name = escaped_at(question, "name"), text = text_at(question, "text");
+  const Json& part = question.at("parts").at(0);
+  const std::string shown = text_at(part, "shown");
+  numbers["answer"] = shown;
+  const bool chosen = part.contains("right");
+  return fmt::format(
+      "<form class=\"predict\" data-name=\"{0}\" data-right=\"{1}\" data-value=\"{2}\" data-within=\"{3}\">\n"
+      "<fieldset aria-labelledby=\"predict-{0} ask-{0}\"><legend id=\"predict-{0}\">Predict</legend>\n"
+      "{4}<p class=\"ask\" id=\"ask-{0}\">{5}</p>\n{6}<p class=\"complaint\" role=\"alert\"></p>\n"
+      "<button type=\"submit\">Commit</button> "
+      "<button type=\"button\" class=\"skip\">Read on without</button></fieldset>\n"
+      "<div class=\"revealed\" role=\"status\" tabindex=\"-1\"><p class=\"verdict\"></p>\n"
+      "<p><strong>{7}</strong>{8} {9}</p></div>\n</form>",
+      name, chosen ? part.at("right").dump() : "", part.at("value").dump(), part.at("within").dump(),
+      text.empty() ? "" : element("p", text, " class=\"given\"") + "\n", text_at(part, "ask"),
+      chosen ? choices_of(part, name) : number_field(part, name), shown, chosen ? "." : "",
+      filled_in(text_at(part, "why"), numbers));
+}
+
 /// Names with a colon are parts of a page; numbers have none.
 void add_parts(const fs::path& results, const Comparison& comparison, const Json& start, Values& values) {
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
@@ -68,7 +98,7 @@ Values values_of(const fs::path& results, const Comparison& comparison, const Js
   const Values numbers = values;
   for (const auto& [name, value] : lesson.at("tables").items()) values["table:" + name] = lesson_table(value);
   for (const Json& question : lesson.at("predictions"))
-    values["predict:" + question.at("name").get<std::string>()] = prediction_part(question, numbers);
+    values["predict:" + text_at(question, "name")] = prediction_part(question, numbers);
   add_parts(results, comparison, lesson.value("player", Json()), values);
   return values;
 }
@@ -79,26 +109,20 @@ std::string list_of(const Json& texts) {
   return element("ul", items);
 }
 
-std::string link(const std::string& name, const std::string& words) {
-  return fmt::format("<a href=\"../{}/lesson.html\">{}</a> ", escaped(name), words);
-}
-
 /// To the course and the lessons beside this one, where they are.
 std::string navigation(const Json& lesson) {
   if (!lesson.contains("neighbours")) return "";
-  const Json& beside = lesson.at("neighbours");
-  const auto previous = beside.at("previous").get<std::string>(), next = beside.at("next").get<std::string>();
-  std::string links = "<a href=\"../index.html\">All lessons</a> ";
-  if (!previous.empty()) links += link(previous, "◀ the one before");
-  if (!next.empty()) links += link(next, "the next one ▶");
+  std::string links = link("../index.html", "All lessons") + " ";
+  for (const auto& [key, words] : {std::pair{"previous", "◀ the one before"}, {"next", "the next one ▶"}})
+    if (const std::string name = escaped_at(lesson.at("neighbours"), key); !name.empty())
+      links += link("../" + name + "/lesson.html", words) + " ";
   return element("nav", links, " class=\"bar\" aria-label=\"Course\"");
 }
 
 std::string titles_after(const Json& lesson) {
   std::string titles;
   for (const Json& one : lesson.at("after"))
-    titles += fmt::format("{}<code>{}</code>", titles.empty() ? " · after " : ", ",
-                          escaped(one.at("name").get<std::string>()));
+    titles += (titles.empty() ? " · after " : ", ") + element("code", escaped_at(one, "name"));
   return titles;
 }
 
@@ -114,10 +138,9 @@ std::string picture(const fs::path& results, const Comparison& comparison, const
 
 /// What a lesson's page and its slides share.
 Values lesson_values(const fs::path& results, const Comparison& comparison, const Json& lesson) {
-  const auto words = [&](const char* key) { return escaped(lesson.at(key).get<std::string>()); };
-  const auto text = lesson.at("text").get<std::string>();
-  return {{"title", words("title")},
-          {"name", words("name")},
+  const std::string text = text_at(lesson, "text");
+  return {{"title", escaped_at(lesson, "title")},
+          {"name", escaped_at(lesson, "name")},
           {"number", lesson.at("number").dump()},
           {"count", lesson.at("count").dump()},
           {"minutes", lesson.at("minutes").dump()},
@@ -143,7 +166,7 @@ std::string page_of(const std::string& title, Values values, const char* kind, s
 void write_lesson(const std::filesystem::path& results, const Comparison& comparison) {
   read_json(results / "lesson.json", [&](const Json& lesson) {
     const Values values = lesson_values(results, comparison, lesson);
-    const auto title = lesson.at("title").get<std::string>();
+    const std::string title = text_at(lesson, "title");
     const std::string slides = page_of(title, values, "slides", slides_html, slides_css, slides_js);
     write_file(results / "lesson.html", page_of(title, values, "lesson", lesson_html, "", lesson_js));
     write_file(results / "slides.html", slides);

@@ -1,4 +1,4 @@
-#include "plots/pages/pages.hpp"
+#include "plots/pages/show.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "plots/figures/table.hpp"
+#include "plots/figures/figure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <regex>
 #include <string>
 
-#include "plots/figures/table.hpp"
+#include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -1,4 +1,4 @@
-#include "plots/figures/table.hpp"
+#include "plots/figures/figure.hpp"
 
 #include <fmt/ostream.h>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/style.hpp"
-#include "plots/figures/table.hpp"
+#include "plots/figures/figure.hpp"
 #include "tests/plots/picture.hpp"
 #include "tests/plots/sample.hpp"
 

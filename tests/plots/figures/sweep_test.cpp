@@ -1,4 +1,4 @@
-#include "plots/figures/table.hpp"
+#include "plots/figures/figure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "plots/figures/studies/initiation.hpp"
+#include "plots/figures/studies/sweep_facts.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {

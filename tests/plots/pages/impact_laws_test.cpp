@@ -5,8 +5,7 @@
 #include <fstream>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "plots/pages/impact_law_summary.hpp"
-#include "plots/pages/pages.hpp"
+#include "plots/pages/sections.hpp"
 #include "tests/plots/browser.hpp"
 #include "tests/plots/sample.hpp"
 
@@ -121,7 +120,7 @@ TEST(ImpactLawPage, IsWrittenWithoutAnyEngineRun) {
 
 TEST(ImpactLawPage, AMissingFigureAndAMalformedFileAreNamed) {
   const fs::path folder = study_folder(runs);
-  EXPECT_THROW(write_impact_law_report(folder), InputError);
+  EXPECT_THROW(write_study_page(folder), InputError);
   EXPECT_FALSE(fs::exists(folder / "report.html"));
   std::ofstream(folder / "impact-laws.json") << R"({"title": "no more"})";
   try {

@@ -1,4 +1,4 @@
-#include "plots/pages/pages.hpp"
+#include "plots/pages/show.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "plots/data/results.hpp"
 #include "plots/pages/html.hpp"
-#include "plots/pages/show.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {

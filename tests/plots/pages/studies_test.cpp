@@ -1,4 +1,4 @@
-#include "plots/pages/pages.hpp"
+#include "plots/pages/show.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
-#include "plots/data/results.hpp"
-#include "plots/figures/table.hpp"
+#include "plots/data/json_file.hpp"
+#include "plots/figures/figure.hpp"
 #include "tests/plots/browser.hpp"
 #include "tests/plots/picture.hpp"
 #include "tests/plots/sample.hpp"
@@ -44,7 +44,7 @@ bool tells(const std::string& text, const std::string& part) {
 
 TEST(StudyPage, ASweepSaysWhereHalfOfItsRunsToppleAndHowManyDid) {
   const fs::path folder = made_up_sweep();
-  write_sweep_report(folder);
+  write_study_page(folder);
   const std::string page = study_page(folder);
   EXPECT_TRUE(tells(page, "Half of the runs topple at a peak ground acceleration (m/s²) of 3.125"));
   EXPECT_TRUE(tells(page, "Of 3 runs 1 topple, 33.3 %."));
@@ -54,7 +54,7 @@ TEST(StudyPage, ASweepSaysWhereHalfOfItsRunsToppleAndHowManyDid) {
 
 TEST(StudyPage, EveryFigureOfTheFolderIsThereAndEveryTableIsLinked) {
   const fs::path folder = made_up_sweep();
-  write_sweep_report(folder);
+  write_study_page(folder);
   const std::string page = study_page(folder);
   EXPECT_TRUE(tells(page, "<h3>later idea</h3>"));
   EXPECT_TRUE(tells(page, "id='later.idea-g'"));
@@ -69,7 +69,7 @@ TEST(StudyPage, AStudyOfStabilityCountsVerdictsAndNamesStableSteps) {
   put(folder / "stability.csv", "run,dt,verdict\nexact,,sound\na,0.001,sound\nb,0.002,unstable\n");
   put(folder / "steps.csv",
       "engine,solver,settings,value,largest_stable_step\node,step,tuned,1,0\node,step,tuned,2,0.002\n");
-  write_stability_report(folder);
+  write_study_page(folder);
   const std::string page = study_page(folder);
   EXPECT_TRUE(tells(page, "Of 2 engine runs 1 is sound and 1 is unstable."));
   EXPECT_TRUE(tells(
@@ -116,7 +116,7 @@ TEST(StudyPage, AdviceSaysWhatToTakeAndUntilWhenItHolds) {
   put(folder / "advice.json", made_up_advice());
   put(folder / "advice.csv", "run\none-0.01\n");
   draw_figures(folder);
-  write_advice_report(folder);
+  write_study_page(folder);
   const std::string page = study_page(folder);
   EXPECT_TRUE(tells(page, "Take own:one at 1 ms with tuned settings"));
   EXPECT_TRUE(tells(page, "Of 41 replicates at nearby steps 39 are within"));
@@ -136,7 +136,7 @@ TEST(StudyPage, ARecordSaysItsPeaks) {
       R"({"file": "a/wave.at2", "gravity": 10.0, "arias_intensity": 0.4, "significant_5_95": {"length": 2.9},)"
       R"("peak_acceleration": {"value": -3, "time": 0.1}, "peak_velocity": {"value": -0.2, "time": 0.3},)"
       R"("peak_displacement": {"value": 0.05, "time": 0.5}})");
-  write_record_report(folder);
+  write_study_page(folder);
   EXPECT_TRUE(tells(study_page(folder), "The peak acceleration is -3 m/s² at 0.1 s, 0.3 g."));
 }
 
@@ -144,7 +144,7 @@ TEST(StudyPage, WhatIsMissingIsNamedAndNoPageIsLeftBehind) {
   const fs::path folder = testing::fresh_folder();
   put(folder / "record.json", R"({"file": "a"})");
   try {
-    write_record_report(folder);
+    write_study_page(folder);
     FAIL() << "no InputError";
   } catch (const InputError& error) {
     EXPECT_TRUE(tells(error.what(), "record.json: ")) << error.what();
@@ -155,7 +155,7 @@ TEST(StudyPage, WhatIsMissingIsNamedAndNoPageIsLeftBehind) {
 TEST(StudyPage, LoadsWithoutComplaint) {
   if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
   const fs::path folder = made_up_sweep();
-  write_sweep_report(folder);
+  write_study_page(folder);
   const testing::Answer answer =
       testing::ask_browser(study_page(folder), "return document.querySelector('tbody td').dataset.label;");
   EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;

@@ -1,11 +1,10 @@
-#include "plots/pages/pages.hpp"
+#include "plots/pages/show.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "plots/pages/show.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {

@@ -1,4 +1,4 @@
-#include "plots/pages/pages.hpp"
+#include "plots/pages/show.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "plots/figures/table.hpp"
+#include "plots/figures/figure.hpp"
 #include "tests/plots/browser.hpp"
 #include "tests/plots/sample.hpp"
 

@@ -1,13 +1,8 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "plots/data/run_files.hpp"
-#include "plots/data/selection.hpp"
-#include "plots/drawing/axes.hpp"
-#include "plots/drawing/series.hpp"
+#include "plots/data/spread.hpp"
 #include "plots/figures/figure.hpp"
+
+// Figures over slightly perturbed scenes.
 
 namespace rockstack::plots {
 namespace {
@@ -33,29 +28,22 @@ std::vector<Sample> samples_of(const std::vector<Run>& runs, int block) {
   return samples;
 }
 
-struct Span {
-  double from, to;
-};
-
 /// Of all values, with room on both sides.
-Span span_of(const std::vector<Sample>& samples) {
-  Span span{samples.front().values.front(), samples.front().values.back()};
-  for (const Sample& sample : samples) {
-    span.from = std::min(span.from, sample.values.front());
-    span.to = std::max(span.to, sample.values.back());
-  }
-  const double room = span.to > span.from ? 0.04 * (span.to - span.from) : 0.5;
-  return {span.from - room, span.to + room};
+Reach reach_of(const std::vector<Sample>& samples) {
+  Reach reach;
+  for (const Sample& sample : samples)
+    for (const double value : {sample.values.front(), sample.values.back()}) reach.add(value);
+  return reach.wider(reach.high > reach.low ? 0.04 * (reach.high - reach.low) : 0.5);
 }
 
 /// The share of values at or below, from one end of the panel to the other, as gnuplot's steps.
-Curve shares(const std::vector<double>& values, const Span& span) {
-  Curve curve{{span.from}, {0}};
+Curve shares(const std::vector<double>& values, const Reach& reach) {
+  Curve curve{{reach.low}, {0}};
   for (std::size_t i = 0; i < values.size(); ++i) {
     curve.times.push_back(values[i]);
     curve.values.push_back(static_cast<double>(i + 1) / static_cast<double>(values.size()));
   }
-  curve.times.push_back(span.to);
+  curve.times.push_back(reach.high);
   curve.values.push_back(1);
   return curve;
 }
@@ -94,28 +82,26 @@ std::vector<Quantity> quantities_of(const ComparedScene& scene) {
 }
 
 /// The distances of each run, a line a run under the panels.
-void add_distances(Sheet& sheet, const Comparison& comparison, const ComparedScene& scene,
-                   const std::vector<Run>& runs) {
+void add_distances(Sheet& sheet, const SceneSubject& subject, const std::vector<Run>& runs) {
   double critical = 0;
   for (const Run& run : runs) {
     std::string words;
-    for (const auto& [name, axis, block] : quantities_of(scene))
-      if (const DistributionDistance* one = distance_of(comparison, run, name); one != nullptr) {
+    for (const auto& [name, axis, block] : quantities_of(subject.scene))
+      if (const DistributionDistance* one = distance_of(subject.comparison, run, name); one != nullptr) {
         words += fmt::format("{} {:.2f} of {}", words.empty() ? ": D" : ",", one->apart.distance,
                              axis.substr(0, axis.find(" (")));
         critical = one->apart.critical;
       }
     if (!words.empty()) sheet.note(run_label(run) + words, style_of(run).colour);
   }
-  if (critical > 0)
-    sheet.note(fmt::format("by chance D is above {:.2f} once in twenty times", critical), "#000000");
+  if (critical > 0) sheet.note(fmt::format("by chance D is above {:.2f} once in twenty times", critical));
 }
 
 /// How many of the distances are larger than chance makes them.
-std::string answer(const Comparison& comparison, const ComparedScene& scene) {
+std::string answer(const SceneSubject& subject) {
   int all = 0, beyond = 0;
-  for (const DistributionDistance& one : comparison.distances) {
-    if (one.scene != scene.name) continue;
+  for (const DistributionDistance& one : subject.comparison.distances) {
+    if (one.scene != subject.scene.name) continue;
     ++all;
     beyond += one.apart.distance > one.apart.critical ? 1 : 0;
   }
@@ -135,32 +121,86 @@ Series series_of(const Sample& sample, const std::string& block, std::size_t ord
 void add_quantity(Sheet& sheet, const Quantity& quantity, const std::vector<Run>& runs) {
   const std::vector<Sample> samples = samples_of(runs, quantity.block);
   if (samples.empty()) return;
-  const Span span = span_of(samples);
+  const Reach reach = reach_of(samples);
   std::vector<Series> series;
   for (const Sample& sample : samples) {
     const std::string block = fmt::format("{}_{}", quantity.name, series.size());
-    sheet.data(data_block(block, shares(sample.values, span)));
+    sheet.data(data_block(block, shares(sample.values, reach)));
     series.push_back(series_of(sample, block, series.size()));
   }
   const auto axes = [&](double width, double) {
-    return linear_range("x", span.from, span.to, width) + "set yrange [-0.02:1.02]\nset ytics 0.2\n" +
+    return linear_range("x", reach.low, reach.high, width) + "set yrange [-0.02:1.02]\nset ytics 0.2\n" +
            grid_lines;
   };
   add_series(sheet, {quantity.axis, "share of scenes", "share", true, axes, 320, 84}, series, are_many(runs));
 }
 
+struct TopplingShare {
+  Run run;
+  Share share;
+};
+
+std::vector<TopplingShare> toppling_shares(const std::vector<Run>& runs) {
+  std::vector<TopplingShare> shares;
+  for (const Run& run : runs)
+    if (const Share share = toppled_share(*tallies_of(run), *tallies_of(runs.front())); share.of > 0)
+      shares.push_back({run, share});
+  return shares;
+}
+
+/// Words over the row of a share, which stay inside the panel.
+std::string label_of(const TopplingShare& one, std::size_t row) {
+  const auto [of, toppled, agree] = one.share;
+  const std::string count = fmt::format("{} of {}", toppled, of);
+  const bool right = one.share.value() > 0.5;
+  return fmt::format(
+      "set label {} noenhanced at {}, {} {} offset 0,0.9 font ',11' front\n",
+      in_quotes(one.run.exact() ? count : fmt::format("{}; {} as the exact solution says", count, agree)),
+      plain(right ? one.share.bounds().upper : one.share.bounds().lower), row, right ? "right" : "left");
+}
+
 }  // namespace
 
 Drawing distributions(const SceneSubject& subject) {
-  const Comparison& comparison = subject.comparison;
-  const ComparedScene& scene = subject.scene;
-  const std::vector<Run> runs = perturbed_runs(comparison, scene.name);
+  const std::vector<Run> runs = perturbed_runs(subject.comparison, subject.scene.name);
   const auto look = [](const Run& run, std::size_t) {
     return run.exact() ? style(run) : mark_style(run, 1.6);
   };
-  Sheet sheet = subject.sheet(legend_of(runs, look), answer(comparison, scene));
-  for (const Quantity& quantity : quantities_of(scene)) add_quantity(sheet, quantity, runs);
-  add_distances(sheet, comparison, scene, runs);
+  Sheet sheet = subject.sheet(legend_of(runs, look), answer(subject));
+  for (const Quantity& quantity : quantities_of(subject.scene)) add_quantity(sheet, quantity, runs);
+  add_distances(sheet, subject, runs);
+  return sheet.finish();
+}
+
+Drawing toppling(const SceneSubject& subject) {
+  const std::vector<TopplingShare> shares =
+      toppling_shares(perturbed_runs(subject.comparison, subject.scene.name));
+  if (shares.empty() || !shares.front().run.exact())
+    return subject.nothing("No exact answers over perturbed scenes to compare with.");
+  const Share& exact = shares.front().share;
+  Sheet sheet = subject.sheet({}, fmt::format("By the exact solution {} of {}", exact.toppled, exact.of));
+  std::string settings = fmt::format(
+      "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '#E6E6E6' fillstyle solid noborder behind\n",
+      plain(exact.bounds().lower), plain(exact.bounds().upper));
+  Plots plots(sheet, "share");
+  std::vector<std::string> names;
+  for (const TopplingShare& one : shares) {
+    const std::size_t row = names.size();
+    plots.add(
+        {{one.share.value(), static_cast<double>(row), one.share.bounds().lower, one.share.bounds().upper}},
+        {fmt::format("using 1:2:3:4 with xerrorbars lw 2 lc rgb '{}' pt 0", style_of(one.run).colour),
+         "using 1:2 " + mark_style(one.run, 1.8)});
+    settings += label_of(one, row);
+    names.push_back(run_label(one.run));
+  }
+  constexpr double row = 52, left = 0.4;
+  const auto rows = static_cast<double>(shares.size());
+  settings += fmt::format(
+      "set xrange [0:1]\nset yrange [{}:-0.7]\nset ytics ({}) noenhanced\n"
+      "set grid x lt 1 dt solid lw 1 lc rgb '#E4E4E4'\nset xlabel 'share of scenes that topple'\n",
+      rows - 0.5, word_tics(names));
+  sheet.row(row * rows, 0, {{settings, plots.list()}}, 1, left);
+  sheet.note("bars: 95 % bounds of each share; grey: those of the exact one");
   return sheet.finish();
 }
 

@@ -1,7 +1,5 @@
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <array>
+#include <numbers>
 #include <numeric>
 
 #include "comparisons/measures/results/csv.hpp"
@@ -9,8 +7,37 @@
 #include "plots/figures/figure.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
 
+// What becomes of a stack, over two of a sweep's keys.
+
 namespace rockstack::plots {
 namespace {
+
+/// What may become of a stack, as columns of overturning.csv.
+const std::vector<MapKind>& outcomes() {
+  static const std::vector<MapKind> list{{"rest", "#FFFFFF", "stays at rest"},
+                                         {"rocking", "#C6DBEF", "rocks and stands"},
+                                         {"toppled_after_impact", "#F2A65A", "topples after an impact"},
+                                         {"toppled_without_impact", "#9E2A2B", "topples without an impact"},
+                                         {"failed", "#808080", "could not be solved"}};
+  return list;
+}
+
+/// The least intensity that topples in more than half of its runs.
+std::string answer_of(const std::vector<double>& frequencies, const std::vector<double>& intensities,
+                      const std::vector<std::vector<double>>& counts, const SweepFacts& facts) {
+  double least = std::numeric_limits<double>::infinity(), at = 0;
+  for (std::size_t row = 0; row < frequencies.size(); ++row) {
+    const std::string kind = outcomes()[commonest(counts, row)].name;
+    if (kind.starts_with("toppled") && intensities[row] < least)
+      least = intensities[row], at = frequencies[row];
+  }
+  if (!std::isfinite(least)) return "Nothing within these bounds";
+  std::string answer = fmt::format("No less than {}, at {:.3g} Hz", value_on(facts.intensity, least), at);
+  if (facts.least_acceleration > 0)
+    answer += fmt::format(": {:.3g} times g tan α at ω/p = {:.3g}", least / facts.least_acceleration,
+                          2 * std::numbers::pi * at / facts.frequency_parameter);
+  return answer;
+}
 
 /// What may become of a stack, as columns of modes.csv.
 const std::vector<MapKind>& mode_kinds() {
@@ -38,7 +65,7 @@ std::vector<std::vector<double>> mode_counts(const std::filesystem::path& file, 
 }
 
 /// "Of 3024 runs 610 rest, …", without what does not happen.
-std::string answer(const std::vector<std::vector<double>>& counts) {
+std::string answer_of(const std::vector<std::vector<double>>& counts) {
   constexpr std::array words{"rest", "slide", "rock", "slide and rock", "fly", "topple", "fall off", "fail"};
   double all = 0;
   std::string text;
@@ -52,10 +79,36 @@ std::string answer(const std::vector<std::vector<double>>& counts) {
 
 }  // namespace
 
+Drawings overturning(const FolderSubject& subject) {
+  const SweepFacts facts = sweep_facts(subject.folder);
+  std::vector<std::string> names;
+  for (const MapKind& kind : outcomes()) names.emplace_back(kind.name);
+  const std::filesystem::path file = subject.folder / "overturning.csv";
+  const auto places = read_columns(file, {"frequency", "intensity"});
+  const auto counts = read_columns(file, names);
+  if (places[0].empty()) return {{"", empty_sheet(facts.title, "There are no runs.")}};
+  const CellMap map = cell_map("kind", counted_cells(places[0], places[1], counts), outcomes());
+  Sheet sheet = subject.figure.sheet(facts.title, map_legend(outcomes(), map.there),
+                                     answer_of(places[0], places[1], counts, facts));
+  if (facts.least_acceleration > 0) {
+    sheet.leave_room_above(axis_above);
+    sheet.leave_room_beside();
+  }
+  sheet.data(map.data);
+  sheet.panel(620, 0,
+              map_axes(map) +
+                  fmt::format("set xlabel 'frequency of the pulse (Hz)'\nset ylabel {} noenhanced\n",
+                              in_quotes(facts.intensity)) +
+                  dimensionless_axis("x", map.bounds.left, map.bounds.right,
+                                     facts.frequency_parameter / (2 * std::numbers::pi), "ω/p") +
+                  dimensionless_axis("y", map.bounds.low, map.bounds.high, facts.least_acceleration),
+              map.elements);
+  return {{"", sheet.finish()}};
+}
+
 Drawings modes(const FolderSubject& subject) {
-  const std::filesystem::path& results = subject.folder;
-  const SweepFacts facts = sweep_facts(results);
-  const std::filesystem::path file = results / "modes.csv";
+  const SweepFacts facts = sweep_facts(subject.folder);
+  const std::filesystem::path file = subject.folder / "modes.csv";
   const auto places = read_columns(file, {"intensity", "friction"});
   if (places[0].empty()) return {{"", empty_sheet(facts.title, "There are no runs.")}};
   CellMap onset =
@@ -72,7 +125,7 @@ Drawings modes(const FolderSubject& subject) {
     onset.elements.push_back(fmt::format("$boundaries {} notitle", style));
     legend.emplace_back(style, "boundaries of Shenton 1996");
   }
-  Sheet sheet = subject.sheet(facts.title, legend, answer(motions));
+  Sheet sheet = subject.figure.sheet(facts.title, legend, answer_of(motions));
   sheet.data(onset.data + whole.data);
   constexpr double titles = 18;
   sheet.leave_room_above(titles);

@@ -1,0 +1,280 @@
+#include "comparisons/measures/statistics/quantile.hpp"
+#include "plots/data/impact_losses.hpp"
+#include "plots/data/run_files.hpp"
+#include "plots/figures/figure.hpp"
+
+// Impact by impact: when each comes, and what it loses.
+
+namespace rockstack::plots {
+namespace {
+
+constexpr auto number_words = "number of the exact impact";
+
+/// Impacts are counted, so that the axis has whole numbers alone, up to `most` of them, and none beyond the
+/// last.
+std::string number_settings(double last, double most) {
+  int step = 1;
+  for (int i = 0; last / step > most; ++i) step = i % 2 == 0 ? step * 5 : step * 2;
+  return fmt::format("set xrange [0.4:{}]\nset xtics {}, {}, {}\n", plain(last + 0.6), step, step,
+                     std::floor(last)) +
+         grid_lines;
+}
+
+/// The impacts of an engine by the number of the exact ones, from 1.
+struct Verdicts {
+  Run run;
+  std::vector<double> numbers, lateness;  ///< of matched impacts; s, positive where the engine is late
+  std::vector<double> missed;             ///< exact impacts that it does not have
+  std::vector<double> extra;  ///< its own, between the numbers of the exact impacts before and after
+};
+
+Verdicts verdicts_on(const Run& run) {
+  Verdicts verdicts{run, {}, {}, {}, {}};
+  const auto list = impacts_of(run);
+  for (const AlignedImpact& one : *list) {
+    if (one.exact && one.engine) {
+      verdicts.numbers.push_back(value_of(one.number));
+      verdicts.lateness.push_back(*one.engine - *one.exact);
+    } else if (one.exact) {
+      verdicts.missed.push_back(value_of(one.number));
+    } else {
+      const auto before = std::count_if(list->begin(), list->end(), [&](const AlignedImpact& other) {
+        return other.exact && other.exact <= one.engine;
+      });
+      verdicts.extra.push_back(static_cast<double>(before) + 0.5);
+    }
+  }
+  return verdicts;
+}
+
+SignedLog scale_of(const std::vector<Verdicts>& all) {
+  double low = 1e-3, high = 1e-5;
+  for (const Verdicts& verdicts : all)
+    for (const double late : verdicts.lateness) {
+      high = std::max(high, std::abs(late));
+      if (late != 0) low = std::min(low, std::abs(late));
+    }
+  return signed_log(low, high);
+}
+
+double last_number(const std::vector<Verdicts>& all) {
+  double last = 1;
+  for (const Verdicts& verdicts : all)
+    for (const std::vector<double>* numbers : {&verdicts.numbers, &verdicts.missed, &verdicts.extra})
+      for (const double number : *numbers) last = std::max(last, number);
+  return last;
+}
+
+constexpr double most_numbers = 20;  // along the panel of few
+
+/// Two rows a run under the panel of few: what it misses, and what it has beyond.
+void add_unmatched(Sheet& sheet, const std::vector<Verdicts>& all, double last) {
+  const auto runs = static_cast<double>(all.size());
+  Plots plots(sheet, "unmatched");
+  double row = 2 * runs;
+  for (const Verdicts& one : all) {
+    for (const auto& [numbers, height] : {std::pair{&one.missed, row}, {&one.extra, row - runs}}) {
+      Numbers marks;
+      for (const double number : *numbers) marks.push_back({number, height});
+      if (!marks.empty()) plots.add(marks, {"using 1:2 " + mark_style(one.run, 1.1)});
+    }
+    --row;
+  }
+  sheet.panel(
+      28 * runs + 16, 12,
+      number_settings(last, most_numbers) +
+          fmt::format("set yrange [0.3:{0}]\nset ytics ('missed' {1}, 'extra' {2})\nset grid x\n"
+                      "set arrow from graph 0, first {3} to graph 1, first {3} nohead lc rgb '#888888'\n"
+                      "set format x '%g'\nset xlabel '{4}'\n",
+                      plain(2 * runs + 0.7), plain(1.5 * runs + 0.5), plain(0.5 * runs + 0.5),
+                      plain(runs + 0.5), number_words),
+      plots.list());
+}
+
+double median_size(const Verdicts& verdicts) {
+  std::vector<double> sizes;
+  for (const double late : verdicts.lateness) sizes.push_back(std::abs(late));
+  return sizes.empty() ? std::numeric_limits<double>::infinity() : median(std::move(sizes));
+}
+
+/// From the engine that has least to the one that has most.
+template <class Value>
+std::string span_of(const std::vector<Verdicts>& all, const Value& value, std::string (*text)(double)) {
+  Reach reach;
+  for (const Verdicts& one : all)
+    if (!is_variant(one.run) && std::isfinite(value(one))) reach.add(value(one));
+  return reach.low > reach.high ? "none" : span_text(text(reach.low), text(reach.high));
+}
+
+std::string count_text(double count) {
+  return fmt::format("{:g}", count);
+}
+
+std::string answer(const std::vector<Verdicts>& all) {
+  const auto count = [&](std::vector<double> Verdicts::*list) {
+    return span_of(
+        all, [list](const Verdicts& one) { return static_cast<double>((one.*list).size()); }, count_text);
+  };
+  return fmt::format("Half of an engine's {} matched impacts within {}; {} missed, {} extra",
+                     count(&Verdicts::numbers), span_of(all, median_size, rounded_duration),
+                     count(&Verdicts::missed), count(&Verdicts::extra));
+}
+
+/// What there is to say where no impact is matched.
+std::string without_matches(const std::vector<Verdicts>& all) {
+  std::size_t missed = 0, extra = 0;
+  for (const Verdicts& verdicts : all) {
+    missed = std::max(missed, verdicts.missed.size());
+    extra = std::max(extra, verdicts.extra.size());
+  }
+  if (missed + extra == 0) return "No impacts, neither in the exact motion nor in an engine.";
+  return fmt::format("No impact is in both: the exact motion has {}, an engine at most {}.", missed, extra);
+}
+
+/// How late each matched impact is, by its number.
+void add_differences(Sheet& sheet, const std::vector<Verdicts>& all, double last) {
+  constexpr double few = 40;
+  const SignedLog scale = scale_of(all);
+  std::vector<Series> series;
+  for (const Verdicts& one : all) {
+    const std::string name = fmt::format("matched_{}", series.size());
+    Curve curve;
+    for (std::size_t i = 0; i < one.numbers.size(); ++i) {
+      curve.times.push_back(one.numbers[i] + aside(series.size(), all.size()));
+      curve.values.push_back(scale.place(one.lateness[i]));
+    }
+    sheet.data(data_block(name, curve));
+    series.push_back(mark_series(one.run, name, last > few ? 1.1 : 1.6));
+    series.back().words += fmt::format(": −{} +{}", one.missed.size(), one.extra.size());
+  }
+  const auto axes = [&](double width, double height) {
+    return number_settings(last, width < panel_width ? 8 : most_numbers) +
+           fmt::format("set yrange [-{0}:{0}]\nset ytics ({1})\n", plain(scale.edge()), scale.tics(height));
+  };
+  SeriesPanel panel{number_words, "engine − exact impact time (s)", "late (s)", false, axes, 380, 0,
+                    {zero_line}};
+  add_series(sheet, panel, series, all.size() > most_series);
+}
+
+constexpr double counted = 1e-3;      // of the largest loss
+constexpr double most_percent = 100;  // where marks beyond stand on the edge
+
+/// The impacts of an engine that lose a counted part of all.
+struct Losses {
+  Run run;
+  std::vector<ImpactLoss> impacts;
+};
+
+double largest_loss(const std::vector<Losses>& all) {
+  double largest = 0;
+  for (const Losses& one : all)
+    for (const ImpactLoss& loss : one.impacts) largest = std::max(largest, loss.exact);
+  return largest;
+}
+
+/// The difference over what the exact impact loses, in percent.
+struct Excess {
+  Curve curve;         ///< over the impact's number
+  double median = 0;   ///< of the absolute values
+  double largest = 0;  ///< of them
+};
+
+Excess excess_of(const Losses& one, double aside) {
+  Excess excess;
+  std::vector<double> sizes;
+  for (const ImpactLoss& loss : one.impacts) {
+    const double percent = 100 * (loss.engine / loss.exact - 1);
+    excess.curve.times.push_back(loss.number + aside);
+    excess.curve.values.push_back(std::clamp(percent, -most_percent, most_percent));
+    sizes.push_back(std::abs(percent));
+  }
+  if (!sizes.empty()) excess.median = median(sizes), excess.largest = quantile(sizes, 1);
+  return excess;
+}
+
+/// The impacts by number: exact losses of the run that has the most.
+Curve exact_losses(const Losses& most) {
+  Curve curve;
+  for (const ImpactLoss& loss : most.impacts) {
+    curve.times.push_back(loss.number);
+    curve.values.push_back(loss.exact);
+  }
+  return curve;
+}
+
+std::string numbers(double last) {
+  return fmt::format("set xrange [0.4:{}]\nset xtics {}\n", plain(last + 0.6),
+                     std::max(1, static_cast<int>(last / 8))) +
+         grid_lines;
+}
+
+}  // namespace
+
+Drawing impact_times(const SceneSubject& subject) {
+  const std::vector<Run> runs = subject.shown({"impacts.csv"}).engines;
+  if (runs.empty()) return subject.nothing("No engine run of this scene to compare.");
+  std::vector<Verdicts> all;
+  all.reserve(runs.size());
+  for (const Run& run : runs) all.push_back(verdicts_on(run));
+  if (std::all_of(all.begin(), all.end(), [](const Verdicts& one) { return one.numbers.empty(); }))
+    return subject.nothing(without_matches(all));
+  Sheet sheet = subject.sheet(mark_legend(runs, 1.6), answer(all));
+  const double last = last_number(all);
+  add_differences(sheet, all, last);
+  if (are_many(runs))
+    sheet.note("−: exact impacts that the engine misses; +: impacts of its own that match none");
+  else
+    add_unmatched(sheet, all, last);
+  return sheet.finish();
+}
+
+Drawing impact_energy(const SceneSubject& subject) {
+  std::vector<Losses> all;
+  for (const Run& run : subject.shown({"energy.csv", "impacts.csv"}).engines)
+    all.push_back({run, impact_losses(run)});
+  std::erase_if(all, [](const Losses& one) { return one.impacts.empty(); });
+  const double largest = largest_loss(all);
+  if (!(largest > 0)) return subject.nothing("No impact that loses energy and that an engine has too.");
+  const auto most =
+      std::max_element(all.begin(), all.end(),
+                       [](const Losses& a, const Losses& b) { return a.impacts.size() < b.impacts.size(); }) -
+      all.begin();
+  for (Losses& one : all)
+    std::erase_if(one.impacts, [&](const ImpactLoss& loss) { return !(loss.exact > counted * largest); });
+  const Curve exact = exact_losses(all[static_cast<std::size_t>(most)]);
+  const double last = exact.times.empty() ? 1 : exact.times.back();
+  std::vector<Run> runs;
+  std::vector<Series> series;
+  std::string data = data_block("exact", exact);
+  double widest = 1e-3;
+  Reach medians;
+  for (const Losses& one : all) {
+    const Excess excess = excess_of(one, aside(runs.size(), all.size()));
+    const std::string name = fmt::format("excess_{}", runs.size());
+    data += data_block(name, excess.curve);
+    widest = std::max(widest, excess.largest);
+    medians.add(excess.median);
+    runs.push_back(one.run);
+    series.push_back(mark_series(one.run, name, 1.6));
+  }
+  const auto percent = [](double value) { return fmt::format("{:.2g}", value); };
+  Sheet sheet = subject.sheet(mark_legend(runs, 1.6),
+                              fmt::format("Off by {} % at an engine's median",
+                                          span_text(percent(medians.low), percent(medians.high))));
+  sheet.data(data);
+  constexpr double height = 200;
+  sheet.panel(height, 0,
+              numbers(last) + without_horizontal_labels() +
+                  logarithmic_range("y", counted * largest / 1.5, largest * 2, height) +
+                  "set ylabel 'exact loss (J)'\n",
+              {"$exact using 1:2 with impulses lw 3 lc rgb '#9A9A9A' notitle",
+               "$exact using 1:2 with points pt 7 ps 1.1*mark lc rgb '#000000' notitle"});
+  const double edge = 1.08 * std::min(widest, most_percent);
+  const auto axes = [&](double, double up) { return numbers(last) + linear_range("y", -edge, edge, up); };
+  SeriesPanel panel{number_words, "engine loses more (%)", "loses more (%)", true, axes, 330, 16,
+                    {zero_line}};
+  add_series(sheet, panel, series, all.size() > most_series);
+  return sheet.finish();
+}
+
+}  // namespace rockstack::plots
