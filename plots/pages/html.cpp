@@ -104,14 +104,14 @@ std::string code_block(const std::string& text) {
   return element("pre", element("code", escaped(text)));
 }
 
-std::string page(const PageParts& parts) {
+std::string page(const PageContent& content) {
   return filled_in(page_html,
-                   {{"title", escaped(parts.title)},
-                    {"kind", parts.kind},
+                   {{"title", escaped(content.title)},
+                    {"kind", content.kind},
                     {"css", std::string(page_css) + std::string(player_css) + std::string(lesson_css)},
                     {"js", std::string(page_js)},
                     {"player_js", std::string(player_js)},
-                    {"content", parts.content}});
+                    {"content", content.content}});
 }
 
 std::string answer_box(const std::vector<std::string>& sentences) {

@@ -51,14 +51,14 @@ std::string code_block(const std::string& text);
 std::string inline_svg(const std::string& file, const std::string& prefix, const std::string& label);
 
 /// What pages differ in.
-struct PageParts {
+struct PageContent {
   std::string title;    ///< as plain text
   std::string kind;     ///< for the style sheet: "report" or "lesson"
-  std::string content;  ///< header and main part
+  std::string content;  ///< header and main section
 };
 
 /// A page that needs nothing beside itself: its content in the frame, style and script of all pages.
-std::string page(const PageParts& parts);
+std::string page(const PageContent& content);
 
 /// The sentences that a reader came for, in a box of their own; nothing where there are none.
 std::string answer_box(const std::vector<std::string>& sentences);
@@ -69,7 +69,7 @@ std::string sentence_list(const std::vector<std::string>& sentences);
 /// A table of rows whose headings sort it.
 std::string table(const std::vector<std::string>& columns, const std::string& rows);
 
-/// The same in a part that scrolls by itself, as `label` calls it, and of sentences under a title.
+/// The same in an element that scrolls by itself, as `label` calls it, and of sentences under a title.
 std::string wide_table(const std::vector<std::string>& columns, const std::string& rows,
                        const std::string& label);
 std::string titled_table(const std::string& title, const std::vector<std::string>& columns,

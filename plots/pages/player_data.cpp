@@ -282,7 +282,7 @@ std::string player_anchor(std::size_t scene) {
   return fmt::format("player-{}-stage", scene + 1);
 }
 
-std::string player_part(const Comparison& comparison, std::size_t scene, const Json& start) {
+std::string player_section(const Comparison& comparison, std::size_t scene, const Json& start) {
   const ComparedScene& shown = comparison.scenes[scene];
   Json data = data_of(comparison, shown, comparison.scenes.size());
   if (!start.is_null()) data["start"] = start;

@@ -11,9 +11,9 @@ namespace rockstack::plots {
 namespace {
 
 /// Energy gained, as a share of weight times height, that is worth a word: beyond rounding of 32 bits.
-constexpr double told_gain = 1e-4;
+constexpr double reported_gain = 1e-4;
 /// How many times worse than another a number is that is worth a word: replicates alone differ by as much.
-constexpr double told_ratio = 2;
+constexpr double reported_ratio = 2;
 
 const ComparedScene& scene_of(const Comparison& comparison, const Run& run) {
   return *std::find_if(comparison.scenes.begin(), comparison.scenes.end(),
@@ -102,10 +102,10 @@ class Writer {
     for (const Score* score : accuracy_.best()) {
       const std::string solver = solver_name(score->runs.front());
       list.push_back({solver, {}});
-      for (const auto part :
+      for (const auto add :
            {&Writer::add_accuracy, &Writer::add_sets, &Writer::add_convergence, &Writer::add_energy,
             &Writer::add_overlap, &Writer::add_cost, &Writer::add_failures})
-        (this->*part)(solver, list.back().list);
+        (this->*add)(solver, list.back().list);
     }
     return list;
   }
@@ -136,7 +136,7 @@ class Writer {
   void add_sets(const std::string& solver, std::vector<Remark>& list) const {
     const Score& tuned = *accuracy_.of(solver);
     const Score* defaults = accuracy_.with_defaults(solver);
-    if (defaults == nullptr || defaults->median < told_ratio * tuned.median) return;
+    if (defaults == nullptr || defaults->median < reported_ratio * tuned.median) return;
     const std::vector<std::string> changes = changed_parameters(defaults->runs.front(), tuned.runs.front());
     list.push_back({fmt::format("Its defaults are {:.1f} times as far off. The tuned set differs by: {}.",
                                 defaults->median / tuned.median,
@@ -169,7 +169,7 @@ class Writer {
     const Score* score = energy_.of(solver);
     if (score == nullptr) return;
     const double most = *std::max_element(score->values.begin(), score->values.end());
-    if (most < told_gain) return;
+    if (most < reported_gain) return;
     list.push_back({fmt::format("In {} its contacts make energy: {:.2g} of the stack's weight times height.",
                                 score->worst().scene, most),
                     again(score->worst())});
@@ -188,7 +188,7 @@ class Writer {
     const Score* score = cost_.of(solver);
     if (score == nullptr) return;
     const double quickest = cost_.best().front()->median;
-    list.push_back({score->median < told_ratio * quickest
+    list.push_back({score->median < reported_ratio * quickest
                         ? fmt::format("A step takes {}, among the quickest.", rounded_duration(score->median))
                         : fmt::format("A step takes {}, {:.2g} times as long as the quickest solver's.",
                                       rounded_duration(score->median), score->median / quickest),

@@ -59,10 +59,10 @@ std::string scene_section(const fs::path& results, const Comparison& comparison,
   const ComparedScene& compared = comparison.scenes[scene];
   std::string body = ground_of(compared);
   if (has_motion(comparison, compared))
-    body += element("h3", "The motion to look at") + player_part(comparison, scene) + "\n";
+    body += element("h3", "The motion to look at") + player_section(comparison, scene) + "\n";
   for (const Figure* figure : figures_of(compared))
     body += element("h3", escaped(figure->title)) + scene_figure(results, comparison, scene, *figure) + "\n";
-  body += parts_table(comparison, compared.name) + impacts_table(comparison, compared.name) +
+  body += terms_table(comparison, compared.name) + impacts_table(comparison, compared.name) +
           details(fmt::format("The scene file of {}", escaped(compared.name)), code_block(compared.toml));
   return section(heading(compared), body, fmt::format(" id=\"{}\"", scene_anchor(scene)));
 }
@@ -159,7 +159,7 @@ std::string content(const fs::path& results, const Motion& motion) {
                             details("The summary", definition_list(motion.summary)) +
                             element("p", "The tables as files: " + file_links(results));
   return element("header", header) + "\n" +
-         element("main", "\n" + section("The motion", ground_of(scene) + player_part(comparison, 0)) +
+         element("main", "\n" + section("The motion", ground_of(scene) + player_section(comparison, 0)) +
                              contact_section(comparison) + section("Figures", drawn) +
                              section("To run it again", again));
 }

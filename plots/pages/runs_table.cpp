@@ -158,7 +158,7 @@ std::string run_details(const Comparison& comparison) {
   return text;
 }
 
-std::string parts_table(const Comparison& comparison, const std::string& scene) {
+std::string terms_table(const Comparison& comparison, const std::string& scene) {
   const std::vector<std::string> columns{"run",
                                          "RMS difference (rad)",
                                          "contact model (share)",

@@ -17,11 +17,11 @@ std::string player_anchor(std::size_t scene);
 /// all scenes' players stays small. `start` is how it stands at first, by the names of lesson.json; null: at
 /// the beginning. Precondition: has_motion(). @throws InputError naming the file that is missing or
 /// malformed.
-std::string player_part(const Comparison& comparison, std::size_t scene, const Json& start = {});
+std::string player_section(const Comparison& comparison, std::size_t scene, const Json& start = {});
 
 /// What the differences of a scene are made of: a sentence, and a row for each run with its contact model,
 /// contact softness and time step; nothing where none is split.
-std::string parts_table(const Comparison& comparison, const std::string& scene);
+std::string terms_table(const Comparison& comparison, const std::string& scene);
 
 /// A sentence that a solver's author can act on, and the command that shows it.
 struct Remark {

@@ -21,23 +21,21 @@ struct CostLine {
   std::vector<Cost> costs;
 };
 
-std::string words_of(const Run& run, const StepLine& line) {
-  return varies_iterations(line) ? std::to_string(iterations_of(run)) : duration_text(value_of(run.dt));
-}
-
 std::vector<CostLine> cost_lines(const Comparison& comparison, const std::string& scene) {
   std::vector<CostLine> lines;
   for (const StepLine& runs : step_lines(comparison, scene)) {
+    const bool varies = varies_iterations(runs);
     CostLine line{runs.front(),
                   line_label(runs),
-                  varies_iterations(runs) ? " iterations" : "",
+                  varies ? " iterations" : "",
                   fit_of(comparison, runs, "rms_angle_difference"),
                   {}};
     for (const Run& run : runs) {
       const double error = value_of(run.rms_angle_difference);
       const auto shown = [](double value) { return std::max(value, least_error); };
       const Cost cost{value_of(run.stepping_time_minimum) / (value_of(run.steps) * value_of(run.dt)),
-                      shown(error), words_of(run, runs),
+                      shown(error),
+                      varies ? std::to_string(iterations_of(run)) : duration_text(value_of(run.dt)),
                       shown(run.rms_angle_difference_lower.value_or(error)),
                       shown(run.rms_angle_difference_upper.value_or(error))};
       if (std::isfinite(cost.time) && cost.time > 0 && error > 0 && std::isfinite(error))
@@ -63,30 +61,26 @@ Numbers numbers_of(const CostLine& line) {
   return numbers;
 }
 
-/// Whether the errors of two neighbouring runs tell a trend: their quartiles over replicates part, and
+/// Whether the errors of two neighbouring runs tell a trend: their quartiles over replicates differ, and
 /// without replicates histories can be compared to the end. Elsewhere a line between them would mean nothing.
-bool parts(const Cost& a, const Cost& b, bool comparable) {
+bool differ(const Cost& a, const Cost& b, bool comparable) {
   const bool spread = a.lower < a.upper || b.lower < b.upper;
   return spread ? a.upper < b.lower || b.upper < a.lower : comparable;
 }
 
-/// The lines between neighbours that part, as pieces.
+/// The lines between neighbours that differ, as pieces.
 Numbers pieces(const CostLine& line, bool comparable) {
   Numbers numbers;
   for (std::size_t i = 1; i < line.costs.size(); ++i)
-    if (const Cost& a = line.costs[i - 1], &b = line.costs[i]; parts(a, b, comparable))
+    if (const Cost& a = line.costs[i - 1], &b = line.costs[i]; differ(a, b, comparable))
       numbers.push_back({a.time, a.error, b.time, b.error});
   return numbers;
 }
 
 /// Scenes are perturbed where histories part; elsewhere results may say until when they can be compared.
-bool are_comparable(const ComparedScene& scene, double end) {
+bool are_comparable(const ComparedScene& scene, const Run& run) {
+  const double end = value_of(run.steps) * value_of(run.dt);
   return !scene.perturbed && (std::isnan(scene.predictable_time) || scene.predictable_time >= 0.99 * end);
-}
-
-/// The last time of the motion, s.
-double end_of(const std::vector<CostLine>& lines) {
-  return value_of(lines.front().run.steps) * value_of(lines.front().run.dt);
 }
 
 /// The panel's edges.
@@ -224,7 +218,8 @@ Drawing error_time(const SceneSubject& subject) {
   if (lines.empty()) return subject.nothing("No engine run of this scene with both an error and a time.");
   const double exact = exact_cost(subject.shown().exact);
   const Frame frame = frame_of(lines, exact);
-  const bool many = lines.size() > most_series, comparable = are_comparable(subject.scene, end_of(lines));
+  const bool many = lines.size() > most_series;
+  const bool comparable = are_comparable(subject.scene, lines.front().run);
   Legend legend;
   if (!many)
     for (const CostLine& line : lines) legend.emplace_back(mark_style(line.run, 1.7), line.label);

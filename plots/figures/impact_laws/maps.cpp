@@ -61,8 +61,8 @@ std::string axis_of(const std::string& axis, const std::vector<double>& edges) {
   std::string tics;
   for (std::size_t i = 0; i < edges.size(); i += 2)
     tics += fmt::format("{}'{:.2g}' {}", tics.empty() ? "" : ", ", edges[i], plain(std::log2(edges[i])));
-  return fmt::format("set {0}range [{1}:{2}]\nset {0}tics ({3})\n", axis, plain(std::log2(edges.front())),
-                     plain(std::log2(edges.back())), tics);
+  return fmt::format("set {0}range [{1}:{2}]\nset {0}tics ({3}) font ',10'\n", axis,
+                     plain(std::log2(edges.front())), plain(std::log2(edges.back())), tics);
 }
 
 Numbers numbers_of(const Map& map) {
@@ -133,6 +133,8 @@ Drawings law_maps(const FolderSubject& subject) {
     }
     Sheet sheet = subject.figure.sheet(fmt::format("Which pattern follows an impact of {} blocks", blocks),
                                        shade_legend(), answer_of(maps));
+    constexpr double under_legend = 12;
+    sheet.leave_room_above(under_legend);
     std::vector<Multiple> panels;
     for (const Map& map : maps) {
       const std::string name = fmt::format("map_{}", panels.size());
@@ -142,7 +144,7 @@ Drawings law_maps(const FolderSubject& subject) {
            "#000000",
            {fmt::format("${} using 1:2:3:4:5 with boxxyerror fs solid noborder lc palette notitle", name)}});
     }
-    add_multiples(sheet, panels, {}, settings_of(cells), "top: height / width", "mass over that below");
+    add_multiples(sheet, panels, {}, settings_of(cells), "height / width of the top block", "mass ratio");
     drawings[part] = sheet.finish();
   }
   return drawings;

@@ -53,7 +53,7 @@ std::vector<double> values_at(const History& history, const std::vector<double>&
 }
 
 /// Where the middle of a block is: its centre of mass as the results have it, less its way from the middle.
-Point<double> told_middle(const Block& block, double x, double y, double angle) {
+Point<double> reported_middle(const Block& block, double x, double y, double angle) {
   return Point<double>(x, y) - turned(block.offset_x, block.offset_y, std::cos(angle), std::sin(angle));
 }
 
@@ -69,7 +69,7 @@ Points<double> middles_at(const Stage& stage, const std::vector<double>& angles,
   Points<double> middles(2, blocks);
   for (std::size_t k = 0; k < angles.size(); ++k)
     middles.col(static_cast<Eigen::Index>(k)) =
-        told_middle(stage.scene.stack[k], places[2 * k], places[2 * k + 1], angles[k]);
+        reported_middle(stage.scene.stack[k], places[2 * k], places[2 * k + 1], angles[k]);
   return middles;
 }
 

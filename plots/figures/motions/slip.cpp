@@ -72,7 +72,7 @@ Drawing drawn(const SceneSubject& subject, const std::vector<Run>& runs,
 /// When an exact run's interfaces are apart: the first times in words, and how many more there are. Those
 /// that no figure shows do not count.
 std::string flights_of(const Run& run, int blocks, double end) {
-  constexpr std::size_t told = 2;
+  constexpr std::size_t reported = 2;
   const double shortest = end / 1000;
   const std::vector<PatternSpan> spans = pattern_spans(*history_of(run));
   std::vector<std::string> times;
@@ -92,8 +92,8 @@ std::string flights_of(const Run& run, int blocks, double end) {
   }
   if (times.empty()) return "nothing flies";
   std::string text = "apart: ";
-  for (std::size_t i = 0; i < std::min(told, times.size()); ++i) text += (i > 0 ? ", " : "") + times[i];
-  return text + (times.size() > told ? fmt::format(" and {} more", times.size() - told) : "");
+  for (std::size_t i = 0; i < std::min(reported, times.size()); ++i) text += (i > 0 ? ", " : "") + times[i];
+  return text + (times.size() > reported ? fmt::format(" and {} more", times.size() - reported) : "");
 }
 
 /// The largest slip of a run, and at which interface.
@@ -107,10 +107,10 @@ std::string slip_phrase(const std::vector<Run>& runs, std::size_t run, const std
 }
 
 std::string slip_answer(const std::vector<Run>& runs, const std::vector<Quantity>& slips) {
-  const bool told = runs.front().exact();
+  const bool exact = runs.front().exact();
   std::string text =
-      (told ? "At most: " : "At most, without an exact motion: ") + slip_phrase(runs, 0, slips);
-  if (told) text += "; " + flights_of(runs.front(), static_cast<int>(slips.size()), last_time(slips));
+      (exact ? "At most: " : "At most, without an exact motion: ") + slip_phrase(runs, 0, slips);
+  if (exact) text += "; " + flights_of(runs.front(), static_cast<int>(slips.size()), last_time(slips));
   return text;
 }
 

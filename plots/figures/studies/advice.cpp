@@ -72,6 +72,7 @@ Drawings advice(const FolderSubject& subject) {
     for (const TrialMark& mark : line) across.add(mark.time), up.add(mark.error);
   across = across.wider_times(2), up = up.wider_times(2);
   Legend legend;
+  legend.reserve(lines.size() + 2);
   for (const auto& line : lines)
     legend.emplace_back(mark_style(line.front().run, 1.5), solver_name(line.front().run));
   legend.emplace_back(limit_style, fmt::format("asked for: {:g}", error));

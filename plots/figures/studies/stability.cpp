@@ -1,3 +1,4 @@
+#include <iterator>
 #include <set>
 
 #include "comparisons/measures/results/csv.hpp"
@@ -24,24 +25,20 @@ struct Cell {
   std::string verdict;
 };
 
-/// A place on an axis whose values are drawn one beside the other.
-class Places {
- public:
-  explicit Places(const std::set<double>& values) : values_(values.begin(), values.end()) {}
-  double of(double value) const {
-    return static_cast<double>(std::lower_bound(values_.begin(), values_.end(), value) - values_.begin());
-  }
-  /// Labels in a unit that many times smaller.
-  std::string tics(double times = 1) const {
-    std::string text;
-    for (std::size_t i = 0; i < values_.size(); ++i)
-      text += fmt::format("{}'{:.4g}' {}", i > 0 ? ", " : "", times * values_[i], i);
-    return text;
-  }
+/// Values along an axis, drawn one beside the other.
+using Places = std::set<double>;
 
- private:
-  std::vector<double> values_;
-};
+double place_of(double value, const Places& places) {
+  return static_cast<double>(std::distance(places.begin(), places.lower_bound(value)));
+}
+
+/// Labels in a unit that many times smaller.
+std::string tics(const Places& places, double times) {
+  std::vector<std::string> words;
+  words.reserve(places.size());
+  for (const double value : places) words.push_back(fmt::format("{:.4g}", times * value));
+  return word_tics(words);
+}
 
 /// What is drawn of one solver: its cells, and the largest stable step at each value.
 struct Map {
@@ -77,7 +74,8 @@ std::map<std::string, Map> read_maps(const std::filesystem::path& results) {
 /// The upper edges of the squares of the largest stable steps, as a staircase.
 Numbers staircase(const Map& map, const Places& across, const Places& up) {
   std::map<double, double> edges;
-  for (const auto& [value, step] : map.stable) edges[across.of(value)] = step > 0 ? up.of(step) + 0.5 : -0.5;
+  for (const auto& [value, step] : map.stable)
+    edges[place_of(value, across)] = step > 0 ? place_of(step, up) + 0.5 : -0.5;
   Numbers stairs;
   for (const auto& [x, y] : edges) stairs.insert(stairs.end(), {{x - 0.5, y}, {x + 0.5, y}});
   return stairs;
@@ -98,15 +96,11 @@ std::size_t kind_of(const std::string& verdict) {
 }
 
 Drawing drawing(const FolderSubject& subject, const Map& map, const Json& facts) {
-  std::set<double> values, steps;
-  for (const Cell& cell : map.cells) {
-    values.insert(cell.value);
-    steps.insert(cell.dt);
-  }
-  const Places across(values), up(steps);
+  Places across, up;
+  for (const Cell& cell : map.cells) across.insert(cell.value), up.insert(cell.dt);
   std::vector<MapCell> cells;
   for (const Cell& cell : map.cells) {
-    const double x = across.of(cell.value), y = up.of(cell.dt);
+    const double x = place_of(cell.value, across), y = place_of(cell.dt, up);
     cells.push_back({x - 0.5, x + 0.5, y - 0.5, y + 0.5, kind_of(cell.verdict)});
   }
   CellMap drawn = cell_map("kind", cells, verdict_kinds(), "white");
@@ -120,7 +114,7 @@ Drawing drawing(const FolderSubject& subject, const Map& map, const Json& facts)
   sheet.panel(460, 0,
               map_axes(drawn) + fmt::format("set xtics ({})\nset ytics ({})\nset xlabel {} noenhanced\n"
                                             "set ylabel 'time step (ms)'\n",
-                                            across.tics(), up.tics(1000),
+                                            tics(across, 1), tics(up, 1000),
                                             in_quotes(facts.at("axis").get<std::string>())),
               drawn.elements);
   return sheet.finish();

@@ -33,20 +33,20 @@ std::string course_page(const Json& course) {
 }
 
 /// Room for an answer, or the answer.
-std::string part_text(const Json& part, bool with_answer) {
+std::string question_text(const Json& question, bool with_answer) {
   std::string choices;
-  for (const Json& choice : part.at("choices"))
+  for (const Json& choice : question.at("choices"))
     choices += (choices.empty() ? " " : " / ") + choice.get<std::string>();
-  const std::string answer = with_answer ? element("strong", text_at(part, "shown"), " class=\"key\"")
-                                         : "<span class=\"blank\"></span> " + escaped_at(part, "unit");
-  return element("li", fmt::format("{}{} {}", text_at(part, "ask"), choices, answer)) + "\n";
+  const std::string answer = with_answer ? element("strong", text_at(question, "shown"), " class=\"key\"")
+                                         : "<span class=\"blank\"></span> " + escaped_at(question, "unit");
+  return element("li", fmt::format("{}{} {}", text_at(question, "ask"), choices, answer)) + "\n";
 }
 
 std::string problem_text(const Json& problem, bool with_answers) {
-  std::string parts;
-  for (const Json& part : problem.at("parts")) parts += part_text(part, with_answers);
+  std::string questions;
+  for (const Json& question : problem.at("parts")) questions += question_text(question, with_answers);
   return element("li", element("p", text_at(problem, "text")) +
-                           element("ol", "\n" + parts, " class=\"parts\"") +
+                           element("ol", "\n" + questions, " class=\"parts\"") +
                            (with_answers ? "" : "<div class=\"work\"></div>")) +
          "\n";
 }

@@ -60,7 +60,7 @@ std::string number_field(const Json& part, const std::string& name) {
 
 /// A question that is answered before the text goes on: `question` is as comparisons write it, `numbers` are
 /// the lesson's. Its answer is told once a choice or a number has been committed to.
-std::string prediction_part(const Json& question, Values numbers) {
+std::string prediction_section(const Json& question, Values numbers) {
   const std::string name = escaped_at(question, "name"), text = text_at(question, "text");
   const Json& part = question.at("parts").at(0);
   const std::string shown = text_at(part, "shown");
@@ -84,7 +84,7 @@ std::string prediction_part(const Json& question, Values numbers) {
 void add_parts(const fs::path& results, const Comparison& comparison, const Json& start, Values& values) {
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
     const ComparedScene& scene = comparison.scenes[i];
-    if (has_motion(comparison, scene)) values["player:" + scene.name] = player_part(comparison, i, start);
+    if (has_motion(comparison, scene)) values["player:" + scene.name] = player_section(comparison, i, start);
     for (const Figure* figure : figures_of(scene))
       values[fmt::format("figure:{}.{}", scene.name, figure->name)] =
           scene_figure(results, comparison, i, *figure);
@@ -98,7 +98,7 @@ Values values_of(const fs::path& results, const Comparison& comparison, const Js
   const Values numbers = values;
   for (const auto& [name, value] : lesson.at("tables").items()) values["table:" + name] = lesson_table(value);
   for (const Json& question : lesson.at("predictions"))
-    values["predict:" + text_at(question, "name")] = prediction_part(question, numbers);
+    values["predict:" + text_at(question, "name")] = prediction_section(question, numbers);
   add_parts(results, comparison, lesson.value("player", Json()), values);
   return values;
 }

@@ -12,7 +12,7 @@ Json data_under(Law law) {
   const std::filesystem::path folder = testing::fresh_folder();
   testing::write_sample(folder, {.engines = {}, .slides = true, .law = law});
   const Comparison comparison = read_comparison(folder);
-  const std::string part = player_part(comparison, 0);
+  const std::string part = player_section(comparison, 0);
   const auto begin = part.find('{', part.find("application/json"));
   return Json::parse(part.substr(begin, part.find("</script>", begin) - begin));
 }
