@@ -89,7 +89,7 @@ class BodyAccount {
       history.slips.push_back(state.slip);
       history.gaps.push_back(-state.depth);
     }
-    for (const BlockPose& pose : poses_) history.places.insert(history.places.end(), {pose.x, pose.y});
+    for (const BlockPose& pose : poses_) history.centres.insert(history.centres.end(), {pose.x, pose.y});
   }
 
   const BodyRecord& record() const { return record_; }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "analytic/scene/messages/field_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 namespace {

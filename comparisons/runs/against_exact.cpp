@@ -9,16 +9,13 @@
 #include <stdexcept>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/centres.hpp"
-#include "comparisons/measures/metrics/contact_patterns.hpp"
+#include "comparisons/measures/metrics/alignment.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
-#include "comparisons/measures/metrics/difference_parts.hpp"
-#include "comparisons/measures/metrics/energy.hpp"
-#include "comparisons/measures/metrics/magnitude_phase.hpp"
-#include "comparisons/measures/metrics/matching.hpp"
+#include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/results/tables.hpp"
-#include "comparisons/measures/statistics/chance_matches.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {

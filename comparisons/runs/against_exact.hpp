@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analytic/scene/history.hpp"
-#include "comparisons/measures/metrics/contact/corner_springs.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/runs/run_files.hpp"

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/measures/results/environment.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"

@@ -77,7 +77,7 @@ Json fields_of(const Scene& scene) {
           fields_of(scene.vertical),
           scene.friction,
           {scene.springs.stiffness, scene.springs.damping, scene.springs.bed_stiffness,
-           scene.springs.bed_damping, scene.springs.tangential, initial.settled},
+           scene.springs.bed_damping, scene.springs.tangential, initial.preloaded},
           {scene.engine.friction, scene.engine.depth}};
 }
 

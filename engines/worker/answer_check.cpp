@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include "analytic/scene/messages/field_error.hpp"
+#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/one_line.hpp"
 
 namespace rockstack {

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "analytic/scene/input/document.hpp"
-#include "comparisons/measures/metrics/centres.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "analytic/scene/input/json_reader.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fits.hpp"

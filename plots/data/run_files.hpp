@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/measures/metrics/contact/contact_summary.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/recorded_history.hpp"
+#include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
-#include "comparisons/measures/statistics/tally.hpp"
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {

@@ -16,7 +16,6 @@
 #include "plots/data/selection.hpp"
 #include "plots/drawing/axes.hpp"
 #include "plots/drawing/series.hpp"
-#include "plots/drawing/time_axis.hpp"
 
 namespace rockstack::plots {
 

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/filled_in.hpp"
-#include "plots/data/json_file.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/figures/figure.hpp"

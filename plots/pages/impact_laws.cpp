@@ -2,8 +2,8 @@
 #include <numeric>
 #include <sstream>
 
-#include "comparisons/measures/statistics/quantile.hpp"
-#include "plots/data/law_counts.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
+#include "plots/data/law_results.hpp"
 #include "plots/pages/sections.hpp"
 #include "plots/pages/show.hpp"
 

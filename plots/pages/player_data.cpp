@@ -9,7 +9,6 @@
 
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/results/csv.hpp"
-#include "plots/data/events.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/pages/sections.hpp"

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "comparisons/measures/results/tables.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
-#include "plots/data/events.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
+#include "plots/data/run_files.hpp"
 #include "plots/pages/sections.hpp"
 
 // What a comparison's page says of its runs: all numbers, parameters and files, contacts, parts of

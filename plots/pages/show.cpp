@@ -6,7 +6,7 @@
 #include <array>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "plots/data/motion.hpp"
+#include "plots/data/results.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/interfaces/program/commands.hpp"
-#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {

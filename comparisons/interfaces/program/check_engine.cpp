@@ -10,8 +10,6 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "engines/conformance/check.hpp"
-#include "engines/conformance/known_limits.hpp"
-#include "engines/conformance/scenes.hpp"
 
 namespace rockstack {
 namespace {

@@ -13,7 +13,7 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/build.hpp"
 #include "comparisons/suites/shipped.hpp"
-#include "engines/parameters.hpp"
+#include "engines/engine.hpp"
 #include "engines/scene_setup.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures/figure.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "comparisons/runs/execution/executor.hpp"
-#include "comparisons/runs/parts.hpp"
+#include "comparisons/runs/tasks.hpp"
 #include "comparisons/studies/diff/changes.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/suite.hpp"

@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "analytic/scene/messages/quantity_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
-#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/verdict/outcome.hpp"
-#include "comparisons/runs/disk_use.hpp"
+#include "comparisons/runs/job.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/stability/study.hpp"
 #include "comparisons/suites/shipped.hpp"

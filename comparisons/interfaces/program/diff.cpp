@@ -7,7 +7,6 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/results_folder.hpp"
 #include "comparisons/studies/diff/changes.hpp"
 
 namespace rockstack {

@@ -10,8 +10,8 @@
 #include "analytic/scene/input/scene_keys.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/studies/impact_laws/study_keys.hpp"
-#include "comparisons/studies/stability/study_keys.hpp"
+#include "comparisons/studies/impact_laws/study.hpp"
+#include "comparisons/studies/stability/study.hpp"
 #include "comparisons/studies/sweep/ensemble_keys.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 

@@ -7,13 +7,13 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
-#include "comparisons/measures/metrics/contact/validity.hpp"
-#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "comparisons/runs/measure.hpp"
-#include "engines/parameters.hpp"
+#include "engines/engine.hpp"
 #include "engines/scene_setup.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/figures/motions/animation.hpp"
+#include "plots/figures/figure.hpp"
 #include "plots/pages/show.hpp"
 #endif
 

@@ -6,12 +6,10 @@
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
-#include "comparisons/measures/metrics/ground/ground_measures.hpp"
-#include "comparisons/measures/metrics/ground/response_spectrum.hpp"
-#include "comparisons/measures/results/csv_writer.hpp"
-#include "comparisons/measures/results/environment.hpp"
+#include "comparisons/measures/metrics/ground.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 
 namespace rockstack {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/interfaces/program/commands.hpp"
-#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/measures/results/files.hpp"
 
 namespace rockstack {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "comparisons/interfaces/program/commands.hpp"
-#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/shipped.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
-#include "comparisons/measures/results/results_folder.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/lessons/course/answered.hpp"
 #include "comparisons/studies/lessons/course/run_lesson.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS

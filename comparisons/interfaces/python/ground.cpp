@@ -8,8 +8,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/interfaces/python/module.hpp"
-#include "comparisons/measures/metrics/ground/ground_measures.hpp"
-#include "comparisons/measures/metrics/ground/response_spectrum.hpp"
+#include "comparisons/measures/metrics/ground.hpp"
 
 namespace rockstack::python {
 namespace {

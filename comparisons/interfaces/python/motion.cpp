@@ -4,11 +4,11 @@
 #include <array>
 #include <utility>
 
-#include "analytic/scene/input/overrides.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/interfaces/python/module.hpp"
-#include "comparisons/measures/metrics/contact/validity.hpp"
-#include "comparisons/measures/results/reactions.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/results/histories.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack::python {

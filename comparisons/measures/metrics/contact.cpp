@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/spring_checks.hpp"
-#include "analytic/scene/spring_rates.hpp"
 
 namespace rockstack {
 namespace {
@@ -162,7 +161,7 @@ Scene with_rigid_contacts(Scene scene, const std::vector<double>& friction) {
   scene.equations = Equations::nonlinear;
   scene.friction = friction;
   scene.springs = {};
-  scene.initial.settled = true;
+  scene.initial.preloaded = true;
   return scene;
 }
 
@@ -173,7 +172,7 @@ Scene with_springs(Scene scene, const std::vector<double>& friction, const Corne
   scene.springs.stiffness.assign(scene.blocks.size(), spring.stiffness);
   scene.springs.damping.assign(scene.blocks.size(), spring.damping);
   scene.springs.tangential = tangential;
-  scene.initial.settled = false;
+  scene.initial.preloaded = false;
   return scene;
 }
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "analytic/scene/messages/quantity_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 

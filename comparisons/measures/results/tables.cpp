@@ -81,7 +81,7 @@ std::string csv_of(const Json& list) {
 
 std::string history_csv(const History& history) {
   const bool patterns = !history.patterns.empty(), slips = !history.slips.empty();
-  const bool gaps = !history.gaps.empty(), places = !history.places.empty();
+  const bool gaps = !history.gaps.empty(), places = !history.centres.empty();
   const auto width = static_cast<std::size_t>(history.blocks);
   const auto row = [width](const std::vector<double>& values, std::size_t sample) {
     return std::span<const double>(values).subspan(sample * width, width);

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "analytic/scene/messages/quantity_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "analytic/scene/messages/quantity_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/statistics/ranking.hpp"
 

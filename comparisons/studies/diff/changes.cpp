@@ -9,9 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "comparisons/measures/results/csv_writer.hpp"
-#include "comparisons/measures/statistics/holm.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {

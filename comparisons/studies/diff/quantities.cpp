@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "comparisons/measures/results/run_metrics.hpp"
-#include "comparisons/measures/statistics/mann_whitney.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/diff/recorded_results.hpp"
 
 namespace rockstack {

@@ -11,6 +11,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 
 namespace rockstack {
 namespace {

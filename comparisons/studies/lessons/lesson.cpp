@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "analytic/scene/messages/near_word.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/suites/shipped.hpp"

@@ -1,6 +1,6 @@
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/contact/validity.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {

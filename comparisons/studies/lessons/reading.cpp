@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include "comparisons/measures/statistics/mann_whitney.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/swings.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/studies/lessons/impact_mechanics.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/measures/metrics/contact/corner_springs.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analytic/scene/input/key.hpp"
+#include "analytic/scene/input/fields.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/studies/stability/verdict.hpp"
 

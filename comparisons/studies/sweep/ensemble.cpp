@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "analytic/scene/input/fields.hpp"
-#include "analytic/scene/input/overrides.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/build.hpp"
 #include "comparisons/studies/sweep/ensemble_keys.hpp"

@@ -8,7 +8,7 @@
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve_batch.hpp"
-#include "comparisons/measures/results/csv_writer.hpp"
+#include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/journal.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/studies/sweep/runs.hpp"
 #include "comparisons/studies/sweep/summaries.hpp"
 

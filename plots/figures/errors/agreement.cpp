@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "analytic/scene/messages/quantity_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "plots/drawing/rows.hpp"
 #include "plots/figures/figure.hpp"
 

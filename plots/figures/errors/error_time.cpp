@@ -1,5 +1,5 @@
 #include "plots/data/run_files.hpp"
-#include "plots/drawing/labels.hpp"
+#include "plots/drawing/series.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

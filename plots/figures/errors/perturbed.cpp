@@ -1,5 +1,4 @@
 #include "plots/data/run_files.hpp"
-#include "plots/data/spread.hpp"
 #include "plots/figures/figure.hpp"
 
 // Figures over slightly perturbed scenes.

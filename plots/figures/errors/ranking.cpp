@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "plots/data/run_files.hpp"
 #include "plots/data/scores.hpp"
-#include "plots/data/spread.hpp"
 #include "plots/drawing/rows.hpp"
 #include "plots/figures/figure.hpp"
 

@@ -1,6 +1,6 @@
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
-#include "plots/data/spread.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
+#include "plots/data/run_files.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

@@ -1,5 +1,4 @@
-#include "comparisons/measures/statistics/quantile.hpp"
-#include "plots/data/impact_losses.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/figures/figure.hpp"
 

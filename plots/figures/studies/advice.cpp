@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "plots/data/json_file.hpp"
-#include "plots/drawing/labels.hpp"
+#include "plots/data/results.hpp"
+#include "plots/drawing/series.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

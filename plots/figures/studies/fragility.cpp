@@ -1,7 +1,7 @@
 #include <utility>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/statistics/quantile.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/fragility_fit.hpp"
 #include "plots/figures/figure.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "analytic/scene/named.hpp"
+#include "analytic/scene/history.hpp"
 #include "plots/data/selection.hpp"
 #include "tests/plots/sample.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
-#include "plots/data/json_file.hpp"
+#include "plots/data/results.hpp"
 #include "plots/figures/figure.hpp"
 #include "tests/plots/browser.hpp"
 #include "tests/plots/picture.hpp"

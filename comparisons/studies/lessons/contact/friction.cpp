@@ -2,7 +2,7 @@
 
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/contact/contact_summary.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/studies/lessons/contact/contact_need.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"

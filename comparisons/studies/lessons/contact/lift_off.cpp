@@ -1,6 +1,6 @@
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/contact/contact_summary.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/studies/lessons/contact/contact_need.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/filled_in.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/studies/lessons/course/quantities.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 

@@ -9,7 +9,7 @@
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/contact/corner_springs.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/studies/lessons/contact/contact_need.hpp"
 #include "comparisons/studies/lessons/impact_mechanics.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/measures/statistics/mann_whitney.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/lessons/contact/contact_need.hpp"
 #include "comparisons/studies/lessons/course/answered.hpp"
 #include "comparisons/studies/lessons/course/quantities.hpp"
