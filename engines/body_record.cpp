@@ -138,7 +138,8 @@ class BodyAccount {
       const InterfaceState& state =
           interfaces_.emplace_back(k == 0 ? on_ground(block, poses_[0])
                                           : on_block(scene_.blocks[k - 1], poses_[k - 1], block, poses_[k]));
-      record_.slip = std::max(record_.slip, std::abs(state.slip));
+      const double start = scene_.initial.offsets.empty() ? 0 : scene_.initial.offsets[k];
+      record_.slip = std::max(record_.slip, std::abs(state.slip - start));
       const bool supported = std::isfinite(state.depth);
       record_.unsupported_since[k] =
           supported ? std::numeric_limits<double>::infinity() : std::min(record_.unsupported_since[k], time);

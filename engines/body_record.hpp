@@ -49,9 +49,9 @@ struct BodyRecord {
   std::vector<double> unsupported_since;
   std::optional<ContactRecord> contacts;  ///< where the engine tells them
   double gap = 0;                         ///< largest height of a block over what it stands on, m
-  double slip = 0;                        ///< largest way of a pivot along the face that it stands on, m
-  double out_of_plane = 0;                ///< largest |z| of a block's centre, m
-  double out_of_plane_tilt = 0;           ///< largest sine of a block's angle out of the plane
+  double slip = 0;          ///< largest way of a pivot from its start along the face that it stands on, m
+  double out_of_plane = 0;  ///< largest |z| of a block's centre, m
+  double out_of_plane_tilt = 0;  ///< largest sine of a block's angle out of the plane
 };
 
 /// What contacts that are springs hold at each sample, J; zeros where the engine tells no contacts.

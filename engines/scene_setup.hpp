@@ -4,7 +4,7 @@
 
 #include "analytic/scene/scene.hpp"
 #include "engines/engine.hpp"
-#include "engines/setup.hpp"
+#include "engines/placement.hpp"
 
 namespace rockstack {
 
@@ -12,10 +12,6 @@ namespace rockstack {
 /// integral, exact for straight lines between samples and by Gauss's rule with five points for pulses: to
 /// rounding for steps of up to a fifth of their period. Precondition: dt > 0, in s.
 std::vector<GroundStep> ground_path(const Scene& scene, double dt, std::size_t steps);
-
-/// Bottom to top: pivots touch, centres move as the pattern and the slips of the initial state make them.
-/// @throws std::runtime_error for a restitution, or a centre of mass off a block's middle, in one line.
-std::vector<Placement> place(const Scene& scene);
 
 /// Gravity alone, in the axes of the ground.
 BodyAcceleration body_acceleration(const Scene& scene);

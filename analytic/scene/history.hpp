@@ -118,7 +118,8 @@ struct BasicHistory {
   /// other.
   std::vector<BasicGraze<Real>> choices;
   // Of laws that leave pivots, where angles do not tell where blocks are; else empty. Row by row as angles.
-  std::vector<Real> slips;  ///< how far each block has slipped to the right along what is below it, m
+  std::vector<Real> slips;  ///< how far each block's middle is to the right of that of what is below,
+                            ///< along the face, m: its offset at the start and what it has slipped since
   std::vector<Real> gaps;   ///< between each block and what is below it, m; infinite over nothing
   /// Centres of mass, x and y in turn, from the middle of the ground's interface, m, and their rates, m/s.
   std::vector<Real> centres, centre_velocities;

@@ -1,4 +1,5 @@
 #include <limits>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -79,6 +80,40 @@ void require_all_signed(const std::string& key, const std::vector<double>& value
   }
 }
 
+/// What only laws take under which blocks leave their pivots, by their keys.
+std::map<std::string, const std::vector<double>&> of_free_blocks(const InitialState& initial) {
+  return {{"initial.slip_velocities", initial.slip_velocities},
+          {"initial.offsets", initial.offsets},
+          {"initial.gaps", initial.gaps},
+          {"initial.gap_velocities", initial.gap_velocities}};
+}
+
+void validate_gaps(const Scene& scene) {
+  const InitialState& initial = scene.initial;
+  for (std::size_t k = 0; k < initial.gaps.size(); ++k) {
+    const std::string key = "initial.gaps." + std::to_string(k + 1);
+    require_between(key, initial.gaps[k], 0);
+    if (initial.gaps[k] > 0 && scene.law == Law::compliant && initial.preloaded)
+      throw FieldError(key, number_text(initial.gaps[k]),
+                       "0, or beside initial.springs = \"unloaded\": what falls bears on no spring");
+  }
+  for (std::size_t k = 0; k < initial.gap_velocities.size(); ++k)
+    if (initial.gap_velocities[k] != 0 && !has_gap(initial, k))
+      throw FieldError("initial.gap_velocities." + std::to_string(k + 1),
+                       number_text(initial.gap_velocities[k]),
+                       "0 where initial.gaps has none: a block that touches turns and slips");
+}
+
+/// Blocks start over what is below, on it or not.
+void validate_offsets(const Scene& scene) {
+  for (std::size_t k = 1; k < scene.initial.offsets.size(); ++k) {
+    const double reach = scene.blocks[k].half_width + scene.blocks[k - 1].half_width;
+    if (!(std::abs(scene.initial.offsets[k]) < reach))
+      throw FieldError("initial.offsets." + std::to_string(k + 1), number_text(scene.initial.offsets[k]),
+                       "between ±" + number_text(reach) + " m, so that the block is over the one below");
+  }
+}
+
 void validate_initial(const Scene& scene) {
   const auto check = [&](const std::string& key, const std::vector<double>& values) {
     if (values.size() != scene.blocks.size()) {
@@ -89,7 +124,10 @@ void validate_initial(const Scene& scene) {
   };
   check("initial.angles", scene.initial.angles);
   check("initial.velocities", scene.initial.velocities);
-  if (!scene.initial.slip_velocities.empty()) check("initial.slip_velocities", scene.initial.slip_velocities);
+  for (const auto& [key, values] : of_free_blocks(scene.initial))
+    if (!values.empty()) check(key, values);
+  validate_gaps(scene);
+  validate_offsets(scene);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const double limit = toppling_angle(scene, k);
     if (std::abs(scene.initial.angles[k]) >= limit) {
@@ -113,10 +151,11 @@ void validate_friction(const std::vector<double>& friction, std::size_t blocks) 
 /// Of what is made for some laws alone.
 void validate_law(const Scene& scene) {
   if (!leaves_pivots(scene.law)) {
-    const std::vector<double>& slips = scene.initial.slip_velocities;
-    if (std::any_of(slips.begin(), slips.end(), [](double slip) { return slip != 0; }))
-      throw FieldError("initial.slip_velocities", "not all 0",
-                       std::string("all 0 under law ") + name(scene.law) + ", where nothing slips");
+    for (const auto& [key, values] : of_free_blocks(scene.initial))
+      if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; }))
+        throw FieldError(
+            key, "not all 0",
+            std::string("all 0 under law ") + name(scene.law) + ", where nothing slips or lifts");
     return;
   }
   if (scene.equations != Equations::nonlinear)

@@ -146,7 +146,7 @@ void validate_unloaded(const Scene& scene) {
   };
   for (std::size_t k = 0; k < scene.springs.bed_stiffness.size(); ++k)
     if (scene.springs.bed_stiffness[k] != rigid && !parts(scene.initial.angles, k) &&
-        parts(scene.initial.velocities, k))
+        parts(scene.initial.velocities, k) && !has_gap(scene.initial, k))
       throw FieldError(
           "initial.springs", "unloaded",
           "loaded where a block lies flat on a bed and turns, as block " + std::to_string(k + 1) + " does");

@@ -95,7 +95,7 @@ class ContactRecorder {
  public:
   /// Keeps references to `stack` and `options`.
   ContactRecorder(const Scene& scene, const ContactModel<Real>& stack, const SolveOptions& options)
-      : stack_(stack), options_(options) {
+      : stack_(stack), options_(options), offsets_(scene.initial.offsets) {
     if (options.validity) demands_.emplace(stack, scene.gravity);
     if (options.peaks) history_.peaks = history_.lifts = std::vector<Real>(scene.blocks.size(), Real(0));
   }
@@ -144,7 +144,9 @@ class ContactRecorder {
       history_.impulses = demands_->impulses();
     }
     if (options_.peaks)
-      for (const Joint<Real>& joint : last.joints) history_.slips_left.push_back(joint.offset);
+      for (std::size_t k = 0; k < last.joints.size(); ++k)
+        history_.slips_left.push_back(last.joints[k].offset -
+                                      (offsets_.empty() ? Real(0) : Real(offsets_[k])));
     history_.last = last.bodies;
     history_.end_time = end_time;
     return std::move(history_);
@@ -243,6 +245,7 @@ class ContactRecorder {
 
   const ContactModel<Real>& stack_;
   const SolveOptions& options_;
+  std::vector<double> offsets_;  ///< at the start, or none
   std::size_t next_sample_ = 0;
   std::optional<ContactDemands<Real>> demands_;  ///< where they are asked for
   ContactHistory<Real> history_;

@@ -2,6 +2,7 @@
 
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
+#include "analytic/unilateral/contact/initial_contacts.hpp"
 #include "analytic/unilateral/contact_changes.hpp"
 #include "analytic/unilateral/contact_decision.hpp"
 #include "analytic/unilateral/contact_recorder.hpp"

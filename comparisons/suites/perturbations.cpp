@@ -35,6 +35,8 @@ Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run)
   scale(result.initial.angles, start);
   scale(result.initial.velocities, start);
   scale(result.initial.slip_velocities, start);
+  scale(result.initial.gaps, start);
+  scale(result.initial.gap_velocities, start);
   scale(result.horizontal, next_factor());
   scale(result.vertical, next_factor());
   return result;

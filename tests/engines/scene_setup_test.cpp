@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "analytic/unilateral/contact/initial_contacts.hpp"
 #include "engines/simulation.hpp"
+#include "tests/analytic/solver/stacks.hpp"
 
 namespace rockstack {
 namespace {
@@ -46,6 +48,37 @@ TEST(Placement, PivotsTouch) {
   const auto pivot = corner(blocks[1], -0.5, -1.25);
   EXPECT_NEAR(on_base.first, pivot.first, 1e-15);
   EXPECT_NEAR(on_base.second, pivot.second, 1e-15);
+}
+
+// Two derivations: blocks of a chain that are moved, and joints of free bodies. Some ten operations on
+// metres.
+TEST(Placement, IsTheStartOfTheExactMotion) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    testing::Draw draw(seed);
+    Scene scene = testing::seeded_scene(seed);
+    scene.law = Law::unilateral;
+    const std::size_t size = scene.blocks.size();
+    InitialState& initial = scene.initial;
+    for (std::vector<double>* values :
+         {&initial.offsets, &initial.gaps, &initial.slip_velocities, &initial.gap_velocities})
+      values->assign(size, 0);
+    for (std::size_t k = 0; k < size; ++k) {
+      initial.offsets[k] = draw.coin() ? 0 : draw.between(-0.8, 0.8) * scene.blocks[k].half_width;
+      initial.slip_velocities[k] = draw.coin() ? 0 : draw.between(-1, 1);
+      if (draw.coin()) continue;
+      initial.gaps[k] = draw.between(0, 1);
+      initial.gap_velocities[k] = draw.between(-1, 1);
+    }
+    const auto bodies = initial_contacts(contact_model_of<double>(scene), initial).bodies;
+    const auto blocks = place(scene);
+    for (std::size_t k = 0; k < size; ++k) {
+      EXPECT_NEAR(blocks[k].x, bodies.at[k].x, 1e-13) << seed;
+      EXPECT_NEAR(blocks[k].y, bodies.at[k].y, 1e-13) << seed;
+      EXPECT_NEAR(blocks[k].velocity_x, bodies.rate[k].x, 1e-13) << seed;
+      EXPECT_NEAR(blocks[k].velocity_y, bodies.rate[k].y, 1e-13) << seed;
+      EXPECT_EQ(blocks[k].angular_velocity, bodies.rate[k].angle) << seed;
+    }
+  }
 }
 
 TEST(Placement, VelocitiesAreThoseOfThePositions) {

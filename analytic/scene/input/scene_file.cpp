@@ -60,7 +60,13 @@ InitialState read_initial(const Node& root, std::size_t size) {
   require_table(*table, initial_keys);
   if (const Node* angles = find(*table, "angles")) initial.angles = numbers(*angles);
   if (const Node* velocities = find(*table, "velocities")) initial.velocities = numbers(*velocities);
-  if (const Node* slips = find(*table, "slip_velocities")) initial.slip_velocities = one_each(*slips);
+  const std::pair<const char*, std::vector<double>*> of_free_blocks[] = {
+      {"slip_velocities", &initial.slip_velocities},
+      {"offsets", &initial.offsets},
+      {"gaps", &initial.gaps},
+      {"gap_velocities", &initial.gap_velocities}};
+  for (const auto& [key, values] : of_free_blocks)
+    if (const Node* array = find(*table, key)) *values = one_each(*array);
   if (const Node* springs = find(*table, "springs"))
     initial.preloaded = choice<bool>(*springs, {{"loaded", true}, {"unloaded", false}});
   return initial;

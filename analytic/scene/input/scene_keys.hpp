@@ -47,6 +47,12 @@ inline constexpr KeyTable initial_keys{
      {"velocities", "[0.0]", "rad/s", "a number for each block", "all 0", "clockwise positive"},
      {"slip_velocities", "[0.0]", "m/s", "a number for each block; law \"unilateral\" or \"compliant\"",
       "all 0", "along what is below, to the right positive"},
+     {"offsets", "[0.0]", "m", "a number for each block, so that it is over what is below; those laws",
+      "all 0", "of a block's middle from that of what is below, to the right positive"},
+     {"gaps", "[0.0]", "m", "≥ 0 for each block; those laws, with unloaded springs", "all 0",
+      "by which a block is above what is below at the start, to fall"},
+     {"gap_velocities", "[0.0]", "m/s", "a number for each block, 0 where it has no gap", "all 0",
+      "at which a block with a gap rises over what is below; its slip velocity is of its centre too"},
      {"springs", "\"loaded\"", "", "\"loaded\" or \"unloaded\"; law \"compliant\"", "\"loaded\"",
       "whether springs carry what rests on them at the start"}}};
 

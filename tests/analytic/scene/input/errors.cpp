@@ -63,7 +63,7 @@ TEST(SceneErrors, FrictionAndSlip) {
       {12, "[contact]\nfriction = \"high\"", "scene.toml:13: contact.friction = \"high\": must be a number"},
       {12, "slip_velocities = [0, 1]",
        "scene.toml:12: initial.slip_velocities = not all 0: must be all 0 under law consistent, where nothing "
-       "slips"},
+       "slips or lifts"},
       {1, "duration = 1\nlaw = \"unilateral\"\nequations = \"linear\"",
        "scene.toml:3: equations = linear: must be nonlinear under law unilateral"},
       {1, "duration = 1\nlaw = \"unilateral\"\nrestitution = [1, 1]",
@@ -167,6 +167,36 @@ TEST(SceneErrors, SpringsThatAreTooFastToBeFollowedAreRefused) {
             "scene.toml:9: contact.bed_damping.1 = 1e+12");
 }
 
+// Two blocks, the lower one 1.25 m wide and the upper one 1 m.
+TEST(SceneErrors, OffsetsAndGapsHaveTheirRanges) {
+  const auto with = [](const std::string& law, const std::string& lines) {
+    return error_of("duration = 1\nlaw = \"" + law +
+                    "\"\n[[blocks]]\nwidth = 1.25\nheight = 1\ndensity = 2500\n"
+                    "[[blocks]]\nwidth = 1\nheight = 1\ndensity = 2500\n[initial]\n" +
+                    lines);
+  };
+  EXPECT_EQ(with("unilateral", "offsets = [9, 1.12]"), "");
+  EXPECT_EQ(
+      with("unilateral", "offsets = [0, -1.125]"),
+      "scene.toml:12: initial.offsets.2 = -1.125: must be between ±1.125 m, so that the block is over the one "
+      "below");
+  EXPECT_EQ(with("unilateral", "gaps = [-0.1, 0]"),
+            "scene.toml:12: initial.gaps.1 = -0.1: must be a number ≥ 0");
+  EXPECT_EQ(with("unilateral", "gaps = [0.1]"),
+            "scene.toml:12: initial.gaps = an array of 1: must be as long as there are blocks, 2");
+  EXPECT_EQ(
+      with("unilateral", "gaps = [0.1, 0]\ngap_velocities = [1, 1]"),
+      "scene.toml:13: initial.gap_velocities.2 = 1: must be 0 where initial.gaps has none: a block that touches "
+      "turns and slips");
+  EXPECT_EQ(
+      with("paper", "gaps = [0.1, 0]"),
+      "scene.toml:12: initial.gaps = not all 0: must be all 0 under law paper, where nothing slips or lifts");
+  EXPECT_EQ(
+      with("compliant", "gaps = [0.1, 0]\n[contact]\nstiffness = 1e8"),
+      "scene.toml:12: initial.gaps.1 = 0.1: must be 0, or beside initial.springs = \"unloaded\": what falls "
+      "bears on no spring");
+}
+
 TEST(SceneErrors, AToppledStartNamesTheLimit) {
   const std::string line = error_of(with_line(11, "angles = [0, 2.0]"));
   EXPECT_EQ(line.substr(0, 49), "scene.toml:11: initial.angles.2 = 2: must be betw");
@@ -212,7 +242,7 @@ TEST(SceneErrors, UnknownKeysListTheKnownOnes) {
        "scene.toml:7: blocks.2.widht: unknown key, must be one of width, height, density, mass, inertia, "
        "center_of_mass; did you mean width?"},
       {12, "speeds = [0, 0]",
-       "scene.toml:12: initial.speeds: unknown key, must be one of angles, velocities, slip_velocities, springs"},
+       "scene.toml:12: initial.speeds: unknown key, must be one of angles, velocities, slip_velocities, offsets, gaps, gap_velocities, springs"},
       {12, "[ground]\nsideways = 1",
        "scene.toml:13: ground.sideways: unknown key, must be one of horizontal, vertical, inclination"},
       {12, "[ground.vertical]\nspectrum = 1",
@@ -270,7 +300,7 @@ TEST(SceneErrors, OddTextStaysOnOneLine) {
             "scene.toml:1: duration = \"a\\x0ab\": must be a number");
   EXPECT_EQ(error_of(with_line(12, "\"a\\nb\" = 1")),
             "scene.toml:12: initial.a\\x0ab: unknown key, must be one of angles, velocities, "
-            "slip_velocities, springs");
+            "slip_velocities, offsets, gaps, gap_velocities, springs");
 }
 
 TEST(SceneErrors, AFileThatIsNotThereOrADirectory) {

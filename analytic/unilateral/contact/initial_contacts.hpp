@@ -1,0 +1,85 @@
+#pragma once
+
+#include "analytic/unilateral/contact/contact_laws.hpp"
+
+namespace rockstack {
+
+/// Adds slip velocities of blocks that touch to those of all that is above.
+template <class Real>
+void add_slips(const ContactModel<Real>& stack, const std::vector<double>& slip_velocities,
+               ContactState<Real>& state) {
+  using std::cos;
+  using std::sin;
+  Pose<Real> carried;
+  for (std::size_t k = 0; k < slip_velocities.size(); ++k) {
+    Joint<Real>& joint = state.joints[k];
+    const Real slip = joint.touches() ? slip_velocities[k] : 0;
+    joint.slip = (slip > 0) - (slip < 0);
+    meet_face(stack, k, joint);
+    const CornerOnFace<Real> point = stack.held_point(k, joint);
+    const Real angle = pose_of(state.bodies.at, point.face).angle;
+    carried.x += slip * cos(angle);
+    carried.y -= slip * sin(angle);
+    state.bodies.rate[k].x += carried.x;
+    state.bodies.rate[k].y += carried.y;
+  }
+}
+
+/// Moves a block off the face that holds it, and gives its centre a velocity along and across what is below,
+/// against a frame that moves and turns with that.
+template <class Real>
+void lift(const ContactModel<Real>& stack, int block, const Real& gap, const Point<Real>& velocity,
+          ContactState<Real>& state) {
+  const auto index = static_cast<std::size_t>(block);
+  const CornerOnFace<Real> held = stack.held_point(block, state.joints[index]);
+  const Point<Real> off = turned<Real>({Real(0), gap}, pose_of(state.bodies.at, held.face).angle);
+  const Pose<Real> below = pose_of(state.bodies.at, block - 1);
+  const Pose<Real> below_rate = pose_of(state.bodies.rate, block - 1);
+  Pose<Real>& at = state.bodies.at[index];
+  Pose<Real>& rate = state.bodies.rate[index];
+  at.x += off.x();
+  at.y += off.y();
+  const Point<Real> change = quarter_turned<Real>({at.x - below.x, at.y - below.y}) * below_rate.angle +
+                             turned<Real>(velocity, below.angle);
+  rate.x = below_rate.x + change.x();
+  rate.y = below_rate.y + change.y();
+  state.joints[index] = {Touch::apart, 0, false, state.joints[index].offset};
+}
+
+/// The initial state of a scene: blocks touch as they lean, or as they are about to, or start above.
+template <class Real>
+ContactState<Real> initial_contacts(const ContactModel<Real>& stack, const InitialState& initial) {
+  const std::size_t size = stack.blocks.size();
+  const auto given = [&](std::vector<double> values) {
+    values.resize(size, 0);
+    return values;
+  };
+  const std::vector<double> offsets = given(initial.offsets), gaps = given(initial.gaps);
+  const std::vector<double> slips = given(initial.slip_velocities), rises = given(initial.gap_velocities);
+  ContactState<Real> state{{Poses<Real>(size), Poses<Real>(size)}, Joints<Real>(size)};
+  double below = 0;
+  double below_rate = 0;
+  for (std::size_t k = 0; k < size; ++k) {
+    const double angle = initial.angles[k];
+    const double rate = initial.velocities[k];
+    // What falls flat may turn as it does.
+    const double deciding = angle != below || gaps[k] > 0 ? angle - below : rate - below_rate;
+    Joint<Real>& joint = state.joints[k];
+    joint.touch = deciding > 0 ? Touch::right : deciding < 0 ? Touch::left : Touch::flat;
+    joint.offset = offsets[k];
+    joint.corner_below = joint.pivots() && corner_is_below<Real>(stack, k, joint.offset, joint.side());
+    state.bodies.at[k].angle = below = angle;
+    state.bodies.rate[k].angle = below_rate = rate;
+  }
+  for (int k = 0; k < stack.size(); ++k) {
+    const auto block = static_cast<std::size_t>(k);
+    place_upper<Real>(stack, state.joints[block], k, 0, state.bodies);
+    if (gaps[block] == 0) continue;
+    state.bodies.rate[block].angle = initial.velocities[block];
+    lift<Real>(stack, k, gaps[block], {Real(slips[block]), Real(rises[block])}, state);
+  }
+  add_slips(stack, slips, state);
+  return state;
+}
+
+}  // namespace rockstack

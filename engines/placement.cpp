@@ -1,0 +1,155 @@
+#include "engines/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "analytic/scene/kinematics.hpp"
+
+namespace rockstack {
+namespace {
+
+Vector<double> vector_of(const std::vector<double>& values) {
+  return Vector<double>::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// Says what engines have no equivalent of, rather than leave it out.
+void require_for_engines(const Scene& scene) {
+  if (!scene.restitution.empty())
+    throw std::runtime_error("restitution: must be left out for engines, whose impacts have no such ratio");
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    if (scene.blocks[k].offset_x != 0 || scene.blocks[k].offset_y != 0)
+      throw std::runtime_error(
+          "blocks." + std::to_string(k + 1) +
+          ".center_of_mass: must be left out for engines, which are given uniform boxes");
+  }
+}
+
+/// Of a block or the ground, −1.
+double value(const std::vector<double>& values, int block) {
+  return block < 0 || values.empty() ? 0 : values[static_cast<std::size_t>(block)];
+}
+
+Point<double> turned_by(double along, double across, double angle) {
+  return turned(along, across, std::cos(angle), std::sin(angle));
+}
+
+/// What a block touches at the start, or would without its gap.
+Pattern initial_pattern(const InitialState& initial) {
+  const Vector<double> angles = relative(vector_of(initial.angles));
+  Pattern pattern = pattern_of(angles, relative(vector_of(initial.velocities)));
+  for (int k = 0; k < pattern.size; ++k)
+    if (has_gap(initial, static_cast<std::size_t>(k)) && angles[k] == 0) pattern[k] = Contact::closed;
+  return pattern;
+}
+
+/// Centres as chains of pivots have them, with the offsets, gaps and slips of the start besides.
+struct Centres {
+  Points<double> at, rate;
+};
+
+/// Moves blocks as `initial` says, each with all above it.
+class Mover {
+ public:
+  Mover(const Scene& scene, const Pattern& pattern, Centres centres)
+      : scene_(scene), initial_(scene.initial), pattern_(pattern), centres_(std::move(centres)) {}
+
+  Centres moved() && {
+    for (int k = 0; k < pattern_.size; ++k) {
+      if (const double offset = value(initial_.offsets, k); offset != 0) move_off_centre(k, offset);
+      if (has_gap(initial_, static_cast<std::size_t>(k))) {
+        lift(k);
+      } else if (const double slip = value(initial_.slip_velocities, k); slip != 0) {
+        add(k, Point<double>::Zero(), turned_by(slip, 0, angle(holding(k))));
+      }
+    }
+    return std::move(centres_);
+  }
+
+ private:
+  double angle(int body) const { return value(initial_.angles, body); }
+  double turning(int body) const { return value(initial_.velocities, body); }
+  double half_width(int body) const {
+    return body < 0 ? std::numeric_limits<double>::infinity()
+                    : scene_.blocks[static_cast<std::size_t>(body)].half_width;
+  }
+
+  /// The body whose face an interface touches along: that below, or the block that leans over its corner.
+  int holding(int k) const {
+    const int side = sign(pattern_[k]);
+    return side != 0 && half_width(k - 1) - side * value(initial_.offsets, k) < half_width(k) ? k : k - 1;
+  }
+
+  void add(int first, const Point<double>& way, const Point<double>& speed) {
+    centres_.at.rightCols(pattern_.size - first).colwise() += way;
+    centres_.rate.rightCols(pattern_.size - first).colwise() += speed;
+  }
+
+  /// The pivot goes from the end of centred faces to that of the faces as they overlap.
+  void move_off_centre(int k, double offset) {
+    const int side = sign(pattern_[k]);
+    const double centred = side * std::min(half_width(k), half_width(k - 1));
+    const double pivot = side == 0 ? 0 : side * std::min(half_width(k), half_width(k - 1) - side * offset);
+    const auto move = [&](double along, int body) {
+      const Point<double> way = turned_by(along, 0, angle(body));
+      add(k, way, turning(body) * quarter_turned<double>(way));
+    };
+    move(pivot + offset - centred, k - 1);
+    move(centred - pivot, k);
+  }
+
+  void lift(int k) {
+    add(k, turned_by(0, initial_.gaps[static_cast<std::size_t>(k)], angle(holding(k))),
+        Point<double>::Zero());
+    const auto column = [&](const Points<double>& points, int body) -> Point<double> {
+      return body < 0 ? Point<double>(Point<double>::Zero()) : Point<double>(points.col(body));
+    };
+    const Point<double> arm = column(centres_.at, k) - column(centres_.at, k - 1);
+    const Point<double> speed =
+        column(centres_.rate, k - 1) + turning(k - 1) * quarter_turned<double>(arm) +
+        turned_by(value(initial_.slip_velocities, k), value(initial_.gap_velocities, k), angle(k - 1));
+    add(k, Point<double>::Zero(), speed - column(centres_.rate, k));
+  }
+
+  const Scene& scene_;
+  const InitialState& initial_;
+  const Pattern& pattern_;
+  Centres centres_;
+};
+
+}  // namespace
+
+std::vector<Placement> place(const Scene& scene) {
+  require_for_engines(scene);
+  const Vector<double> angles = vector_of(scene.initial.angles);
+  const Vector<double> velocities = vector_of(scene.initial.velocities);
+  const Pattern pattern = initial_pattern(scene.initial);
+  const Chain<double> chain = make_chain(make_stack<double>(scene), pattern, angles);
+  const auto [middles, motions] =
+      Mover(scene, pattern, {centres(chain), centre_velocities(chain, velocities)}).moved();
+
+  std::vector<Placement> placements;
+  for (Eigen::Index k = 0; k < angles.size(); ++k) {
+    const Block& block = scene.blocks[static_cast<std::size_t>(k)];
+    const double depth = scene.engine.depth;
+    placements.push_back({.x = middles(0, k),
+                          .y = middles(1, k),
+                          .velocity_x = motions(0, k),
+                          .velocity_y = motions(1, k),
+                          .angle = angles[k],
+                          .angular_velocity = velocities[k],
+                          .width = 2 * block.half_width,
+                          .height = 2 * block.half_height,
+                          .depth = depth,
+                          .mass = block.mass,
+                          .inertia_about_x = rectangle_inertia(block.mass, 0.5 * depth, block.half_height),
+                          .inertia_about_y = rectangle_inertia(block.mass, block.half_width, 0.5 * depth),
+                          .inertia = block.inertia});
+  }
+  return placements;
+}
+
+}  // namespace rockstack
