@@ -22,7 +22,8 @@ TEST(Starts, ADroppedBlockFallsLandsFlatAndRests) {
   scene.initial.gaps = {height};
   const ContactHistory history = solve_unilateral(scene, {.sample_times = {0, 0.1, 0.2}});
   ASSERT_EQ(history.events.size(), 1U);
-  EXPECT_EQ(history.events[0].kind, EventKind::rest);
+  EXPECT_EQ(history.events[0].kind, EventKind::impact);
+  EXPECT_EQ(name(history.events[0].to), "C");
   EXPECT_NEAR(history.events[0].time, std::sqrt(2 * height / g), round_off);
   EXPECT_NEAR(history.events[0].before[0].y, -std::sqrt(2 * g * height), 10 * round_off);
   for (const auto& sample : history.samples)
@@ -72,7 +73,7 @@ TEST(Starts, AStackThatIsDroppedFallsAsOne) {
   scene.initial.gaps = {0.2, 0};
   const ContactHistory history = solve_unilateral(scene, {.sample_times = {0.1}});
   ASSERT_EQ(history.events.size(), 1U);
-  EXPECT_EQ(history.events[0].kind, EventKind::rest);
+  EXPECT_EQ(name(history.events[0].to), "CC");
   EXPECT_NEAR(history.events[0].time, std::sqrt(0.4 / scene.gravity), round_off);
   EXPECT_EQ(history.samples[0].gaps[1], 0);
 }
