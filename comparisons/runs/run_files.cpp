@@ -49,36 +49,54 @@ std::uint64_t file_checksum(const std::filesystem::path& file) {
   return known[file] = checksum(bytes_of(file));
 }
 
-Json fields_of(const GroundMotion& motion) {
-  Json fields{motion.interval, motion.samples, motion.source, motion.made_up};
-  if (const auto& pulse = motion.pulse)
-    fields.push_back(
-        {pulse->shape, pulse->amplitude, pulse->period, pulse->start, pulse->cycles, pulse->phase});
-  return fields;
+// All of a scene that a run's results may depend on; numbers as JSON has them, which is to the bit. Members
+// are bound by their number, so that a struct with another one does not compile until it counts here.
+Json fields_of(const Block& block) {
+  const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
+  return {half_width, half_height, mass, inertia, offset_x, offset_y};
 }
 
-/// All of a scene that a run's results may depend on; numbers as JSON has them, which is to the bit.
+Json fields_of(const Pulse& pulse) {
+  const auto& [shape, amplitude, period, start, cycles, phase] = pulse;
+  return {shape, amplitude, period, start, cycles, phase};
+}
+
+Json fields_of(const InitialState& initial) {
+  const auto& [angles, velocities, slip_velocities, offsets, gaps, gap_velocities, preloaded] = initial;
+  return {angles, velocities, slip_velocities, offsets, gaps, gap_velocities, preloaded};
+}
+
+Json fields_of(const CornerSprings& springs) {
+  const auto& [stiffness, damping, bed_stiffness, bed_damping, tangential] = springs;
+  return {stiffness, damping, bed_stiffness, bed_damping, tangential};
+}
+
+Json fields_of(const GroundMotion& motion) {
+  const auto& [interval, samples, source, made_up, pulse] = motion;
+  return {interval, samples, source, made_up, pulse ? fields_of(*pulse) : Json()};
+}
+
 Json fields_of(const Scene& scene) {
-  Json blocks;
-  for (const Block& block : scene.blocks)
-    blocks.push_back(
-        {block.half_width, block.half_height, block.mass, block.inertia, block.offset_x, block.offset_y});
-  const InitialState& initial = scene.initial;
-  return {scene.title,
-          scene.duration,
-          scene.gravity,
-          scene.inclination,
-          scene.law,
-          scene.equations,
-          scene.restitution,
-          blocks,
-          {initial.angles, initial.velocities, initial.slip_velocities},
-          fields_of(scene.horizontal),
-          fields_of(scene.vertical),
-          scene.friction,
-          {scene.springs.stiffness, scene.springs.damping, scene.springs.bed_stiffness,
-           scene.springs.bed_damping, scene.springs.tangential, initial.preloaded},
-          {scene.engine.friction, scene.engine.depth}};
+  const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction, springs,
+               initial, horizontal, vertical, engine] = scene;
+  const auto& [engine_friction, depth] = engine;
+  Json list = Json::array();
+  for (const Block& block : blocks) list.push_back(fields_of(block));
+  return {title,
+          duration,
+          gravity,
+          inclination,
+          law,
+          equations,
+          restitution,
+          list,
+          friction,
+          fields_of(springs),
+          fields_of(initial),
+          fields_of(horizontal),
+          fields_of(vertical),
+          engine_friction,
+          depth};
 }
 
 /// Infinity has no form in JSON.
