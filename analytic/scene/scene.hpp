@@ -62,12 +62,12 @@ struct InitialState {
   std::vector<double> velocities;  ///< rad/s, one a block
   /// Of each block along what is below it, m/s, to the right positive, or none; of laws with friction alone.
   std::vector<double> slip_velocities = {};
+  bool preloaded = true;  ///< springs carry what rests on them at the start; else they are not loaded yet
   // One a block, or none; of laws with friction alone.
   std::vector<double> offsets = {};  ///< of its middle from that of what is below, along the face below, m
   std::vector<double> gaps = {};     ///< by which it is above what is below, across the face there, m, ≥ 0
   /// Of the centre of a block with a gap, away from what is below, m/s, as its slip velocity is then.
   std::vector<double> gap_velocities = {};
-  bool preloaded = true;  ///< springs carry what rests on them at the start; else they are not loaded yet
 };
 
 /// Whether a block starts above what is below it.

@@ -62,8 +62,8 @@ Json fields_of(const Pulse& pulse) {
 }
 
 Json fields_of(const InitialState& initial) {
-  const auto& [angles, velocities, slip_velocities, offsets, gaps, gap_velocities, preloaded] = initial;
-  return {angles, velocities, slip_velocities, offsets, gaps, gap_velocities, preloaded};
+  const auto& [angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities] = initial;
+  return {angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities};
 }
 
 Json fields_of(const CornerSprings& springs) {

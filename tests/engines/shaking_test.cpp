@@ -26,7 +26,7 @@ Scene shaken_block() {
   return scene;
 }
 
-class Shaking : public testing::TestWithParam<const Engine*> {
+class Shaking : public ::testing::TestWithParam<const Engine*> {
  protected:
   double last_angle(const std::string& way, double dt) const {
     Parameters parameters = GetParam()->tuned_parameters();
@@ -71,7 +71,7 @@ std::vector<const Engine*> all() {
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Shaking);
-INSTANTIATE_TEST_SUITE_P(Engines, Shaking, testing::ValuesIn(all()), [](const auto& engine) {
+INSTANTIATE_TEST_SUITE_P(Engines, Shaking, ::testing::ValuesIn(all()), [](const auto& engine) {
   std::string name = engine.param->name + "_" + engine.param->solver;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;

@@ -20,7 +20,7 @@ TEST(Starts, ADroppedBlockFallsLandsFlatAndRests) {
   Scene scene = with_friction(single(0.5, 0.5, 1), 0.5);
   const double height = 0.3, g = scene.gravity;
   scene.initial.gaps = {height};
-  const ContactHistory history = solve_unilateral(scene, {.sample_times = {0, 0.1, 0.2}});
+  const ContactHistory<double> history = solve_unilateral(scene, {.sample_times = {0, 0.1, 0.2}});
   ASSERT_EQ(history.events.size(), 1U);
   EXPECT_EQ(history.events[0].kind, EventKind::impact);
   EXPECT_EQ(name(history.events[0].to), "C");
@@ -37,9 +37,9 @@ TEST(Starts, ATiltedBlockLandsOnItsCorner) {
   const double angle = 0.2, height = 0.3, g = scene.gravity;
   scene.initial = {{angle}, {0}};
   scene.initial.gaps = {height};
-  const ContactHistory history = solve_unilateral(scene);
+  const ContactHistory<double> history = solve_unilateral(scene);
   ASSERT_FALSE(history.events.empty());
-  const ContactEvent& landing = history.events.front();
+  const ContactEvent<double>& landing = history.events.front();
   EXPECT_EQ(name(landing.from), "-");
   EXPECT_EQ(name(landing.to), "R");
   EXPECT_NEAR(landing.time, std::sqrt(2 * height / g), round_off);
@@ -57,7 +57,7 @@ TEST(Starts, AThrownBlockFliesAndTurns) {
   scene.initial.gaps = {1};
   scene.initial.slip_velocities = {along};
   scene.initial.gap_velocities = {up};
-  const ContactHistory history = solve_unilateral(scene, {.sample_times = {0.1, 0.3, 0.5}});
+  const ContactHistory<double> history = solve_unilateral(scene, {.sample_times = {0.1, 0.3, 0.5}});
   EXPECT_TRUE(history.events.empty());
   for (const auto& sample : history.samples) {
     const double t = sample.time;
@@ -71,7 +71,7 @@ TEST(Starts, AThrownBlockFliesAndTurns) {
 TEST(Starts, AStackThatIsDroppedFallsAsOne) {
   Scene scene = with_friction(released({testing::block(1, 1), testing::block(0.6, 0.4)}, {0, 0}, 1), 0.5);
   scene.initial.gaps = {0.2, 0};
-  const ContactHistory history = solve_unilateral(scene, {.sample_times = {0.1}});
+  const ContactHistory<double> history = solve_unilateral(scene, {.sample_times = {0.1}});
   ASSERT_EQ(history.events.size(), 1U);
   EXPECT_EQ(name(history.events[0].to), "CC");
   EXPECT_NEAR(history.events[0].time, std::sqrt(0.4 / scene.gravity), round_off);
@@ -105,7 +105,7 @@ TEST(Starts, ATableclothThatIsPulledLeavesWhatLiesOnIt) {
   scene.friction = {0, friction};
   scene.initial.offsets = {0, 0.5};
   scene.initial.slip_velocities = {speed, -speed};
-  const ContactHistory history = solve_unilateral(scene);
+  const ContactHistory<double> history = solve_unilateral(scene);
   const double slipped = speed * speed / (2 * friction * scene.gravity * (1 + cup.mass / slab.mass));
   ASSERT_FALSE(history.events.empty());
   EXPECT_EQ(history.events.back().kind, EventKind::stick);
@@ -127,7 +127,7 @@ TEST(Starts, ABlockThatFallsOnSpringsComesBackToItsHeight) {
   const History history = solve(scene, {.sample_times = {0, back}});
   EXPECT_NEAR(history.gaps[0], height, round_off);
   EXPECT_NEAR(history.gaps[1], height, 1e-11);
-  EXPECT_NEAR(history.place_rates[3], 0, 1e-10);
+  EXPECT_NEAR(history.centre_velocities[3], 0, 1e-10);
 }
 
 }  // namespace

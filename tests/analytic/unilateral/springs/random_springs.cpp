@@ -69,7 +69,8 @@ Scene soft_scene(std::uint64_t seed, bool beds) {
   if (!beds) return scene;
   put_on_beds(scene);
   // What lies flat on a bed without load may not turn.
-  auto& [angles, velocities, slips, settled] = scene.initial;
+  const std::vector<double>& angles = scene.initial.angles;
+  std::vector<double>& velocities = scene.initial.velocities;
   for (std::size_t k = 0; k < angles.size(); ++k)
     if (angles[k] == (k == 0 ? 0 : angles[k - 1])) velocities[k] = k == 0 ? 0 : velocities[k - 1];
   return scene;
