@@ -51,6 +51,18 @@ std::vector<const WorkerEngine*> engines_named(const std::string& name) {
   return list;
 }
 
+std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& names,
+                                               EngineList (*otherwise)()) {
+  std::vector<const WorkerEngine*> list;
+  for (const std::string& name : names) {
+    for (const WorkerEngine* engine : engines_named(name)) list.push_back(engine);
+  }
+  if (names.empty()) {
+    for (const WorkerEngine& engine : otherwise()) list.push_back(&engine);
+  }
+  return list;
+}
+
 NamedScene read_one_scene(const std::string& input, const Common& common) {
   const auto file = input_file(input, {"scenes", "suites"});
   std::error_code ignored;
@@ -146,6 +158,13 @@ void print_report(const std::filesystem::path& folder, const Common& common) {
 #else
   fmt::print("left out of this build: figures and the report in {}\n", folder.string());
 #endif
+}
+
+void show_report(const std::filesystem::path& folder, const Common& common) {
+#ifdef ROCKSTACK_WITH_PLOTS
+  plots::show(folder);
+#endif
+  print_report(folder, common);
 }
 
 std::string version_text() {

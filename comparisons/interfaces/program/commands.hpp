@@ -14,7 +14,7 @@
 #include "comparisons/studies/diff/changes.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/suite.hpp"
-#include "engines/worker/worker_engine.hpp"
+#include "engines/worker/registry.hpp"
 
 namespace rockstack {
 
@@ -209,6 +209,9 @@ int end_of_runs(std::size_t failed, std::size_t runs, const char* file);
 
 /// Where figures and report are.
 void print_report(const std::filesystem::path& folder, const Common& common);
+
+/// Draws the figures and the report of a folder, as far as this build can, and says where they are.
+void show_report(const std::filesystem::path& folder, const Common& common);
 
 /// The program's name and version.
 std::string version_text();

@@ -45,10 +45,11 @@ void refuse_choice(const std::string& suite, const SceneChoice& choice) {
 
 Suite read_input(const std::string& input, const CompareArguments& arguments, const Common& common) {
   const auto file = find_input(input);
-  const bool study = is_stability_study(file);
-  if (!study && !is_suite(file)) return suite_for(read_named_scene(file, common.overrides), arguments.choice);
+  const InputKind kind = kind_of(file);
+  if (kind == InputKind::scene) return suite_for(read_named_scene(file, common.overrides), arguments.choice);
   refuse_choice(input, arguments.choice);
-  return study ? read_stability_study(file, common.overrides).suite : read_suite(file, common.overrides);
+  return kind == InputKind::stability_study ? read_stability_study(file, common.overrides).suite
+                                            : read_suite(file, common.overrides);
 }
 
 std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& common) {
@@ -124,10 +125,7 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   const ImpactLawResults results = run_study(study);
   write_results(study, results, out, common.command);
   print_impact_laws(results, out, common);
-#ifdef ROCKSTACK_WITH_PLOTS
-  plots::show(out);
-#endif
-  print_report(out, common);
+  show_report(out, common);
   const bool failed = std::any_of(results.cases.begin(), results.cases.end(), [](const AskedCase& asked) {
     return std::any_of(asked.verdicts.begin(), asked.verdicts.end(),
                        [](const EngineVerdict& verdict) { return !verdict.failure.empty(); });
@@ -260,7 +258,8 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   }
   for (const std::string& input : arguments.inputs) {
     const auto file = find_input(input);
-    if (!is_study(file)) continue;
+    const InputKind kind = kind_of(file);
+    if (kind == InputKind::scene || kind == InputKind::suite) continue;
     refuse_choice(input, arguments.choice);
     if (arguments.history_interval)
       throw InputError(
@@ -269,7 +268,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
     if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
     if (arguments.record)
       throw InputError(fmt::format("--record {}: must be left out of a study", *arguments.record));
-    if (is_stability_study(file))
+    if (kind == InputKind::stability_study)
       return stability_command(file, arguments.out, *executor, arguments.draws, common);
     return study_command(file, arguments.out, common);
   }

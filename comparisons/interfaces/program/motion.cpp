@@ -47,15 +47,6 @@ void print_history(const Scene& scene, const History& history, const Support& su
   }
 }
 
-/// Draws one motion and says where its page is.
-void show_motion(const std::filesystem::path& out, bool plots, const Common& common) {
-  if (!plots) return;
-#ifdef ROCKSTACK_WITH_PLOTS
-  plots::show(out);
-#endif
-  print_report(out, common);
-}
-
 /// Which one it was where a name stands for several.
 void print_first_of(const std::vector<const WorkerEngine*>& engines, const Common& common) {
   if (!common.talks()) return;
@@ -82,7 +73,7 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
   const ResultsFolder folder(arguments.out, Results::motion);
   const History history = solve_into(scene, options, arguments.histories, arguments.out, common.command);
   print_history(scene.scene, history, {}, arguments.out, common);
-  show_motion(arguments.out, arguments.plots, common);
+  if (arguments.plots) show_report(arguments.out, common);
   return 0;
 }
 
@@ -98,7 +89,7 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   const auto [history, support] = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
   if (named.size() > 1) print_first_of(named, common);
   print_history(scene.scene, history, support, arguments.out, common);
-  show_motion(arguments.out, arguments.plots, common);
+  if (arguments.plots) show_report(arguments.out, common);
   return 0;
 }
 

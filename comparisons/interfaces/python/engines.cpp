@@ -133,8 +133,10 @@ Suite suite_of(const Input& input, const SceneChoice& choice) {
   std::error_code ignored;
   auto file = find_file(name, "suites");
   if (!std::filesystem::exists(file, ignored)) file = find_file(name, "scenes");
-  if (is_study(file)) throw InputError(name + ": must be a scene or a suite, studies are for the program");
-  if (!is_suite(file)) return suite_for(read_named_scene(file, {}), choice);
+  const InputKind kind = kind_of(file);
+  if (kind == InputKind::scene) return suite_for(read_named_scene(file, {}), choice);
+  if (kind != InputKind::suite)
+    throw InputError(name + ": must be a scene or a suite, studies are for the program");
   if (!choice.engines.empty() || !choice.steps.empty() || choice.quick || choice.softness)
     throw InputError("engines, dt, quick and softness: must be left out of " + name +
                      ", a suite says its own");

@@ -29,7 +29,7 @@ struct SolveRequest {
   SolveOptions of(const Scene& scene, const std::function<bool()>& cancelled) const {
     SolveOptions result = options;
     if (interval) result.sample_times = regular_times(*interval, scene.duration);
-    result.unwanted = &cancelled;
+    result.cancelled = &cancelled;
     return result;
   }
 };

@@ -49,7 +49,7 @@ void expect_same(const History& read, const History& history) {
   EXPECT_EQ(read.patterns, history.patterns);
   EXPECT_EQ(read.slips, history.slips);
   EXPECT_EQ(read.gaps, history.gaps);
-  EXPECT_EQ(read.places, history.centres);
+  EXPECT_EQ(read.centres, history.centres);
   ASSERT_EQ(read.events.size(), history.events.size());
   for (std::size_t i = 0; i < read.events.size(); ++i) {
     const Event &one = read.events[i], &other = history.events[i];
