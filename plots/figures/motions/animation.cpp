@@ -152,7 +152,7 @@ Stage stage_of(const Comparison& comparison, const ComparedScene& scene) {
     stage.end = std::max(stage.end, actor.end());
     for (const double angle : actor.history->angles) most = std::max(most, std::abs(angle));
     if (!actor.run.exact()) continue;
-    const std::vector<double>& centres = actor.history->places;
+    const std::vector<double>& places = actor.history->centres;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const Block& block = scene.stack[i / 2 % scene.stack.size()];
       double& far = i % 2 == 0 ? across : up;
