@@ -71,7 +71,7 @@ int teach_all(const TeachArguments& arguments, const Common& common) {
     code = std::max(code, teach(lesson, arguments.out / lesson.name, arguments, common));
   write_file(arguments.out / "course.json", course_json());
 #ifdef ROCKSTACK_WITH_PLOTS
-  plots::write_course(arguments.out);
+  plots::write_study_page(arguments.out);
   print_files({{"course", (arguments.out / "index.html").string()}}, common);
 #endif
   return code;
