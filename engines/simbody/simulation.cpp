@@ -122,7 +122,7 @@ class SimbodySimulation final : public ShakenSimulation {
   ContactPoint point_of(const SimTK::ContactDetail& detail, std::size_t interface) const {
     const Vec3 place =
         blocks_[interface].findStationAtGroundPoint(integrator_->getState(), detail.getContactPoint());
-    const Vec3 force = detail.getForceOnSurface2();
+    const Vec3& force = detail.getForceOnSurface2();
     const double push = std::abs(SimTK::dot(force, detail.getContactNormal()));
     ContactPoint point;
     point.interface = interface;
