@@ -134,7 +134,8 @@ Facts facts_of(const Json& object) {
   Facts facts;
   for (const auto& [key, value] : object.items())
     if (value.is_object())
-      for (auto& [inner, text] : facts_of(value)) facts.emplace_back(fmt::format("{}.{}", key, inner), std::move(text));
+      for (auto& [inner, text] : facts_of(value))
+        facts.emplace_back(fmt::format("{}.{}", key, inner), std::move(text));
     else
       facts.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
   return facts;
