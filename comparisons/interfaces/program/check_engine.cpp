@@ -63,6 +63,7 @@ Finding judge(const WorkerEngine& engine, const std::string& settings, const Che
 std::vector<Check> checks_named(const std::vector<std::string>& names) {
   std::vector<Check> list = checks();
   std::vector<std::string> there;
+  there.reserve(list.size());
   for (const Check& check : list) there.emplace_back(check.name);
   const auto is_in = [](const std::vector<std::string>& all, const std::string& name) {
     return std::find(all.begin(), all.end(), name) != all.end();

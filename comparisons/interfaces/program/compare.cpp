@@ -149,7 +149,7 @@ std::string shown_or_blank(const std::optional<double>& value) {
 }
 
 std::string angles(const RunMetrics& row) {
-  const std::string median = shown_or_blank(row.rms_angle_difference);
+  std::string median = shown_or_blank(row.rms_angle_difference);
   if (!row.rms_angle_difference_lower) return median;
   return fmt::format("{} ({}-{})", median, thousandths(*row.rms_angle_difference_lower),
                      thousandths(*row.rms_angle_difference_upper));
