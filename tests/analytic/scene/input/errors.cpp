@@ -181,7 +181,7 @@ TEST(SceneErrors, OffsetsAndGapsHaveTheirRanges) {
       "scene.toml:12: initial.offsets.2 = -1.125: must be between ±1.125 m, so that the block is over the one "
       "below");
   EXPECT_EQ(with("unilateral", "gaps = [-0.1, 0]"),
-            "scene.toml:12: initial.gaps.1 = -0.1: must be a number ≥ 0");
+            "scene.toml:12: initial.gaps.1 = -0.1: must be a number from 0 to 1e+20");
   EXPECT_EQ(with("unilateral", "gaps = [0.1]"),
             "scene.toml:12: initial.gaps = an array of 1: must be as long as there are blocks, 2");
   EXPECT_EQ(
