@@ -134,7 +134,7 @@ class SceneTest(unittest.TestCase):
 
     def test_keys_are_those_of_the_program(self):
         self.assertEqual({row["key"] for row in rockstack.keys("scene") if row["table"] == "[initial]"},
-                         {"angles", "velocities", "slip_velocities", "springs"})
+                         {"angles", "velocities", "slip_velocities", "offsets", "gaps", "gap_velocities", "springs"})
         with self.assertRaises(rockstack.InputError):
             rockstack.keys("engine")
         self.assertIn("first-look", {Path(name).stem for name in rockstack.shipped("suites")})
