@@ -37,7 +37,7 @@ struct SimulatedMotion {
   Support support;
 };
 
-/// Runs one engine and writes the same files, with patterns as its angles tell them (contact_patterns.hpp);
+/// Runs one engine and writes the same files, with patterns as its angles tell them (sampled_patterns());
 /// an engine reports no events, so events.csv has its header alone.
 SimulatedMotion simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
                               const std::filesystem::path& folder, const std::string& command);
