@@ -50,7 +50,7 @@ Freedom freedom(const Pattern& pattern) {
   return result;
 }
 
-/// Of the state that a scene begins with: blocks that lean or turn otherwise than those below, or slip.
+/// Of the state that a scene begins with: blocks that lean or turn otherwise than those below, slip, or fall.
 Freedom freedom(const InitialState& initial) {
   const auto differs = [](const std::vector<double>& values) {
     double below = 0;
@@ -60,9 +60,12 @@ Freedom freedom(const InitialState& initial) {
       return other;
     });
   };
-  const auto& slips = initial.slip_velocities;
-  return {.slips = std::any_of(slips.begin(), slips.end(), [](double speed) { return speed != 0; }),
-          .opens = differs(initial.angles) || differs(initial.velocities)};
+  const auto has_any = [](const std::vector<double>& values) {
+    return std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });
+  };
+  return {.slips = has_any(initial.slip_velocities),
+          .opens = differs(initial.angles) || differs(initial.velocities),
+          .parts = has_any(initial.gaps)};
 }
 
 MotionMode mode_of(const Freedom& freedom) {

@@ -174,6 +174,8 @@ TEST(MotionModes, AMotionIsAllThatItComesTo) {
   EXPECT_EQ(onset_mode(scene, history), MotionMode::rock);
   scene.initial.slip_velocities = {1};
   EXPECT_EQ(whole_mode(scene, history), MotionMode::slide_rock);
+  scene.initial.gaps = {0.1};
+  EXPECT_EQ(onset_mode(scene, history), MotionMode::free_flight);
 }
 
 // Every cell of a map has the mode of Shenton's diagram at its middle; none of them lies on a boundary.
