@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 
+#include "analytic/scene/ground/records/derivative.hpp"
 #include "analytic/scene/ground/records/format.hpp"
 #include "analytic/scene/ground/records/units.hpp"
 #include "analytic/scene/messages/number_text.hpp"
@@ -182,6 +183,18 @@ void take_count(const Cursor& cursor, Header& header, Table& table) {
   table.lines.erase(table.lines.begin());
 }
 
+/// A record of what its unit says, differentiated as often as that takes.
+Record accelerogram(const Cursor& cursor, Record record, int derivatives) {
+  if (derivatives == 0) return record;
+  if (record.samples.size() < 2)
+    cursor.fail("one sample of a velocity or displacement gives no acceleration");
+  const bool velocity = derivatives == 1;
+  auto motion = velocity ? acceleration_of_velocity(record.interval, record.samples)
+                         : acceleration_of_displacement(record.interval, record.samples);
+  return {motion.interval, std::move(motion.samples),
+          record.format + (velocity ? " of velocity" : " of displacement")};
+}
+
 std::vector<Record> read(Cursor cursor) {
   Header header;
   Table table;
@@ -196,7 +209,7 @@ std::vector<Record> read(Cursor cursor) {
       take_count(cursor, header, table);
     read_row(cursor, line, table);
   }
-  const double factor = header.unit.factor(cursor);
+  const Unit unit = header.unit.unit(cursor);
   const bool times = has_times(table);
   if (!times && !header.interval) {
     cursor.fail_at(table.lines.front(),
@@ -220,7 +233,8 @@ std::vector<Record> read(Cursor cursor) {
   std::vector<Record> records;
   records.reserve(series.size());
   for (auto& samples : series)
-    records.push_back(make_record(step, std::move(samples), factor, "text columns"));
+    records.push_back(accelerogram(cursor, make_record(step, std::move(samples), unit.factor, "text columns"),
+                                   unit.derivatives));
   return records;
 }
 
@@ -228,12 +242,13 @@ std::vector<Record> read(Cursor cursor) {
 
 /// Plain text in columns, separated by blanks, commas or semicolons; beside semicolons a comma is a decimal
 /// point. Lines that start with # % ! ; * / or a letter are header, which names the unit ("# units: m/s2", or
-/// a column title such as "acceleration [g]"). Several columns are time (s) and a component each. Times must
-/// have a constant step, up to 1 % of it where they are rounded; it is their mean step, and the record starts
-/// at its first line whatever time that has. Without times the header, or a line "NPTS dt" above the numbers,
-/// names the step ("# dt = 0.01", in s; also "time step", "interval", "sampling rate" in Hz); columns are
-/// then components where a line of names stands above them, and else, five or more, one series that goes on
-/// from line to line.
+/// a column title such as "acceleration [g]"); a velocity or a displacement, as that of a shake table
+/// ("units: mm"), is differentiated. Several columns are time (s) and a component each. Times must have a
+/// constant step, up to 1 % of it where they are rounded; it is their mean step, and the record starts at its
+/// first line whatever time that has. Without times the header, or a line "NPTS dt" above the numbers, names
+/// the step ("# dt = 0.01", in s; also "time step", "interval", "sampling rate" in Hz); columns are then
+/// components where a line of names stands above them, and else, five or more, one series that goes on from
+/// line to line.
 const Format plain_columns{recognises, read};
 
 }  // namespace rockstack::records

@@ -13,11 +13,11 @@ struct Format {
   std::vector<Record> (*read)(Cursor cursor);
 };
 
-extern const Format knet, esm, cosmos, smc, volume2, peer, plain_columns;
+extern const Format knet, esm, cosmos, smc, geonet, volume2, peer, plain_columns;
 
 /// The names of all layouts, for messages.
 inline constexpr std::string_view known_formats =
-    "PEER AT2, COSMOS, CSMIP volume 2, USGS SMC, ESM, K-NET/KiK-net, columns of numbers";
+    "PEER AT2, COSMOS, CSMIP volume 2, USGS SMC, ESM, K-NET/KiK-net, GeoNet, columns of numbers";
 
 /// Samples times a factor to m/s².
 inline Record make_record(double interval, std::vector<double> samples, double factor, std::string format) {

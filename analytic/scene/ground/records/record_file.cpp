@@ -22,6 +22,37 @@ std::string_view without_padding(std::string_view text) {
   return text.substr(0, end);
 }
 
+/// Whether a file is MiniSEED: a number of six digits, then the quality of the data and a blank; or
+/// version 3.
+bool is_miniseed(std::string_view text) {
+  constexpr std::size_t digits = 6, start = 8;
+  if (text.starts_with("MS\x03")) return true;
+  return text.size() > start && text.find_first_not_of("0123456789") == digits &&
+         std::string_view("DRQM").find(text[digits]) != std::string_view::npos &&
+         (text[digits + 1] == ' ' || text[digits + 1] == '\0');
+}
+
+/// Whether a file is binary SAC: its header of 632 bytes has its version, 6 or 7, at byte 304 in either
+/// order.
+bool is_sac(std::string_view text) {
+  constexpr std::size_t header = 632, version = 304;
+  if (text.size() < header) return false;
+  const std::string_view word = text.substr(version, 4);
+  const auto is_version = [](char c) { return c == 6 || c == 7; };
+  const std::string_view zeros("\0\0\0", 3);
+  return (is_version(word.front()) && word.ends_with(zeros)) ||
+         (is_version(word.back()) && word.starts_with(zeros));
+}
+
+/// Refuses two binary formats that hold what a recorder counted, and not which acceleration that was.
+void check_waveform(const Cursor& cursor, std::string_view text) {
+  const bool miniseed = is_miniseed(text);
+  if (!miniseed && !is_sac(text)) return;
+  cursor.fail(std::string(miniseed ? "MiniSEED" : "SAC") +
+              " has no unit of acceleration: must be converted to columns of numbers, after the instrument's "
+              "response is taken off (in ObsPy remove_response(inventory, output=\"ACC\"))");
+}
+
 /// Refuses what is not text, at its first control character.
 void check_text(std::string_view file, std::string_view text) {
   const auto is_binary = [](char c) {
@@ -64,11 +95,12 @@ void check_last_line(std::string_view file, std::string_view text) {
 
 std::vector<Record> read_series(std::string_view file, std::string_view text) {
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  check_waveform(Cursor(file, text), text);
   text = without_padding(text);
   const Cursor cursor(file, text);
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) cursor.fail("the file is empty");
   check_text(file, text);
-  const std::array formats{&knet, &esm, &cosmos, &smc, &volume2, &peer, &plain_columns};
+  const std::array formats{&knet, &esm, &cosmos, &smc, &geonet, &volume2, &peer, &plain_columns};
   for (const Format* format : formats) {
     if (!format->recognises(cursor)) continue;
     std::vector<Record> series = format->read(cursor);

@@ -25,11 +25,65 @@ bool is_filler(std::string_view word) {
   return is_keyword(word) || std::find(fillers.begin(), fillers.end(), word) != fillers.end();
 }
 
-std::optional<double> bracketed_unit(std::string_view line) {
+/// A unit as files spell it.
+std::optional<Unit> unit_of(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> spellings{
+      {{"\u00b2", "2"}, {"^", ""}, {"**", ""}, {"sec", "s"}, {"/s/s", "/s2"}, {"cms", "cm"}}};
+  constexpr std::array<std::pair<std::string_view, Unit>, 12> units{
+      {{"g", {standard_gravity, 0}},
+       {"gal", {centimetre_per_second_squared, 0}},
+       {"gals", {centimetre_per_second_squared, 0}},
+       {"cm/s2", {centimetre_per_second_squared, 0}},
+       {"mm/s2", {1e-3, 0}},
+       {"m/s2", {1.0, 0}},
+       {"m/s", {1.0, 1}},
+       {"cm/s", {0.01, 1}},
+       {"mm/s", {1e-3, 1}},
+       {"m", {1.0, 2}},
+       {"cm", {0.01, 2}},
+       {"mm", {1e-3, 2}}}};
+  constexpr std::size_t longest = 16;
+  if (name.size() > longest) return std::nullopt;
+  std::string plain = records::lower(name);
+  for (const auto& [from, to] : spellings) replace_all(plain, from, to);
+  if (plain.ends_with('.')) plain.pop_back();
+  for (const auto& [unit, value] : units) {
+    if (plain == unit) return value;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string_view> in_brackets(std::string_view line) {
+  std::vector<std::string_view> list;
   for (std::size_t open = line.find_first_of("(["); open != std::string_view::npos;
        open = line.find_first_of("([", open + 1)) {
     const std::string_view inside = line.substr(open + 1);
-    if (const auto factor = unit_factor(trimmed(inside.substr(0, inside.find_first_of(")]"))))) return factor;
+    list.push_back(trimmed(inside.substr(0, inside.find_first_of(")]"))));
+  }
+  return list;
+}
+
+/// The first of those that a line's keywords or brackets name that is of an acceleration, or is not.
+std::optional<Unit> find_unit(const std::string& text, bool acceleration) {
+  const auto wanted = [&](std::string_view name) {
+    const auto unit = unit_of(name);
+    return unit && (unit->derivatives == 0) == acceleration ? unit : std::nullopt;
+  };
+  bool expected = false;
+  for (const std::string_view word : words(text, ",;:=()[]#")) {
+    const std::size_t end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
+    const bool defined = end < text.size() && text[end] == '=';  // as in "g=981 cm/s2"
+    if (expected && !defined) {
+      if (const auto unit = wanted(word)) return unit;
+    }
+    expected = is_keyword(word) || (expected && is_filler(word));
+  }
+  const auto inside = in_brackets(text);
+  const bool beside_time = std::any_of(inside.begin(), inside.end(),
+                                       [](std::string_view name) { return name == "s" || name == "sec"; });
+  for (const std::string_view name : inside) {
+    const auto unit = wanted(name);
+    if (unit && (acceleration || beside_time)) return unit;
   }
   return std::nullopt;
 }
@@ -37,56 +91,38 @@ std::optional<double> bracketed_unit(std::string_view line) {
 }  // namespace
 
 std::optional<double> unit_factor(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> spellings{
-      {{"\u00b2", "2"}, {"^", ""}, {"**", ""}, {"sec", "s"}, {"/s/s", "/s2"}, {"cms", "cm"}}};
-  constexpr std::array<std::pair<std::string_view, double>, 6> units{
-      {{"g", standard_gravity},
-       {"gal", centimetre_per_second_squared},
-       {"gals", centimetre_per_second_squared},
-       {"cm/s2", centimetre_per_second_squared},
-       {"mm/s2", 1e-3},
-       {"m/s2", 1.0}}};
-  constexpr std::size_t longest = 16;
-  if (name.size() > longest) return std::nullopt;
-  std::string plain = lower(name);
-  for (const auto& [from, to] : spellings) replace_all(plain, from, to);
-  if (plain.ends_with('.')) plain.pop_back();
-  for (const auto& [unit, factor] : units) {
-    if (plain == unit) return factor;
-  }
-  return std::nullopt;
+  const auto unit = unit_of(name);
+  return unit && unit->derivatives == 0 ? std::optional(unit->factor) : std::nullopt;
 }
 
-std::optional<double> find_unit(std::string_view line) {
+std::optional<Unit> find_unit(std::string_view line) {
   const std::string text = lower(line);
-  bool expected = false;
-  for (const std::string_view word : words(text, ",;:=()[]#")) {
-    const std::size_t end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
-    const bool defined = end < text.size() && text[end] == '=';  // as in "g=981 cm/s2"
-    if (expected && !defined) {
-      if (const auto factor = unit_factor(word)) return factor;
-    }
-    expected = is_keyword(word) || (expected && is_filler(word));
-  }
-  return bracketed_unit(text);
+  const auto unit = find_unit(text, true);
+  return unit ? unit : find_unit(text, false);
 }
 
 void HeaderUnit::read(const Cursor& cursor, std::string_view line) {
-  const std::optional<double> factor = find_unit(line);
-  if (!factor) return;
-  if (factor_ && *factor_ != *factor) {
-    cursor.fail("names another unit of acceleration than line " + std::to_string(line_));
+  const std::optional<Unit> unit = find_unit(line);
+  if (!unit) return;
+  auto& named = unit->derivatives == 0 ? acceleration_ : other_;
+  if (named && named->unit != *unit) {
+    cursor.fail(std::string("names another unit of ") +
+                (unit->derivatives == 0 ? "acceleration" : "velocity or displacement") + " than line " +
+                std::to_string(named->line));
   }
-  if (!factor_) line_ = cursor.line_number();
-  factor_ = factor;
+  if (!named) named = {*unit, cursor.line_number()};
 }
 
 double HeaderUnit::factor(const Cursor& cursor) const {
-  if (!factor_) {
+  if (!acceleration_) {
     cursor.fail(
         "the header up to here names no unit of acceleration: say e.g. \"units: m/s2\" (or cm/s2, gal, g)");
   }
-  return *factor_;
+  return acceleration_->unit.factor;
+}
+
+Unit HeaderUnit::unit(const Cursor& cursor) const {
+  return other_ && !acceleration_ ? other_->unit : Unit{factor(cursor), 0};
 }
 
 }  // namespace rockstack::records

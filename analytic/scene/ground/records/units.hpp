@@ -9,25 +9,41 @@ inline constexpr double standard_gravity = 9.80665;
 /// m/s²; also called a gal.
 inline constexpr double centimetre_per_second_squared = 0.01;
 
+/// A unit that samples of a ground motion have.
+struct Unit {
+  double factor = 1;    ///< to m/s², m/s or m
+  int derivatives = 0;  ///< by which the samples become an acceleration: of a velocity 1, of a displacement 2
+
+  friend bool operator==(const Unit&, const Unit&) = default;
+};
+
 /// Factor to m/s² of a unit of acceleration as files spell it: g, gal, cm/s2, cm/sec/sec, m/s^2 …; none for
 /// others.
 std::optional<double> unit_factor(std::string_view name);
 
-/// Factor to m/s² of the unit that a line of free text names: after "units" or "acceleration" ("IN UNITS OF
-/// G", "units are (g)"), or else alone in brackets ("t [s], a [m/s2]").
-std::optional<double> find_unit(std::string_view line);
+/// The unit that a line of free text names. One of acceleration stands after "units" or "acceleration" ("IN
+/// UNITS OF G", "units are (g)"), or else alone in brackets ("t [s], a [m/s2]"); one of velocity or
+/// displacement (m/s, cm/s, mm/s, m, cm, mm) after "units", or in brackets beside a time in such ("t [s], x
+/// [mm]"), as other lengths of a header are in brackets too.
+std::optional<Unit> find_unit(std::string_view line);
 
-/// The one unit that the lines of a header name.
+/// The one unit that the lines of a header name. Where they name one of acceleration, others are of something
+/// else.
 class HeaderUnit {
  public:
   /// @throws InputError at a line that names another unit than one before it.
   void read(const Cursor& cursor, std::string_view line);
-  /// @throws InputError at the cursor's line if no line named a unit.
+  /// Of an acceleration. @throws InputError at the cursor's line if no line named one.
   double factor(const Cursor& cursor) const;
+  /// @throws InputError likewise, where none of velocity or displacement was named either.
+  Unit unit(const Cursor& cursor) const;
 
  private:
-  std::optional<double> factor_;
-  std::size_t line_ = 0;
+  struct Named {
+    Unit unit;
+    std::size_t line = 0;
+  };
+  std::optional<Named> acceleration_, other_;
 };
 
 }  // namespace rockstack::records

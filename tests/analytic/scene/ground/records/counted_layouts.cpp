@@ -150,5 +150,33 @@ TEST(Volume2Record, MistakesAreRefused) {
             "file:55: the file ends here, before the line \"… points of accel data equally spaced at …\"");
 }
 
+TEST(GeoNetRecord, HasEachComponentInMillimetresWithTheStepOfItsHeader) {
+  const auto first = made_up_samples(), second = made_up_samples(31);
+  const auto series = records::read_series("file", geonet_component(first) + geonet_component(second));
+  ASSERT_EQ(series.size(), 2U);
+  EXPECT_EQ(series[0].format, "GeoNet");
+  EXPECT_DOUBLE_EQ(series[0].interval, 0.02);
+  expect_samples(series[0], first, 1e-3);
+  expect_samples(series[1], second, 1e-3);
+}
+
+TEST(GeoNetRecord, MistakesAreRefused) {
+  const std::string text = geonet_component(made_up_samples());
+  EXPECT_EQ(error_of_text(with(text, "of 1.00", "of 0.50")), "file:11: units must be 1.00 mm/s/s");
+  EXPECT_EQ(error_of_text(with(text, "      19      19       0", "     1.5      19       0")),
+            "file:20: the integers up to here give no count of samples (34th to 36th)");
+  EXPECT_EQ(error_of_text(with(text, "      19      19       0", "       0      19       0")),
+            "file:26: the header announces no samples of acceleration");
+  EXPECT_EQ(error_of_text(with(text, "      19      19       0", "      19      39       0")),
+            "file:30: this line has 9 values, too few");
+  EXPECT_EQ(error_of_text(with(text, "  0.0200", "  0.0000")), "file:26: time step is 0 s: must be > 0");
+}
+
+TEST(GeoNetRecord, AHeaderThatIsCutShortIsNoKnownFormat) {
+  const std::string text = geonet_component(made_up_samples());
+  EXPECT_NE(error_of_text(text.substr(0, text.find("Displacement"))).find("must be PEER AT2, COSMOS"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace rockstack

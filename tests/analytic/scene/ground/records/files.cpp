@@ -77,7 +77,7 @@ TEST_F(RecordFile, MissingEmptyAndOtherFilesAreRefused) {
   write("prose", "Dear Sir,\nno record here.\n");
   EXPECT_EQ(error_of("prose"),
             "prose:1: not a known format: must be PEER AT2, COSMOS, CSMIP volume 2, USGS SMC, ESM, "
-            "K-NET/KiK-net, columns of numbers");
+            "K-NET/KiK-net, GeoNet, columns of numbers");
 }
 
 TEST_F(RecordFile, BinaryIsRefusedAtItsFirstControlCharacter) {
@@ -85,6 +85,22 @@ TEST_F(RecordFile, BinaryIsRefusedAtItsFirstControlCharacter) {
   EXPECT_EQ(error_of("padding"), "padding:1: the file is empty");
   write("binary", "one\ntwo\n" + std::string("a\0b", 3));
   EXPECT_EQ(error_of("binary"), "binary:3: byte 0: not a text file");
+}
+
+TEST_F(RecordFile, CountsOfARecorderAreRefusedWithTheWayToConvertThem) {
+  const std::string needs =
+      " has no unit of acceleration: must be converted to columns of numbers, after the instrument's response "
+      "is taken off (in ObsPy remove_response(inventory, output=\"ACC\"))";
+  write("two.mseed", "000001D " + std::string(56, '\0'));
+  EXPECT_EQ(error_of("two.mseed"), "two.mseed:1: MiniSEED" + needs);
+  write("three.mseed", "MS\x03" + std::string(61, '\0'));
+  EXPECT_EQ(error_of("three.mseed"), "three.mseed:1: MiniSEED" + needs);
+  for (const std::size_t at : {304U, 307U}) {  // the lowest byte first, or last
+    std::string sac(640, '\0');
+    sac[at] = 6;
+    write("a.sac", sac);
+    EXPECT_EQ(error_of("a.sac"), "a.sac:1: SAC" + needs);
+  }
 }
 
 TEST_F(RecordFile, WindowsLineEndsPaddingOfDosAndByteOrderMarkChangeNothing) {

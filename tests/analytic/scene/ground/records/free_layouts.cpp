@@ -272,7 +272,7 @@ TEST(TextColumns, ASeriesMayGoOnFromLineToLine) {
 TEST(TextColumns, WordsAmongNumbersAreNoKnownLayout) {
   EXPECT_EQ(error_of_text("Instrument None\n0 km from nowhere\n"),
             "file:2: not a known format: must be PEER AT2, COSMOS, CSMIP volume 2, USGS SMC, ESM, "
-            "K-NET/KiK-net, columns of numbers");
+            "K-NET/KiK-net, GeoNet, columns of numbers");
 }
 
 }  // namespace

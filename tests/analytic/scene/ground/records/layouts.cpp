@@ -103,6 +103,17 @@ std::string smc_text(const std::vector<double>& samples, const std::string& titl
          in_columns(reals, "%15.7E", 5) + "| made up\n" + data;
 }
 
+std::string geonet_component(const std::vector<double>& samples) {
+  std::vector<double> integers(40, 0), reals(60, 0);
+  integers[33] = integers[34] = static_cast<double>(samples.size());
+  reals[24] = 0.005;
+  reals[25] = 0.02;
+  return repeated("Made up\n", 9) + "Number of points    19    Duration 0.36 s\n" +
+         "Raw readings in units of 1.00 mm/s/s  at intervals of 0.020 s\n" + repeated("made up\n", 4) +
+         "Displacement record unevaluated\n" + in_columns(integers, "%8.0f", 10) +
+         in_columns(reals, "%8.4f", 10) + in_columns(samples, "%8.3f", 10) + in_columns(samples, "%8.2f", 10);
+}
+
 std::string esm_text(const std::vector<double>& samples, const std::string& units) {
   return "EVENT_NAME: NOWHERE\nDATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS: 20000101_000000.000\n"
          "SAMPLING_INTERVAL_S: 0.005000\nNDATA: " +

@@ -25,6 +25,8 @@ std::string volume2_channel(const std::vector<double>& samples);
 std::string smc_text(const std::vector<double>& samples,
                      const std::string& title = "2 CORRECTED ACCELEROGRAM");
 std::string esm_text(const std::vector<double>& samples, const std::string& units = "cm/s^2");
+/// One component, its samples in mm/s², with as many values of velocity.
+std::string geonet_component(const std::vector<double>& samples);
 /// Counts are 1000 times the samples plus 7; 1000 counts are 1 gal.
 std::string knet_text(const std::vector<double>& samples);
 std::string one_column_text(const std::vector<double>& samples);

@@ -58,6 +58,7 @@ std::vector<std::string> one_of_each_layout() {
                                  volume2_channel(samples) + volume2_channel(samples),
                                  smc_text(samples),
                                  esm_text(samples),
+                                 geonet_component(samples),
                                  knet_text(even),
                                  one_column_text(samples),
                                  two_column_text(samples, 0.005)};
