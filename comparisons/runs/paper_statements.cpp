@@ -309,7 +309,8 @@ std::vector<Statement> judge(const Evidence& evidence) {
        {base_moves_less, peaks_come_late, hit_base_rocks_as_one, ends_before_the_record}) {
     statements.push_back(statement(evidence));
     Statement& last = statements.back();
-    last.computed = "under " + evidence.shaken.horizontal.source + ": " + last.computed;
+    last.computed = fmt::format("under {}, where the paper has Simi Valley 1994: {}",
+                                evidence.shaken.horizontal.source, last.computed);
     if (evidence.shaken.horizontal.made_up) last.verdict = Verdict::undecidable;
   }
   return statements;

@@ -31,8 +31,9 @@ struct Answer {
   History history;
 };
 
-/// The two scenes of Section 5 with their answers; the exact one comes first and holds events. Under a
-/// made-up motion, what the paper says of its record cannot be decided.
+/// The two scenes of Section 5 with their answers; the exact one comes first and holds events. What the paper
+/// says of Fig. 22 is of one record, Northridge 1994 at Simi Valley. Under another earthquake a verdict tells
+/// whether the same can be said of that one; under a made-up motion it cannot be decided.
 struct Evidence {
   Scene free;  ///< Figs. 18 to 20
   std::vector<Answer> free_answers;

@@ -254,7 +254,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   return suite;
 }
 
-void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::path& record) {
+void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& record) {
   const Record replacement = read_record(record);
   const double largest = peak({replacement.interval, replacement.samples, ""});
   if (largest == 0)
@@ -263,7 +263,7 @@ void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::p
   for (Suite& suite : suites) {
     for (NamedScene& scene : suite.scenes) {
       GroundMotion& motion = scene.scene.horizontal;
-      if (!motion.made_up) continue;
+      if (motion.samples.empty()) continue;
       GroundMotion real{replacement.interval, replacement.samples, ""};
       const double factor = peak(motion) / largest;
       for (double& sample : real.samples) sample *= factor;
@@ -275,7 +275,7 @@ void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::p
   }
   if (!replaced)
     throw InputError(
-        fmt::format("--record {}: no scene has a synthetic horizontal motion to replace", record.string()));
+        fmt::format("--record {}: no scene has a horizontal motion by samples to replace", record.string()));
 }
 
 Suite suite_for(NamedScene scene, const SceneChoice& choice) {

@@ -96,9 +96,10 @@ InputKind kind_of(const std::filesystem::path& file);
 /// @throws InputError with file:line, key, value and what is allowed.
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// Puts a record, scaled to the same peak, in the place of the made-up horizontal motion of every scene of a
-/// suite that has one. @throws InputError as read_record(), or where no scene has one.
-void replace_made_up_motion(std::vector<Suite>& suites, const std::filesystem::path& record);
+/// Puts a record, scaled to the same peak, in the place of the horizontal motion of every scene of a suite
+/// that is shaken by samples: a record, or a synthetic motion. @throws InputError as read_record(), or where
+/// no scene is.
+void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& record);
 
 /// What a comparison of a single scene runs.
 struct SceneChoice {

@@ -13,7 +13,7 @@ struct GroundMotion {
   double interval = 0;          ///< s, > 0 where there are samples
   std::vector<double> samples;  ///< m/s²
   std::string source = {};      ///< where the samples come from, for reports
-  bool made_up = false;         ///< a synthetic motion, which a real record may replace
+  bool made_up = false;         ///< a synthetic motion, no real record
   std::optional<Pulse> pulse = {};
 
   bool empty() const { return samples.empty() && !pulse; }

@@ -59,7 +59,7 @@ std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& 
     if (arguments.draws > 0) set_runs(suite.draws, arguments.draws);
     if (arguments.history_interval) suite.history_interval = *arguments.history_interval;
   }
-  if (arguments.record) replace_made_up_motion(suites, *arguments.record);
+  if (arguments.record) replace_motion(suites, *arguments.record);
   return suites;
 }
 

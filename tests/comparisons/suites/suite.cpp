@@ -195,5 +195,30 @@ TEST(Suites, LimitsAreRead) {
   EXPECT_TRUE(error_of(head + "memory_limit = 1\n").starts_with("suite.toml:3: memory_limit = 1: must be"));
 }
 
+TEST(Suites, ARecordTakesThePlaceOfMotionsBySamplesAtTheirPeak) {
+  const TemporaryFolder folder;
+  const std::string ground = "[ground.horizontal]\n";
+  folder.write("still.toml", block);
+  folder.write("pulse.toml", block + ground + "pulse = \"sine\"\namplitude = 5\nperiod = 0.1\n");
+  folder.write("record.toml", block + ground + "samples = [0, -6, 0]\ninterval = 0.1\n");
+  folder.write("synthetic.toml", block + ground + "synthetic = 1\npeak = 4\nduration = 2\n");
+  const auto record = folder.write("new.csv", "# units: m/s2\n# dt = 0.02\n1\n-2\n0.5\n");
+  const auto suite_of = [&](const std::string& scenes) {
+    return read_suite(folder.write("suite.toml", "title = \"s\"\nscenes = [" + scenes + "]\n"), {});
+  };
+  std::vector<Suite> suites{suite_of(R"("still.toml", "pulse.toml", "record.toml", "synthetic.toml")")};
+  replace_motion(suites, record);
+  const auto motion = [&](std::size_t scene) { return suites[0].scenes[scene].scene.horizontal; };
+  EXPECT_TRUE(motion(0).empty());
+  EXPECT_TRUE(motion(1).pulse);
+  EXPECT_EQ(motion(2).samples, (std::vector<double>{3, -6, 1.5}));
+  EXPECT_EQ(motion(3).samples, (std::vector<double>{2, -4, 1}));
+  EXPECT_EQ(motion(3).interval, 0.02);
+  EXPECT_FALSE(motion(3).made_up);
+  EXPECT_EQ(motion(3).source, "new.csv (text columns), scaled by 2");
+  std::vector<Suite> unshaken{suite_of(R"("still.toml", "pulse.toml")")};
+  EXPECT_THROW(replace_motion(unshaken, record), InputError);
+}
+
 }  // namespace
 }  // namespace rockstack
