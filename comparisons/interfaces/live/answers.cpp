@@ -9,8 +9,7 @@
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
-#include "comparisons/measures/results/histories.hpp"
-#include "plots/pages/player_data.hpp"
+#include "plots/pages/motion_data.hpp"
 
 namespace rockstack::live {
 namespace {
@@ -27,27 +26,6 @@ void add_track(Json& answer, Json track, const std::vector<ImpactTime>& impacts)
     track["impacts"].push_back(impact.time);
   }
   answer["track"] = std::move(track);
-}
-
-plots::InterfaceForces forces_of(const Scene& scene, const History& history) {
-  plots::InterfaceForces forces{history.times, {}};
-  const auto blocks = static_cast<std::size_t>(history.blocks);
-  const std::vector<Reaction> reactions = reactions_of(scene, history);
-  forces.rows.reserve(3 * reactions.size());
-  for (std::size_t from = 0; from < reactions.size(); from += blocks)
-    for (const auto part : {&Reaction::normal, &Reaction::tangential, &Reaction::centre})
-      for (std::size_t k = 0; k < blocks; ++k) forces.rows.push_back(reactions[from + k].*part);
-  return forces;
-}
-
-Json stage_of(const Scene& scene, const History& history) {
-  plots::PlayerScene stage{scene.title, scene.blocks, scene.gravity, {}, {}, {}};
-  if (leaves_pivots(scene.law)) stage.friction = friction_of(scene);
-  if (!scene.horizontal.empty()) {
-    stage.ground_times = history.times;
-    for (const double time : history.times) stage.ground.push_back(acceleration(scene.horizontal, time));
-  }
-  return plots::player_scene(stage, plots::player_events(history, chatter_speed(scene)));
 }
 
 /// Of the bodies, with what springs of law `compliant` hold.
@@ -91,11 +69,11 @@ Json exact_answer(const Scene& scene, double interval) {
   Json answer;
   if (!failure.empty()) answer["failure"] = failure;
   if (history.size() == 0) return answer;
-  answer["stage"] = stage_of(scene, history);
+  answer["stage"] = plots::stage_of(scene, history);
   add_track(answer,
             plots::player_track(plots::with_events(history), 1, {"exact", "#1a1a1a", "solid", true, true}),
             reported_impacts(history, chatter_speed(scene)));
-  plots::add_forces(forces_of(scene, history), history.blocks, 1, answer["track"]);
+  plots::add_forces(plots::forces_of(scene, history), history.blocks, 1, answer["track"]);
   add_energies(answer, scene, history.times, exact_energies(scene, history), 1);
   answer["verdict"] = motion_verdict(scene, history);
   return answer;

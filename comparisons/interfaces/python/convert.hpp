@@ -14,6 +14,7 @@
 #include "analytic/scene/ground/ground_motion.hpp"
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/input/document.hpp"
+#include "comparisons/interfaces/python/module.hpp"
 
 namespace rockstack::python {
 
@@ -67,6 +68,11 @@ auto fields_of(A<History> auto& history) {
                   history.events, history.grazes, history.choices, history.slips, history.gaps,
                   history.centres, history.centre_velocities, history.reactions, history.spring_energies,
                   history.peaks, history.slips_left, history.lifts, history.forces, history.impulses);
+}
+
+/// Without its scene.
+auto fields_of(A<HeldMotion> auto& motion) {
+  return std::tie(motion.history, motion.support.sinking, motion.support.fallen);
 }
 
 auto fields_of(A<GroundMotion> auto& motion) {

@@ -45,6 +45,12 @@ py::list list_engines() {
   return list;
 }
 
+/// Without the interpreter's lock, as an engine may answer from another thread of it.
+const WorkerEngine& engine_named(const std::string& name) {
+  const py::gil_scoped_release free;
+  return find_engine(name);
+}
+
 void require_settings(const std::string& settings) {
   if (settings != "default" && settings != "tuned")
     throw InputError("settings = " + settings + ": must be default or tuned");
@@ -64,7 +70,7 @@ py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name
   if (!(time_limit > 0))
     throw InputError("time_limit = " + number_text(time_limit) + ": must be a number > 0");
   if (!(dt > 0)) throw InputError("dt = " + number_text(dt) + ": must be a finite number > 0");
-  const WorkerEngine& engine = find_engine(engine_name);
+  const WorkerEngine& engine = engine_named(engine_name);
   const EngineSeries series = make_series(engine, settings, {dt}, read_parameters(changes, engine));
   check_step(dt, scene->scene.duration);
   WorkerRun made;
@@ -85,9 +91,9 @@ py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name
 }
 
 py::list canon(const std::string& engine_name, const std::string& settings,
-               const std::optional<std::vector<std::string>>& scenes, int draws) {
+               const std::optional<std::vector<std::string>>& scenes, int draws, const py::object& tell) {
   require_settings(settings);
-  const WorkerEngine& engine = find_engine(engine_name);
+  const WorkerEngine& engine = engine_named(engine_name);
   Suite suite = read_suite(find_file("canon", "suites"), {});
   if (draws < 1) throw InputError("draws = " + std::to_string(draws) + ": must be at least 1");
   suite.draws.runs = draws;
@@ -102,12 +108,16 @@ py::list canon(const std::string& engine_name, const std::string& settings,
     suite.scenes = std::move(chosen);
   }
   std::vector<CanonAnswer> list;
-  beside_interpreter([&](const std::atomic<bool>& stop) {
-    for (const NamedScene& scene : suite.scenes) {
-      if (stop) throw Cancelled();
-      list.push_back(answer_canon(suite, scene, engine, settings));
-    }
-  });
+  ToldProgress progress{tell, 0, suite.scenes.size()};
+  beside_interpreter(
+      [&](const std::atomic<bool>& stop) {
+        for (const NamedScene& scene : suite.scenes) {
+          if (stop) throw Cancelled();
+          list.push_back(answer_canon(suite, scene, engine, settings));
+          ++progress.done;
+        }
+      },
+      progress);
   py::list answers;
   for (const CanonAnswer& answer : list) {
     std::vector<double> amounts(canon_steps.size(), std::nan("")), steps_off = amounts;
@@ -145,9 +155,10 @@ Suite suite_of(const Input& input, const SceneChoice& choice) {
 
 std::string compare_all(const std::vector<Input>& inputs, const std::filesystem::path& out,
                         const SceneChoice& choice, int draws, std::optional<double> history_interval,
-                        std::size_t jobs) {
+                        std::size_t jobs, const py::object& tell) {
   std::vector<Suite> suites;
   for (const Input& input : inputs) {
+    const py::gil_scoped_release free;  // as in engine_named()
     Suite& suite = suites.emplace_back(suite_of(input, choice));
     if (draws > 0) set_runs(suite.draws, draws);
     if (history_interval) suite.history_interval = *history_interval;
@@ -155,12 +166,17 @@ std::string compare_all(const std::vector<Input>& inputs, const std::filesystem:
   require_comparable(suites);
   const ResultsFolder folder(out, Results::comparison);
   CompareResult result;
-  beside_interpreter([&](const std::atomic<bool>& stop) {
-    result =
-        compare(suites, out, {.command = "rockstack.compare", .jobs = jobs, .progress = [&](const Progress&) {
-                                if (stop) throw Cancelled();
-                              }});
-  });
+  ToldProgress progress{tell};
+  beside_interpreter(
+      [&](const std::atomic<bool>& stop) {
+        const auto follow = [&](const Progress& of) {
+          progress.done = of.done;
+          progress.total = of.total;
+          if (stop) throw Cancelled();
+        };
+        result = compare(suites, out, {.command = "rockstack.compare", .jobs = jobs, .progress = follow});
+      },
+      progress);
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const RunMetrics& row : result.rows) rows.push_back(metrics_json(row));
   return rows.dump();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "analytic/scene/ground/motion_library.hpp"
+#include "analytic/scene/ground/records/units.hpp"
 #include "analytic/scene/input/ground_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
@@ -106,6 +107,7 @@ std::pair<double, double> base_line(const GroundMotion& motion) {
 }  // namespace
 
 void add_ground(py::module_& core) {
+  core.def("unit_factor", &records::unit_factor);
   py::class_<GroundMotion, std::shared_ptr<GroundMotion>>(core, "GroundMotion")
       .def_static("made", &make_ground)
       .def("packed", &packed<GroundMotion>)

@@ -1,6 +1,7 @@
 #include "comparisons/interfaces/python/module.hpp"
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <chrono>
 #include <exception>
@@ -14,6 +15,7 @@
 #include "comparisons/studies/sweep/ensemble_keys.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "comparisons/suites/suite_keys.hpp"
+#include "engines/worker/installation.hpp"
 
 namespace rockstack::python {
 namespace {
@@ -25,6 +27,16 @@ constexpr std::chrono::milliseconds pause{50};
 bool signal_raised() {
   const py::gil_scoped_acquire lock;
   return PyErr_Occurred() != nullptr || PyErr_CheckSignals() != 0;
+}
+
+void tell(const ToldProgress& progress) {
+  if (progress.tell.is_none()) return;
+  const py::gil_scoped_acquire lock;
+  try {
+    progress.tell(progress.done.load(), progress.total.load());
+  } catch (py::error_already_set& error) {
+    error.restore();
+  }
 }
 
 /// Lets what is thrown for wrong input arrive as rockstack.InputError, with its text.
@@ -69,7 +81,8 @@ std::function<bool()> interrupts() {
   };
 }
 
-void beside_interpreter(const std::function<void(const std::atomic<bool>& stop)>& work) {
+void beside_interpreter(const std::function<void(const std::atomic<bool>& stop)>& work,
+                        const ToldProgress& progress) {
   std::atomic<bool> stop = false;
   {
     const py::gil_scoped_release free;
@@ -80,8 +93,11 @@ void beside_interpreter(const std::function<void(const std::atomic<bool>& stop)>
         return;  // what has raised is thrown below
       }
     });
-    while (end.wait_for(pause) != std::future_status::ready)
-      if (!stop) stop = signal_raised();
+    while (end.wait_for(pause) != std::future_status::ready) {
+      if (stop) continue;
+      tell(progress);
+      stop = signal_raised();
+    }
     if (!stop) return end.get();
     end.wait();
   }
@@ -95,10 +111,11 @@ void beside_interpreter(const std::function<void(const std::atomic<bool>& stop)>
 PYBIND11_MODULE(_core, core) {
   using namespace rockstack;
   core.attr("version") = build::version;
+  core.def("programs", &worker_folder);
   core.def("shipped_names", &shipped_names);
   core.def("keys", &python::keys);
   python::add_errors(core);
   for (const auto add : {python::add_scene, python::add_motion, python::add_solve, python::add_ground,
-                         python::add_sweep, python::add_engines})
+                         python::add_sweep, python::add_engines, python::add_player})
     add(core);
 }

@@ -3,6 +3,7 @@
 #include <pybind11/pybind11.h>
 
 #include <atomic>
+#include <cstddef>
 #include <functional>
 #include <memory>
 
@@ -36,10 +37,18 @@ std::function<bool()> interrupts();
 /// What work may throw to end because it is to stop.
 struct Cancelled {};
 
-/// Does work in a thread of its own, without the interpreter's lock, and looks at signals meanwhile. Once a
-/// handler has raised, `stop` becomes true, and what it has raised is thrown when the work has ended.
+/// How far some work has come, and who is told: a function of Python of the two numbers, or None.
+struct ToldProgress {
+  py::object tell = py::none();
+  std::atomic<std::size_t> done = 0, total = 0;
+};
+
+/// Does work in a thread of its own, without the interpreter's lock, tells how far it has come, and looks at
+/// signals meanwhile. Once a handler or what is told has raised, `stop` becomes true, and what was raised is
+/// thrown when the work has ended.
 /// @throws what the work throws, but Cancelled.
-void beside_interpreter(const std::function<void(const std::atomic<bool>& stop)>& work);
+void beside_interpreter(const std::function<void(const std::atomic<bool>& stop)>& work,
+                        const ToldProgress& progress = {});
 
 // What the files of this folder add to the module, as _core.pyi has it.
 void add_scene(py::module_& core);
@@ -48,5 +57,6 @@ void add_solve(py::module_& core);
 void add_ground(py::module_& core);
 void add_sweep(py::module_& core);
 void add_engines(py::module_& core);  ///< and comparisons
+void add_player(py::module_& core);   ///< where figures are built
 
 }  // namespace rockstack::python

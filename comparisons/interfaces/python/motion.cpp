@@ -167,10 +167,12 @@ void add_motion(py::module_& core) {
   PYBIND11_NUMPY_DTYPE(Reaction, normal, tangential, centre);
   PYBIND11_NUMPY_DTYPE(SpringEnergy, elastic, damped, rubbed);
   py::class_<HeldMotion, std::shared_ptr<HeldMotion>>(core, "Motion")
-      .def("packed", [](const HeldMotion& motion) { return packed(motion.history); })
+      .def("packed", &packed<HeldMotion>)
       .def_static("unpacked",
                   [](const ScenePointer& scene, const py::bytes& bytes) {
-                    return std::make_shared<HeldMotion>(HeldMotion{scene, unpacked<History>(bytes)});
+                    auto motion = unpacked<HeldMotion>(bytes);
+                    motion.scene = scene;
+                    return std::make_shared<HeldMotion>(std::move(motion));
                   })
       .def_property_readonly(
           "times",

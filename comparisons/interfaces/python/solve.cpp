@@ -124,26 +124,33 @@ void solve_side_by_side(const std::vector<ScenePointer>& scenes, const SolveOpti
 
 /// Threads take one scene after the other; motions without samples are solved side by side.
 std::vector<Outcome> solve_all(const std::vector<ScenePointer>& scenes, const SolveRequest& request,
-                               std::size_t threads) {
+                               std::size_t threads, const py::object& tell) {
   std::vector<Outcome> outcomes(scenes.size());
-  beside_interpreter([&](const std::atomic<bool>& stop) {
-    const std::function<bool()> cancelled = [&] { return stop.load(); };
-    std::atomic<std::size_t> taken = 0;
-    const auto next = [&]() -> std::optional<std::size_t> {
-      const std::size_t number = taken++;
-      return number < scenes.size() && !stop ? std::optional(number) : std::nullopt;
-    };
-    const auto work = [&](std::size_t) {
-      if (request.interval || !request.options.sample_times.empty()) {
-        while (const auto number = next()) outcomes[*number] = solved(scenes[*number], request, cancelled);
-      } else {
-        solve_side_by_side(scenes, request.of({}, cancelled), next, outcomes);
-      }
-      return std::string();
-    };
-    const std::vector<std::size_t> parts(threads);
-    make_threads(threads)->run(parts, {work, [](std::size_t, const std::string&) {}, [] { return false; }});
-  });
+  ToldProgress progress{tell, 0, scenes.size()};
+  beside_interpreter(
+      [&](const std::atomic<bool>& stop) {
+        const std::function<bool()> cancelled = [&] { return stop.load(); };
+        std::atomic<std::size_t> taken = 0;
+        const auto next = [&]() -> std::optional<std::size_t> {
+          const std::size_t number = taken++;
+          return number < scenes.size() && !stop ? std::optional(number) : std::nullopt;
+        };
+        const auto work = [&](std::size_t) {
+          if (request.interval || !request.options.sample_times.empty()) {
+            while (const auto number = next()) {
+              outcomes[*number] = solved(scenes[*number], request, cancelled);
+              ++progress.done;
+            }
+          } else {
+            solve_side_by_side(scenes, request.of({}, cancelled), next, outcomes);
+          }
+          return std::string();
+        };
+        const std::vector<std::size_t> parts(threads);
+        make_threads(threads)->run(parts,
+                                   {work, [](std::size_t, const std::string&) {}, [] { return false; }});
+      },
+      progress);
   return outcomes;
 }
 

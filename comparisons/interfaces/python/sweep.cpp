@@ -46,6 +46,12 @@ class SweepTable {
     add_count("events", &RunOutcome::events);
     add_mode("onset", &RunOutcome::onset);
     add_mode("motion", &RunOutcome::motion);
+    for (const Axis& axis : ensemble.axes) {
+      py::list names;
+      for (const std::size_t v : axis.variations) names.append(ensemble.variations[v].name());
+      axes_.append(py::make_tuple(names, axis.length));
+    }
+    axes_.append(py::make_tuple(py::list(), ensemble.samples));
   }
 
   /// From any thread.
@@ -56,8 +62,9 @@ class SweepTable {
     failures_[result.run] = result.reason;
   }
 
-  /// Columns, the words that the numbers of some stand for, and why runs failed.
-  py::tuple result() const { return py::make_tuple(columns_, words_, failures_); }
+  /// Columns, the words that the numbers of some stand for, why runs failed, and the names and the length of
+  /// each direction of the grid, the last that of what is drawn.
+  py::tuple result() const { return py::make_tuple(columns_, words_, failures_, axes_); }
 
  private:
   /// A column that is made once, at its full length; `of` is what it has of a RunResult.
@@ -120,42 +127,47 @@ class SweepTable {
 
   py::ssize_t runs_;
   py::dict columns_, words_;
+  py::list axes_;
   std::vector<std::function<void(const RunResult&)>> writers_;
   std::mutex mutex_;
   std::map<std::size_t, std::string> failures_;
 };
 
-py::tuple run(const Ensemble& ensemble, MotionLibrary& library, std::size_t threads) {
+py::tuple run(const Ensemble& ensemble, MotionLibrary& library, std::size_t threads, const py::object& tell) {
   SweepTable table(ensemble);
   const std::size_t runs = run_count(ensemble), size = block_size(runs);
+  ToldProgress progress{tell, 0, runs};
   std::vector<std::size_t> blocks((runs + size - 1) / size);
   std::iota(blocks.begin(), blocks.end(), 0);
-  beside_interpreter([&](const std::atomic<bool>& stop) {
-    const std::function<bool()> cancelled = [&] { return stop.load(); };
-    const auto take = [&](const RunResult& result) {
-      if (stop) throw Cancelled();
-      table.write(result);
-    };
-    const auto compute = [&](std::size_t block) {
-      make_runs(ensemble, block * size, std::min(runs, (block + 1) * size), library, take, &cancelled);
-      return std::string();
-    };
-    make_threads(threads)->run(blocks, {compute, [](std::size_t, const std::string&) {}, cancelled});
-  });
+  beside_interpreter(
+      [&](const std::atomic<bool>& stop) {
+        const std::function<bool()> cancelled = [&] { return stop.load(); };
+        const auto take = [&](const RunResult& result) {
+          if (stop) throw Cancelled();
+          table.write(result);
+          ++progress.done;
+        };
+        const auto compute = [&](std::size_t block) {
+          make_runs(ensemble, block * size, std::min(runs, (block + 1) * size), library, take, &cancelled);
+          return std::string();
+        };
+        make_threads(threads)->run(blocks, {compute, [](std::size_t, const std::string&) {}, cancelled});
+      },
+      progress);
   return table.result();
 }
 
-py::tuple sweep_file(const std::string& name, const std::vector<std::string>& overrides,
-                     std::size_t threads) {
+py::tuple sweep_file(const std::string& name, const std::vector<std::string>& overrides, std::size_t threads,
+                     const py::object& tell) {
   MotionLibrary library;
-  return run(read_ensemble(find_file(name, "ensembles"), overrides, library), library, threads);
+  return run(read_ensemble(find_file(name, "ensembles"), overrides, library), library, threads, tell);
 }
 
 py::tuple sweep_made(const py::object& mapping, const std::filesystem::path& folder,
-                     const std::vector<std::string>& overrides, std::size_t threads) {
+                     const std::vector<std::string>& overrides, std::size_t threads, const py::object& tell) {
   MotionLibrary library;
   const Node root = read_document(mapping, "ensemble");
-  return run(make_ensemble(root, folder / "ensemble", overrides, library), library, threads);
+  return run(make_ensemble(root, folder / "ensemble", overrides, library), library, threads, tell);
 }
 
 /// Median and beta of the fitted curve; None where there is none.

@@ -4,17 +4,18 @@ SI units; angles in rad, clockwise positive. Keys of scenes are those of scene f
 """
 from rockstack._core import version as __version__
 from rockstack.compare import Comparison, compare
-from rockstack.engines import Simulation, canon, engines, simulate
+from rockstack.engines import Canon, Simulation, canon, engines, simulate
 from rockstack.errors import EngineError, InputError, Unfinished
 from rockstack.ground import GroundMotion
 from rockstack.keys import keys, shipped
-from rockstack.scene import Scene
+from rockstack.notebook import Player, player
+from rockstack.scene import Block, Scene
 from rockstack.solution import Motion, Solution, solve, solve_many
 from rockstack.sweep import Fragility, SweepTable, fragility, sweep
 from rockstack.worker import Setting, Setup, Worker
 
 __all__ = [
-    "Comparison", "EngineError", "Fragility", "GroundMotion", "InputError", "Motion", "Scene", "Setting", "Setup",
-    "Simulation", "Solution", "SweepTable", "Unfinished", "Worker", "__version__", "canon", "compare", "engines",
-    "fragility", "keys", "shipped", "simulate", "solve", "solve_many", "sweep",
+    "Block", "Canon", "Comparison", "EngineError", "Fragility", "GroundMotion", "InputError", "Motion", "Player", "Scene",
+    "Setting", "Setup", "Simulation", "Solution", "SweepTable", "Unfinished", "Worker", "__version__", "canon", "compare",
+    "engines", "fragility", "keys", "player", "shipped", "simulate", "solve", "solve_many", "sweep",
 ]

@@ -14,9 +14,12 @@ from typing import Any
 import numpy as np
 
 from rockstack import _core
+from rockstack.engines import programs_of
+from rockstack.notebook import progress_bar
 from rockstack.scene import Scene
 from rockstack.solution import thread_count
 from rockstack.tables import Table
+from rockstack.worker import Worker
 
 
 class Comparison(Table):
@@ -46,6 +49,20 @@ class Comparison(Table):
             raise _core.InputError(f"{path}: must be a file of a run")
         return np.genfromtxt(path, delimiter=",", names=True, dtype=None, encoding="utf-8")
 
+    def plot(self, column: str = "largest_angle_difference", axes: Any = None) -> Any:
+        """Draws a column over the time step by matplotlib, a line for each scene, engine and settings. Gives the axes, which
+        may be given."""
+        from rockstack.figures import draw_errors
+
+        return draw_errors(self, column, axes)
+
+    def plot_differences(self, scene: str | None = None, axes: Any = None) -> Any:
+        """Draws the largest |angle difference| (rad) of each engine's run of a scene over time by matplotlib, wider for
+        coarser steps, with a tick at each exact impact. scene: a value of the column; None: the first. Gives the axes, which may be given."""
+        from rockstack.figures import draw_differences
+
+        return draw_differences(self, scene, axes)
+
 
 class _Kept:
     """A folder that goes when all have gone who share this; another process has no share."""
@@ -68,27 +85,28 @@ def _column(cells: list[Any]) -> np.ndarray:
 
 
 def compare(inputs: Scene | str | os.PathLike[str] | Sequence[Scene | str | os.PathLike[str]],
-            out: str | os.PathLike[str] | None = None, *, engines: Sequence[str] = (), dt: Sequence[float] = (),
-            quick: bool = False, softness: bool = False, draws: int = 0, history_interval: float | None = None,
-            jobs: int = 1) -> Comparison:
+            out: str | os.PathLike[str] | None = None, *, engines: Sequence[str | os.PathLike[str] | type[Worker]] = (),
+            dt: Sequence[float] = (), quick: bool = False, softness: bool = False, draws: int = 0,
+            history_interval: float | None = None, jobs: int = 1, progress: bool | None = None) -> Comparison:
     """Solves scenes exactly and in engines, and measures how far each engine is off.
 
-    inputs: scenes (Scene, file or name) or suites (file or name). engines: "ode", "bullet:nncg", "./my_engine.py"; none:
-    Bullet and ODE, each with default and tuned settings. dt: time steps, s. quick: fewer draws and samples. softness: splits
+    inputs: scenes (Scene, file or name) or suites (file or name). engines: "ode", "bullet:nncg", "./my_engine.py" or a
+    class as of simulate(); none: Bullet and ODE, each with default and tuned settings. dt: time steps, s. quick: fewer
+    draws and samples. softness: splits
     differences into contact model, softness and step. draws: behind each number. history_interval: least time between
-    samples that are kept, s. jobs: runs at a time. Results go to the folder `out`, where runs that are there already are
-    not made again.
+    samples that are kept, s. jobs: runs at a time. progress: as of solve_many(). Results go to the folder `out`, where runs
+    that are there already are not made again.
 
     Raises InputError as the program does; a run that fails says why in its row. Ctrl-C ends it after the run under way.
     """
     given = [inputs] if isinstance(inputs, (Scene, str, os.PathLike)) else list(inputs)
     asked = [(scene._core, _name(scene), scene.to_toml()) if isinstance(scene, Scene) else os.fspath(scene)
              for scene in given]
-    choice = _core.SceneChoice(list(engines), list(dt), quick, softness)
-
     folder = Path(out) if out is not None else Path(tempfile.mkdtemp(prefix="rockstack-"))
     kept = _Kept(folder) if out is None else None
-    rows = _core.compare(asked, str(folder), choice, draws, history_interval, thread_count(jobs, "jobs"))
+    with programs_of(engines) as names, progress_bar(progress, "compare") as tell:
+        choice = _core.SceneChoice(names, list(dt), quick, softness)
+        rows = _core.compare(asked, str(folder), choice, draws, history_interval, thread_count(jobs, "jobs"), tell)
     return Comparison(json.loads(rows), folder, kept)
 
 

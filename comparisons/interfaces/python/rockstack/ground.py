@@ -1,6 +1,7 @@
 """How the ground moves, what engineers call a motion by, and its spectrum."""
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -8,25 +9,34 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockstack import _core
-from rockstack.numbers import numbers
+from rockstack.numbers import call, numbers
 
 
 class GroundMotion(Mapping):
     """An acceleration of the ground along one axis, by the keys of a table [ground.horizontal].
 
-    GroundMotion(samples=trace.data, interval=trace.stats.delta)            straight lines between samples, m/s² and s
-    GroundMotion(record="motion.at2", scale=1.0)                            AT2, COSMOS, ESM, K-NET, SMC, Volume 2, columns
+    GroundMotion("motion.at2", scale=1.0)                                   AT2, COSMOS, ESM, K-NET, SMC, Volume 2, columns
+    GroundMotion(samples=values, interval=0.005)                            straight lines between samples, m/s² and s
+    GroundMotion(trace, units="cm/s2")                                      a Trace of obspy, or a Stream of one
     GroundMotion(pulse="sine", amplitude=3.0, period=0.5, cycles=2)         exact functions; an impulse is a short pulse
     GroundMotion(synthetic=1, peak=4.0, duration=20.0)                      noise through a ground layer, by its seed
 
-    It is zero before and after. It stands for its table: `Scene(..., ground={"horizontal": motion})`. Raises InputError
-    as scenes do.
+    It is zero before and after. It stands for its table: `Scene(..., ground={"horizontal": motion})`. Motions are equal
+    where their samples are, or the tables of pulses; repr() is what makes the same motion again. Raises InputError as
+    scenes do, and for a trace that has gaps or no unit of acceleration: its own `stats.units`, or `units`.
     """
 
     __slots__ = ("_table", "_core")
 
-    def __init__(self, table: Mapping[str, Any] | None = None, /, **keys: Any):
-        self._table = {**(table or {}), **keys}
+    def __init__(self, given: Mapping[str, Any] | str | os.PathLike[str] | Any = None, /, *, units: str | None = None,
+                 **keys: Any):
+        if isinstance(given, (str, os.PathLike)):
+            given = {"record": os.fspath(given)}
+        elif hasattr(given, "stats") or hasattr(given, "traces"):
+            given, units = _of_trace(given, units), None
+        if units is not None:
+            raise _core.InputError("units: must be left out but of a trace, files have their own")
+        self._table = {**(given or {}), **keys}
         self._core = _core.GroundMotion.made(self._table)
 
     @classmethod
@@ -52,8 +62,20 @@ class GroundMotion(Mapping):
     def __len__(self) -> int:
         return len(self._table)
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, GroundMotion) and self._value() == other._value()
+
+    def _value(self) -> Any:
+        return (self.interval, self.samples.tobytes()) if len(self.samples) else self._table
+
+    def __hash__(self) -> int:
+        return hash((self.interval, len(self.samples), self.end))
+
     def __repr__(self) -> str:
-        return f"<rockstack.GroundMotion {self.source}: {self.end:g} s>"
+        return call("GroundMotion", self._table)
+
+    def __str__(self) -> str:
+        return f"{self.source}: {self.end:g} s"
 
     @property
     def source(self) -> str:
@@ -116,6 +138,20 @@ class GroundMotion(Mapping):
         """The motion less the straight line whose removal leaves the least mean square of the velocity."""
         value, slope = self._core.base_line()
         return GroundMotion(samples=self.samples - (value + slope * self.times), interval=self.interval)
+
+
+def _of_trace(given: Any, units: str | None) -> dict[str, Any]:
+    """The table of a trace of obspy, or of a stream of one: samples, units and interval are all that is looked at."""
+    traces = list(getattr(given, "traces", [given]))
+    if len(traces) != 1:
+        raise _core.InputError(f"motion: {len(traces)} traces: must be one, chosen and merged without gaps")
+    samples, stats = numbers("trace", traces[0].data), traces[0].stats
+    stated = getattr(stats, "units", None)
+    factors = [_core.unit_factor(str(name)) for name in (units, stated) if name is not None]
+    if not factors or None in factors or factors[0] != factors[-1]:
+        raise _core.InputError(f"trace: units = {units}, its own {stated}: must be one unit of acceleration, such as m/s2, "
+                               "cm/s2, gal or g")
+    return {"samples": samples * factors[0], "interval": float(stats.delta)}
 
 
 def _unpacked(table: dict[str, Any], packed: bytes) -> GroundMotion:

@@ -2,7 +2,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import ItemsView, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -10,17 +11,38 @@ import numpy as np
 
 from rockstack import _core
 from rockstack.ground import GroundMotion
+from rockstack.numbers import call
+
+
+@dataclass(frozen=True, repr=False)
+class Block:
+    """A block by the keys of a table [[blocks]], `rockstack.keys("scene")`; None where it was not given. SI units."""
+
+    width: float  #: m
+    height: float  #: m
+    density: float | None = None  #: kg/m³, of 1 m of depth
+    mass: float | None = None  #: kg, instead of density
+    inertia: float | None = None  #: about the centre of mass, kg·m²; None: of a uniform rectangle
+    center_of_mass: Sequence[float] | None = None  #: from the block's middle, to the right and up, m; None: there
+
+    def items(self) -> ItemsView[str, Any]:
+        """Keys and values, as of a table."""
+        return vars(self).items()
+
+    def __repr__(self) -> str:
+        return call("Block", vars(self))
 
 
 class Scene:
     """A scene, checked as a scene file is; it never changes. SI units, angles in rad and clockwise positive.
 
-    Scene(duration=5.0, blocks=[{"width": 1.0, "height": 2.5, "density": 2500}], initial={"angles": [0.1]})
+    Scene(duration=5.0, blocks=[Block(width=1.0, height=2.5, density=2500)], initial={"angles": [0.1]})
     Scene({"duration": 5.0, "blocks": [...]})        the same from a mapping
     Scene.read("scene.toml")                         from a file, or the name of a scene that comes with rockstack
 
-    Keys and tables are those of scene files (`rockstack.keys("scene")`); the ground's tables may be GroundMotion, and
-    arrays may be numpy's. A path of a record is relative to `folder`, the current one unless given.
+    Keys and tables are those of scene files (`rockstack.keys("scene")`); a block may be a Block or a table, the ground's
+    tables may be GroundMotion, and arrays may be numpy's. A path of a record is relative to `folder`, the current one
+    unless given. Scenes are equal where all that was given is; repr() is what makes the same scene again.
 
     Raises InputError with the key, the value and what is allowed: unknown keys, numbers out of range or not finite,
     arrays of another length than there are blocks.
@@ -44,10 +66,10 @@ class Scene:
         "blocks.2.height=1.4". Raises InputError as the program does."""
         return cls._of(_core.Scene.read(os.fspath(file), list(overrides)))
 
-    def replace(self, values: Mapping[str, Any]) -> Scene:
-        """Another scene with some keys changed: `scene.replace({"blocks.2.height": 1.4, "law": "paper"})`. Blocks and
+    def replace(self, values: Mapping[str, Any] | None = None, /, **keys: Any) -> Scene:
+        """Another scene with some keys changed: `scene.replace({"blocks.2.height": 1.4}, law="paper")`. In keys blocks and
         interfaces count from 1. Raises InputError as Scene()."""
-        return self._of(self._core.changed(dict(values)))
+        return self._of(self._core.changed({**(values or {}), **keys}))
 
     def to_dict(self) -> dict[str, Any]:
         """All that was given, as Scene() takes it."""
@@ -83,9 +105,10 @@ class Scene:
         return self._core.equations
 
     @property
-    def blocks(self) -> int:
-        """How many there are."""
-        return self._core.blocks
+    def blocks(self) -> tuple[Block, ...]:
+        """From the bottom up: `scene.blocks[1].height` is of the second one."""
+        return tuple(Block(**{key: tuple(value) if isinstance(value, list) else value for key, value in block.items()})
+                     for block in self.to_dict()["blocks"])
 
     @property
     def friction(self) -> np.ndarray:
@@ -119,9 +142,24 @@ class Scene:
     def __reduce__(self):
         return _made, (self.to_dict(), self._core.folder)
 
+    def _value(self) -> dict[str, Any]:
+        """What makes it: its keys, and the folder of its records."""
+        table = self.to_dict()
+        records = any(isinstance(motion, dict) and "record" in motion for motion in table.get("ground", {}).values())
+        return {**table, "folder": str(self._core.folder)} if records else table
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scene) and self._value() == other._value()
+
+    def __hash__(self) -> int:
+        return hash((self.title, self.duration, self.law, self._core.blocks))
+
     def __repr__(self) -> str:
-        count = "1 block" if self.blocks == 1 else f"{self.blocks} blocks"
-        return f"<rockstack.Scene {self.title!r}: {count}, {self.duration:g} s, law {self.law}>"
+        return call("Scene", self._value())
+
+    def __str__(self) -> str:
+        count = "1 block" if self._core.blocks == 1 else f"{self._core.blocks} blocks"
+        return f"{self.title}: {count}, {self.duration:g} s, law {self.law}"
 
 
 def core_of(scene: Scene) -> _core.Scene:

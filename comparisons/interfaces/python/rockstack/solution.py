@@ -3,20 +3,25 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rockstack import _core
 from rockstack.errors import Unfinished
+from rockstack.notebook import player, progress_bar
 from rockstack.numbers import numbers
 from rockstack.scene import Scene, core_of
+
+if TYPE_CHECKING:
+    from rockstack.engines import Simulation
 
 
 class Motion:
     """What blocks do in a scene, at samples. Arrays look at the motion's own numbers: they are read-only, cost nothing,
-    and keep the motion for as long as they are there."""
+    and keep the motion for as long as they are there. Motions are equal where all that is known of them is, to the bit;
+    a notebook shows one with a player."""
 
     __slots__ = ("scene", "_core", "__weakref__")
 
@@ -73,12 +78,34 @@ class Motion:
         and of exact motions the friction that it needs. Empty without samples."""
         return self._core.verdict
 
+    def to_pandas(self) -> Any:
+        """The samples as a pandas.DataFrame, which copies them: theta_1, … (rad), omega_1, … (rad/s) and pattern, by time
+        (s)."""
+        import pandas
+
+        columns: dict[str, Any] = {f"{name}_{k + 1}": values[:, k] for name, values in (("theta", self.angles),
+                                   ("omega", self.velocities)) for k in range(values.shape[1])}
+        if len(patterns := self.patterns):
+            columns["pattern"] = pandas.Categorical(patterns)
+        return pandas.DataFrame(columns, index=pandas.Index(self.times, name="time"))
+
+    def _repr_html_(self) -> str | None:
+        shown = player(self) if len(self.times) else None
+        return None if shown is None else shown._repr_html_()
+
+    def __eq__(self, other: object) -> bool:
+        return (isinstance(other, type(self)) and self.scene == other.scene
+                and self._core.packed() == other._core.packed())
+
+    def __hash__(self) -> int:
+        return hash((self.scene, len(self.times)))
+
     def __reduce__(self):
         rest = {name: getattr(self, name) for name in type(self).__slots__}
         return _unpacked, (type(self), self.scene, self._core.packed()), (None, rest)
 
     def __repr__(self) -> str:
-        return f"<rockstack.{type(self).__name__}: {len(self.times)} samples of {self.scene.blocks}; {self.verdict}>"
+        return f"<rockstack.{type(self).__name__}: {len(self.times)} samples of {self.angles.shape[1]}; {self.verdict}>"
 
 
 class Solution(Motion):
@@ -100,6 +127,24 @@ class Solution(Motion):
         for name, array in columns.items():
             table[name] = array
         return table
+
+    def events_to_pandas(self) -> Any:
+        """The events as a pandas.DataFrame: time, kind, interface, from, to, consistency, and theta_1, … (rad),
+        omega_before_1, … and omega_after_1, … (rad/s)."""
+        import pandas
+
+        events = self.events
+        columns = {name: events[name] for name in ("time", "kind", "interface", "from", "to", "consistency")}
+        for stem, name in (("theta", "angles"), ("omega_before", "before"), ("omega_after", "after")):
+            columns |= {f"{stem}_{k + 1}": events[name][:, k] for k in range(events[name].shape[1])}
+        return pandas.DataFrame(columns)
+
+    def plot(self, *runs: Simulation, axes: Any = None) -> Any:
+        """Draws the angles over time by matplotlib, with a tick at each impact; with runs of engines (Simulation) also
+        theirs, and beside it how far they are off. Gives the axes drawn in: one, or with runs two, which `axes` may be."""
+        from rockstack.figures import draw_motions
+
+        return draw_motions(self, runs, axes)
 
     @property
     def demands(self) -> dict[str, np.ndarray]:
@@ -167,8 +212,9 @@ def _request(interval: float | None, times: ArrayLike | None, tolerance: float, 
     return _core.SolveRequest(interval, None if times is None else numbers("times", times), integrator, tolerance, step)
 
 
-def _solution(scene: Scene, core: _core.Motion | None) -> Solution | None:
-    return None if core is None else Solution(scene, core)
+def _outcome(scene: Scene, core: _core.Motion | None, failure: str | None) -> Solution | Unfinished:
+    solution = None if core is None else Solution(scene, core)
+    return solution if failure is None and solution is not None else Unfinished(str(failure), solution)
 
 
 def solve(scene: Scene, *, interval: float | None = 1e-3, times: ArrayLike | None = None, tolerance: float = 0,
@@ -181,34 +227,31 @@ def solve(scene: Scene, *, interval: float | None = 1e-3, times: ArrayLike | Non
 
     Raises Unfinished, with the motion up to there, where it cannot be followed; InputError for what is out of range.
     """
-    motion, failure = _core.solve(core_of(scene), _request(interval, times, tolerance, integrator, step))
-    if failure is not None:
-        raise Unfinished(failure, _solution(scene, motion))
-    return Solution(scene, motion)
+    outcome = _outcome(scene, *_core.solve(core_of(scene), _request(interval, times, tolerance, integrator, step)))
+    if isinstance(outcome, Unfinished):
+        raise outcome
+    return outcome
 
 
 def solve_many(scenes: Iterable[Scene], *, interval: float | None = 1e-3, times: ArrayLike | None = None,
                tolerance: float = 0, integrator: str = "taylor", step: float = 2e-4, threads: int | None = None,
-               failures: str = "raise") -> list[Solution | Unfinished]:
+               failures: str = "raise", progress: bool | None = None) -> list[Solution | Unfinished]:
     """The motions of many scenes, each as solve() gives it to the bit, in their order; other arguments are those of solve().
 
     All cores work, or as many `threads`, and the interpreter is free. Without samples (interval=None) several scenes of one
     or two blocks are solved side by side. failures: "raise" raises the first Unfinished, "keep" leaves it in its place.
+    progress: whether to show a bar of tqdm; None: in a notebook, where tqdm is there.
     """
     if failures not in ("raise", "keep"):
         raise _core.InputError(f"failures = {failures}: must be raise or keep")
     given = list(scenes)
-    outcomes = _core.solve_many([core_of(scene) for scene in given],
-                                _request(interval, times, tolerance, integrator, step), thread_count(threads))
-    results: list[Solution | Unfinished] = []
-    for scene, (motion, failure) in zip(given, outcomes):
-        if failure is None:
-            results.append(Solution(scene, motion))
-            continue
-        unfinished = Unfinished(failure, _solution(scene, motion))
-        if failures == "raise":
-            raise unfinished
-        results.append(unfinished)
+    with progress_bar(progress, "solve") as tell:
+        outcomes = _core.solve_many([core_of(scene) for scene in given],
+                                    _request(interval, times, tolerance, integrator, step), thread_count(threads), tell)
+    results = [_outcome(scene, *outcome) for scene, outcome in zip(given, outcomes)]
+    for result in results if failures == "raise" else ():
+        if isinstance(result, Unfinished):
+            raise result
     return results
 
 

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockstack import _core
-from rockstack.numbers import numbers
+from rockstack.notebook import progress_bar
+from rockstack.numbers import numbers, same
 from rockstack.scene import Scene
 from rockstack.solution import thread_count
 from rockstack.tables import Table
@@ -26,13 +27,48 @@ class SweepTable(Table):
     motion (rest, slide, rock, slide-rock, free flight, topple or fall). What a run does not have is nan, or "" where a
     column is of texts.
 
-    failures: why runs have no outcome, by their number from 0.
+    failures: why runs have no outcome, by their number from 0. shape: how many runs each direction of the grid has.
+    dimensions: its name, that of the first key that varies along it, or "sample"; coordinates: the keys that vary along
+    each.
     """
 
-    def __init__(self, columns: Mapping[str, np.ndarray], words: Mapping[str, list[str]], failures: dict[int, str]):
+    def __init__(self, columns: Mapping[str, np.ndarray], words: Mapping[str, list[str]], failures: dict[int, str],
+                 axes: Sequence[tuple[list[str], int]]):
         super().__init__(columns)
         self._words = dict(words)
         self.failures = failures
+        kept = [(names, length) for names, length in axes if names or length > 1]
+        self.shape = tuple(length for _, length in kept)
+        self.coordinates = {names[0] if names else "sample": tuple(names) for names, _ in kept}
+
+    @property
+    def dimensions(self) -> tuple[str, ...]:
+        """The names of the directions of the grid."""
+        return tuple(self.coordinates)
+
+    def grid(self, name: str) -> np.ndarray:
+        """A column by the grid's directions; of `shape`."""
+        return self[name].reshape(self.shape)
+
+    def along(self, name: str, direction: int) -> np.ndarray:
+        """A column by one direction of the grid, at the beginning of the others; shape (shape[direction],)."""
+        return np.moveaxis(self.grid(name), direction, 0).reshape(self.shape[direction], -1)[:, 0]
+
+    def to_xarray(self) -> Any:
+        """An xarray.Dataset with named dimensions; keys that vary along one are its coordinates."""
+        import xarray
+
+        along = {name: dimension for dimension, names in self.coordinates.items() for name in names}
+        values = {name: (along[name], self.along(name, self.dimensions.index(along[name]))) for name in along}
+        return xarray.Dataset({name: (self.dimensions, self.grid(name)) for name in self if name not in along}, values)
+
+    def plot(self, column: str = "peak_ratio", kind: str = "lines", axes: Any = None) -> Any:
+        """Draws a column over the first direction of the grid by matplotlib: "lines", one for each choice of the others in
+        grey, and the median over them; or a "map" over the first two, its colours medians over the others. Runs that
+        topple have no peaks. Gives the axes, which may be given."""
+        from rockstack.figures import draw_sweep
+
+        return draw_sweep(self, column, kind, axes)
 
     def __getitem__(self, name: str) -> np.ndarray:
         """A column, shape (runs,). Texts are made when asked for; codes() has the numbers that are kept of them."""
@@ -55,7 +91,8 @@ class SweepTable(Table):
 
 
 def sweep(ensemble: str | os.PathLike[str] | Mapping[str, Any] | None = None, /, *, overrides: Sequence[str] = (),
-          threads: int | None = None, folder: str | os.PathLike[str] = "", **keys: Any) -> SweepTable:
+          threads: int | None = None, folder: str | os.PathLike[str] = "", progress: bool | None = None,
+          **keys: Any) -> SweepTable:
     """Runs an ensemble: a file, the name of one that comes with rockstack, or its keys, `rockstack.keys("ensemble")`:
 
     sweep(scene=scene, vary=[{"key": "ground.horizontal.peak", "values": np.linspace(1, 8, 20)},
@@ -63,22 +100,25 @@ def sweep(ensemble: str | os.PathLike[str] | Mapping[str, Any] | None = None, /,
 
     `scene` is a Scene or its table. Each table of `vary` is a direction of the grid, or is drawn with `samples` and `seed`.
     All cores work, or as many `threads`; the interpreter is free, and Ctrl-C ends the sweep. Each row is written once, where
-    the table's arrays have it: a million runs take what their columns do, some 150 bytes each.
+    the table's arrays have it: a million runs take what their columns do, some 150 bytes each. progress: as of
+    solve_many().
 
     Raises InputError as the program does; a run that fails costs its own row.
     """
     if isinstance(ensemble, (str, os.PathLike)):
         if keys:
             raise _core.InputError(f"{next(iter(keys))}: must be left out where the ensemble is a file")
-        return SweepTable(*_core.sweep_file(os.fspath(ensemble), list(overrides), thread_count(threads)))
-    table = {"title": "sweep", **(ensemble or {}), **keys}
-    if isinstance(table.get("scene"), Scene):
-        folder = folder or table["scene"]._core.folder
-        table["scene"] = table["scene"].to_dict()
-    return SweepTable(*_core.sweep_made(table, os.path.abspath(folder), list(overrides), thread_count(threads)))
+        with progress_bar(progress, "sweep") as tell:
+            return SweepTable(*_core.sweep_file(os.fspath(ensemble), list(overrides), thread_count(threads), tell))
+    table: dict[str, Any] = {"title": "sweep", **(ensemble or {}), **keys}
+    if isinstance(scene := table.get("scene"), Scene):
+        folder = folder or scene._core.folder
+        table["scene"] = scene.to_dict()
+    with progress_bar(progress, "sweep") as tell:
+        return SweepTable(*_core.sweep_made(table, os.path.abspath(folder), list(overrides), thread_count(threads), tell))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Fragility:
     """What share of runs topples at each intensity, and the lognormal curve Φ(ln(x/median)/beta) of greatest likelihood.
 
@@ -95,6 +135,16 @@ class Fragility:
     upper: np.ndarray
     median: float
     beta: float
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Fragility) and same(vars(self), vars(other))
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draws shares with their bounds, and the curve where there is one, by matplotlib. Gives the axes, which may be
+        given."""
+        from rockstack.figures import draw_fragility
+
+        return draw_fragility(self, axes)
 
     def probability(self, intensities: ArrayLike) -> np.ndarray:
         """Of toppling, by the curve; the shape of the intensities."""

@@ -6,9 +6,11 @@ from typing import Any
 
 import numpy as np
 
+from rockstack.numbers import same
+
 
 class Table(Mapping):
-    """Columns by name, each an array of shape (rows,)."""
+    """Columns by name, each an array of shape (rows,). Tables are equal where their columns are, to the bit."""
 
     def __init__(self, columns: Mapping[str, np.ndarray]):
         self._columns = dict(columns)
@@ -29,10 +31,20 @@ class Table(Mapping):
         return len(next(iter(self._columns.values()))) if self._columns else 0
 
     def to_pandas(self) -> Any:
-        """A pandas.DataFrame of the columns."""
+        """A pandas.DataFrame of the columns; where a row has several values, they are one array in a cell."""
         import pandas
 
-        return pandas.DataFrame(dict(self), copy=False)
+        return pandas.DataFrame({name: list(column) if column.ndim > 1 else column for name, column in self.items()}, copy=False)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Table) and same(dict(self), dict(other))
+
+    def _repr_html_(self) -> str | None:
+        """In a notebook, where pandas is there."""
+        try:
+            return self.to_pandas()._repr_html_()
+        except ImportError:
+            return None
 
     def __repr__(self) -> str:
         return f"<rockstack.{type(self).__name__}: {self.rows} rows of {', '.join(self)}>"

@@ -5,10 +5,16 @@ import json
 import math
 import os
 import resource
+import select
+import socketserver
 import sys
+import tempfile
+import threading
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field
+from pathlib import Path
 from typing import Any, ClassVar, NoReturn
 
 import numpy as np
@@ -79,6 +85,21 @@ class _Body:
         return x * self.cosine - y * self.sine, x * self.sine + y * self.cosine
 
 
+class _Unwanted(BaseException):
+    """Nobody waits for a run any more."""
+
+
+#: Passes a question on to the process that knows the engine, and the answer back.
+_BRIDGE = """#!{python} -IS
+import os, socket, sys
+with socket.socket(socket.AF_UNIX) as line, os.fdopen(3, "wb") as answer:
+    line.connect({address!r})
+    line.sendall(sys.stdin.buffer.read().replace(b"\\n", b" ") + b"\\n")
+    while part := line.recv(1 << 16):
+        answer.write(part)
+"""
+
+
 class Worker:
     """An engine. Derive from it, name it, write step(), and end the file with `MyEngine().serve()`:
 
@@ -95,7 +116,9 @@ class Worker:
     Ice().serve()
 
     The file is executable; its path is an engine's name: rockstack.simulate(scene, "./ice.py"), `rockstack compare --engine
-    ./ice.py`. Each run is a process of its own, so that whatever it does ends that run and nothing else.
+    ./ice.py`. Each run is a process of its own, so that whatever it does ends that run and nothing else. The class itself is
+    an engine's name too, in a notebook as anywhere: rockstack.simulate(scene, Ice). It then answers in this process, where
+    it may print, and a run that takes too long ends after its step.
 
     places: x (right), y (up) in m and the clockwise angle in rad of each block's centre; shape (blocks, 3). rates: theirs,
     m/s and rad/s; shape (blocks, 3). setup: Setup. inverse_masses: 1/kg, 1/kg and 1/(kg·m²), shape (3 × blocks,).
@@ -158,11 +181,47 @@ class Worker:
 
     def serve(self) -> NoReturn:
         """Answers the question on standard input and ends the program."""
-        message = json.load(sys.stdin)
-        answer = {"run": self._answer(message["run"])} if "run" in message else {"engines": [self._described()]}
+        answer = self._reply(sys.stdin.read())
         with os.fdopen(3, "w") as stream:
-            json.dump({"rockstack": 1, **answer}, stream)
+            stream.write(answer)
         sys.exit(0)
+
+    @classmethod
+    @contextmanager
+    def program(cls) -> Iterator[Path]:
+        """A worker program for as long as the context lasts, which passes what it is asked on to this process. There a
+        thread and an object of its own answer each run."""
+        class Handler(socketserver.StreamRequestHandler):
+            def handle(self) -> None:
+                engine, line = cls(), select.poll()
+                line.register(self.connection, 0)
+                engine._unwanted = lambda: bool(line.poll(0))  # the program has ended, as its time was over
+                try:
+                    self.wfile.write(engine._reply(self.rfile.readline().decode()).encode())
+                except (_Unwanted, BrokenPipeError):
+                    return
+
+        class Server(socketserver.ThreadingUnixStreamServer):
+            daemon_threads = True
+
+        with tempfile.TemporaryDirectory(prefix="rockstack-") as folder:
+            file, address = Path(folder) / cls.name, folder + "/line"
+            file.write_text(_BRIDGE.format(python=sys.executable, address=address))
+            file.chmod(0o700)
+            with Server(address, Handler) as server:
+                threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True).start()
+                try:
+                    yield file
+                finally:
+                    server.shutdown()
+
+    def _reply(self, question: str) -> str:
+        message = json.loads(question)
+        answer: dict[str, Any] = ({"run": self._answer(message["run"])} if "run" in message
+                                  else {"engines": [self._described()]})
+        return json.dumps({"rockstack": 1, **answer})
+
+    _unwanted: Callable[[], bool] = staticmethod(lambda: False)
 
     def _described(self) -> dict[str, Any]:
         return {"name": self.name, "solver": self.solver, "version": self.version, "licence": self.licence,
@@ -193,12 +252,17 @@ class Worker:
         def each(*keys: str) -> np.ndarray:
             return np.array([[block[key] for key in keys] for block in blocks], dtype=float)
 
-        sizes = each("width", "height", "mass", "inertia")
-        self.setup = Setup(*sizes.T, friction=np.array(run["friction"], dtype=float), dt=run["dt"],
-                           parameters=run["parameters"])
+        widths, heights, masses, inertias = each("width", "height", "mass", "inertia").T
+        self.setup = Setup(widths, heights, masses, inertias, np.array(run["friction"], dtype=float), run["dt"],
+                           run["parameters"])
         self.places, self.rates = each("x", "y", "angle"), each("velocity_x", "velocity_y", "angular_velocity")
         self.inverse_masses = 1 / each("mass", "mass", "inertia").ravel()
         self.start()
+
+    def _take_step(self, dt: float, pull: np.ndarray) -> None:
+        if self._unwanted():
+            raise _Unwanted
+        self.step(dt, pull)
 
     @staticmethod
     def _pulls(run: Mapping[str, Any]) -> np.ndarray:
@@ -214,7 +278,7 @@ class Worker:
         pulls, limits = self._pulls(run), np.array(run["toppling_angles"])
         places, rates = [self.places.copy()], [self.rates.copy()]
         while len(places) <= steps and not (np.abs(self.places[:, 2]) > limits).any():
-            self.step(run["dt"], pulls[len(places) - 1])
+            self._take_step(run["dt"], pulls[len(places) - 1])
             places.append(np.array(self.places, dtype=float))
             rates.append(np.array(self.rates, dtype=float))
         return np.array(places), np.array(rates)
@@ -225,5 +289,5 @@ class Worker:
         pulls = self._pulls(run)
         begin = time.perf_counter()
         for k in range(steps):
-            self.step(run["dt"], pulls[k])
+            self._take_step(run["dt"], pulls[k])
         return time.perf_counter() - begin

@@ -5,6 +5,8 @@ import pickle
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 import unittest
 from pathlib import Path
 
@@ -74,6 +76,38 @@ class WorkerTest(unittest.TestCase):
         with self.assertRaisesRegex(rockstack.InputError, "no engine"):
             rockstack.simulate(rocking(), broken)
 
+    def test_a_class_answers_in_this_process_as_its_program_does(self):
+        import types
+        module = types.ModuleType("ice")
+        exec(WORKER.removesuffix("Ice().serve()\n"), module.__dict__)
+        seen = []
+
+        class Ice(module.Ice):
+            def start(self):
+                seen.append(os.getpid())
+
+        scene = rocking(initial={"angles": [0.1], "velocities": [0.5]})
+        run = rockstack.simulate(scene, Ice, 0.01, parameters={"wind": 2.0})
+        np.testing.assert_array_equal(run.angles, rockstack.simulate(scene, self.worker, 0.01, parameters={"wind": 2.0}).angles)
+        self.assertEqual((run.engine, set(seen)), ("ice", {os.getpid()}))
+        for fault, message in ((1, "failed: ValueError: thin ice"), (2, "not finite")):
+            with self.assertRaisesRegex(rockstack.EngineError, message):
+                rockstack.simulate(rocking(), Ice, 0.01, parameters={"fault": fault})
+
+        class Slow(module.Ice):
+            def step(self, dt, pull):
+                time.sleep(0.05)
+
+        begin = threading.active_count()
+        with self.assertRaisesRegex(rockstack.EngineError, "time limit"):
+            rockstack.simulate(rocking(), Slow, 0.001, time_limit=0.3)
+        while threading.active_count() > begin:
+            time.sleep(0.01)  # the run that nobody waits for ends after its step
+        self.assertEqual(rockstack.canon(Ice, scenes=["throw"], draws=1)["verdict"].tolist(), ["agrees"])
+        rows = rockstack.compare(scene, engines=[Ice], dt=[0.01], quick=True, draws=2, jobs=2)
+        self.assertEqual(set(rows["engine"]), {"exact", "ice"})
+        self.assertEqual(set(rows["status"]), {"done"})
+
     def test_the_program_takes_it(self):
         run = subprocess.run([PROGRAM, "list", "engines"], capture_output=True, text=True, check=True,
                              env={**os.environ, "ROCKSTACK_WORKERS": self.folder.name})
@@ -127,6 +161,12 @@ class EngineTest(unittest.TestCase):
         np.testing.assert_array_equal(run.velocities[:, 0], rows["omega_1"])
         np.testing.assert_array_equal(run.patterns, rows["pattern"].astype(str))
 
+    def test_a_difference_is_from_the_exact_motion_at_the_same_times(self):
+        scene = rocking(law="unilateral")
+        run = rockstack.simulate(scene, self.engine, 0.01)
+        exact = rockstack.solve(scene, interval=0.01)
+        np.testing.assert_allclose(run.difference(), run.angles - exact.angles[:len(run.times)], atol=1e-12)
+
     def test_a_run_comes_back_from_another_process(self):
         run = rockstack.simulate(rocking(duration=0.1), self.engine, 0.01, bodies=True)
         other = pickle.loads(pickle.dumps(run))
@@ -172,5 +212,9 @@ class EngineTest(unittest.TestCase):
         self.assertEqual(answers["scene"].tolist(), ["throw"])
         self.assertIn(answers["verdict"][0], ("agrees", "converges", "another law", "cannot tell"))
         self.assertEqual(answers["amounts"].shape, (1, 5))
+        try:
+            self.assertEqual(answers.to_pandas()["amounts"][0].shape, (5,))
+        except ImportError:
+            self.assertIsNone(answers._repr_html_())
         with self.assertRaises(rockstack.InputError):
             rockstack.canon(self.engine, scenes=["no-scene"])

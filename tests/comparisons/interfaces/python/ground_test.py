@@ -4,6 +4,7 @@ import subprocess
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import rockstack
@@ -41,6 +42,38 @@ class GroundMotionTest(unittest.TestCase):
         scene = rocking(ground={"horizontal": motion})
         np.testing.assert_array_equal(scene.horizontal.samples, motion.samples)
         self.assertIsNone(scene.vertical)
+
+    def test_a_trace_is_its_samples_in_its_unit(self):
+        def trace(data=(0.0, 1.0, -2.0), **stats):
+            return SimpleNamespace(data=np.ma.masked_invalid(data), stats=SimpleNamespace(delta=0.01, **stats))
+
+        wanted = rockstack.GroundMotion(samples=[0.0, 0.01, -0.02], interval=0.01)
+        for given, units in ((trace(), "cm/s2"), (trace(units="gal"), None), (trace(units="cm/s**2"), "Gal"),
+                             (SimpleNamespace(traces=[trace()]), "cm/s^2")):
+            self.assertEqual(rockstack.GroundMotion(given, units=units), wanted)
+        self.assertEqual(rockstack.GroundMotion(trace(), units="g", peak=3.0).samples.min(), -3.0)
+        for given, units, message in ((trace(), None, "units = None, its own None: must be one unit of acceleration"),
+                                      (trace(), "m/s", "units = m/s"), (trace(units="m/s2"), "g", "its own m/s2"),
+                                      (trace(units="counts"), None, "counts"), (trace((0.0, np.nan)), "g", "1 of 2 masked"),
+                                      (SimpleNamespace(traces=[trace(), trace()]), "g", "2 traces"),
+                                      (SimpleNamespace(traces=[]), "g", "0 traces"), ({"samples": [1.0], "interval": 1}, "g", "units")):
+            with self.subTest(message), self.assertRaisesRegex(rockstack.InputError, message):
+                rockstack.GroundMotion(given, units=units)
+
+    def test_motions_are_equal_by_value_and_read_back(self):
+        pulse = rockstack.GroundMotion(pulse="sine", amplitude=3.0, period=1.0)
+        samples = rockstack.GroundMotion(samples=np.array([0.0, 1.0]), interval=0.5)
+        for motion in (pulse, samples):
+            for other in (eval(repr(motion)), rocking(ground={"horizontal": motion}).horizontal):
+                self.assertEqual((motion, hash(motion)), (other, hash(other)))
+        self.assertNotEqual(pulse, rockstack.GroundMotion({**pulse, "period": 2.0}))
+        self.assertNotEqual(pulse, samples)
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "motion.txt"
+            file.write_text("# dt = 0.5, units: m/s2\n0\n1\n")
+            for record in (rockstack.GroundMotion(file), rockstack.GroundMotion(str(file), scale=1.0)):
+                self.assertEqual(record, samples)
+                self.assertEqual(eval(repr(record)), record)
 
     def test_a_pulse_is_its_function(self):
         times = np.linspace(0, 1, 11)

@@ -30,7 +30,7 @@ def main() -> None:
     # Workers written in a notebook name "python3", which is to be this one.
     os.environ["PATH"] = str(Path(sys.executable).parent) + os.pathsep + os.environ["PATH"]
     files = sorted(NOTEBOOKS.glob("*.ipynb"))
-    assert len(files) >= 3, files
+    assert len(files) >= 4, files
     with tempfile.TemporaryDirectory() as scratch:
         os.environ.update(IPYTHONDIR=scratch, MPLCONFIGDIR=scratch, JUPYTER_RUNTIME_DIR=scratch, MPLBACKEND="")
         del os.environ["MPLBACKEND"]

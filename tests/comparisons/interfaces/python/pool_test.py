@@ -38,22 +38,31 @@ class PoolTest(unittest.TestCase):
                 with self.subTest(name):
                     alone = solved(name)
                     self.same(alone, made)
-                    self.same(alone.scene, made.scene)
+                    self.assertEqual(alone, made)
+                    self.assertEqual(hash(alone), hash(made))
+                    self.assertNotEqual(alone, rockstack.solve(alone.scene, interval=0.02))
 
     def test_what_functions_return_pickles_and_copies(self):
         scene = rockstack.Scene(duration=0.2, blocks=TWO, initial={"angles": [0.1, 0.1]})
         motion = rockstack.GroundMotion(synthetic=1, peak=2.0, duration=1.0)
         pulse = rockstack.GroundMotion(pulse="sine", amplitude=3.0, period=1.0)
         table = rockstack.sweep(scene=scene, vary=[{"key": "gravity", "values": [9.0, 10.0]}])
-        kept = [scene, rockstack.solve(scene), motion, pulse, rocking(ground={"horizontal": motion}).horizontal, table]
+        kept = [scene, scene.blocks, rockstack.solve(scene), motion, pulse, rocking(ground={"horizontal": motion}).horizontal, table,
+                rockstack.fragility([1.0, 1.0, 2.0, 2.0, 3.0, 3.0], [0, 0, 0, 1, 1, 1])]
+        if rockstack.engines():
+            engine = rockstack.engines()[0]["name"]
+            kept += [rockstack.simulate(scene, engine, 0.01, bodies=True), rockstack.canon(engine, scenes=["throw"], draws=1),
+                     rockstack.compare(scene, engines=[engine], dt=[0.01], quick=True, draws=2)]
         for value in kept:
             for other in (pickle.loads(pickle.dumps(value)), copy.copy(value), copy.deepcopy(value)):
                 with self.subTest(type(value).__name__):
                     self.assertEqual(repr(other), repr(value))
-                    if value is table:
-                        self.assertTrue(equal(dict(other), dict(value)))
-                    else:
+                    self.assertTrue(other == value)
+                    if isinstance(value, rockstack.Motion):
                         self.same(value, other)
+        for error in (rockstack.InputError("wrong"), rockstack.EngineError("failed"), rockstack.Unfinished("why", kept[2])):
+            other = pickle.loads(pickle.dumps(error))
+            self.assertEqual((type(other), str(other), vars(other)), (type(error), str(error), vars(error)))
 
     def test_the_motion_up_to_where_it_was_given_up_comes_back(self):
         chatter = rocking(blocks=[{"width": 0.1, "height": 2.0, "density": 2500.0}], initial={"angles": [1e-6]}, duration=2.0)

@@ -1,5 +1,6 @@
 """Scenes from files, mappings and keywords have the checks and messages of scene files."""
 import copy
+import dataclasses
 import math
 import pickle
 import tempfile
@@ -131,6 +132,43 @@ class SceneTest(unittest.TestCase):
                              "": "must be a scene's key"}.items():
             with self.assertRaisesRegex(rockstack.InputError, message):
                 scene.replace({key: 1.0})
+
+    def test_blocks_have_the_keys_of_their_table(self):
+        keys = {row["key"] for row in rockstack.keys("scene") if row["table"] == "[[blocks]]"}
+        self.assertEqual({field.name for field in dataclasses.fields(rockstack.Block)}, keys)
+        block = {"width": 0.5, "height": 1.5, "mass": 3.0, "inertia": 2.0, "center_of_mass": [0.1, -0.2]}
+        scene = rocking(blocks=[rockstack.Block(**block)], initial={})
+        self.assertEqual(scene.to_dict()["blocks"], [block])
+        self.assertEqual(rocking(blocks=scene.blocks, initial={}), scene)
+        self.assertEqual((scene.blocks[0].height, scene.blocks[0].center_of_mass[1], scene.blocks[0].density), (1.5, -0.2, None))
+
+    def test_equal_scenes_are_those_of_equal_keys(self):
+        scene = rocking()
+        for other in (rocking(), scene.replace(duration=1.0), rocking(blocks=[dict(reversed(BLOCK.items()))])):
+            self.assertEqual((scene, hash(scene)), (other, hash(other)))
+        for other in (scene.replace(duration=2.0), scene.replace({"blocks.1.height": 1.4}, law="paper"), "scene", None):
+            self.assertNotEqual(scene, other)
+        with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
+            for folder, sample in ((one, 1), (two, 2)):
+                Path(folder, "motion.txt").write_text(f"# dt = 0.1, units: m/s2\n0\n{sample}\n0\n")
+            ground = {"horizontal": {"record": "motion.txt"}}
+            shaken = [rocking(ground=ground, folder=folder) for folder in (one, one, two)]
+            self.assertEqual(shaken[0], shaken[1])
+            self.assertNotEqual(shaken[0], shaken[2])
+            self.assertEqual(eval(repr(shaken[0])), shaken[0])
+
+    def test_what_is_printed_reads_back(self):
+        for name in rockstack.shipped("scenes"):
+            scene = rockstack.Scene.read(name)
+            with self.subTest(name):
+                self.assertEqual(eval(repr(scene)), scene)
+        rigid = rocking(law="compliant", contact={"stiffness": [np.inf], "damping": 0.0})
+        self.assertEqual(eval(repr(rigid)), rigid)
+        self.assertEqual(eval(repr(rigid.blocks)), rigid.blocks)
+        long = rocking(ground={"horizontal": {"samples": np.sin(np.arange(1000.0)), "interval": 0.01}})
+        self.assertLess(len(repr(long)), 500)
+        with self.assertRaisesRegex(rockstack.InputError, "samples"):
+            eval(repr(long))
 
     def test_keys_are_those_of_the_program(self):
         self.assertEqual({row["key"] for row in rockstack.keys("scene") if row["table"] == "[initial]"},

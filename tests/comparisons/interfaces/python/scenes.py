@@ -22,9 +22,9 @@ LONG = ("rockstack.Scene(duration=1e6, blocks=[dict(width=0.5, height=1.5, densi
 ENDLESS = LONG + ".replace({'law': 'compliant', 'contact.stiffness': 1e6})"
 
 
-def rocking(**changes) -> rockstack.Scene:
+def rocking(folder="", **changes) -> rockstack.Scene:
     """One block released at 0.1 rad."""
-    return rockstack.Scene({"duration": 1.0, "blocks": [BLOCK], "initial": {"angles": [0.1]}, **changes})
+    return rockstack.Scene({"duration": 1.0, "blocks": [BLOCK], "initial": {"angles": [0.1]}, **changes}, folder=folder)
 
 
 def solved_by_program(scene: Path, *arguments: str) -> Path:

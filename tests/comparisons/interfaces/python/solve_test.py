@@ -25,7 +25,7 @@ class SolveTest(unittest.TestCase):
                 rows = np.genfromtxt(folder / "history.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
                 solution = rockstack.solve(scene)
                 np.testing.assert_array_equal(solution.times, rows["time"])
-                for k in range(scene.blocks):
+                for k in range(len(scene.blocks)):
                     np.testing.assert_array_equal(solution.angles[:, k], rows[f"theta_{k + 1}"])
                     np.testing.assert_array_equal(solution.velocities[:, k], rows[f"omega_{k + 1}"])
                 np.testing.assert_array_equal(solution.patterns, rows["pattern"].astype(str))
@@ -38,7 +38,7 @@ class SolveTest(unittest.TestCase):
 
     def test_shapes(self):
         solution = rockstack.solve(rockstack.Scene.read("thrown-stack", ["duration=0.5"]), interval=0.01)
-        samples, blocks = 51, solution.scene.blocks
+        samples, blocks = 51, len(solution.scene.blocks)
         for name in ("angles", "velocities", "slips", "gaps", "reactions"):
             self.assertEqual(getattr(solution, name).shape, (samples, blocks), name)
         for name in ("places", "place_rates"):

@@ -83,6 +83,31 @@ class SweepTest(unittest.TestCase):
             self.assertEqual(table["peak_1"][run], rockstack.solve(scene.replace(values), interval=None).peaks[0])
         self.assertEqual(table["law"].tolist(), ["paper", "consistent"] * 3)
 
+    def test_directions_of_the_grid_have_names(self):
+        """Two keys in step are one direction, drawn values lie along all, and a cell is the run of its coordinates."""
+        scene = rocking(ground={"horizontal": {"pulse": "sine", "amplitude": 3.0, "period": 0.8}})
+        vary = [{"key": "ground.horizontal.amplitude", "values": [1.0, 2.0, 3.0]},
+                {"key": "law", "values": ["paper", "consistent"], "group": "both"},
+                {"key": "blocks.1.height", "values": [1.4, 1.6], "group": "both"},
+                {"key": "blocks.1.width", "normal": {"mean": 0.5, "deviation": 0.01}}]
+        table = rockstack.sweep(scene=scene, vary=vary, samples=4, seed=1)
+        self.assertEqual(table.dimensions, ("ground.horizontal.amplitude", "law", "sample"))
+        self.assertEqual(table.shape, (3, 2, 4))
+        self.assertEqual(table.coordinates["law"], ("law", "blocks.1.height"))
+        keys = ("ground.horizontal.amplitude", "law", "blocks.1.height", "blocks.1.width")
+        for cell in ((0, 0, 0), (1, 0, 3), (2, 1, 2)):
+            one = scene.replace({key: table.grid(key)[cell].item() for key in keys})
+            self.assertEqual(rockstack.solve(one, interval=None).peaks[0], table.grid("peak_1")[cell])
+        self.assertEqual(rockstack.sweep(scene=scene, vary=vary[:1]).dimensions, ("ground.horizontal.amplitude",))
+        try:
+            data = table.to_xarray()
+        except ImportError:
+            self.skipTest("xarray is not there")
+        self.assertEqual(dict(data.sizes), dict(zip(table.dimensions, table.shape)))
+        np.testing.assert_array_equal(data["blocks.1.height"].sel(law="consistent"), 1.6)
+        self.assertEqual(data["peak_1"].sel({"ground.horizontal.amplitude": 2.0, "law": "paper"})[3], table.grid("peak_1")[1, 0, 3])
+        np.testing.assert_array_equal(data["blocks.1.width"], table.grid("blocks.1.width"))
+
     def test_a_run_that_fails_costs_its_row(self):
         table = rockstack.sweep(scene=rocking(), samples=40, seed=1,
                                 vary=[{"key": "blocks.1.width", "normal": {"mean": 0.3, "deviation": 0.3}}])
