@@ -36,7 +36,10 @@ fs::path own_file() {
 
 fs::path own_folder() {
   const fs::path folder = resolved().parent_path();
-  return own_module().empty() ? folder : (folder / ROCKSTACK_PROGRAMS_FROM_MODULE).lexically_normal();
+  if (own_module().empty()) return folder;
+  for (fs::path prefix = folder; prefix.has_relative_path(); prefix = prefix.parent_path())
+    if (fs::exists(prefix / ROCKSTACK_BINDIR / "rockstack")) return prefix / ROCKSTACK_BINDIR;
+  return folder;
 }
 
 bool in_build_tree() {
