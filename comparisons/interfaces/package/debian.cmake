@@ -1,0 +1,12 @@
+# Moves what Debian's Python and zsh look for elsewhere under /usr than under a prefix of one's own.
+set(usr ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/usr)
+file(GLOB python ${usr}/lib/python3.*)
+foreach(folder ${python})
+  file(GLOB packages ${folder}/*-packages/rockstack)
+  file(MAKE_DIRECTORY ${usr}/lib/python3/dist-packages)
+  file(RENAME ${packages} ${usr}/lib/python3/dist-packages/rockstack)
+  file(REMOVE_RECURSE ${folder})
+endforeach()
+if(EXISTS ${usr}/share/zsh/site-functions)
+  file(RENAME ${usr}/share/zsh/site-functions ${usr}/share/zsh/vendor-completions)
+endif()
