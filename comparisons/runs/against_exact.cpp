@@ -1,4 +1,4 @@
-#include "comparisons/runs/against_exact.hpp"
+#include "comparisons/runs/measure.hpp"
 
 #include <fmt/format.h>
 
@@ -21,9 +21,7 @@ namespace rockstack {
 namespace {
 
 double largest_angle(const History& history) {
-  double result = 0;
-  for (const double angle : history.angles) result = std::max(result, std::abs(angle));
-  return result;
+  return std::ranges::max(peak_angles(history));
 }
 
 /// The second swing of the top block; nothing where it has not peaked by the end.

@@ -1,5 +1,5 @@
-#include "comparisons/runs/draws.hpp"
 #include "analytic/scene/input/json_reader.hpp"
+#include "comparisons/runs/job.hpp"
 
 #include <fmt/format.h>
 

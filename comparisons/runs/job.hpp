@@ -1,6 +1,10 @@
 #pragma once
 
+#include <filesystem>
 #include <future>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "analytic/scene/scene.hpp"
@@ -57,5 +61,75 @@ std::vector<Job> jobs_of(const std::vector<Suite>& suites);
 /// About how large the histories of a comparison are, bytes: samples × columns × runs. An upper bound where
 /// blocks topple.
 double history_bytes(const std::vector<Suite>& suites);
+
+/// The files of one run by their names, before they are written: so a run can be made in another process, or
+/// on another machine, than the one that keeps the results.
+using RunFiles = std::map<std::string, std::string>;
+
+/// The one that is written last: a run with it is whole.
+inline constexpr const char* summary_name = "summary.json";
+
+/// All of a file; empty where it cannot be read.
+std::string bytes_of(const std::filesystem::path& file);
+
+/// Makes the folder anew and writes all files. @throws std::runtime_error where one cannot be written.
+void write_files(const RunFiles& files, const std::filesystem::path& folder);
+
+/// Leaves out samples of history.csv, difference.csv, energy.csv, reactions.csv and parts.csv that are nearer
+/// than an interval, s, to the one kept before; the first and the last stay. 0: all stay.
+void thin_histories(RunFiles& files, double interval);
+
+/// Between files and one text, for a message. unpack() throws std::runtime_error for anything else than what
+/// pack() gave.
+std::string pack(const RunFiles& files);
+RunFiles unpack(const std::string& message);
+
+/// A number, in hexadecimal, that two runs share which give the same results: made from all of the scene's
+/// numbers, the engine's parameters, what is wanted, and the bytes of this program and of the worker's.
+std::string identity(const Job& job);
+
+/// The same of a run's draws.
+std::string draws_identity(const Job& job);
+
+/// Names and checksums of files, in hexadecimal.
+using Checksums = std::map<std::string, std::string>;
+
+/// Of all files of a run but its summary, which keeps them.
+Checksums checksums(const RunFiles& files);
+
+/// The row of a run that is done, of that identity, and whose files are all there as they were written; or
+/// nothing. Files beside those, such as its draws, do not count.
+std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, const std::string& identity);
+
+/// True for a job that has more runs behind its numbers than the nominal one.
+bool is_drawn(const Job& job);
+
+/// Makes the draws of a job but the nominal one, `threads` at a time: an engine's runs at nearby steps of
+/// scenes that hardly differ, each held against the exact solution of its own scene. None is timed. A draw
+/// that fails has a row that says why; one that runs out of time or memory ends the set, and those after it
+/// fail likewise.
+std::vector<RunMetrics> make_draws(const Job& job, std::size_t threads);
+
+/// Between draws and the text that a message or a file holds. @throws nlohmann::json::exception
+std::string pack_draws(const std::vector<RunMetrics>& draws, const std::string& identity);
+
+/// The draws in such a text, where they are of that identity.
+std::optional<std::vector<RunMetrics>> unpack_draws(const std::string& text, const std::string& identity);
+
+/// Writes draws.json and, for readers, draws.csv into a run's folder.
+void write_draws(const std::string& packed, const RunMetrics& nominal, const std::filesystem::path& folder);
+
+/// Puts medians over the nominal run and its draws in the place of the nominal row's numbers, with quartiles,
+/// and says how many there were. A quantile is the value of a draw: that of rank ⌈q n⌉ of those that are done
+/// and have one.
+void summarise(const std::vector<RunMetrics>& draws, RunMetrics& nominal);
+
+/// A line a run and quantity: run,quantity,draws,least,lower_quartile,median,upper_quartile,greatest, of
+/// rows with their draws.
+struct DrawnRow {
+  RunMetrics nominal;
+  std::vector<RunMetrics> draws;
+};
+std::string spread_csv(const std::vector<DrawnRow>& rows);
 
 }  // namespace rockstack

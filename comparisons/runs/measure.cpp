@@ -18,8 +18,7 @@
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
-#include "comparisons/runs/against_exact.hpp"
-#include "comparisons/runs/stepping_time.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {
@@ -61,8 +60,8 @@ void add_validity(const Scene& scene, const History& history, Json& json) {
   if (leaves_pivots(scene.law)) json["contact"] = contact_json(history);
 }
 
-/// Wall times of solving without samples, after a warm-up.
-SteppingTime time_solving(const Scene& scene, int repeats, const SolveOptions& options) {
+/// Wall times of solving without samples, after a warm-up, s.
+std::vector<double> time_solving(const Scene& scene, int repeats, const SolveOptions& options) {
   solve(scene, options);
   std::vector<double> seconds;
   for (int i = 0; i < repeats; ++i) {
@@ -70,7 +69,7 @@ SteppingTime time_solving(const Scene& scene, int repeats, const SolveOptions& o
     solve(scene, options);
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  return stepping_time(seconds);
+  return seconds;
 }
 
 /// How long a solved motion lasts, s.
@@ -78,13 +77,14 @@ double motion_time(const Scene& scene, const History& history) {
   return reported_toppling(history).empty() ? scene.duration : history.events.back().time;
 }
 
-/// `motion`: the time that was simulated, s.
-void set_time(const SteppingTime& time, double motion, RunMetrics& row) {
-  row.stepping_time_minimum = time.minimum;
-  row.stepping_time_median = time.median;
-  row.stepping_time_spread = time.spread;
-  row.repeats = time.repeats;
-  row.real_time_factor = motion / time.minimum;
+/// `seconds`: wall times of stepping, one or more; `motion`: the time that was simulated, s.
+void set_time(const std::vector<double>& seconds, double motion, RunMetrics& row) {
+  const auto [least, most] = std::ranges::minmax(seconds);
+  row.stepping_time_minimum = least;
+  row.stepping_time_median = median(seconds);
+  row.stepping_time_spread = most - least;
+  row.repeats = static_cast<int>(seconds.size());
+  row.real_time_factor = motion / least;
 }
 
 void add_history(const History& history, RunFiles& files) {
@@ -173,7 +173,8 @@ Json run_engine(const Job& job, RunMetrics& row, const std::string& command, Run
   row.runs_at_a_time = sharing;
   if (row.status == RunStatus::done) {
     const auto times = regular_times(job.dt, scene.duration);
-    row.exact_sampled_time = time_solving(scene, job.suite.repeats, {.sample_times = times}).minimum;
+    row.exact_sampled_time =
+        std::ranges::min(time_solving(scene, job.suite.repeats, {.sample_times = times}));
     run_perturbed(
         job,
         [&](const Scene& other) {
@@ -207,7 +208,7 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
                      {history, dt, observed_impacts(history, chatter_speed(scene)),
                       !row.toppled.empty() || !row.fallen.empty(), bodies, acting_friction(series, scene)},
                      horizon_of(job), row, files);
-  if (repeats > 0) set_time(stepping_time(made.seconds), history.times.back(), row);
+  if (repeats > 0) set_time(made.seconds, history.times.back(), row);
   if (made.cold) row.timed_cold = 1;
   return row;
 }

@@ -1,4 +1,4 @@
-#include "comparisons/runs/run_files.hpp"
+#include "comparisons/runs/job.hpp"
 
 #include <fmt/format.h>
 

@@ -1,15 +1,14 @@
-#include "comparisons/runs/tasks.hpp"
+#include "comparisons/runs/compare.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <limits>
 #include <map>
 #include <numeric>
-#include <thread>
 #include <utility>
 
+#include "comparisons/runs/job.hpp"
 #include "comparisons/runs/measure.hpp"
-#include "comparisons/runs/run_files.hpp"
 
 namespace rockstack {
 namespace {
@@ -166,7 +165,7 @@ std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const
   const Task task = task_of(number, jobs.size());
   const Job& job = jobs[task.job];
   if (!task.draws) return pack(measure(job, command, at_a_time));
-  const std::size_t threads = std::max<std::size_t>(1, std::thread::hardware_concurrency() / at_a_time);
+  const std::size_t threads = std::max<std::size_t>(1, all_cores() / at_a_time);
   return pack_draws(make_draws(job, threads), draws_identity(job));
 }
 

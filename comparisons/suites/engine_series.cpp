@@ -1,4 +1,4 @@
-#include "comparisons/suites/engine_series.hpp"
+#include "comparisons/suites/suite.hpp"
 
 #include <fmt/format.h>
 

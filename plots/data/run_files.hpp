@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/measures/results/recorded_history.hpp"
+#include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
 #include "plots/data/results.hpp"

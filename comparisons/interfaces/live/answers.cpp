@@ -1,4 +1,4 @@
-#include "comparisons/interfaces/live/answers.hpp"
+#include "comparisons/interfaces/live/live_state.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,9 +12,8 @@
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/input/scene_file.hpp"
-#include "comparisons/interfaces/live/answers.hpp"
 #include "comparisons/interfaces/live/live_state.hpp"
-#include "comparisons/suites/perturbations.hpp"
+#include "comparisons/suites/suite.hpp"
 
 namespace {
 

@@ -6,13 +6,12 @@
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 #include <utility>
 
 #include "analytic/scene/input/json_reader.hpp"
-#include "comparisons/interfaces/live/answers.hpp"
 #include "comparisons/interfaces/live/live_state.hpp"
-#include "comparisons/suites/perturbations.hpp"
+#include "comparisons/runs/execution/executor.hpp"
+#include "comparisons/suites/suite.hpp"
 #include "engines/worker/process.hpp"
 
 namespace rockstack::live {
@@ -110,24 +109,10 @@ bool Scheduler::is_superseded(const Client& client) const {
 
 void Scheduler::serve(Kind kind, const std::function<bool()>& cancelled, const std::function<void()>& run) {
   constexpr std::chrono::milliseconds tick{5};
-  std::size_t& taken = taken_[kind == Kind::exact ? 0 : 1];
-  {
-    std::unique_lock lock(mutex_);
-    while (taken >= places_) {
-      left_.wait_for(lock, tick);
-      lock.unlock();
-      if (cancelled()) return;
-      lock.lock();
-    }
-    ++taken;
-  }
-  const auto leave = [&](const void*) {
-    {
-      const std::lock_guard lock(mutex_);
-      --taken;
-    }
-    left_.notify_all();
-  };
+  std::counting_semaphore<>& places = kind == Kind::exact ? exact_ : engines_;
+  while (!places.try_acquire_for(tick))
+    if (cancelled()) return;
+  const auto leave = [&](const void*) { places.release(); };
   const std::unique_ptr<const void, decltype(leave)> place(this, leave);
   run();
 }
@@ -135,7 +120,7 @@ void Scheduler::serve(Kind kind, const std::function<bool()>& cancelled, const s
 Requests::Requests(std::filesystem::path solver, std::set<std::string> records)
     : solver_(std::move(solver)),
       records_(std::move(records)),
-      scheduler_(std::max<std::size_t>(2, std::thread::hardware_concurrency())) {}
+      scheduler_(std::max(2, static_cast<int>(all_cores()))) {}
 
 std::string Requests::answer(const std::string& text, const std::function<bool()>& gone) {
   const auto start = std::chrono::steady_clock::now();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -9,10 +8,12 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <semaphore>
 #include <set>
 #include <string>
 
 #include "analytic/scene/ground/motion_library.hpp"
+#include "comparisons/interfaces/live/live_page.hpp"
 
 namespace rockstack::live {
 
@@ -30,7 +31,7 @@ struct Client {
 /// remembers of pages stays bounded: of the oldest it forgets that they asked.
 class Scheduler {
  public:
-  explicit Scheduler(std::size_t places) : places_(places) {}
+  explicit Scheduler(std::ptrdiff_t places) : exact_(places), engines_(places) {}
 
   /// A request, which supersedes older ones of its kind and page.
   void note(const Client& client);
@@ -41,9 +42,7 @@ class Scheduler {
 
  private:
   mutable std::mutex mutex_;
-  std::condition_variable left_;
-  std::size_t places_;
-  std::array<std::size_t, 2> taken_{};  ///< by exact runs, and by engines
+  std::counting_semaphore<> exact_, engines_;  ///< places of exact runs, and of engines
   std::map<std::string, std::array<std::uint64_t, 3>> newest_;
   std::deque<std::string> pages_;  ///< in order of their arrival
 };
@@ -69,5 +68,13 @@ class Requests {
   MotionLibrary library_{std::size_t{16} << 20U};
   Scheduler scheduler_;
 };
+
+/// Serves a page, its requests and the lessons beside it on this machine alone, until the program ends: on
+/// 127.0.0.1, to who knows the token and calls the server by this address. A connection carries one request,
+/// of limited length and time. `port` 0: any that is free.
+/// `listening` is told the address, with a token that is drawn anew each time: of the lessons, where there
+/// are any, else of the page. @throws std::runtime_error where the port is taken.
+void serve(Requests& requests, LivePage page, int port,
+           const std::function<void(const std::string& address)>& listening);
 
 }  // namespace rockstack::live

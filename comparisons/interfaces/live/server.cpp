@@ -1,4 +1,4 @@
-#include "comparisons/interfaces/live/server.hpp"
+#include "comparisons/interfaces/live/requests.hpp"
 
 #include <arpa/inet.h>
 #include <fmt/format.h>

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/runs/compare.hpp"
 #include "comparisons/runs/execution/executor.hpp"
-#include "comparisons/runs/tasks.hpp"
 #include "comparisons/studies/diff/changes.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/suite.hpp"
@@ -120,10 +120,11 @@ struct LiveArguments {
 };
 int live_command(const LiveArguments& arguments, const Common& common);  ///< serves until it is ended
 
-struct ListArguments {
-  std::string kind;  ///< "scenes", "suites", "ensembles", "lessons" or "engines"; empty: all
+struct KindArguments {
+  std::string kind;  ///< of what is listed, or of the files whose keys are explained; empty: all
 };
-int list_command(const ListArguments& arguments, const Common& common);
+int list_command(const KindArguments& arguments, const Common& common);
+int keys_command(const KindArguments& arguments, const Common& common);
 
 struct CheckEngineArguments {
   std::string engine;
@@ -138,11 +139,6 @@ struct CanonArguments {
   std::filesystem::path out;
 };
 int canon_command(const CanonArguments& arguments, const Common& common);
-
-struct KeysArguments {
-  std::string kind;  ///< "scene", "suite" or "ensemble"; empty: all
-};
-int keys_command(const KeysArguments& arguments, const Common& common);
 
 struct NewArguments {
   std::string kind = "scene";         ///< or "suite", "ensemble"
@@ -180,9 +176,6 @@ void refuse_overrides(const Common& common, const char* reason);
 
 /// The ranks that mpirun has started, or that many threads.
 std::unique_ptr<Executor> make_executor(std::size_t threads);
-
-/// How many threads the machine runs at once, ≥ 1.
-std::size_t all_cores();
 
 // What the program says on standard output; progress goes to standard error, and only to a terminal.
 

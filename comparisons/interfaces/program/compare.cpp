@@ -92,19 +92,21 @@ void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& res
 /// Shares by kind of impact, and what the engines follow.
 void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,
                        const Common& common) {
-  const std::vector<KindShare> kinds = shares_by_kind(results.laws.shares);
+  const std::vector<ImpactShare> kinds = shares_by_kind(results.laws.shares);
   if (common.json) {
     Json list = Json::array();
-    for (const KindShare& kind : kinds)
-      list.push_back(
-          {{"kind", kind.kind}, {"impacts", kind.impacts}, {"differ", kind.differ}, {"none", kind.none}});
+    for (const ImpactShare& kind : kinds)
+      list.push_back({{"kind", name(kind.kind)},
+                      {"impacts", kind.impacts},
+                      {"differ", kind.differ},
+                      {"none", kind.none}});
     fmt::print("{}\n", Json{{"kinds", list}, {"folder", folder.string()}}.dump(2));
     return;
   }
   if (common.quiet) return;
   fmt::print("{:<18} {:>8} {:>9} {:>9}\n", "impact", "number", "differ", "none");
-  for (const KindShare& kind : kinds)
-    fmt::print("{:<18} {:>8} {:>8.2f}% {:>8.2f}%\n", kind.kind, kind.impacts,
+  for (const ImpactShare& kind : kinds)
+    fmt::print("{:<18} {:>8} {:>8.2f}% {:>8.2f}%\n", name(kind.kind), kind.impacts,
                100.0 * kind.differ / kind.impacts, 100.0 * kind.none / kind.impacts);
   fmt::print("\n{:<26} {:>7} {:>11} {:>7} {:>8} {:>7}\n", "engine:solver", "dt (s)", "consistent", "paper",
              "neither", "failed");
@@ -126,7 +128,7 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   write_results(study, results, out, common.command);
   print_impact_laws(results, out, common);
   show_report(out, common);
-  const bool failed = std::any_of(results.cases.begin(), results.cases.end(), [](const AskedCase& asked) {
+  const bool failed = std::any_of(results.cases.begin(), results.cases.end(), [](const ImpactCase& asked) {
     return std::any_of(asked.verdicts.begin(), asked.verdicts.end(),
                        [](const EngineVerdict& verdict) { return !verdict.failure.empty(); });
   });

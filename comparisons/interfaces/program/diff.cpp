@@ -76,13 +76,13 @@ void print_tests(const ResultsChange& result) {
                result.counted, result.tests - result.counted, result.level);
 }
 
-void print_singles(const ResultsChange& result, const ChangeFactors& factors) {
+void print_singles(const ResultsChange& result, const ChangeOptions& options) {
   const auto single = std::count_if(result.rows.begin(), result.rows.end(),
                                     [](const RowChange& row) { return !row.drawn && row.old_row.steps; });
   if (single == 0) return;
-  if (factors.single)
+  if (options.single)
     fmt::print("rows of single runs: {}; a number of theirs is reported from {} times on\n", single,
-               *factors.single);
+               *options.single);
   else
     fmt::print(
         "rows of single runs: {}; only failures of theirs are reported, --factor F reports numbers too\n",
@@ -93,18 +93,18 @@ void print_names(const char* what, const std::vector<std::string>& names) {
   if (!names.empty()) fmt::print("{}: {}\n", what, fmt::join(names, "; "));
 }
 
-void print_change(const ResultsChange& result, const ChangeFactors& factors) {
+void print_change(const ResultsChange& result, const ChangeOptions& options) {
   const auto count = [&](const auto& counts) {
     return std::count_if(result.rows.begin(), result.rows.end(), counts);
   };
   const auto turned = turned_numbers(result);
   if (!turned.empty()) print_table(turned);
   fmt::print("rows in both: {}, to the bit {}; worse {}, better alone {}\n", result.rows.size(),
-             count([](const RowChange& row) { return row.bits == SameBits::same; }),
+             count([](const RowChange& row) { return row.bits == "same"; }),
              count([](const RowChange& row) { return row.worst() == Turn::worse; }),
              count([](const RowChange& row) { return row.worst() == Turn::better; }));
   print_tests(result);
-  print_singles(result, factors);
+  print_singles(result, options);
   if (const ValueSpread cost = cost_ratio(result); cost.values > 0)
     fmt::print("time of a step, new over old: {:.2f}, of single rows {:.2f} to {:.2f}\n", cost.median,
                cost.lower, cost.upper);
@@ -114,7 +114,7 @@ void print_change(const ResultsChange& result, const ChangeFactors& factors) {
   print_names("made otherwise", result.other_environment);
   std::vector<std::string> moved;
   for (const RowChange& row : result.rows)
-    if (row.old_row.engine == "exact" && row.bits == SameBits::different) moved.push_back(row.old_row.scene);
+    if (row.old_row.engine == "exact" && row.bits == "different") moved.push_back(row.old_row.scene);
   print_names("the exact motion itself has other bits in", moved);
 }
 
@@ -130,8 +130,8 @@ int diff_command(const DiffArguments& arguments, const Common& common) {
   const ChangeOptions& options = arguments.options;
   if (!(options.level > 0 && options.level < 1))
     throw InputError(fmt::format("--level = {}: must be a number between 0 and 1", options.level));
-  require_factor("--factor", options.factors.single);
-  require_factor("--cost", options.factors.cost);
+  require_factor("--factor", options.single);
+  require_factor("--cost", options.cost);
   const RecordedResults before = read_recorded_results(arguments.old_results);
   const ResultsChange result = hold_against(before, read_recorded_results(arguments.new_results), options);
   nlohmann::ordered_json json = changes_json(result);
@@ -144,7 +144,7 @@ int diff_command(const DiffArguments& arguments, const Common& common) {
   if (common.json) {
     fmt::print("{}\n", json.dump(2));
   } else if (!common.quiet) {
-    print_change(result, options.factors);
+    print_change(result, options);
     if (!arguments.out.empty()) fmt::print("results: {}\n", arguments.out.string());
   }
   return result.worse() ? 1 : 0;

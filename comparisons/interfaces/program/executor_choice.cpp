@@ -1,8 +1,5 @@
 #include "comparisons/interfaces/program/commands.hpp"
 
-#include <algorithm>
-#include <thread>
-
 #ifdef ROCKSTACK_WITH_MPI
 #include "comparisons/runs/execution/ranks.hpp"
 #endif
@@ -14,10 +11,6 @@ std::unique_ptr<Executor> make_executor(std::size_t threads) {
   if (auto ranks = find_ranks()) return ranks;
 #endif
   return make_threads(threads);
-}
-
-std::size_t all_cores() {
-  return std::max(1U, std::thread::hardware_concurrency());
 }
 
 }  // namespace rockstack

@@ -1,17 +1,169 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
+#include "analytic/scene/ground/records/record_file.hpp"
+#include "analytic/scene/input/document.hpp"
+#include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/studies/stability/study.hpp"
+#include "comparisons/studies/sweep/ensemble_keys.hpp"
 #include "comparisons/suites/shipped.hpp"
+#include "comparisons/suites/suite_keys.hpp"
 
 namespace rockstack {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// A kind of input file with its tables.
+struct FileKeys {
+  const char* file;
+  std::initializer_list<const KeyTable*> tables;
+};
+
+constexpr std::initializer_list<FileKeys> files{{"scene", scene_tables},
+                                                {"suite", suite_tables},
+                                                {"suite", stability_tables},
+                                                {"suite", impact_law_tables},
+                                                {"ensemble", ensemble_tables}};
+
+void print_table(const KeyTable& table) {
+  const std::string_view header = table.header;
+  fmt::print("\n{}{}# {}\n", header, header.empty() ? "" : "  ", table.meaning);
+  for (const InputKey& key : table.keys) {
+    fmt::print("  {:<20} {:<11} {:<28} {}\n", key.name, *key.unit != '\0' ? key.unit : "-", key.standard,
+               key.range);
+    fmt::print("  {:<20} {}\n", "", key.meaning);
+  }
+}
+
+Json table_json(const FileKeys& file, const KeyTable& table) {
+  Json json{
+      {"file", file.file}, {"table", table.header}, {"meaning", table.meaning}, {"keys", Json::array()}};
+  for (const InputKey& key : table.keys) {
+    json["keys"].push_back({{"key", key.name},
+                            {"unit", key.unit},
+                            {"range", key.range},
+                            {"default", key.standard},
+                            {"meaning", key.meaning},
+                            {"example", key.example}});
+  }
+  return json;
+}
+
+/// A table of a template with the values that differ from its examples.
+struct Section {
+  const KeyTable* table;
+  std::map<std::string, std::string> values = {};  ///< empty: left out
+  bool comment = false;                            ///< the whole table
+};
+
+/// The header of a table that is part of a scene in another file: "[[scene.blocks]]".
+std::string header_in(const std::string& scene, std::string header) {
+  if (header.empty()) return scene.empty() ? "" : "[" + scene + "]";
+  if (!scene.empty()) header.insert(header.find_last_of('[') + 1, scene + ".");
+  return header;
+}
+
+std::string comment_of(const InputKey& key) {
+  std::string standard;
+  const std::string_view words = key.standard;
+  if (words != required_key) {
+    const bool value = !words.starts_with("instead") && !words.starts_with(required_key);
+    standard = fmt::format(", {}{}", value ? "default " : "", words);
+  }
+  return fmt::format("{}: {}{}{}{}", key.meaning, key.unit, *key.unit != '\0' ? ", " : "", key.range,
+                     standard);
+}
+
+/// One line a key: required ones and those with a value as they are, others as comments.
+std::string lines_of(const Section& section, const std::string& mark) {
+  std::string text;
+  for (const InputKey& key : section.table->keys) {
+    const auto given = section.values.find(key.name);
+    const std::string value = given != section.values.end() ? given->second : key.example;
+    if (value.empty()) continue;
+    const bool off = given == section.values.end() && std::string_view(key.standard) != required_key;
+    text += fmt::format("{}{:<38} # {}\n", off ? "" : mark,
+                        fmt::format("{}{} = {}", off ? "# " : "", key.name, value), comment_of(key));
+  }
+  return text;
+}
+
+std::string text_of(const std::vector<Section>& sections, const std::string& scene = "") {
+  std::string text;
+  for (const Section& section : sections) {
+    const std::string header = header_in(scene, section.table->header), mark = section.comment ? "# " : "";
+    if (!text.empty()) text += "\n";
+    if (!header.empty()) text += fmt::format("{}{:<38} # {}\n", mark, header, section.table->meaning);
+    text += lines_of(section, mark);
+  }
+  return text;
+}
+
+/// The motion that a scene has, and the others as comments; with a record the scene lasts as long as it.
+std::vector<Section> scene_sections(const std::optional<std::filesystem::path>& record,
+                                    const std::filesystem::path& folder) {
+  std::vector<Section> sections{{&scene_keys, {{"title", "\"A column\""}}}, {&block_keys}, {&block_keys}};
+  sections[1].values = {{"width", "0.6"}, {"height", "1.6"}};
+  sections[2].values = {{"width", "0.5"}, {"height", "1.2"}};
+  if (!record) {
+    sections.push_back({&harmonic_keys, {{"amplitude", "9.0"}, {"period", "0.4"}}});
+    sections.push_back({&initial_keys, {{"angles", "[0.0, 0.0]"}, {"velocities", "[0.0, 0.0]"}}, true});
+    sections.push_back({&surface_keys, {}, true});
+    return sections;
+  }
+  const Record motion = read_record(*record);
+  const double length = motion.interval * static_cast<double>(motion.samples.size());
+  sections[0].values["duration"] = fmt::format("{:.1f}", std::ceil(length) + 2);
+  const std::string path = std::filesystem::proximate(*record, folder).string();
+  sections.push_back({&record_keys, {{"record", toml_text(path)}, {"scale", "1.0"}}});
+  sections.push_back({&surface_keys, {}, true});
+  return sections;
+}
+
+std::string suite_text() {
+  return text_of({{&suite_keys,
+                   {{"title", "\"Two blocks\""}, {"scenes", "[\"spanos-free-rocking\"]"}, {"repeats", "1"}}},
+                  {&engine_keys, {{"settings", "[\"tuned\"]"}, {"dt", "[1e-2, 1e-3]"}}},
+                  {&draws_keys},
+                  {&perturbations_keys, {}, true}});
+}
+
+std::string ensemble_text() {
+  const std::string scene =
+      text_of({{&scene_keys, {{"duration", "5.0"}}}, {&block_keys, {{"width", "0.5"}}}, {&harmonic_keys, {}}},
+              "scene");
+  return text_of({{&ensemble_keys, {{"scene", ""}}}}) + "\n" + scene + "\n" +
+         text_of({{&vary_keys,
+                   {{"key", "\"ground.horizontal.amplitude\""},
+                    {"values", ""},
+                    {"range", "{ from = 1.0, to = 12.0, count = 12 }"}}},
+                  {&vary_keys, {{"key", "\"ground.horizontal.period\""}, {"values", "[0.5, 0.7, 1.0]"}}},
+                  {&summary_keys, {{"intensity", "\"ground.horizontal.amplitude\""}}}});
+}
+
+/// A commented input file of a kind, made of the keys that its reader takes: it is accepted as it stands, and
+/// what may be left out is there as comments. A scene with a record has that record, as a path from the file,
+/// for its ground motion. @throws InputError where the record cannot be read.
+std::string template_text(const NewArguments& arguments) {
+  const std::string& kind = arguments.kind;
+  if (arguments.record && kind != "scene")
+    throw InputError(fmt::format("--record {}: must be left out of a {}", *arguments.record, kind));
+  if (kind == "suite") return suite_text();
+  if (kind == "ensemble") return ensemble_text();
+  const std::filesystem::path folder = arguments.out.parent_path();
+  return text_of(scene_sections(arguments.record, folder.empty() ? "." : folder));
+}
 
 /// What can be named on a command line, and what it is.
 struct Listed {
@@ -58,7 +210,45 @@ Json to_json(const std::vector<Listed>& list) {
 
 }  // namespace
 
-int list_command(const ListArguments& arguments, const Common& common) {
+int keys_command(const KindArguments& arguments, const Common& common) {
+  refuse_overrides(common, "keys are explained, not used");
+  Json list = Json::array();
+  if (!common.json)
+    fmt::print("  {:<20} {:<11} {:<28} {}\n", "KEY", "UNIT", "DEFAULT", "RANGE, and below it MEANING");
+  for (const FileKeys& file : files) {
+    if (!arguments.kind.empty() && arguments.kind != file.file) continue;
+    for (const KeyTable* table : file.tables) {
+      if (common.json)
+        list.push_back(table_json(file, *table));
+      else
+        print_table(*table);
+    }
+  }
+  if (common.json) fmt::print("{}\n", list.dump(2));
+  return 0;
+}
+
+int new_command(const NewArguments& arguments, const Common& common) {
+  refuse_overrides(common, "a template is edited");
+  std::error_code ignored;
+  if (!arguments.out.empty() && std::filesystem::exists(arguments.out, ignored))
+    throw InputError(fmt::format("--out {}: must be a new file, this one is there", arguments.out.string()));
+  const std::string text = template_text(arguments);
+  if (arguments.out.empty()) {
+    fmt::print("{}", text);
+    return 0;
+  }
+  try {
+    write_file(arguments.out, text);
+  } catch (const std::runtime_error&) {
+    throw InputError(fmt::format("--out {}: must be a file that can be written, in a folder that is there",
+                                 arguments.out.string()));
+  }
+  if (!common.quiet) fmt::print("{}: {}\n", arguments.kind, arguments.out.string());
+  return 0;
+}
+
+int list_command(const KindArguments& arguments, const Common& common) {
   refuse_overrides(common, "names have no scene keys");
   const std::string& only = arguments.kind;
   Json all;

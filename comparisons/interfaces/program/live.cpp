@@ -11,7 +11,7 @@
 
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/interfaces/live/server.hpp"
+#include "comparisons/interfaces/live/requests.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"

@@ -7,7 +7,7 @@
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/histories.hpp"
-#include "comparisons/suites/perturbations.hpp"
+#include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
 namespace {
@@ -160,11 +160,11 @@ void add_diff(CLI::App& command, DiffArguments& arguments) {
                   "chance that any number with replicates is reported as changed where nothing has changed")
       ->capture_default_str();
   command.add_option(
-      "--factor", options.factors.single,
+      "--factor", options.single,
       "of rows of single runs: from how many times on a number is reported as changed; left out: only "
       "failures are reported");
   command.add_option(
-      "--cost", options.factors.cost,
+      "--cost", options.cost,
       "from how many times on the time of a step is reported as changed, where the repeats of both lie "
       "apart; left out: none is");
   command.add_option("--across", options.across, "what may differ between two rows that are held together")
@@ -198,7 +198,7 @@ void add_live(CLI::App& command, LiveArguments& arguments) {
 }
 #endif
 
-void add_list(CLI::App& command, ListArguments& arguments) {
+void add_list(CLI::App& command, KindArguments& arguments) {
   command.add_option("what", arguments.kind, "scenes, suites, ensembles, lessons or engines; left out: all")
       ->check(CLI::IsMember({"scenes", "suites", "ensembles", "lessons", "engines"}));
 }
@@ -227,7 +227,7 @@ void add_canon(CLI::App& command, CanonArguments& arguments) {
       ", where a canon that was stopped goes on");
 }
 
-void add_keys(CLI::App& command, KeysArguments& arguments) {
+void add_keys(CLI::App& command, KindArguments& arguments) {
   command.add_option("kind", arguments.kind, "scene, suite or ensemble; left out: all")
       ->check(CLI::IsMember({"scene", "suite", "ensemble"}));
 }

@@ -6,8 +6,7 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/studies/lessons/course/answered.hpp"
-#include "comparisons/studies/lessons/course/run_lesson.hpp"
+#include "comparisons/studies/lessons/course/course.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/pages/show.hpp"
 #endif

@@ -16,7 +16,6 @@
 #include "comparisons/interfaces/python/module.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
 #include "comparisons/runs/execution/executor.hpp"
-#include "comparisons/studies/sweep/runs.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack::python {

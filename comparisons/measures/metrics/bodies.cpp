@@ -14,10 +14,8 @@ Centres centres_at(const Stack<double>& stack, const History& history, std::size
             Points<double>::Map(history.centre_velocities.data() + first, 2, size)};
   }
   const Chain<double> chain =
-      make_chain(stack, history.patterns[sample],
-                 Vector<double>(Vector<double>::Map(history.angles_at(sample).data(), size)));
-  return {centres(chain), centre_velocities(chain, Vector<double>(Vector<double>::Map(
-                                                       history.velocities_at(sample).data(), size)))};
+      make_chain(stack, history.patterns[sample], vector_of(history.angles_at(sample)));
+  return {centres(chain), centre_velocities(chain, vector_of(history.velocities_at(sample)))};
 }
 
 std::vector<double> centres_of(const Scene& scene, const History& history) {
@@ -70,7 +68,7 @@ std::vector<double> energies(const Scene& scene, const History& history) {
   std::vector<double> list;
   list.reserve(history.size());
   for (std::size_t i = 0; i < history.size(); ++i) {
-    const Vector<double> velocities = Vector<double>::Map(history.velocities_at(i).data(), stack.size());
+    const Vector<double> velocities = vector_of(history.velocities_at(i));
     const auto [places, speeds] = centres_at(stack, history, i);
     double energy = -at_rest;
     for (int k = 0; k < stack.size(); ++k) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
@@ -8,6 +9,11 @@
 #include "comparisons/measures/metrics/difference.hpp"
 
 namespace rockstack {
+
+/// Numbers of a list, one a block.
+inline Vector<double> vector_of(std::span<const double> values) {
+  return Vector<double>::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+}
 
 /// The centres of mass of all blocks at a sample, from the middle of the ground's interface, m, and their
 /// velocities, m/s; a column each.

@@ -120,6 +120,17 @@ Json validity_json(const History& history) {
   return list;
 }
 
+Demand worst_of(const std::vector<Demand>& demands) {
+  Demand worst;
+  for (const Demand& one : demands) {
+    worst.least_normal = std::min(worst.least_normal, one.least_normal);
+    worst.friction = std::max(worst.friction, one.friction);
+    worst.first_pull_time = std::min(worst.first_pull_time, one.first_pull_time);
+    worst.first_slip_time = std::min(worst.first_slip_time, one.first_slip_time);
+  }
+  return worst;
+}
+
 std::vector<std::string> validity_warnings(const Scene& scene, const History& history) {
   std::vector<std::string> lines;
   if (leaves_pivots(scene.law)) {

@@ -29,6 +29,10 @@ nlohmann::ordered_json contact_json(const History& history);
 /// null.
 nlohmann::ordered_json validity_json(const History& history);
 
+/// Of all interfaces, its own time left out: the least normal force or impulse, the most friction, first
+/// times.
+Demand worst_of(const std::vector<Demand>& demands);
+
 /// One line for each interface and way in which real blocks would leave the model: it would have to pull, or
 /// needs more friction than the scene has; and for what else makes an answer one of several: events in doubt,
 /// openings to either side, impacts or modes that laws do not decide, springs that give way too far. Empty

@@ -60,20 +60,14 @@ std::string pull(const std::vector<Demand>& demands) {
   return "";
 }
 
-double largest_friction_of(const std::vector<Demand>& demands) {
-  double friction = 0;
-  for (const Demand& demand : demands) friction = std::max(friction, demand.friction);
-  return friction;
-}
-
 /// What blocks and ground must do for the model to hold; empty where it was not asked for.
 std::string demand(const History& history) {
   if (history.forces.empty()) return "";
   for (const auto* demands : {&history.forces, &history.impulses}) {
     if (std::string text = pull(*demands); !text.empty()) return text;
   }
-  const double forces = largest_friction_of(history.forces);
-  const double impulses = largest_friction_of(history.impulses);
+  const double forces = worst_of(history.forces).friction;
+  const double impulses = worst_of(history.impulses).friction;
   return impulses > forces ? fmt::format("; needs friction {:.2g}, {:.2g} in impacts", forces, impulses)
                            : fmt::format("; needs friction {:.2g}", forces);
 }

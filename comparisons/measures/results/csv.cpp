@@ -9,8 +9,6 @@
 #include <iterator>
 #include <limits>
 
-#include "analytic/scene/messages/input_error.hpp"
-
 namespace rockstack {
 namespace {
 
@@ -52,8 +50,7 @@ void split(std::string_view rest, Cells& cells, const std::string& file, std::si
   }
 }
 
-}  // namespace
-
+/// Calls `header` with the names, then `row` with the cells and number of each line.
 void read_rows(const std::filesystem::path& file, const std::function<void(const Cells&)>& header,
                const std::function<void(const Cells&, std::size_t line)>& row) {
   std::ifstream in(file);
@@ -76,6 +73,8 @@ void read_rows(const std::filesystem::path& file, const std::function<void(const
   if (width == 0) throw InputError(place(file, 1) + ": empty; must start with a header line");
 }
 
+}  // namespace
+
 Table read_table(const std::filesystem::path& file) {
   Table table;
   read_rows(
@@ -90,21 +89,60 @@ std::size_t column(const Table& table, const std::string& name, const std::files
   return static_cast<std::size_t>(found - table.columns.begin());
 }
 
+void CsvLine::read(const std::function<void()>& header, const std::function<void()>& row) {
+  read_rows(
+      file_,
+      [&](const Cells& names) {
+        header_.columns = names;
+        header();
+      },
+      [&](const Cells& cells, std::size_t number) {
+        cells_ = &cells;
+        number_ = number;
+        row();
+      });
+}
+
+bool CsvLine::has(const std::string& name) const {
+  return std::ranges::find(names(), name) != names().end();
+}
+
+CsvLine::Indices CsvLine::indices(const std::vector<std::string>& names) const {
+  Indices list;
+  for (const std::string& name : names) list.push_back(index(name));
+  return list;
+}
+
+double CsvLine::value(std::size_t index) const {
+  if (const std::optional<double> value = number_in(text(index))) return *value;
+  return number(text(index), place(), names()[index]);
+}
+
+std::optional<double> CsvLine::known(std::size_t index) const {
+  return text(index).empty() ? std::nullopt : std::optional(value(index));
+}
+
+int CsvLine::whole(std::size_t index, int least, int most) const {
+  return whole_number(text(index), place(), names()[index], least, most);
+}
+
+void CsvLine::add(const Indices& columns, std::vector<double>& list) const {
+  for (const std::size_t one : columns) list.push_back(value(one));
+}
+
+std::string CsvLine::place() const {
+  return rockstack::place(file_, number_);
+}
+
 std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
                                               const std::vector<std::string>& names) {
-  std::vector<std::size_t> indices;
   std::vector<std::vector<double>> columns(names.size());
-  const auto read_header = [&](const Cells& header) {
-    for (const std::string& name : names) indices.push_back(column(Table{header, {}}, name, file));
-  };
-  const auto read_row = [&](const Cells& cells, std::size_t line) {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const std::string& cell = cells[indices[i]];
-      const std::optional<double> value = number_in(cell);
-      columns[i].push_back(value ? *value : number(cell, place(file, line), names[i]));
-    }
-  };
-  read_rows(file, read_header, read_row);
+  CsvLine line(file);
+  CsvLine::Indices indices;
+  line.read([&] { indices = line.indices(names); },
+            [&] {
+              for (std::size_t i = 0; i < names.size(); ++i) columns[i].push_back(line.value(indices[i]));
+            });
   return columns;
 }
 

@@ -8,7 +8,10 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
+
+#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 
@@ -26,11 +29,46 @@ Table read_table(const std::filesystem::path& file);
 /// The index of a column. @throws InputError naming the file and the column that is missing.
 std::size_t column(const Table& table, const std::string& name, const std::filesystem::path& file);
 
-/// Reads a file row by row: calls `header` with the names, then `row` with the cells and number of each line.
-/// @throws InputError as read_table().
-void read_rows(const std::filesystem::path& file,
-               const std::function<void(const std::vector<std::string>&)>& header,
-               const std::function<void(const std::vector<std::string>&, std::size_t line)>& row);
+/// One line of a file after the other, whose columns are found by their names. All throw InputError as
+/// read_table(), and naming file, line and column of what is malformed.
+class CsvLine {
+ public:
+  using Indices = std::vector<std::size_t>;  ///< of columns
+
+  explicit CsvLine(std::filesystem::path file) : file_(std::move(file)) {}
+
+  /// Calls `row` for each line under the header, which `header` has looked at.
+  void read(const std::function<void()>& header, const std::function<void()>& row);
+
+  const std::vector<std::string>& names() const { return header_.columns; }
+  bool has(const std::string& name) const;
+  std::size_t index(const std::string& name) const { return column(header_, name, file_); }
+  Indices indices(const std::vector<std::string>& names) const;
+
+  const std::string& text(std::size_t index) const { return (*cells_)[index]; }
+  double value(std::size_t index) const;  ///< NaN where the cell is empty
+  std::optional<double> known(std::size_t index) const;
+  int whole(std::size_t index, int least, int most) const;
+  /// Adds the numbers of some columns to a list.
+  void add(const Indices& columns, std::vector<double>& list) const;
+  /// What `read` makes of a text, where it does not throw std::invalid_argument.
+  template <class Read>
+  auto named(std::size_t index, const Read& read) const {
+    try {
+      return read(text(index));
+    } catch (const std::invalid_argument& error) {
+      throw InputError(place() + ": " + header_.columns[index] + " = " + error.what());
+    }
+  }
+
+ private:
+  std::string place() const;
+
+  std::filesystem::path file_;
+  Table header_;
+  const std::vector<std::string>* cells_ = nullptr;
+  std::size_t number_ = 1;
+};
 
 /// Reads only the named columns, each as one vector of numbers; an empty cell is NaN. Meant for long files.
 /// @throws InputError as read_table(), and for a missing column or a cell that is not a number.

@@ -19,11 +19,8 @@ namespace {
 
 /// The state of a sample, whose closed interfaces have no relative motion but rounding.
 State<double> state_at(const History& history, std::size_t sample) {
-  using Angles = Eigen::Map<const Eigen::VectorXd>;
-  const auto size = static_cast<Eigen::Index>(history.blocks);
-  const Vector<double> angles = Angles(history.angles_at(sample).data(), size);
-  const Vector<double> velocities = Angles(history.velocities_at(sample).data(), size);
-  State<double> state{history.patterns[sample], relative(angles), relative(velocities)};
+  State<double> state{history.patterns[sample], relative(vector_of(history.angles_at(sample))),
+                      relative(vector_of(history.velocities_at(sample)))};
   for (int k = 0; k < history.blocks; ++k) {
     if (state.pattern[k] != Contact::closed) continue;
     state.angles[k] = 0;
@@ -60,10 +57,6 @@ struct HistoryTable {
 constexpr std::array history_tables{HistoryTable{"corners", "corners.csv", &corners_csv},
                                     HistoryTable{"energies", "energies.csv", &energies_csv},
                                     HistoryTable{"forces", "reactions.csv", &reactions_csv}};
-
-Vector<double> vector_of(std::span<const double> values) {
-  return Vector<double>::Map(values.data(), static_cast<Eigen::Index>(values.size()));
-}
 
 Points<double> centres_at_rest(const Stack<double>& stack) {
   const Vector<double> upright = Vector<double>::Zero(stack.size());

@@ -1,89 +1,20 @@
-#include "comparisons/measures/results/recorded_history.hpp"
+#include "comparisons/measures/results/tables.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "analytic/scene/history.hpp"
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack {
 namespace {
 
 namespace fs = std::filesystem;
-using Cells = std::vector<std::string>;
-using Indices = std::vector<std::size_t>;
-
-/// One line of a file whose columns are found by their names.
-class Line {
- public:
-  explicit Line(fs::path file) : file_(std::move(file)) {}
-
-  /// Calls `row` for each line under the header, which `header` has looked at.
-  void read(const std::function<void()>& header, const std::function<void()>& row) {
-    read_rows(
-        file_,
-        [&](const Cells& names) {
-          header_.columns = names;
-          header();
-        },
-        [&](const Cells& cells, std::size_t number) {
-          cells_ = &cells;
-          number_ = number;
-          row();
-        });
-  }
-
-  bool has(const std::string& name) const {
-    return std::find(header_.columns.begin(), header_.columns.end(), name) != header_.columns.end();
-  }
-  std::size_t index(const std::string& name) const { return column(header_, name, file_); }
-  Indices indices(const std::vector<std::string>& names) const {
-    Indices list;
-    for (const std::string& name : names) list.push_back(index(name));
-    return list;
-  }
-
-  const std::string& text(std::size_t index) const { return (*cells_)[index]; }
-  double value(std::size_t index) const {
-    if (const std::optional<double> value = number_in(text(index))) return *value;
-    return number(text(index), place(), header_.columns[index]);
-  }
-  std::optional<double> known(std::size_t index) const {
-    return text(index).empty() ? std::nullopt : std::optional(value(index));
-  }
-  int whole(std::size_t index, int least, int most) const {
-    return whole_number(text(index), place(), header_.columns[index], least, most);
-  }
-  /// Adds the numbers of some columns to a list.
-  void add(const Indices& columns, std::vector<double>& list) const {
-    for (const std::size_t one : columns) list.push_back(value(one));
-  }
-  /// What a text names. @throws InputError where it names nothing.
-  template <class Read>
-  auto named(std::size_t index, const Read& read) const {
-    try {
-      return read(text(index));
-    } catch (const std::invalid_argument& error) {
-      throw InputError(fmt::format("{}: {} = {}", place(), header_.columns[index], error.what()));
-    }
-  }
-
- private:
-  std::string place() const { return fmt::format("{}:{}", file_.string(), number_); }
-
-  fs::path file_;
-  Table header_;
-  const Cells* cells_ = nullptr;
-  std::size_t number_ = 1;
-};
-
 /// The centres of mass, x and y in turn.
 std::vector<std::string> place_names(int blocks) {
   std::vector<std::string> names;
@@ -92,7 +23,7 @@ std::vector<std::string> place_names(int blocks) {
   return names;
 }
 
-int blocks_in(const Line& line) {
+int blocks_in(const CsvLine& line) {
   int blocks = 0;
   while (blocks < max_blocks && line.has(fmt::format("theta_{}", blocks + 1))) ++blocks;
   return blocks;
@@ -100,10 +31,10 @@ int blocks_in(const Line& line) {
 
 History samples_in(const fs::path& file) {
   History history;
-  Line line(file);
+  CsvLine line(file);
   std::size_t time = 0;
   std::optional<std::size_t> pattern;
-  Indices angles, velocities, slips, gaps, places;
+  CsvLine::Indices angles, velocities, slips, gaps, places;
   std::string last;
   line.read(
       [&] {
@@ -136,9 +67,9 @@ History samples_in(const fs::path& file) {
 
 std::vector<Event> events_in(const fs::path& file, int blocks) {
   std::vector<Event> events;
-  Line line(file);
+  CsvLine line(file);
   std::size_t time = 0, kind = 0, interface = 0, from = 0, to = 0, consistency = 0;
-  Indices angles, before, after;
+  CsvLine::Indices angles, before, after;
   const auto pattern = [&](const auto& name) { return named_pattern(name, blocks); };
   line.read(
       [&] {
@@ -174,7 +105,7 @@ History read_history(const fs::path& folder) {
 
 std::vector<AlignedImpact> read_impacts(const fs::path& file) {
   std::vector<AlignedImpact> list;
-  Line line(file);
+  CsvLine line(file);
   std::size_t number = 0, interface = 0, exact = 0, engine = 0;
   line.read(
       [&] {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -50,5 +51,14 @@ std::string patterns_csv(const std::vector<PatternShare>& shares);
 /// Precondition: all as long as times, or longer.
 std::string energy_csv(const std::vector<double>& times, const std::vector<double>& exact,
                        const BodyRecord& engine);
+
+// What is written of a run, read back. All throw InputError with file and line of what is missing or
+// malformed.
+
+/// FOLDER/history.csv, and FOLDER/events.csv where it is there.
+History read_history(const std::filesystem::path& folder);
+
+/// A file that impacts_csv() has written, but for the sides.
+std::vector<AlignedImpact> read_impacts(const std::filesystem::path& file);
 
 }  // namespace rockstack

@@ -81,22 +81,23 @@ std::string tallies_csv(const std::vector<MotionTally>& tallies, int blocks) {
 }
 
 std::vector<MotionTally> read_tallies(const std::filesystem::path& file) {
-  const Table table = read_table(file);
-  const auto blocks = static_cast<int>(std::ranges::count_if(
-      table.columns, [](const std::string& name) { return name.starts_with("peak_"); }));
   std::vector<MotionTally> tallies;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const std::string place = fmt::format("{}:{}", file.string(), i + 2);
-    const auto cell = [&](const std::string& name) -> const std::string& {
-      return table.rows[i][column(table, name, file)];
-    };
-    const auto value = [&](const std::string& name) { return number(cell(name), place, name); };
-    MotionTally& tally = tallies.emplace_back();
-    if (cell("impacts").empty()) continue;
-    tally.impacts = whole_number(cell("impacts"), place, "impacts", 0, std::numeric_limits<int>::max());
-    tally.topples = value("toppled") != 0;
-    for (const std::string& name : numbered("peak_", blocks)) tally.peaks.push_back(value(name));
-  }
+  CsvLine line(file);
+  CsvLine::Indices peaks;
+  line.read(
+      [&] {
+        const auto is_peak = [](const std::string& name) { return name.starts_with("peak_"); };
+        peaks =
+            line.indices(numbered("peak_", static_cast<int>(std::ranges::count_if(line.names(), is_peak))));
+      },
+      [&] {
+        MotionTally& tally = tallies.emplace_back();
+        const std::size_t impacts = line.index("impacts");
+        if (line.text(impacts).empty()) return;
+        tally.impacts = line.whole(impacts, 0, std::numeric_limits<int>::max());
+        tally.topples = line.value(line.index("toppled")) != 0;
+        line.add(peaks, tally.peaks);
+      });
   return tallies;
 }
 

@@ -1,4 +1,4 @@
-#include "comparisons/measures/verdict/headline.hpp"
+#include "comparisons/measures/verdict/outcome.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fits.hpp"
-#include "comparisons/measures/verdict/headline.hpp"
+#include "comparisons/measures/verdict/outcome.hpp"
 
 namespace rockstack {
 

@@ -42,6 +42,9 @@ class Executor {
   virtual void serve(const std::function<std::string(std::size_t task)>& compute) = 0;
 };
 
+/// How many threads the machine runs at once, ≥ 1.
+std::size_t all_cores();
+
 /// Threads of this process. Precondition: count ≥ 1.
 std::unique_ptr<Executor> make_threads(std::size_t count);
 

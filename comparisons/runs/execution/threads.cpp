@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -72,6 +73,10 @@ class Threads : public Executor {
 };
 
 }  // namespace
+
+std::size_t all_cores() {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
 
 std::unique_ptr<Executor> make_threads(std::size_t count) {
   return std::make_unique<Threads>(count);

@@ -4,16 +4,14 @@
 #include <chrono>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
-#include "comparisons/runs/draws.hpp"
+#include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/runs/job.hpp"
 #include "comparisons/runs/measure.hpp"
-#include "comparisons/runs/run_files.hpp"
 
 namespace rockstack {
 namespace {
@@ -33,10 +31,6 @@ Suite suite_of(const NamedScene& scene, const AdviceRequest& request) {
   return suite;
 }
 
-std::size_t cores() {
-  return std::max(1U, std::thread::hardware_concurrency());
-}
-
 /// The nominal run of a job: from the folder, or made now.
 RunMetrics nominal_run(const Job& job, const std::filesystem::path& folder, const std::string& command) {
   if (const auto made = finished_run(folder, identity(job))) return *made;
@@ -54,7 +48,7 @@ int count_within(const std::vector<RunMetrics>& draws, double error) {
 void confirm(const Job& job, const AdviceRequest& request, Trial& trial) {
   Suite suite = job.suite;
   suite.draws = request.confirming;
-  const auto draws = make_draws({suite, job.scene, job.dt, job.series}, cores());
+  const auto draws = make_draws({suite, job.scene, job.dt, job.series}, all_cores());
   trial.confirming = static_cast<int>(draws.size());
   trial.confirmed = count_within(draws, request.error);
 }
@@ -65,7 +59,7 @@ Trial try_out(const Job& job, const AdviceRequest& request, const std::filesyste
   Trial trial{nominal_run(job, own, command)};
   trial.within = meets(trial.row, request.error) ? 1 : 0;
   if (trial.within == 0 || !is_drawn(job)) return trial;
-  const auto draws = make_draws(job, cores());
+  const auto draws = make_draws(job, all_cores());
   write_draws(pack_draws(draws, draws_identity(job)), trial.row, own);
   trial.draws += static_cast<int>(draws.size());
   trial.within += count_within(draws, request.error);

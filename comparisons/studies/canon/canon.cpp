@@ -22,7 +22,7 @@
 #include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/measures/statistics/step_fit.hpp"
 #include "comparisons/runs/execution/executor.hpp"
-#include "comparisons/runs/run_files.hpp"
+#include "comparisons/runs/job.hpp"
 
 namespace rockstack {
 namespace {

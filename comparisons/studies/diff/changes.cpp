@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -15,27 +14,27 @@
 namespace rockstack {
 namespace {
 
-SameBits bits_of(const RowPair& pair) {
-  SameBits bits = SameBits::unknown;
+std::string bits_of(const RowPair& pair) {
+  std::string bits;
   for (const auto& [file, sum] : pair.old_run->checksums) {
     const auto other = pair.new_run->checksums.find(file);
     if (other == pair.new_run->checksums.end()) continue;
-    if (other->second != sum) return SameBits::different;
-    bits = SameBits::same;
+    if (other->second != sum) return "different";
+    bits = "same";
   }
   return bits;
 }
 
-RowChange row_change(const RowPair& pair, const ChangeFactors& factors, bool timed) {
+RowChange row_change(const RowPair& pair, const ChangeOptions& options, bool timed) {
   RowChange row{pair.old_run->row,
                 pair.new_run->row,
                 bits_of(pair),
                 !pair.old_run->draws.empty() && !pair.new_run->draws.empty(),
                 {}};
   for (const ReportedQuantity& quantity : reported_quantities())
-    if (auto change = change_of(quantity, pair, factors)) row.quantities.push_back(std::move(*change));
+    if (auto change = change_of(quantity, pair, options)) row.quantities.push_back(std::move(*change));
   if (timed)
-    if (auto change = cost_change(pair, factors)) row.quantities.push_back(std::move(*change));
+    if (auto change = cost_change(pair, options)) row.quantities.push_back(std::move(*change));
   return row;
 }
 
@@ -80,11 +79,6 @@ bool same_processor(const RecordedResults& old_results, const RecordedResults& n
 
 using Json = nlohmann::ordered_json;
 
-double ratio_of(double now, double before) {
-  if (before == now) return 1;
-  return before == 0 ? std::numeric_limits<double>::infinity() : now / before;
-}
-
 Json to_json(const ValueSpread& spread) {
   return {
       {"lower", spread.lower}, {"median", spread.median}, {"upper", spread.upper}, {"values", spread.values}};
@@ -113,7 +107,7 @@ Json to_json(const RowChange& row) {
             {"new_run", row.new_row.run},
             {"old_status", name(row.old_row.status)},
             {"new_status", name(row.new_row.status)},
-            {"bits", name(row.bits)},
+            {"bits", row.bits},
             {"turn", name(row.worst())},
             {"quantities", Json::array()}};
   for (const QuantityChange& change : row.quantities) json["quantities"].push_back(to_json(change));
@@ -121,11 +115,6 @@ Json to_json(const RowChange& row) {
 }
 
 }  // namespace
-
-std::string name(SameBits bits) {
-  constexpr std::array<const char*, 3> names{"same", "different", ""};
-  return names.at(static_cast<std::size_t>(bits));
-}
 
 Turn RowChange::worst() const {
   Turn worst = Turn::none;
@@ -160,7 +149,7 @@ ResultsChange hold_against(const RecordedResults& old_results, const RecordedRes
   result.other_environment = other_environment(old_results, new_results);
   const bool timed = same_processor(old_results, new_results);
   result.rows.reserve(pairs.pairs.size());
-  for (const RowPair& pair : pairs.pairs) result.rows.push_back(row_change(pair, options.factors, timed));
+  for (const RowPair& pair : pairs.pairs) result.rows.push_back(row_change(pair, options, timed));
   judge_all(result);
   return result;
 }
@@ -189,7 +178,7 @@ std::string changes_csv(const ResultsChange& result) {
   for (const RowChange& row : result.rows) {
     for (const QuantityChange& change : row.quantities) {
       csv.add(row.old_row.scene, row.old_row.engine, row.old_row.solver, row.old_row.dt, row.old_row.settings,
-              row.new_row.settings, row.old_row.run, row.new_row.run, name(row.bits), change.quantity,
+              row.new_row.settings, row.old_row.run, row.new_row.run, row.bits, change.quantity,
               name(change.turn));
       for (const ValueSpread& spread : {change.old_values, change.new_values})
         csv.add(spread.lower, spread.median, spread.upper, spread.values);
@@ -203,7 +192,9 @@ std::string changes_csv(const ResultsChange& result) {
 }
 
 double TurnedNumber::ratio() const {
-  return ratio_of(change->new_values.median, change->old_values.median);
+  const double before = change->old_values.median, now = change->new_values.median;
+  if (before == now) return 1;
+  return before == 0 ? std::numeric_limits<double>::infinity() : now / before;
 }
 
 std::vector<TurnedNumber> turned_numbers(const ResultsChange& result) {

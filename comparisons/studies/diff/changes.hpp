@@ -1,30 +1,131 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "comparisons/studies/diff/quantities.hpp"
+#include "comparisons/measures/results/run_metrics.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 
+/// A run as a comparison has left it.
+struct RecordedRun {
+  RunMetrics row;                                ///< the one run, at the step that is named
+  std::vector<RunMetrics> draws;                 ///< that one and all like it; empty where it stands alone
+  std::map<std::string, std::string> checksums;  ///< of its files, by their names
+};
+
+/// What a comparison has left in a folder.
+struct RecordedResults {
+  using Facts = std::map<std::string, std::string>;
+
+  std::filesystem::path folder;
+  Facts environment;                    ///< versions, flags, processor
+  std::map<std::string, Facts> scenes;  ///< by name: what was asked, how draws were made; values as JSON
+  std::vector<RecordedRun> runs;
+};
+
+/// Reads comparison.json, and of each run summary.json and, where it has draws, draws.json; nothing else has
+/// to be there. @throws InputError naming the file and what is wrong in it.
+RecordedResults read_recorded_results(const std::filesystem::path& folder);
+
+/// One row of the old results with the one of the new results that answers the same question.
+struct RowPair {
+  const RecordedRun* old_run;
+  const RecordedRun* new_run;
+};
+
+/// All rows of two comparisons.
+struct RowPairs {
+  std::vector<RowPair> pairs;                   ///< in the order of the old results
+  std::vector<std::string> only_old, only_new;  ///< names of runs that one alone has
+  std::vector<std::string> other_questions;     ///< "scene drum-column: gravity": not held together
+};
+
+/// What tells rows of one comparison apart: scene, engine, solver, settings and dt.
+const std::vector<std::string>& row_names();
+
+/// Pairs rows that agree in all row_names(), then of the others those that agree in all but `across`. Scenes
+/// of one name that ask something else, or make draws another way, are left out unless `across` has "scene".
+/// @throws InputError where several rows of one folder agree so, or no row has a partner.
+/// The pairs point into both results.
+RowPairs pair_rows(const RecordedResults& old_results, const RecordedResults& new_results,
+                   const std::vector<std::string>& across);
+
+/// A number of a run, or of a draw, that may get better or worse.
+struct ReportedQuantity {
+  enum class Better {
+    less,
+    more,
+    nearer_zero,
+    neither,  ///< a matter of the scene
+  };
+
+  std::string name;  ///< of its column where it has one
+  std::string definition;
+  Better better = Better::less;
+  std::function<std::optional<double>(const RunMetrics&)> value;
+};
+
+/// "failed" first, 1 where a run is not done, else 0; "other_verdict", 1 where engine or exact solution
+/// topples alone, else 0; then the columns that tell how near an engine is to the exact motion, one of those
+/// that say the same. The numbers of a run that is not done are left empty.
+const std::vector<ReportedQuantity>& reported_quantities();
+
+/// What has become of a number.
+enum class Turn { none, better, other, worse };
+
+/// "", "better", "changed", "worse".
+std::string name(Turn turn);
+
+/// A number over draws: the values of ranks ⌈n/4⌉, ⌈n/2⌉ and ⌈3n/4⌉; of a time over repeats its least, median
+/// and greatest.
+struct ValueSpread {
+  double lower = 0, median = 0, upper = 0;
+  std::size_t values = 0;
+};
+
+/// One number of one row in both results.
+struct QuantityChange {
+  std::string quantity;
+  ReportedQuantity::Better better;
+  ValueSpread old_values, new_values;
+  std::optional<MannWhitney> test = {};         ///< where both have several values
+  std::optional<double> adjusted_p_value = {};  ///< of it among all tests
+  Turn turn = Turn::none;
+};
+
 struct ChangeOptions {
   double level = 0.01;  ///< chance that anything is reported where nothing has changed, between 0 and 1
-  ChangeFactors factors = {};
+  // From how many times on numbers are reported that no test can judge; empty: none is.
+  std::optional<double> single = {};     ///< of single runs
+  std::optional<double> cost = {};       ///< the time of a step, where no repeat of one is within the other's
   std::vector<std::string> across = {};  ///< of row_names(): as pair_rows()
 };
 
-/// Whether two runs left the same bytes in the files that both kept.
-enum class SameBits { same, different, unknown };
+/// The change of a quantity, tested but not yet judged by its test; empty where either has no value of it.
+/// A run that is done in the one and not in the other is better or worse whatever the options.
+std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const RowPair& pair,
+                                        const ChangeOptions& options);
 
-/// "same", "different", or "" where nothing was kept.
-std::string name(SameBits bits);
+/// The change of the wall time of a step, s; of the exact solver, that of the whole motion. Empty where runs
+/// shared the machine.
+std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeOptions& options);
+
+/// Judges by the adjusted p-value: at or below the level the number has turned to where its ranks have gone.
+/// Changes of median and both quartiles by less than a hundredth, or 1e-12, are not reported.
+void judge(double level, QuantityChange& change);
 
 /// One row in both results.
 struct RowChange {
   RunMetrics old_row, new_row;
-  SameBits bits = SameBits::unknown;
+  std::string bits;    ///< "same" or "different" bytes in the files that both kept, "" where none are
   bool drawn = false;  ///< whether both have draws
   std::vector<QuantityChange> quantities;
 
@@ -47,7 +148,7 @@ struct ResultsChange {
 };
 
 /// Holds new results against old ones. A number of draws is reported as changed where its test, corrected for
-/// how many there are, says so at the level; a run by itself where the factors say so. Times are reported on
+/// how many there are, says so at the level; a run by itself where the options say so. Times are reported on
 /// one processor alone. @throws InputError as pair_rows().
 ResultsChange hold_against(const RecordedResults& old_results, const RecordedResults& new_results,
                            const ChangeOptions& options);

@@ -1,4 +1,4 @@
-#include "comparisons/studies/diff/quantities.hpp"
+#include "comparisons/studies/diff/changes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
-
-#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {
@@ -154,7 +152,7 @@ std::string name(Turn turn) {
 }
 
 std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const RowPair& pair,
-                                        const ChangeFactors& factors) {
+                                        const ChangeOptions& options) {
   const std::vector<double> before = values_of(quantity, *pair.old_run),
                             now = values_of(quantity, *pair.new_run);
   if (before.empty() || now.empty()) return {};
@@ -165,11 +163,11 @@ std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const 
   if (before.size() > 1 && now.size() > 1)
     change.test = mann_whitney(before, now);
   else
-    change.turn = turned(quantity.name == "failed" ? 1.0 : factors.single);
+    change.turn = turned(quantity.name == "failed" ? 1.0 : options.single);
   return change;
 }
 
-std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeFactors& factors) {
+std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeOptions& options) {
   for (const RecordedRun* run : {pair.old_run, pair.new_run})
     if (!run->row.stepping_time_minimum || run->row.runs_at_a_time.value_or(1) != 1 || run->row.timed_cold)
       return {};
@@ -178,7 +176,7 @@ std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeFacto
   const bool overlap = change.old_values.upper >= change.new_values.lower &&
                        change.new_values.upper >= change.old_values.lower;
   if (!overlap)
-    change.turn = turn_by(factors.cost, change.better, change.old_values.median, change.new_values.median);
+    change.turn = turn_by(options.cost, change.better, change.old_values.median, change.new_values.median);
   return change;
 }
 

@@ -1,4 +1,4 @@
-#include "comparisons/studies/diff/recorded_results.hpp"
+#include "comparisons/studies/diff/changes.hpp"
 
 #include <fmt/format.h>
 

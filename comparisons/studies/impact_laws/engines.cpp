@@ -1,10 +1,11 @@
-#include "comparisons/studies/impact_laws/engines.hpp"
+#include "comparisons/studies/impact_laws/study.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 
 namespace rockstack {
 namespace {
@@ -13,10 +14,6 @@ double largest_apart(const std::vector<double>& some, const std::vector<double>&
   double largest = 0;
   for (std::size_t k = 0; k < some.size(); ++k) largest = std::max(largest, std::abs(some[k] - others[k]));
   return largest;
-}
-
-Vector<double> vector_of(std::span<const double> values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 std::vector<double> list_of(const Vector<double>& values) {
@@ -58,40 +55,7 @@ bool is_of(const LawRun& run, const ImpactKind& kind, const Pattern& answer) {
          run.impact.from == kind.before && run.impact.to == answer;
 }
 
-std::optional<ImpactCase> make_case(const Disagreement& disagreement) {
-  const ImpactKind& kind = disagreement.kind;
-  ImpactCase result{name(kind) + "." + name(disagreement.paper) + "." + name(disagreement.consistent),
-                    disagreement,
-                    scene_before(disagreement.clearest),
-                    0,
-                    0,
-                    {},
-                    {},
-                    {}};
-  result.scene.title = result.name;
-  const LawRun paper = run_law(result.scene, Law::paper);
-  const LawRun consistent = run_law(result.scene, Law::consistent);
-  if (!is_of(paper, kind, disagreement.paper) || !is_of(consistent, kind, disagreement.consistent)) {
-    return std::nullopt;
-  }
-  result.time = consistent.impact.time;
-  result.before = consistent.impact.before;
-  result.largest_rate = relative(vector_of(result.before)).cwiseAbs().maxCoeff();
-  result.paper = paper.rates;
-  result.consistent = consistent.rates;
-  result.scene.duration = result.time + follow;
-  return result;
-}
-
-Pattern pattern_at(const ImpactCase& question, std::span<const double> angles) {
-  const double least = open_share * question.largest_rate * follow;
-  Vector<double> opening = relative(vector_of(angles));
-  for (double& angle : opening) angle = std::abs(angle) > least ? angle : 0;
-  return pattern_of(opening, Vector<double>::Zero(opening.size()));
-}
-
-}  // namespace
-
+/// The scene that runs into an impact after `lead`, to the first order in `lead`.
 Scene scene_before(const DrawnImpact& drawn) {
   Scene scene = drawn.scene;
   const State<double>& state = drawn.impact.before;
@@ -109,6 +73,38 @@ Scene scene_before(const DrawnImpact& drawn) {
   return scene;
 }
 
+std::optional<ImpactCase> make_case(const Disagreement& disagreement) {
+  const ImpactKind& kind = disagreement.kind;
+  ImpactCase result{.name = name(kind) + "." + name(disagreement.paper) + "." + name(disagreement.consistent),
+                    .disagreement = disagreement,
+                    .scene = scene_before(disagreement.clearest)};
+  result.scene.title = result.name;
+  const LawRun paper = run_law(result.scene, Law::paper);
+  const LawRun consistent = run_law(result.scene, Law::consistent);
+  if (!is_of(paper, kind, disagreement.paper) || !is_of(consistent, kind, disagreement.consistent)) {
+    return std::nullopt;
+  }
+  result.time = consistent.impact.time;
+  result.before = consistent.impact.before;
+  result.largest_rate = relative(vector_of(result.before)).cwiseAbs().maxCoeff();
+  result.paper = paper.rates;
+  result.consistent = consistent.rates;
+  result.scene.duration = result.time + follow;
+  return result;
+}
+
+/// Relative angles count as open above this share of the largest relative rate before times `follow`.
+constexpr double open_share = 0.03;
+
+Pattern pattern_at(const ImpactCase& question, std::span<const double> angles) {
+  const double least = open_share * question.largest_rate * follow;
+  Vector<double> opening = relative(vector_of(angles));
+  for (double& angle : opening) angle = std::abs(angle) > least ? angle : 0;
+  return pattern_of(opening, Vector<double>::Zero(opening.size()));
+}
+
+}  // namespace
+
 std::vector<ImpactCase> clear_cases(const std::vector<Disagreement>& disagreements, double least_clearness) {
   std::vector<ImpactCase> cases;
   for (const Disagreement& disagreement : disagreements) {
@@ -118,13 +114,8 @@ std::vector<ImpactCase> clear_cases(const std::vector<Disagreement>& disagreemen
   return cases;
 }
 
-std::string name(Follows follows) {
-  return follows == Follows::consistent ? "consistent" : follows == Follows::paper ? "paper" : "neither";
-}
-
 EngineVerdict ask_engine(const ImpactCase& question, const EngineSeries& series, double dt) {
-  EngineVerdict verdict{
-      series.engine->name, series.engine->solver, series.settings, dt, {}, {}, {}, {}, 0, 0};
+  EngineVerdict verdict{series.engine->name, series.engine->solver, series.settings, dt};
   try {
     const History history = simulate(*series.engine, question.scene, dt, series.parameters).history;
     const std::size_t last = history.size() - 1;
@@ -132,9 +123,9 @@ EngineVerdict ask_engine(const ImpactCase& question, const EngineSeries& series,
     if (half < 1 || half > last) throw std::runtime_error("the step is too long, or a block toppled");
     verdict.rates = mean_rates(history, last - half, last);
     verdict.pattern = pattern_at(question, history.angles_at(last));
-    verdict.follows = verdict.pattern == question.disagreement.consistent ? Follows::consistent
-                      : verdict.pattern == question.disagreement.paper    ? Follows::paper
-                                                                          : Follows::neither;
+    verdict.follows = verdict.pattern == question.disagreement.consistent ? "consistent"
+                      : verdict.pattern == question.disagreement.paper    ? "paper"
+                                                                          : "neither";
     verdict.from_paper = largest_apart(verdict.rates, question.paper) / question.largest_rate;
     verdict.from_consistent = largest_apart(verdict.rates, question.consistent) / question.largest_rate;
   } catch (const std::exception& failure) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace rockstack {
 namespace {
@@ -105,12 +106,27 @@ void note_disagreement(const ImpactKind& kind, const DrawnImpact& drawn, const L
   found->clearest = drawn;
 }
 
+/// Draws until the pattern before carries itself (every pivot pushes, every centre of pressure lies inside),
+/// a number of times at the most; nothing where it never does.
+std::optional<DrawnImpact> draw_impact(const ImpactDraws& draws, ImpactShare& share,
+                                       std::mt19937_64& random) {
+  constexpr int attempts = 50;
+  for (int i = 0; i < attempts; ++i) {
+    ++share.drawn;
+    DrawnImpact result{draw_blocks(draws, share.blocks, share.aspect_ratio, share.mass_ratio, random), {}};
+    const Model<double> model = make_model<double>(result.scene);
+    const double rate_scale = std::sqrt(model.gravity / (2 * model.stack.half_height.sum()));
+    result.impact.before = draw_state(draws, share.kind, rate_scale, random);
+    result.impact.impacting.set(static_cast<std::size_t>(share.kind.interface));
+    if (carries_itself(model, result.impact.before)) return result;
+  }
+  return std::nullopt;
+}
+
 void fill(const ImpactDraws& draws, ImpactShare& share, std::mt19937_64& random,
           std::vector<Disagreement>& disagreements) {
-  constexpr int attempts = 50;
   for (int i = 0; i < draws.samples; ++i) {
-    const auto drawn =
-        draw_impact(draws, share.kind, share.aspect_ratio, share.mass_ratio, attempts, random, share.drawn);
+    const auto drawn = draw_impact(draws, share, random);
     if (!drawn) continue;
     const LawVerdict verdict = judge(*drawn);
     ++share.impacts;
@@ -146,21 +162,6 @@ std::vector<ImpactKind> impact_kinds(int blocks) {
     }
   }
   return kinds;
-}
-
-std::optional<DrawnImpact> draw_impact(const ImpactDraws& draws, const ImpactKind& kind,
-                                       const Range& aspect_ratio, const Range& mass_ratio, int attempts,
-                                       std::mt19937_64& random, int& drawn) {
-  for (int i = 0; i < attempts; ++i) {
-    ++drawn;
-    DrawnImpact result{draw_blocks(draws, kind.before.size, aspect_ratio, mass_ratio, random), {}};
-    const Model<double> model = make_model<double>(result.scene);
-    const double rate_scale = std::sqrt(model.gravity / (2 * model.stack.half_height.sum()));
-    result.impact.before = draw_state(draws, kind, rate_scale, random);
-    result.impact.impacting.set(static_cast<std::size_t>(kind.interface));
-    if (carries_itself(model, result.impact.before)) return result;
-  }
-  return std::nullopt;
 }
 
 LawVerdict judge(const DrawnImpact& drawn) {

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -51,12 +50,6 @@ struct DrawnImpact {
   Impact<double> impact;
 };
 
-/// Draws until the pattern before carries itself (every pivot pushes, every centre of pressure lies inside),
-/// at most `attempts` times; nothing where it never does. `drawn` counts the attempts.
-std::optional<DrawnImpact> draw_impact(const ImpactDraws& draws, const ImpactKind& kind,
-                                       const Range& aspect_ratio, const Range& mass_ratio, int attempts,
-                                       std::mt19937_64& random, int& drawn);
-
 /// What the laws make of an impact. `consistent` is empty where no candidate is.
 struct LawVerdict {
   PatternSolution<double> paper;
@@ -73,7 +66,7 @@ LawVerdict judge(const DrawnImpact& drawn);
 struct ImpactShare {
   int blocks = 0;
   ImpactKind kind;
-  Range aspect_ratio, mass_ratio;
+  Range aspect_ratio = {}, mass_ratio = {};
   int drawn = 0;    ///< states, among them those whose pattern cannot carry itself
   int impacts = 0;  ///< states that were judged
   int differ = 0;   ///< both laws have an answer, and not the same

@@ -122,8 +122,27 @@ Json definitions(const Definition (&columns)[count]) {
   return json;
 }
 
-Json case_json(const AskedCase& asked) {
-  const Scene& scene = asked.question.scene;
+/// One row a case, engine and time step.
+std::string verdicts_csv(const std::vector<ImpactCase>& cases) {
+  CsvWriter csv;
+  add_header(csv, verdict_columns);
+  for (const ImpactCase& question : cases) {
+    const Disagreement& found = question.disagreement;
+    for (const EngineVerdict& verdict : question.verdicts) {
+      const bool failed = !verdict.failure.empty();
+      const auto cell = [&](double value) { return failed ? "" : number_text(value); };
+      csv.line(question.name, name(found.kind), verdict.engine, verdict.solver, verdict.settings, verdict.dt,
+               failed ? "failed" : "done", verdict.failure, name(found.paper), name(found.consistent),
+               failed ? "" : name(verdict.pattern), verdict.follows, cell(verdict.from_paper),
+               cell(verdict.from_consistent), spaced(question.before), spaced(question.paper),
+               spaced(question.consistent), spaced(verdict.rates));
+    }
+  }
+  return csv.text();
+}
+
+Json case_json(const ImpactCase& question) {
+  const Scene& scene = question.scene;
   Json blocks = Json::array();
   for (const Block& block : scene.blocks) {
     blocks.push_back({{"width", 2 * block.half_width},
@@ -131,9 +150,9 @@ Json case_json(const AskedCase& asked) {
                       {"mass", block.mass},
                       {"inertia", block.inertia}});
   }
-  return {{"name", asked.question.name},
-          {"clearness", asked.question.disagreement.clearness},
-          {"impact_time", asked.question.time},
+  return {{"name", question.name},
+          {"clearness", question.disagreement.clearness},
+          {"impact_time", question.time},
           {"duration", scene.duration},
           {"blocks", blocks},
           {"angles", scene.initial.angles},
@@ -153,7 +172,7 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
                                      {"clearness", found.clearness}});
   }
   json["cases"] = Json::array();
-  for (const AskedCase& asked : results.cases) json["cases"].push_back(case_json(asked));
+  for (const ImpactCase& question : results.cases) json["cases"].push_back(case_json(question));
   json["engines"] = Json::array();
   std::vector<const WorkerEngine*> asked;
   for (const EngineSeries& series : study.series) {
@@ -189,21 +208,19 @@ ImpactLawStudy read_impact_law_study(const std::filesystem::path& file) {
 }
 
 ImpactLawResults run_study(const ImpactLawStudy& study) {
-  ImpactLawResults results{study_impact_laws(study.draws), {}};
-  for (ImpactCase& question : clear_cases(results.laws.disagreements, study.least_clearness)) {
-    results.cases.push_back({std::move(question), {}});
-    AskedCase& asked = results.cases.back();
-    for (const EngineSeries& series : study.series) {
-      for (const double dt : series.steps) asked.verdicts.push_back(ask_engine(asked.question, series, dt));
-    }
-  }
-  return results;
+  ImpactLaws laws = study_impact_laws(study.draws);
+  std::vector<ImpactCase> cases = clear_cases(laws.disagreements, study.least_clearness);
+  for (ImpactCase& question : cases)
+    for (const EngineSeries& series : study.series)
+      for (const double dt : series.steps) question.verdicts.push_back(ask_engine(question, series, dt));
+  return {std::move(laws), std::move(cases)};
 }
 
-std::vector<KindShare> shares_by_kind(const std::vector<ImpactShare>& shares) {
-  std::vector<KindShare> kinds;
+std::vector<ImpactShare> shares_by_kind(const std::vector<ImpactShare>& shares) {
+  std::vector<ImpactShare> kinds;
   for (const ImpactShare& share : shares) {
-    if (kinds.empty() || kinds.back().kind != name(share.kind)) kinds.push_back({name(share.kind)});
+    if (kinds.empty() || name(kinds.back().kind) != name(share.kind))
+      kinds.push_back({share.blocks, share.kind});
     kinds.back().impacts += share.impacts;
     kinds.back().differ += share.differ;
     kinds.back().none += share.none;
@@ -211,19 +228,19 @@ std::vector<KindShare> shares_by_kind(const std::vector<ImpactShare>& shares) {
   return kinds;
 }
 
-std::vector<EngineTally> tallies(const std::vector<AskedCase>& cases) {
+std::vector<EngineTally> tallies(const std::vector<ImpactCase>& cases) {
   std::vector<EngineTally> list;
-  for (const AskedCase& asked : cases) {
-    for (const EngineVerdict& verdict : asked.verdicts) {
+  for (const ImpactCase& question : cases) {
+    for (const EngineVerdict& verdict : question.verdicts) {
       const std::string engine = fmt::format("{}:{} {}", verdict.engine, verdict.solver, verdict.settings);
       auto tally = std::find_if(list.begin(), list.end(), [&](const EngineTally& known) {
         return known.engine == engine && known.dt == verdict.dt;
       });
       if (tally == list.end()) tally = list.insert(list.end(), {engine, verdict.dt});
-      ++(!verdict.failure.empty()                 ? tally->failed
-         : verdict.follows == Follows::consistent ? tally->consistent
-         : verdict.follows == Follows::paper      ? tally->paper
-                                                  : tally->neither);
+      ++(!verdict.failure.empty()          ? tally->failed
+         : verdict.follows == "consistent" ? tally->consistent
+         : verdict.follows == "paper"      ? tally->paper
+                                           : tally->neither);
     }
   }
   return list;
@@ -236,24 +253,6 @@ std::string shares_csv(const std::vector<ImpactShare>& shares) {
     csv.line(share.blocks, name(share.kind), share.aspect_ratio.from, share.aspect_ratio.to,
              share.mass_ratio.from, share.mass_ratio.to, share.drawn, share.impacts, share.differ, share.none,
              share.several, share.missed);
-  }
-  return csv.text();
-}
-
-std::string verdicts_csv(const std::vector<AskedCase>& cases) {
-  CsvWriter csv;
-  add_header(csv, verdict_columns);
-  for (const auto& [question, verdicts] : cases) {
-    const Disagreement& found = question.disagreement;
-    for (const EngineVerdict& verdict : verdicts) {
-      const bool failed = !verdict.failure.empty();
-      const auto cell = [&](double value) { return failed ? "" : number_text(value); };
-      csv.line(question.name, name(found.kind), verdict.engine, verdict.solver, verdict.settings, verdict.dt,
-               failed ? "failed" : "done", verdict.failure, name(found.paper), name(found.consistent),
-               failed ? "" : name(verdict.pattern), failed ? "" : name(verdict.follows),
-               cell(verdict.from_paper), cell(verdict.from_consistent), spaced(question.before),
-               spaced(question.paper), spaced(question.consistent), spaced(verdict.rates));
-    }
   }
   return csv.text();
 }

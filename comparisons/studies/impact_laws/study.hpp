@@ -5,9 +5,46 @@
 #include <vector>
 
 #include "analytic/scene/input/fields.hpp"
-#include "comparisons/studies/impact_laws/engines.hpp"
+#include "comparisons/studies/impact_laws/laws.hpp"
+#include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
+
+// What engines make of an impact on which the laws differ: a short scene that starts `lead` before it and
+// ends `follow` after it.
+
+inline constexpr double lead = 5e-3;    ///< s
+inline constexpr double follow = 5e-3;  ///< s
+
+/// One engine run of a case.
+struct EngineVerdict {
+  std::string engine, solver, settings;
+  double dt = 0;                   ///< s
+  std::string failure = {};        ///< why there is no answer, or empty
+  Pattern pattern = {};            ///< `follow` after the impact
+  std::string follows = {};        ///< the law whose pattern that is, "consistent" or "paper", or "neither"
+  std::vector<double> rates = {};  ///< mean angular velocities over the second half of `follow`, rad/s
+  double from_paper = 0;           ///< largest difference of those rates from law paper's, over largest_rate
+  double from_consistent = 0;      ///< likewise from law consistent's
+};
+
+/// A disagreement as a scene, with the exact solver's answer under either law.
+struct ImpactCase {
+  std::string name;  ///< kind and both answers, "4a-blocks.4b.3b"
+  Disagreement disagreement;
+  Scene scene;
+  double time = 0;                                  ///< of the impact, s
+  double largest_rate = 0;                          ///< relative, just before, rad/s
+  std::vector<double> before = {};                  ///< angular velocities just before, rad/s
+  std::vector<double> paper = {}, consistent = {};  ///< mean angular velocities, see EngineVerdict, rad/s
+  std::vector<EngineVerdict> verdicts = {};         ///< of every engine of the study
+};
+
+/// Cases of the disagreements that are at least so clear, of each the clearest state; left out where the
+/// scene's first event is not that impact, or another follows within `follow`.
+std::vector<ImpactCase> clear_cases(const std::vector<Disagreement>& disagreements, double least_clearness);
+
+EngineVerdict ask_engine(const ImpactCase& question, const EngineSeries& series, double dt);
 
 /// What a suite file with `study = "impact-laws"` asks for.
 struct ImpactLawStudy {
@@ -21,26 +58,16 @@ struct ImpactLawStudy {
 /// @throws InputError with file:line, key, value and what is allowed.
 ImpactLawStudy read_impact_law_study(const std::filesystem::path& file);
 
-/// A case and what every engine of the study made of it.
-struct AskedCase {
-  ImpactCase question;
-  std::vector<EngineVerdict> verdicts;
-};
-
+/// The laws on the whole grid, and the cases on which engines were asked.
 struct ImpactLawResults {
   ImpactLaws laws;
-  std::vector<AskedCase> cases;
+  std::vector<ImpactCase> cases;
 };
 
 ImpactLawResults run_study(const ImpactLawStudy& study);
 
-/// A kind's shares over the whole grid.
-struct KindShare {
-  std::string kind;
-  int impacts = 0, differ = 0, none = 0;
-};
-
-std::vector<KindShare> shares_by_kind(const std::vector<ImpactShare>& shares);
+/// Each kind's impacts over the whole grid, and how many of them differ or have no pattern.
+std::vector<ImpactShare> shares_by_kind(const std::vector<ImpactShare>& shares);
 
 /// Over all cases, how often one engine at one time step shows which law's pattern.
 struct EngineTally {
@@ -49,13 +76,10 @@ struct EngineTally {
   int consistent = 0, paper = 0, neither = 0, failed = 0;
 };
 
-std::vector<EngineTally> tallies(const std::vector<AskedCase>& cases);
+std::vector<EngineTally> tallies(const std::vector<ImpactCase>& cases);
 
 /// One row a cell and kind.
 std::string shares_csv(const std::vector<ImpactShare>& shares);
-
-/// One row a case, engine and time step.
-std::string verdicts_csv(const std::vector<AskedCase>& cases);
 
 /// Writes impact-laws.csv, impact-laws-engines.csv and impact-laws.json into a folder.
 /// @throws std::runtime_error where a file cannot be written.

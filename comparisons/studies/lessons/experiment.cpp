@@ -1,9 +1,8 @@
-
 #include <cmath>
 
 #include "analytic/solve.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
-#include "comparisons/suites/perturbations.hpp"
+#include "comparisons/studies/lessons/mechanics.hpp"
 
 namespace rockstack {
 namespace {
@@ -24,7 +23,7 @@ constexpr Measured measured[]{{5, "concrete", 0.95}, {5, "rubber", 0.67}, {3, "c
 constexpr double assumed_spread = 0.01;
 
 double housner_ratio(double height_over_width) {
-  return 1 - 1.5 / (1 + height_over_width * height_over_width);
+  return impact_ratio(height_over_width, largest_friction);
 }
 
 /// The scene's block in that shape, of the same height, let go at the same share of its slenderness, with

@@ -86,13 +86,6 @@ double weight_of(const Scene& scene) {
   return weight;
 }
 
-double largest_angle(const History& history, std::size_t block) {
-  double most = 0;
-  for (std::size_t i = 0; i < history.size(); ++i)
-    most = std::max(most, std::abs(history.angles_at(i)[block]));
-  return most;
-}
-
 const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine,
                            const std::string& settings, double dt) {
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const RunMetrics& row) {
@@ -114,15 +107,6 @@ std::size_t count_impacts(const History& history) {
   return static_cast<std::size_t>(
       std::count_if(history.events.begin(), history.events.end(),
                     [](const Event& event) { return event.kind == EventKind::impact; }));
-}
-
-double first_gap(const History& history, int interface, double size) {
-  const auto upper = static_cast<std::size_t>(interface) - 1;
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const auto angles = history.angles_at(i);
-    if (std::abs(angles[upper] - (upper > 0 ? angles[upper - 1] : 0)) > size) return history.times[i];
-  }
-  return -1;
 }
 
 std::string fixed(double value, int digits) {

@@ -69,9 +69,6 @@ Scene under(Scene scene, Law law);
 /// Of all blocks, N.
 double weight_of(const Scene& scene);
 
-/// The largest absolute angle of a block (from 0), rad.
-double largest_angle(const History& history, std::size_t block);
-
 /// The row of a suite's run; one where that run is not done has no numbers.
 /// @throws std::logic_error where the suite has no such run.
 const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine,
@@ -81,10 +78,6 @@ const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::strin
 const Event* first_event(const History& history, EventKind kind);
 
 std::size_t count_impacts(const History& history);
-
-/// Where sampled motion first passes that size of relative angle at an interface (from 1), s; negative where
-/// it never does.
-double first_gap(const History& history, int interface, double size);
 
 /// A number with that many digits after the point, and a true minus sign: "−0.4816".
 std::string fixed(double value, int digits);

@@ -1,4 +1,3 @@
-
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"

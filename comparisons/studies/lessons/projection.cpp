@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/studies/lessons/impact_mechanics.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/studies/lessons/mechanics.hpp"
 
 namespace rockstack {
 namespace {

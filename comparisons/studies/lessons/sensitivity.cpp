@@ -5,6 +5,7 @@
 
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"
@@ -128,8 +129,8 @@ Peaks peaks_over_seeds(const NamedScene& named) {
     const Scene scene = read_scene(file, {fmt::format("ground.horizontal.synthetic={}", seed)});
     peaks.exact.push_back(solve(scene, {.peaks = true}).peaks[1]);
     peaks.changed.push_back(solve(stronger(scene, 1e-3), {.peaks = true}).peaks[1]);
-    peaks.bullet.push_back(largest_angle(answer("bullet", "tuned", scene, engine_step), 1));
-    peaks.ode.push_back(largest_angle(answer("ode", "tuned", scene, engine_step), 1));
+    peaks.bullet.push_back(peak_angles(answer("bullet", "tuned", scene, engine_step))[1]);
+    peaks.ode.push_back(peak_angles(answer("ode", "tuned", scene, engine_step))[1]);
   }
   return peaks;
 }

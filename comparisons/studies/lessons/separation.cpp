@@ -2,8 +2,8 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
-#include "comparisons/studies/lessons/impact_mechanics.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/studies/lessons/mechanics.hpp"
 
 namespace rockstack {
 namespace {
@@ -51,6 +51,17 @@ Table first_events(const History& history) {
                           name(event.from), name(event.to), cell(event.angles[0]), cell(event.angles[1])});
   }
   return table;
+}
+
+/// Where sampled motion first passes that size of relative angle at an interface (from 1), s; negative where
+/// it never does.
+double first_gap(const History& history, int interface, double size) {
+  const auto upper = static_cast<std::size_t>(interface) - 1;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const auto angles = history.angles_at(i);
+    if (std::abs(angles[upper] - (upper > 0 ? angles[upper - 1] : 0)) > size) return history.times[i];
+  }
+  return -1;
 }
 
 Table solvers(const Scene& scene, const History& exact) {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/studies/lessons/impact_mechanics.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/studies/lessons/mechanics.hpp"
 
 namespace rockstack {
 namespace {

@@ -1,10 +1,11 @@
-#include "comparisons/studies/stability/verdict.hpp"
+#include "comparisons/studies/stability/study.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 
@@ -40,22 +41,22 @@ Scale scale_of(const Scene& scene) {
   return scale;
 }
 
-/// The first measure beyond its limit, in words.
-class Findings {
- public:
-  void check(const char* label, const std::optional<double>& value, double unit, double limit) {
-    if (!value || !reason_.empty()) return;
-    const double share = std::abs(*value) / unit;
-    if (!(share <= limit)) reason_ = fmt::format("{} {:.3g}, limit {:g}", label, share, limit);
-  }
-  void check(bool broken, const char* label) {
-    if (broken && reason_.empty()) reason_ = label;
-  }
-  const std::string& reason() const { return reason_; }
-
- private:
-  std::string reason_;
+/// A measure in a unit, and how many of it are too much.
+struct Check {
+  const char* label;
+  std::optional<double> value;
+  double unit, limit;
 };
+
+/// The first measure beyond its limit, in words; empty where there is none.
+std::string first_beyond(std::initializer_list<Check> checks) {
+  for (const Check& one : checks) {
+    if (!one.value) continue;
+    const double share = std::abs(*one.value) / one.unit;
+    if (!(share <= one.limit)) return fmt::format("{} {:.3g}, limit {:g}", one.label, share, one.limit);
+  }
+  return "";
+}
 
 }  // namespace
 
@@ -67,26 +68,25 @@ std::string name(Soundness soundness) {
 StabilityVerdict judge_stability(const RunMetrics& row, const Scene& scene, const StabilityLimits& limits) {
   if (row.status != RunStatus::done) return {Soundness::failed, name(row.status) + ": " + row.reason};
   const Scale scale = scale_of(scene);
-  Findings unstable;
-  unstable.check("energy gained, of what tips the stack over,", row.energy_gain, scale.tipping,
-                 limits.unstable_energy);
-  unstable.check("a block thrown up, of the smallest height,", row.gap, scale.height, limits.unstable_gap);
-  unstable.check("tilt out of the plane", row.out_of_plane_tilt, 1, limits.unstable_tilt);
-  unstable.check(row.toppling_verdict == TopplingVerdict::engine_alone,
-                 "topples though the exact solution does not");
-  if (!unstable.reason().empty()) return {Soundness::unstable, unstable.reason()};
-  Findings inexact;
-  inexact.check(row.toppling_verdict == TopplingVerdict::exact_alone,
-                "stands though the exact solution topples");
-  inexact.check("energy gained, of what tips the stack over,", row.energy_gain, scale.tipping, limits.energy);
-  inexact.check("penetration, of the smallest height,", row.penetration, scale.height, limits.penetration);
-  inexact.check("slip, of the narrowest width,", row.slip, scale.width, limits.slip);
-  inexact.check("way out of the plane, of the narrowest width,", row.out_of_plane, scale.width,
-                limits.out_of_plane);
-  inexact.check("motion left at rest, of sqrt(g/H),", row.residual_motion, scale.rate, limits.residual);
-  inexact.check("angle off, of the least slenderness,", row.largest_angle_difference, scale.slenderness,
-                limits.angle);
-  if (!inexact.reason().empty()) return {Soundness::inexact, inexact.reason()};
+  std::string unstable = first_beyond(
+      {{"energy gained, of what tips the stack over,", row.energy_gain, scale.tipping,
+        limits.unstable_energy},
+       {"a block thrown up, of the smallest height,", row.gap, scale.height, limits.unstable_gap},
+       {"tilt out of the plane", row.out_of_plane_tilt, 1, limits.unstable_tilt}});
+  if (unstable.empty() && row.toppling_verdict == TopplingVerdict::engine_alone)
+    unstable = "topples though the exact solution does not";
+  if (!unstable.empty()) return {Soundness::unstable, unstable};
+  if (row.toppling_verdict == TopplingVerdict::exact_alone)
+    return {Soundness::inexact, "stands though the exact solution topples"};
+  const std::string inexact = first_beyond(
+      {{"energy gained, of what tips the stack over,", row.energy_gain, scale.tipping, limits.energy},
+       {"penetration, of the smallest height,", row.penetration, scale.height, limits.penetration},
+       {"slip, of the narrowest width,", row.slip, scale.width, limits.slip},
+       {"way out of the plane, of the narrowest width,", row.out_of_plane, scale.width, limits.out_of_plane},
+       {"motion left at rest, of sqrt(g/H),", row.residual_motion, scale.rate, limits.residual},
+       {"angle off, of the least slenderness,", row.largest_angle_difference, scale.slenderness,
+        limits.angle}});
+  if (!inexact.empty()) return {Soundness::inexact, inexact};
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
@@ -12,6 +13,8 @@
 namespace rockstack {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 Value number_value(double number, const std::string& place) {
   Value value;
   value.node.kind = Node::Kind::number;
@@ -19,14 +22,6 @@ Value number_value(double number, const std::string& place) {
   value.node.place = place;
   value.text = number_text(number);
   return value;
-}
-
-void describe(const Node& node, std::string& text) {
-  text +=
-      node.name + "=" + std::to_string(static_cast<int>(node.kind)) + number_text(node.number) + node.text;
-  text += "{";
-  for (const Node& child : node.children) describe(child, text);
-  text += "}\n";
 }
 
 void describe_record(const std::filesystem::path& name, MotionLibrary& library, std::string& text) {
@@ -180,29 +175,41 @@ void set_values(SceneDocument& document, const Variation& variation, const Value
   for (const std::string& key : variation.keys) set_value(document.root, key, value.node);
 }
 
+Json json_of(const Node& node) {
+  if (node.kind == Node::Kind::number) return node.number;
+  if (node.kind == Node::Kind::text || node.kind == Node::Kind::other) return node.text;
+  Json list = Json::array(), table = Json::object();
+  for (const Node& child : node.children)
+    (node.kind == Node::Kind::array ? list.emplace_back() : table[child.name]) = json_of(child);
+  return node.kind == Node::Kind::array ? list : table;
+}
+
+Json json_of(const Variation& variation) {
+  Json json{{"keys", variation.keys}};
+  if (const auto& drawn = variation.distribution) {
+    const char* name = drawn->kind == Distribution::Kind::uniform  ? "uniform"
+                       : drawn->kind == Distribution::Kind::normal ? "normal"
+                                                                   : "lognormal";
+    json[name] = {drawn->first, drawn->second};
+  }
+  for (const Value& value : variation.values)
+    json["values"].push_back(value.node.kind == Node::Kind::number ? Json(value.node.number)
+                                                                   : Json(value.text));
+  return json;
+}
+
 std::string identity(const Ensemble& ensemble, MotionLibrary& library) {
   std::string text = std::string(build::version) + "\n" + build::compiler + "\n" + build::flags + "\n";
-  describe(ensemble.base.root, text);
+  text += json_of(ensemble.base.root).dump() + "\n";
   describe_records(ensemble.base, library, text);
   text += std::to_string(ensemble.samples) + " " + std::to_string(ensemble.seed) + " " +
           number_text(ensemble.tolerance) + "\n";
   for (const Variation& variation : ensemble.variations) {
-    for (const std::string& key : variation.keys) text += key + "\n";
-    for (const Value& value : variation.values) {
-      text += value.text + "\n";
-      if (variation.is_record(value)) {
-        describe_record(ensemble.base.folder / value.node.text, library, text);
-      }
-    }
-    if (const auto& drawn = variation.distribution) {
-      text += std::to_string(static_cast<int>(drawn->kind)) + " " + number_text(drawn->first) + " " +
-              number_text(drawn->second) + "\n";
-    }
+    text += json_of(variation).dump() + "\n";
+    for (const Value& value : variation.values)
+      if (variation.is_record(value)) describe_record(ensemble.base.folder / value.node.text, library, text);
   }
-  for (const Axis& axis : ensemble.axes) {
-    for (const std::size_t v : axis.variations) text += std::to_string(v) + " ";
-    text += "\n";
-  }
+  for (const Axis& axis : ensemble.axes) text += Json(axis.variations).dump() + "\n";
   return text;
 }
 

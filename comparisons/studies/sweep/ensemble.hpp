@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -76,6 +77,10 @@ Ensemble read_ensemble(const std::filesystem::path& file, const std::vector<std:
 /// The same of what stands in such a file; paths are relative to the folder of `file`.
 Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
                        const std::vector<std::string>& overrides, MotionLibrary& library);
+
+/// A document, or what one table [[vary]] changes, as results have it.
+nlohmann::ordered_json json_of(const Node& node);
+nlohmann::ordered_json json_of(const Variation& variation);
 
 /// A text that is the same for ensembles whose runs are the same: the base scene, all variations, the
 /// contents of the records, and the version, compiler and flags of this program.

@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/measures/metrics/contact.hpp"
+
 namespace rockstack {
 namespace {
-
-/// The worst of all interfaces.
-Demand worst(const std::vector<Demand>& demands) {
-  Demand result;
-  for (const Demand& demand : demands) {
-    result.least_normal = std::min(result.least_normal, demand.least_normal);
-    result.friction = std::max(result.friction, demand.friction);
-  }
-  return result;
-}
 
 /// Nothing where there are none.
 std::optional<double> largest(const std::vector<double>& sizes) {
@@ -105,8 +97,8 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
   }
   outcome.onset = onset_mode(scene, history);
   outcome.motion = whole_mode(scene, history);
-  outcome.force = worst(history.forces);
-  outcome.impulse = worst(history.impulses);
+  outcome.force = worst_of(history.forces);
+  outcome.impulse = worst_of(history.impulses);
   outcome.slip = largest(history.slips_left);
   outcome.lift = largest(history.lifts);
   return outcome;

@@ -1,4 +1,4 @@
-#include "comparisons/studies/sweep/runs.hpp"
+#include "comparisons/studies/sweep/sweep.hpp"
 
 #include <cmath>
 #include <exception>
@@ -157,13 +157,6 @@ std::vector<ColumnMeaning> run_columns(const Ensemble& ensemble) {
   }
   columns.insert(columns.end(), outcome_columns().begin(), outcome_columns().end());
   return columns;
-}
-
-std::string header_line(const Ensemble& ensemble) {
-  CsvWriter csv;
-  for (const auto& [name, meaning] : run_columns(ensemble)) csv.add(name);
-  csv.end_line();
-  return csv.text();
 }
 
 std::string run_lines(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library) {

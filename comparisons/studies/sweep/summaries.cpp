@@ -1,4 +1,4 @@
-#include "comparisons/studies/sweep/summaries.hpp"
+#include "comparisons/studies/sweep/sweep.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -11,7 +11,6 @@
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
-#include "comparisons/studies/sweep/run_outcome.hpp"
 
 namespace rockstack {
 namespace {
@@ -26,51 +25,34 @@ struct Run {
   std::string onset, motion;  ///< names of modes
 };
 
-/// Which columns of runs.csv these are; values of varied keys stand between `run` and `peak_1`.
-class RunReader {
- public:
-  RunReader(const std::vector<std::string>& names, const SummaryKeys& keys, std::string place)
-      : names_(names), keys_(keys), place_(std::move(place)), first_outcome_(index("peak_1")) {}
-
-  Run read(const std::vector<std::string>& cells) const {
-    Run run;
-    run.intensity = at(cells, keys_.intensity);
-    if (!keys_.period.empty()) run.period = at(cells, keys_.period);
-    if (!keys_.friction.empty()) run.friction = at(cells, keys_.friction);
-    for (std::size_t c = 1; c < first_outcome_; ++c) {
-      if (names_[c] == keys_.intensity || names_[c] == keys_.period || names_[c] == keys_.friction) continue;
-      run.others += (run.others.empty() ? "" : ", ") + names_[c] + "=" + cells[c];
-    }
-    run.failed = cells[index("status")] == "failed";
-    if (run.failed) return run;
-    if (!keys_.friction.empty()) run.onset = cells[index("onset")], run.motion = cells[index("motion")];
-    run.toppled = at(cells, "toppled") > 0;
-    run.moved = at(cells, "events") > 0;
-    run.with_impact = at(cells, "impacts") > 0;
-    run.peak_ratio = at(cells, "peak_ratio");
-    return run;
+/// Values of varied keys stand between `run` and `peak_1`.
+Run run_in(const CsvLine& line, const SummaryKeys& keys) {
+  const auto at = [&](const std::string& name) { return line.value(line.index(name)); };
+  Run run;
+  run.intensity = at(keys.intensity);
+  if (!keys.period.empty()) run.period = at(keys.period);
+  if (!keys.friction.empty()) run.friction = at(keys.friction);
+  const std::size_t first_outcome = line.index("peak_1");
+  for (std::size_t c = 1; c < first_outcome; ++c) {
+    const std::string& name = line.names()[c];
+    if (name == keys.intensity || name == keys.period || name == keys.friction) continue;
+    run.others += (run.others.empty() ? "" : ", ") + name + "=" + line.text(c);
   }
-
- private:
-  std::size_t index(const std::string& name) const {
-    return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
-  }
-  double at(const std::vector<std::string>& cells, const std::string& name) const {
-    return number(cells[index(name)], place_, name);
-  }
-
-  std::vector<std::string> names_;
-  SummaryKeys keys_;
-  std::string place_;
-  std::size_t first_outcome_;
-};
+  run.failed = line.text(line.index("status")) == "failed";
+  if (run.failed) return run;
+  if (!keys.friction.empty())
+    run.onset = line.text(line.index("onset")), run.motion = line.text(line.index("motion"));
+  run.toppled = at("toppled") > 0;
+  run.moved = at("events") > 0;
+  run.with_impact = at("impacts") > 0;
+  run.peak_ratio = at("peak_ratio");
+  return run;
+}
 
 std::vector<Run> read_runs(const std::filesystem::path& file, const SummaryKeys& keys) {
   std::vector<Run> runs;
-  std::optional<RunReader> reader;
-  read_rows(
-      file, [&](const auto& names) { reader.emplace(names, keys, file.string()); },
-      [&](const auto& cells, std::size_t) { runs.push_back(reader->read(cells)); });
+  CsvLine line(file);
+  line.read([] {}, [&] { runs.push_back(run_in(line, keys)); });
   return runs;
 }
 

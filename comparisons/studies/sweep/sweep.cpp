@@ -7,8 +7,6 @@
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
-#include "comparisons/studies/sweep/runs.hpp"
-#include "comparisons/studies/sweep/summaries.hpp"
 
 namespace rockstack {
 namespace {
@@ -23,51 +21,14 @@ std::size_t length_of(std::size_t block, std::size_t runs) {
   return std::min(block_size(runs), runs - block * block_size(runs));
 }
 
-Json to_json(const Node& node) {
-  switch (node.kind) {
-    case Node::Kind::number:
-      return node.number;
-    case Node::Kind::text:
-    case Node::Kind::other:
-      return node.text;
-    default:
-      break;
-  }
-  Json json = node.kind == Node::Kind::array ? Json::array() : Json::object();
-  for (const Node& child : node.children) {
-    if (node.kind == Node::Kind::array) {
-      json.push_back(to_json(child));
-    } else {
-      json[child.name] = to_json(child);
-    }
-  }
-  return json;
-}
-
-Json to_json(const Variation& variation) {
-  Json json{{"keys", variation.keys}};
-  if (const auto& drawn = variation.distribution) {
-    const char* name = drawn->kind == Distribution::Kind::uniform  ? "uniform"
-                       : drawn->kind == Distribution::Kind::normal ? "normal"
-                                                                   : "lognormal";
-    json[name] = {drawn->first, drawn->second};
-    return json;
-  }
-  for (const Value& value : variation.values) {
-    json["values"].push_back(value.node.kind == Node::Kind::number ? Json(value.node.number)
-                                                                   : Json(value.text));
-  }
-  return json;
-}
-
 /// All that is needed to make the runs again, and what the columns mean.
 Json description(const Ensemble& ensemble) {
   Json json{{"title", ensemble.title},
             {"runs", run_count(ensemble)},
             {"samples", ensemble.samples},
             {"seed", ensemble.seed},
-            {"scene", to_json(ensemble.base.root)}};
-  for (const Variation& variation : ensemble.variations) json["vary"].push_back(to_json(variation));
+            {"scene", json_of(ensemble.base.root)}};
+  for (const Variation& variation : ensemble.variations) json["vary"].push_back(json_of(variation));
   for (const Axis& axis : ensemble.axes) json["axes"].push_back(axis.variations);
   json["summary"] = {{"intensity", ensemble.summary.intensity},
                      {"period", ensemble.summary.period},
@@ -79,7 +40,10 @@ Json description(const Ensemble& ensemble) {
 
 void write_results(const Ensemble& ensemble, const Journal& journal, const std::filesystem::path& folder) {
   write_file(folder / "runs.csv", [&](const Sink& put) {
-    put(header_line(ensemble));
+    CsvWriter header;
+    for (const auto& [name, meaning] : run_columns(ensemble)) header.add(name);
+    header.end_line();
+    put(header.text());
     journal.copy_to(put);
   });
   write_file(folder / "sweep.json", description(ensemble).dump(2) + "\n");
@@ -88,12 +52,8 @@ void write_results(const Ensemble& ensemble, const Journal& journal, const std::
 
 std::size_t count_failed(const std::filesystem::path& runs) {
   std::size_t status = 0, count = 0;
-  read_rows(
-      runs,
-      [&](const auto& names) {
-        status = column({names, {}}, "status", runs);
-      },
-      [&](const auto& cells, std::size_t) { count += cells[status] == "failed" ? 1 : 0; });
+  CsvLine line(runs);
+  line.read([&] { status = line.index("status"); }, [&] { count += line.text(status) == "failed" ? 1 : 0; });
   return count;
 }
 

@@ -4,11 +4,58 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
+#include "comparisons/studies/sweep/run_outcome.hpp"
 
 namespace rockstack {
+
+/// What becomes of a run of an ensemble; it is there while it is taken.
+struct RunResult {
+  std::size_t run = 0;
+  const std::vector<Value>& values;  ///< of each variation
+  const RunOutcome* outcome;         ///< null where its scene is out of range or cannot be solved
+  std::string reason;                ///< then why
+};
+
+/// Makes the runs `first` up to and without `last`, several side by side; `take` gets what becomes of each,
+/// not in order. May be called from several threads at once. What `take` throws goes through. `unwanted` as
+/// of SolveOptions: a run that it ends has no outcome.
+void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library,
+               const std::function<void(const RunResult&)>& take,
+               const std::function<bool()>* unwanted = nullptr);
+
+/// A column of runs.csv and what it means.
+using ColumnMeaning = std::pair<std::string, std::string>;
+
+/// All columns in order: the run's number, a column a variation, then what came out.
+std::vector<ColumnMeaning> run_columns(const Ensemble& ensemble);
+
+/// Runs `first` up to and without `last`, one line each. A run whose scene is out of range or that the solver
+/// cannot finish says so in its line. May be called from several threads at once.
+std::string run_lines(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library);
+
+/// Writes the summaries that an ensemble asks for, from DIR/runs.csv alone. Runs that failed are counted and
+/// left out.
+///
+/// By intensity:
+/// - fragility.csv: the share of runs that topple at each intensity, its confidence bounds, and the fitted
+///   lognormal curve, whose parameters are in fragility-fit.csv (no row where there is no fit);
+/// - incremental.csv: peak angle over slenderness against intensity, a curve for each choice of all other
+///   values; incremental-fractiles.csv: 16, 50 and 84 % of the curves at each intensity, a toppled block
+///   counting as infinitely far. Only where some curve has two points.
+/// By intensity and period:
+/// - overturning.csv: how many runs stay at rest, rock, topple after an impact and topple without one.
+/// By intensity and friction:
+/// - modes.csv: how many runs begin in each mode of motion, as columns onset_*, and how many are all in all
+///   of each.
+///
+/// Files of summaries that are not asked for are removed. @throws std::runtime_error where a file cannot be
+/// written.
+void write_summaries(const std::filesystem::path& folder, const SummaryKeys& keys);
 
 struct SweepOptions {
   std::filesystem::path folder;  ///< for results; must be there

@@ -1,4 +1,4 @@
-#include "comparisons/runs/against_exact.hpp"
+#include "comparisons/runs/measure.hpp"
 
 #include <gtest/gtest.h>
 

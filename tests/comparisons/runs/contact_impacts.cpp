@@ -8,7 +8,7 @@
 
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/runs/against_exact.hpp"
+#include "comparisons/runs/measure.hpp"
 #include "engines/worker/registry.hpp"
 #include "tests/native_engines.hpp"
 

@@ -1,4 +1,3 @@
-#include "comparisons/runs/draws.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "comparisons/suites/perturbations.hpp"
+#include "comparisons/suites/suite.hpp"
 
 #include <gtest/gtest.h>
 

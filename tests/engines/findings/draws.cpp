@@ -7,7 +7,7 @@
 #include "analytic/solve.hpp"
 #include "comparisons/measures/statistics/draws.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
-#include "comparisons/suites/perturbations.hpp"
+#include "comparisons/suites/suite.hpp"
 #include "tests/engines/linked_engines.hpp"
 
 namespace rockstack {

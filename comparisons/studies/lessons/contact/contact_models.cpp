@@ -4,8 +4,8 @@
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
-#include "comparisons/studies/lessons/contact/contact_need.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/studies/lessons/mechanics.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -43,10 +43,10 @@ Table needs() {
   for (const Example& example : examples()) {
     const Scene scene = scene_of(example);
     const ContactNeed need = contact_need(scene);
-    table.rows.push_back({example.name, cell(example.friction), cell(need.least_normal / weight_of(scene)),
-                          friction_cell(need.force_friction), friction_cell(need.impulse_friction),
-                          first_failure(need),
-                          law_for(need) == Law::unilateral ? "unilateral" : "consistent"});
+    table.rows.push_back(
+        {example.name, cell(example.friction), cell(need.force.least_normal / weight_of(scene)),
+         friction_cell(need.force.friction), friction_cell(need.impulse.friction), first_failure(need),
+         law_for(need) == Law::unilateral ? "unilateral" : "consistent"});
   }
   return table;
 }
@@ -85,23 +85,23 @@ LessonValues contact_models_values(const Suite& /*suite*/, const std::vector<Run
       .numbers = {{"paper_pattern", name(first->to)},
                   {"consistent_pattern", name(other->to)},
                   {"squat_time", fixed(first->time, 3)},
-                  {"shaken_pull", fixed(-shaken.least_normal, 0)},
-                  {"shaken_time", fixed(shaken.first_pull, 3)},
-                  {"thrown_time", fixed(thrown.first_pull, 3)},
-                  {"rough_forces", fixed(rough.force_friction, 4)},
-                  {"rough_impulses", fixed(rough.impulse_friction, 4)},
+                  {"shaken_pull", fixed(-shaken.force.least_normal, 0)},
+                  {"shaken_time", fixed(shaken.first_pull(), 3)},
+                  {"thrown_time", fixed(thrown.first_pull(), 3)},
+                  {"rough_forces", fixed(rough.force.friction, 4)},
+                  {"rough_impulses", fixed(rough.impulse.friction, 4)},
                   {"slippery_friction", fixed(slippery.friction, 1)},
-                  {"slippery_time", fixed(slippery.first_force_slip, 3)},
+                  {"slippery_time", fixed(slippery.force.first_slip_time, 3)},
                   {"rubbing_friction", fixed(rubbing.friction, 3)},
-                  {"rubbing_forces_time", fixed(rubbing.first_force_slip, 3)},
-                  {"rubbing_impulses", fixed(rubbing.impulse_friction, 4)},
-                  {"rubbing_short", fixed(rubbing.impulse_friction - rubbing.friction, 3)},
+                  {"rubbing_forces_time", fixed(rubbing.force.first_slip_time, 3)},
+                  {"rubbing_impulses", fixed(rubbing.impulse.friction, 4)},
+                  {"rubbing_short", fixed(rubbing.impulse.friction - rubbing.friction, 3)},
                   {"rubbing_slip",
                    fixed(1e3 * contact_summary(exact_answer(scene_of(examples()[2]))).front().largest_slip,
                          1)},
-                  {"rubbing_time", fixed(rubbing.first_impulse_slip, 3)}},
+                  {"rubbing_time", fixed(rubbing.impulse.first_slip_time, 3)}},
       .tables = {{"needs", needs()}, {"consequences", consequences()}},
-      .player = {.time = rubbing.first_impulse_slip - 0.02, .speed = 0.1, .gain = 1, .overlaid = true}};
+      .player = {.time = rubbing.impulse.first_slip_time - 0.02, .speed = 0.1, .gain = 1, .overlaid = true}};
 }
 
 }  // namespace rockstack

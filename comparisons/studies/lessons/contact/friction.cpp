@@ -3,8 +3,9 @@
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/studies/lessons/contact/contact_need.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/studies/lessons/mechanics.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -70,8 +71,8 @@ Table demands(Scene scene) {
     Scene landed = scene;
     landed.duration = impact.time * (1 + 1e-9);
     table.rows.push_back({cell(angle), cell(std::abs(impact.before[0])),
-                          fixed(contact_need(swing).force_friction, 4),
-                          fixed(contact_need(landed).impulse_friction, 4)});
+                          fixed(contact_need(swing).force.friction, 4),
+                          fixed(contact_need(landed).impulse.friction, 4)});
   }
   return table;
 }
@@ -103,7 +104,7 @@ Table stack_slips(const Scene& scene) {
     const InterfaceSummary top = contact_summary(history).back();
     table.rows.push_back({cell(friction), std::to_string(slips.all), std::to_string(slips.at_impacts),
                           cell(1e3 * top.largest_slip), cell(1e3 * top.final_slip),
-                          cell(largest_angle(history, scene.blocks.size() - 1))});
+                          cell(peak_angles(history).back())});
   }
   return table;
 }
@@ -128,14 +129,14 @@ LessonValues friction_values(const Suite& suite, const std::vector<RunMetrics>& 
                       {"form_ratio", fixed(impact_ratio(r, friction), 4)},
                       {"ratio", fixed(impact.after[0] / impact.before[0], 4)},
                       {"time", fixed(impact.time, 4)},
-                      {"swing_friction", fixed(contact_need(swing).force_friction, 4)},
+                      {"swing_friction", fixed(contact_need(swing).force.friction, 4)},
                       {"after", name(impact.to)},
                       {"largest_slip", fixed(1e3 * floor.largest_slip, 2)},
                       {"final_slip", fixed(std::abs(1e3 * floor.final_slip), 2)},
                       {"slips", std::to_string(count_slips(history).all)},
                       {"stack_forces", fixed(top.friction, 2)},
                       {"stack_time", fixed(top.friction_time, 3)},
-                      {"stack_impulses", fixed(contact_need(stack).impulse_friction, 2)}},
+                      {"stack_impulses", fixed(contact_need(stack).impulse.friction, 2)}},
           .tables = {{"ratios", impact_ratios(scene)},
                      {"demands", demands(scene)},
                      {"stack", stack_slips(stack)}},

@@ -1,8 +1,7 @@
-
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/studies/lessons/contact/contact_need.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/studies/lessons/mechanics.hpp"
 
 namespace rockstack {
 namespace {
@@ -31,7 +30,7 @@ Table amplitudes(Scene scene) {
     const History history = solve(scene);
     const Event* lift = first_event(history, EventKind::lift_off);
     const Event* landing = first_event(history, EventKind::impact);
-    table.rows.push_back({cell(share), cell(contact_need(scene).least_normal / weight),
+    table.rows.push_back({cell(share), cell(contact_need(scene).force.least_normal / weight),
                           lift != nullptr ? cell(lift->time) : "",
                           landing != nullptr ? cell(landing->time) : "",
                           lift != nullptr ? cell(1e3 * summary_of(scene).highest_lift) : ""});
@@ -95,8 +94,8 @@ LessonValues lift_off_values(const Suite& suite, const std::vector<RunMetrics>& 
                       {"lift", fixed(lift.time, 6)},
                       {"rate", fixed(thrown.lift_off_rate, 4)},
                       {"flight", fixed(landing.time - lift.time, 3)},
-                      {"pull", fixed(-tied.least_normal / weight, 1)},
-                      {"pull_from", fixed(tied.first_pull, 4)},
+                      {"pull", fixed(-tied.force.least_normal / weight, 1)},
+                      {"pull_from", fixed(tied.first_pull(), 4)},
                       {"speed", fixed(speed, 0)}},
           .tables = {{"flight", flight(scene, thrown, landing.time)},
                      {"amplitudes", amplitudes(scene)},

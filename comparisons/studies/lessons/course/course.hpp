@@ -1,7 +1,16 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
+
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/scene.hpp"
+#include "comparisons/runs/compare.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 
@@ -49,5 +58,58 @@ struct CourseEntry {
 
 /// @throws InputError with file:line, key, value and what is allowed.
 CourseEntry read_course(const std::string& lesson);
+
+/// What a question is about: a scene with its exact solution, where it has one, and numbers by name.
+struct Asked {
+  Scene scene;
+  History history;
+  std::map<std::string, double> numbers;
+};
+
+/// Solves a shipped scene with changes, with all that quantities need.
+Asked asked_about(const std::string& scene, const std::vector<std::string>& changes);
+
+/// A quantity by its name, as questions of lessons have them; the name of a number is that number.
+/// @throws InputError for a name that is none, std::runtime_error where what is asked about never happens.
+double quantity(const std::string& name, const Asked& asked);
+
+/// All names, in order, besides those of numbers.
+std::vector<std::string> quantity_names();
+
+/// A part with its answer.
+struct AnsweredPart {
+  Part part;          ///< with its places filled in, those of `why` apart
+  double value = 0;   ///< in the part's unit
+  std::string shown;  ///< the choice that holds, or the number with its unit
+};
+
+/// A question with its numbers filled in and its answers computed.
+struct Answered {
+  std::string name, text;
+  std::vector<AnsweredPart> parts;
+};
+
+/// Solves a question whose numbers are given. @throws InputError as read_scene() and quantity().
+Answered answered(const Problem& problem, const std::map<std::string, double>& numbers);
+
+/// As {"name", "text", "parts": [{"ask", "choices", "right", "unit", "within", "value", "shown", "why"}]};
+/// `right` counts choices from 0, and stands only beside some.
+nlohmann::ordered_json to_json(const Answered& question);
+
+/// A lesson's problems with numbers of a student's own. The same seed gives the same sheet.
+/// @throws InputError as answered().
+std::vector<Answered> drawn_problems(const std::string& lesson, std::uint64_t seed);
+
+/// A sheet with its answers: {"lesson", "title", "seed", "problems"}, as `rockstack plot` reads it.
+nlohmann::ordered_json sheet_json(const std::string& lesson, const std::string& title, std::uint64_t seed);
+
+/// Runs a lesson's suite as compare() does, and writes FOLDER/lesson.json: text, numbers, tables, and what is
+/// to be predicted with its answers. `in_course`: the folders of its neighbours lie beside it.
+std::vector<RunMetrics> run_lesson(const Lesson& lesson, const std::filesystem::path& folder, bool in_course,
+                                   const CompareOptions& options);
+
+/// All lessons in their order, each with aims, minutes and those that come first, as JSON.
+/// @throws InputError as read_course().
+std::string course_json();
 
 }  // namespace rockstack

@@ -1,5 +1,3 @@
-#include "comparisons/studies/lessons/course/quantities.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,9 +8,8 @@
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/studies/lessons/contact/contact_need.hpp"
-#include "comparisons/studies/lessons/impact_mechanics.hpp"
-#include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/studies/lessons/course/course.hpp"
+#include "comparisons/studies/lessons/mechanics.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -58,7 +55,7 @@ double fifth_impact(const Asked& asked) {
 /// What pivots need of friction, beyond what there is.
 double friction_short(const Asked& asked) {
   const ContactNeed need = contact_need(asked.scene);
-  return std::max(need.force_friction, need.impulse_friction) - need.friction;
+  return std::max(need.force.friction, need.impulse.friction) - need.friction;
 }
 
 /// How the base turns after the first impact, rad/s.
@@ -124,8 +121,8 @@ const std::vector<Quantity>& quantities() {
       {"impacts", [](const Asked& a) { return static_cast<double>(count_impacts(a.history)); }},
       {"base-after", base_after},
       {"slenderness", [](const Asked& a) { return slenderness(a.scene.blocks.front()); }},
-      {"force-friction", [](const Asked& a) { return contact_need(a.scene).force_friction; }},
-      {"impulse-friction", [](const Asked& a) { return contact_need(a.scene).impulse_friction; }},
+      {"force-friction", [](const Asked& a) { return contact_need(a.scene).force.friction; }},
+      {"impulse-friction", [](const Asked& a) { return contact_need(a.scene).impulse.friction; }},
       {"sticking-ratio",
        [](const Asked& a) {
          const Block& block = a.scene.blocks.front();

@@ -1,4 +1,3 @@
-#include "comparisons/measures/results/recorded_history.hpp"
 
 #include <gtest/gtest.h>
 

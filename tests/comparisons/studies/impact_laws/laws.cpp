@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/studies/impact_laws/engines.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"
@@ -160,7 +160,7 @@ TEST_P(ImpactLawsInEngine, ASquatTopThatFallsBackLiftsTheBase) {
   const auto cases = clear_cases({squat_top()}, 0.1);
   const EngineVerdict verdict = ask_engine(cases.at(0), make_series(*GetParam(), "tuned", {}), 1e-4);
   EXPECT_EQ(verdict.failure, "");
-  EXPECT_EQ(verdict.follows, Follows::consistent) << name(verdict.pattern);
+  EXPECT_EQ(verdict.follows, "consistent") << name(verdict.pattern);
   EXPECT_LT(verdict.from_consistent, 0.05);
   EXPECT_GT(verdict.from_paper, 0.1);
 }

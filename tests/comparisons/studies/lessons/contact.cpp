@@ -4,8 +4,8 @@
 
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/studies/lessons/contact/contact_need.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/studies/lessons/mechanics.hpp"
 
 namespace rockstack {
 namespace {
@@ -41,7 +41,7 @@ TEST(ContactLessons, ABlockThatLandsKeepsTheShareOfTheClosedForm) {
 TEST(ContactLessons, AnImpactNeedsTheFrictionOfTheClosedForm) {
   Scene scene = shipped_scene("rubbing-block");
   scene.duration = 0.6;  // the first impact alone
-  EXPECT_NEAR(contact_need(scene).impulse_friction, impact_friction(2), round_off);
+  EXPECT_NEAR(contact_need(scene).impulse.friction, impact_friction(2), round_off);
 }
 
 TEST(ContactLessons, AThrownBlockFliesAsTheClosedFormSays) {
@@ -76,17 +76,17 @@ TEST(ContactLessons, FlightSavesNoFriction) {
 TEST(ContactLessons, TheLawIsChosenByWhatPivotsNeed) {
   Scene block = shipped_scene("housner-block");
   const ContactNeed need = contact_need(block);
-  const double enough = std::max(need.force_friction, need.impulse_friction);
+  const double enough = std::max(need.force.friction, need.impulse.friction);
   block.friction = {enough * (1 + 1e-9)};
   EXPECT_EQ(law_for(contact_need(block)), Law::consistent);
   EXPECT_EQ(first_failure(contact_need(block)), "nothing");
   block.friction = {enough * (1 - 1e-9)};
   EXPECT_EQ(law_for(contact_need(block)), Law::unilateral);
   const ContactNeed rubbing = contact_need(shipped_scene("rubbing-block"));
-  EXPECT_LT(rubbing.first_impulse_slip, rubbing.first_force_slip);
+  EXPECT_LT(rubbing.impulse.first_slip_time, rubbing.force.first_slip_time);
   EXPECT_EQ(law_for(rubbing), Law::unilateral);
   const ContactNeed thrown = contact_need(shipped_scene("thrown-block"));
-  EXPECT_NEAR(thrown.first_pull, 0.4 * 7 / 12, 1e-9);
+  EXPECT_NEAR(thrown.first_pull(), 0.4 * 7 / 12, 1e-9);
   EXPECT_EQ(first_failure(thrown), "would pull at 0.233 s");
 }
 

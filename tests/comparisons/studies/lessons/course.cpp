@@ -10,10 +10,8 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
-#include "comparisons/studies/lessons/contact/contact_need.hpp"
-#include "comparisons/studies/lessons/course/answered.hpp"
-#include "comparisons/studies/lessons/course/quantities.hpp"
-#include "comparisons/studies/lessons/course/run_lesson.hpp"
+#include "comparisons/studies/lessons/course/course.hpp"
+#include "comparisons/studies/lessons/mechanics.hpp"
 
 namespace rockstack {
 namespace {

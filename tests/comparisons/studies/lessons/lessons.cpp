@@ -8,8 +8,8 @@
 #include "analytic/solve.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/histories.hpp"
-#include "comparisons/studies/lessons/impact_mechanics.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/studies/lessons/mechanics.hpp"
 #include "tests/free_rocking.hpp"
 #include "tests/temporary_folder.hpp"
 

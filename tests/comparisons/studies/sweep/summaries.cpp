@@ -1,4 +1,4 @@
-#include "comparisons/studies/sweep/summaries.hpp"
+#include "comparisons/studies/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 

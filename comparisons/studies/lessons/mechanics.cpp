@@ -1,13 +1,17 @@
-#include "comparisons/studies/lessons/impact_mechanics.hpp"
+#include "comparisons/studies/lessons/mechanics.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
 
 #include "analytic/mechanics/dynamics.hpp"
+#include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
 namespace {
-
-Vector<double> vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
 
 /// Velocities of centres and rotations in a pattern, at absolute angles.
 Motion<double> motion_of(const Stack<double>& stack, const Pattern& pattern, const Event& event,
@@ -70,6 +74,11 @@ double energy_after(const Scene& scene, double base, double top) {
   return kinetic_energy(stack, {centre_velocities(make_chain(stack, pattern, angles), rates), rates});
 }
 
+/// Of all ways in which pivots fail, s.
+double first_failure_time(const ContactNeed& need) {
+  return std::min({need.first_pull(), need.force.first_slip_time, need.impulse.first_slip_time});
+}
+
 }  // namespace
 
 ImpactEnergies impact_energies(const Scene& scene, const Event& impact) {
@@ -119,6 +128,64 @@ Block welded(const Scene& scene) {
   const double above = 2 * base.half_height + top.half_height - height;
   return {base.half_width, height, mass,
           base.inertia + top.inertia + base.mass * below * below + top.mass * above * above};
+}
+
+ContactNeed contact_need(Scene scene) {
+  scene.law = Law::consistent;
+  const std::vector<double> friction = friction_of(scene);
+  const History history = solve(scene, {.events = EventsKept::summed, .validity = true});
+  return {worst_of(history.forces), worst_of(history.impulses), *std::ranges::min_element(friction)};
+}
+
+Law law_for(const ContactNeed& need) {
+  return std::isfinite(first_failure_time(need)) ? Law::unilateral : Law::consistent;
+}
+
+std::string first_failure(const ContactNeed& need) {
+  const double first = first_failure_time(need);
+  if (!std::isfinite(first)) return "nothing";
+  const char* what = first == need.first_pull()            ? "would pull"
+                     : first == need.force.first_slip_time ? "would slip"
+                                                           : "would slip at an impact";
+  return std::string(what) + " at " + fixed(first, 3) + " s";
+}
+
+double impact_friction(double r) {
+  return 3 * r / (1 + 4 * r * r);
+}
+
+double impact_ratio(double r, double friction) {
+  return friction >= impact_friction(r) ? 1 - 1.5 / (1 + r * r)
+                                        : (r * r - 2 + 3 * friction * r) / (4 + r * r - 3 * friction * r);
+}
+
+Throw thrown_by_sine(double amplitude, double period, double gravity) {
+  if (!(amplitude > gravity)) throw std::domain_error("a pulse of at most gravity throws no block");
+  const double frequency = 2 * std::numbers::pi / period;
+  Throw result;
+  result.lift_off = period / 2 + std::asin(gravity / amplitude) / frequency;
+  const double phase = frequency * result.lift_off;
+  result.lift_off_rate = amplitude / frequency * (1 - std::cos(phase));
+  result.lift_off_rise = amplitude / frequency * (result.lift_off - std::sin(phase) / frequency);
+  if (result.lift_off + result.lift_off_rate / gravity < period)
+    throw std::domain_error("the block is at its highest before the pulse ends");
+  const double ground = amplitude / frequency * period;
+  const double rate = result.lift_off_rate;
+  result.highest = result.lift_off_rise + rate * rate / (2 * gravity) - ground;
+  result.landing_rate = std::sqrt(2 * gravity * result.highest);
+  result.landing = result.lift_off + (rate + result.landing_rate) / gravity;
+  return result;
+}
+
+Slide slide_through(const Throw& thrown, double speed, double friction, double gravity) {
+  const double slowing = friction * gravity;
+  const double parts = thrown.lift_off;
+  const double in_flight = speed - slowing * parts - friction * thrown.lift_off_rate;
+  Slide slide{.after_landing = speed - slowing * thrown.landing, .stop = speed / slowing};
+  slide.distance = speed * parts - slowing * parts * parts / 2 - friction * thrown.lift_off_rise +
+                   in_flight * (thrown.landing - parts) +
+                   slide.after_landing * slide.after_landing / (2 * slowing);
+  return slide;
 }
 
 }  // namespace rockstack
