@@ -54,18 +54,18 @@ std::vector<JudgedScene> judged_scenes(const std::vector<Suite>& suites) {
 
 /// Rows as they are reported: medians over replicates, with what stands behind them, what becomes of them in
 /// words, and their ranks among those of their scene and step.
-std::vector<ReplicatedRow> reported_rows(const std::vector<DrawnRow>& rows,
+std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& rows,
                                          const std::vector<JudgedScene>& scenes) {
   std::map<std::string, SceneScale> scales;
   for (const JudgedScene& scene : scenes) scales[scene.name] = scene.scale;
   std::vector<ReplicatedRow> reported;
   reported.reserve(rows.size());
   std::map<std::pair<std::string, double>, std::vector<ReplicatedRow*>> cells;
-  for (const auto& [nominal, draws] : rows) {
+  for (const auto& [nominal, replicates] : rows) {
     ReplicatedRow& one = reported.emplace_back(ReplicatedRow{nominal, {}});
     add_evidence(nominal, one);
-    for (const RunMetrics& draw : draws) add_evidence(draw, one);
-    if (!draws.empty() && nominal.status == RunStatus::done) summarise(draws, one.row);
+    for (const RunMetrics& replicate : replicates) add_evidence(replicate, one);
+    if (!replicates.empty() && nominal.status == RunStatus::done) summarise(replicates, one.row);
     if (!is_engine(one.row)) continue;
     one.row.outcome = outcome(one.row, scales.at(nominal.scene));
     cells[{nominal.scene, *nominal.dt}].push_back(&one);
@@ -85,9 +85,9 @@ class RowTeller {
     for (const Job& job : jobs) ++left_[cell_of(job)];
   }
 
-  void add(const Job& job, const DrawnRow& row) {
+  void add(const Job& job, const RunWithReplicates& row) {
     const Cell cell = cell_of(job);
-    std::vector<DrawnRow>& own = rows_[cell];
+    std::vector<RunWithReplicates>& own = rows_[cell];
     own.push_back(row);
     if (--left_[cell] > 0) return;
     std::vector<RunMetrics> rows;
@@ -109,7 +109,7 @@ class RowTeller {
   const std::vector<JudgedScene>& scenes_;
   const Tell& tell_;
   std::map<Cell, std::size_t> left_;
-  std::map<Cell, std::vector<DrawnRow>> rows_;
+  std::map<Cell, std::vector<RunWithReplicates>> rows_;
 };
 
 /// Empty where the scene cannot be solved.
@@ -154,10 +154,10 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
     for (const NamedScene& scene : suite.scenes) {
       Json entry{{"name", scene.name}};
       entry.update(scene_json(scene.scene));
-      entry.update({{"draws", suite.draws.runs},
-                    {"draw_steps", suite.draws.steps},
-                    {"draw_scene", suite.draws.scene},
-                    {"draw_seed", suite.draws.seed},
+      entry.update({{"draws", suite.replicates.runs},
+                    {"draw_steps", suite.replicates.steps},
+                    {"draw_scene", suite.replicates.scene},
+                    {"draw_seed", suite.replicates.seed},
                     {"predictable_time", predictable_json(scene.name, rows)},
                     {"results", names_of(suite.wanted)},
                     {"perturbations", suite.perturbations.runs},
@@ -253,7 +253,7 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   RowTeller teller(jobs, scenes, options.rows);
   const DoneTasks made = carry_out(
       jobs, folder, executor, options.command,
-      {options.progress, [&](std::size_t job, const DrawnRow& row) { teller.add(jobs[job], row); }});
+      {options.progress, [&](std::size_t job, const RunWithReplicates& row) { teller.add(jobs[job], row); }});
   ComparisonEvidence evidence{reported_rows(made.rows, scenes), {}, {}};
   CompareResult result{{}, made.reused, {}};
   for (const ReplicatedRow& one : evidence.rows) result.rows.push_back(one.row);
@@ -264,7 +264,7 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   if (!evidence.distances.empty())
     write_file(folder / "distributions.csv", csv_of(distributions_json(evidence.distances)));
   if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(fits_json(evidence.fits)));
-  if (std::any_of(jobs.begin(), jobs.end(), is_drawn))
+  if (std::any_of(jobs.begin(), jobs.end(), is_replicated))
     write_file(folder / "spread.csv", spread_csv(made.rows));
   if (const auto ranking = rank_sets(evidence.rows); !ranking.empty())
     write_file(folder / "ranking.csv", ranking_csv(ranking));

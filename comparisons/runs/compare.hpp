@@ -14,7 +14,8 @@
 
 namespace rockstack {
 
-// A comparison is made in tasks, which threads or machines share: the nominal run of a job, or all its draws.
+// A comparison is made in tasks, which threads or machines share: the nominal run of a job, or all its
+// replicates.
 
 /// How far a comparison has come.
 struct Progress {
@@ -25,23 +26,24 @@ struct Progress {
   std::optional<double> remaining;
 };
 
-/// The text of a task, to be delivered. Tasks are numbered: the nominal runs of all jobs, then their draws.
+/// The text of a task, to be delivered. Tasks are numbered: the nominal runs of all jobs, then their
+/// replicates.
 std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
                          std::size_t at_a_time);
 
 struct DoneTasks {
-  std::vector<DrawnRow> rows;  ///< one a job
-  std::size_t reused = 0;      ///< nominal runs that were there already
+  std::vector<RunWithReplicates> rows;  ///< one a job
+  std::size_t reused = 0;               ///< nominal runs that were there already
 };
 
 /// What is told of tasks as they are made, from one thread at a time.
 struct Listener {
   std::function<void(const Progress&)> progress;
-  std::function<void(std::size_t job, const DrawnRow&)> row;  ///< of a job whose tasks are all there
+  std::function<void(std::size_t job, const RunWithReplicates&)> row;  ///< of a job whose tasks are all there
 };
 
 /// Makes the tasks that FOLDER/runs does not have, scene by scene from coarse steps to fine ones, a run
-/// before its draws, and tells how far it has come. Draws of a run that has failed are not made.
+/// before its replicates, and tells how far it has come. Replicates of a run that has failed are not made.
 /// Precondition: executor.leads().
 DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
                     const std::string& command, const Listener& listener);
@@ -67,18 +69,18 @@ struct CompareResult {
 /// scene lasts too long to be sampled.
 void require_comparable(const std::vector<Suite>& suites);
 
-/// What a rank does that does not lead a comparison: makes runs and draws as it is asked. `suites`: read when
-/// the first is, so that of bad input the leader alone speaks.
+/// What a rank does that does not lead a comparison: makes runs and replicates as it is asked. `suites`: read
+/// when the first is, so that of bad input the leader alone speaks.
 void serve_comparison(Executor& executor, const std::function<std::vector<Suite>()>& suites,
                       const std::string& command);
 
 /// Runs suites and writes DIR/runs/, DIR/ground/ (where it moves), DIR/comparison.csv, DIR/comparison.json;
 /// where time steps were swept, DIR/fits.csv, where perturbed scenes are asked for,
-/// DIR/distributions.csv, where draws are, DIR/spread.csv, and where a
+/// DIR/distributions.csv, where replicates are, DIR/spread.csv, and where a
 /// solver has several parameter sets, DIR/ranking.csv. Runs that are timed share the machine with as
-/// many others as the executor has at a time; draws are not timed and use all of it. A run that fails costs
-/// its own row. A run that is in the folder, done and of the same identity, is not made again, nor are its
-/// draws. The folder must be there (files.hpp).
+/// many others as the executor has at a time; replicates are not timed and use all of it. A run that fails
+/// costs its own row. A run that is in the folder, done and of the same identity, is not made again, nor are
+/// its replicates. The folder must be there (files.hpp).
 /// @throws InputError as require_comparable(); std::runtime_error where a file cannot be written.
 CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
                       const CompareOptions& options);

@@ -38,13 +38,13 @@ double horizon_of(const Job& job) {
   return job.horizon.valid() ? job.horizon.get() : job.scene.scene.duration;
 }
 
-Draws draws_of(const Job& job) {
-  Draws draws = job.suite.draws;
-  if (job.series == nullptr || draws.finest == 0) return draws;
+Replicates replicates_of(const Job& job) {
+  Replicates replicates = job.suite.replicates;
+  if (job.series == nullptr || replicates.finest == 0) return replicates;
   const std::vector<double>& steps = job.series->steps;
   const bool finest = steps.size() > 1 && job.dt == *std::min_element(steps.begin(), steps.end());
-  if (finest) draws.runs = draws.finest;
-  return draws;
+  if (finest) replicates.runs = replicates.finest;
+  return replicates;
 }
 
 RunMetrics describe(const Job& job) {
@@ -72,12 +72,12 @@ RunMetrics describe(const Job& job) {
   return row;
 }
 
-double predictable_time(const Scene& scene, const Draws& draws, double tolerance) {
+double predictable_time(const Scene& scene, const Replicates& replicates, double tolerance) {
   const SolveOptions options{.sample_times = regular_times(sample_interval, scene.duration)};
   const History own = solve(scene, options);
   double time = scene.duration;
-  for (int i = 1; i < draws.runs; ++i) {
-    const Difference apart = difference(own, solve(drawn_scene(scene, draws, i), options));
+  for (int i = 1; i < replicates.runs; ++i) {
+    const Difference apart = difference(own, solve(replicate_scene(scene, replicates, i), options));
     if (largest(apart) > tolerance) time = std::min(time, agreement_time(apart, tolerance));
   }
   return time;
@@ -85,10 +85,10 @@ double predictable_time(const Scene& scene, const Draws& draws, double tolerance
 
 std::shared_future<double> horizon_of(const Suite& suite, const NamedScene& scene) {
   return std::async(std::launch::deferred, [&suite, &scene] {
-    Draws draws = suite.draws;
-    draws.runs = horizon_scenes;
+    Replicates replicates = suite.replicates;
+    replicates.runs = horizon_scenes;
     try {
-      return predictable_time(scene.scene, draws, suite.tolerance);
+      return predictable_time(scene.scene, replicates, suite.tolerance);
     } catch (const std::exception&) {
       return scene.scene.duration;
     }

@@ -16,14 +16,14 @@ namespace rockstack {
 /// Between samples of histories that have no step of their own, s.
 inline constexpr double sample_interval = 1e-3;
 
-/// Until when a scene can be predicted, s: the first time at which the exact motion of one of its draws,
+/// Until when a scene can be predicted, s: the first time at which the exact motion of one of its replicates,
 /// which hardly differ, is further than `tolerance` rad from its own, seen every sample_interval; its
 /// duration where none ever is. Later only distributions can be compared.
 /// @throws as solve().
-double predictable_time(const Scene& scene, const Draws& draws, double tolerance);
+double predictable_time(const Scene& scene, const Replicates& replicates, double tolerance);
 
 /// How many scenes that hardly differ tell the horizon of one, itself included: of a suite's size and seed,
-/// but as many whatever its number of draws, so that a scene has one horizon.
+/// but as many whatever its number of replicates, so that a scene has one horizon.
 inline constexpr int horizon_scenes = 21;
 
 /// Up to when histories of a suite's scene can be compared, s: predictable_time(), found where it is first
@@ -49,7 +49,7 @@ bool is_baseline(const Job& job);
 double horizon_of(const Job& job);
 
 /// The replicates behind the job's numbers: those of its suite, or as many as it has at the finest step.
-Draws draws_of(const Job& job);
+Replicates replicates_of(const Job& job);
 
 /// The row of a run before it is made: what is run, without results.
 RunMetrics describe(const Job& job);
@@ -88,8 +88,8 @@ RunFiles unpack(const std::string& message);
 /// numbers, the engine's parameters, what is wanted, and the bytes of this program and of the worker's.
 std::string identity(const Job& job);
 
-/// The same of a run's draws.
-std::string draws_identity(const Job& job);
+/// The same of a run's replicates.
+std::string replicates_identity(const Job& job);
 
 /// Names and checksums of files, in hexadecimal.
 using Checksums = std::map<std::string, std::string>;
@@ -98,38 +98,40 @@ using Checksums = std::map<std::string, std::string>;
 Checksums checksums(const RunFiles& files);
 
 /// The row of a run that is done, of that identity, and whose files are all there as they were written; or
-/// nothing. Files beside those, such as its draws, do not count.
+/// nothing. Files beside those, such as its replicates, do not count.
 std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, const std::string& identity);
 
 /// True for a job that has more runs behind its numbers than the nominal one.
-bool is_drawn(const Job& job);
+bool is_replicated(const Job& job);
 
-/// Makes the draws of a job but the nominal one, `threads` at a time: an engine's runs at nearby steps of
-/// scenes that hardly differ, each held against the exact solution of its own scene. None is timed. A draw
-/// that fails has a row that says why; one that runs out of time or memory ends the set, and those after it
-/// fail likewise.
-std::vector<RunMetrics> make_draws(const Job& job, std::size_t threads);
+/// Makes the replicates of a job but the nominal one, `threads` at a time: an engine's runs at nearby steps
+/// of scenes that hardly differ, each held against the exact solution of its own scene. None is timed. A
+/// replicate that fails has a row that says why; one that runs out of time or memory ends the set, and those
+/// after it fail likewise.
+std::vector<RunMetrics> make_replicates(const Job& job, std::size_t threads);
 
-/// Between draws and the text that a message or a file holds. @throws nlohmann::json::exception
-std::string pack_draws(const std::vector<RunMetrics>& draws, const std::string& identity);
+/// Between replicates and the text that a message or a file holds. @throws nlohmann::json::exception
+std::string pack_replicates(const std::vector<RunMetrics>& replicates, const std::string& identity);
 
-/// The draws in such a text, where they are of that identity.
-std::optional<std::vector<RunMetrics>> unpack_draws(const std::string& text, const std::string& identity);
+/// The replicates in such a text, where they are of that identity.
+std::optional<std::vector<RunMetrics>> unpack_replicates(const std::string& text,
+                                                         const std::string& identity);
 
 /// Writes draws.json and, for readers, draws.csv into a run's folder.
-void write_draws(const std::string& packed, const RunMetrics& nominal, const std::filesystem::path& folder);
+void write_replicates(const std::string& packed, const RunMetrics& nominal,
+                      const std::filesystem::path& folder);
 
-/// Puts medians over the nominal run and its draws in the place of the nominal row's numbers, with quartiles,
-/// and says how many there were. A quantile is the value of a draw: that of rank ⌈q n⌉ of those that are done
-/// and have one.
-void summarise(const std::vector<RunMetrics>& draws, RunMetrics& nominal);
+/// Puts medians over the nominal run and its replicates in the place of the nominal row's numbers, with
+/// quartiles, and says how many there were. A quantile is the value of a replicate: that of rank ⌈q n⌉ of
+/// those that are done and have one.
+void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal);
 
 /// A line a run and quantity: run,quantity,draws,least,lower_quartile,median,upper_quartile,greatest, of
-/// rows with their draws.
-struct DrawnRow {
+/// rows with their replicates.
+struct RunWithReplicates {
   RunMetrics nominal;
-  std::vector<RunMetrics> draws;
+  std::vector<RunMetrics> replicates;
 };
-std::string spread_csv(const std::vector<DrawnRow>& rows);
+std::string spread_csv(const std::vector<RunWithReplicates>& rows);
 
 }  // namespace rockstack

@@ -152,17 +152,17 @@ std::string identity(const Job& job) {
     text = fmt::format("{:x}", file_checksum(engine.program));
   }
   const Perturbations& around = job.suite.perturbations;
-  const Draws& nearby = job.suite.draws;  // the horizon is theirs
+  const Replicates& nearby = job.suite.replicates;  // the horizon is theirs
   text += fmt::format(" {} {} {} {} {} {} {} {} {:x} ", fmt::join(names_of(job.suite.wanted), " "),
                       job.suite.tolerance, job.suite.history_interval, around.runs, around.size, around.seed,
                       nearby.scene, nearby.seed, file_checksum(own_file()));
   return fmt::format("{:016x}", checksum(text + run.dump()));
 }
 
-std::string draws_identity(const Job& job) {
-  const Draws draws = draws_of(job);
-  return fmt::format("{:016x}", checksum(fmt::format("{} {} {} {} {}", identity(job), draws.runs, draws.steps,
-                                                     draws.scene, draws.seed)));
+std::string replicates_identity(const Job& job) {
+  const Replicates replicates = replicates_of(job);
+  return fmt::format("{:016x}", checksum(fmt::format("{} {} {} {} {}", identity(job), replicates.runs,
+                                                     replicates.steps, replicates.scene, replicates.seed)));
 }
 
 Checksums checksums(const RunFiles& files) {

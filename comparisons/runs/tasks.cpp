@@ -13,10 +13,10 @@
 namespace rockstack {
 namespace {
 
-/// What is computed in one go: the nominal run of a job, or all its draws.
+/// What is computed in one go: the nominal run of a job, or all its replicates.
 struct Task {
   std::size_t job;
-  bool draws;
+  bool replicates;
 };
 
 Task task_of(std::size_t number, std::size_t jobs) {
@@ -29,7 +29,8 @@ double expected_work(const std::vector<Job>& jobs, std::size_t number) {
   const Task task = task_of(number, jobs.size());
   const Job& job = jobs[task.job];
   if (job.series == nullptr) return fixed;
-  const int runs = task.draws ? draws_of(job).runs : 1 + job.suite.repeats + job.suite.perturbations.runs;
+  const int runs =
+      task.replicates ? replicates_of(job).runs : 1 + job.suite.repeats + job.suite.perturbations.runs;
   return fixed + runs * job.scene.scene.duration / job.dt;
 }
 
@@ -50,7 +51,7 @@ std::vector<std::size_t> order_of(const std::vector<Job>& jobs) {
   std::vector<std::size_t> tasks;
   for (const std::size_t job : sorted) {
     tasks.push_back(job);
-    if (is_drawn(jobs[job])) tasks.push_back(job + jobs.size());
+    if (is_replicated(jobs[job])) tasks.push_back(job + jobs.size());
   }
   return tasks;
 }
@@ -93,7 +94,7 @@ class Runs {
  public:
   Runs(const std::vector<Job>& jobs, const std::filesystem::path& folder)
       : jobs_(jobs), folder_(folder), rows_(jobs.size()) {
-    for (const Job& job : jobs) left_.push_back(is_drawn(job) ? 2 : 1);
+    for (const Job& job : jobs) left_.push_back(is_replicated(job) ? 2 : 1);
   }
 
   /// Counts a task of a job as done: true where it was the last one.
@@ -103,25 +104,25 @@ class Runs {
   bool find(std::size_t number) {
     const Task task = task_of(number, jobs_.size());
     const Job& job = jobs_[task.job];
-    DrawnRow& row = rows_[task.job];
-    if (!task.draws) {
+    RunWithReplicates& row = rows_[task.job];
+    if (!task.replicates) {
       const auto found = finished_run(run_folder(task.job), identity(job));
       if (found) row.nominal = *found;
       return found.has_value();
     }
     const std::string text = bytes_of(run_folder(task.job) / "draws.json");
-    const auto found = unpack_draws(text, draws_identity(job));
-    // Draws go with the files of the nominal run.
+    const auto found = unpack_replicates(text, replicates_identity(job));
+    // Replicates go with the files of the nominal run.
     if (!found || row.nominal.run.empty()) return false;
-    row.draws = *found;
+    row.replicates = *found;
     return true;
   }
 
   void deliver(std::size_t number, const std::string& text) {
     const Task task = task_of(number, jobs_.size());
-    DrawnRow& row = rows_[task.job];
-    if (task.draws) {
-      row.draws = unpack_draws(text, draws_identity(jobs_[task.job])).value();
+    RunWithReplicates& row = rows_[task.job];
+    if (task.replicates) {
+      row.replicates = unpack_replicates(text, replicates_identity(jobs_[task.job])).value();
       texts_[task.job] = text;
     } else {
       const RunFiles files = unpack(text);
@@ -129,18 +130,18 @@ class Runs {
       row.nominal = metrics_in(files.at(summary_name));
     }
     if (const auto drawn = texts_.find(task.job); drawn != texts_.end() && !row.nominal.run.empty()) {
-      write_draws(drawn->second, row.nominal, run_folder(task.job));
+      write_replicates(drawn->second, row.nominal, run_folder(task.job));
       texts_.erase(drawn);
     }
   }
 
-  /// True for draws of a run that has failed.
+  /// True for replicates of a run that has failed.
   bool is_needless(std::size_t number) const {
     const Task task = task_of(number, jobs_.size());
-    return task.draws && rows_[task.job].nominal.status != RunStatus::done;
+    return task.replicates && rows_[task.job].nominal.status != RunStatus::done;
   }
 
-  const std::vector<DrawnRow>& rows() const { return rows_; }
+  const std::vector<RunWithReplicates>& rows() const { return rows_; }
 
   std::string name(std::size_t number) const {
     return describe(jobs_[task_of(number, jobs_.size()).job]).run;
@@ -154,8 +155,8 @@ class Runs {
   const std::vector<Job>& jobs_;
   std::filesystem::path folder_;
   std::vector<int> left_;                     ///< tasks of each job
-  std::vector<DrawnRow> rows_;                ///< a nominal row without a name is not there yet
-  std::map<std::size_t, std::string> texts_;  ///< draws that came before their nominal run
+  std::vector<RunWithReplicates> rows_;       ///< a nominal row without a name is not there yet
+  std::map<std::size_t, std::string> texts_;  ///< replicates that came before their nominal run
 };
 
 }  // namespace
@@ -164,9 +165,9 @@ std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const
                          std::size_t at_a_time) {
   const Task task = task_of(number, jobs.size());
   const Job& job = jobs[task.job];
-  if (!task.draws) return pack(measure(job, command, at_a_time));
+  if (!task.replicates) return pack(measure(job, command, at_a_time));
   const std::size_t threads = std::max<std::size_t>(1, all_cores() / at_a_time);
-  return pack_draws(make_draws(job, threads), draws_identity(job));
+  return pack_replicates(make_replicates(job, threads), replicates_identity(job));
 }
 
 DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,

@@ -42,14 +42,15 @@ Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run)
   return result;
 }
 
-Scene drawn_scene(const Scene& scene, const Draws& draws, int draw) {
-  return draw == 0 ? scene : perturbed(scene, {draws.runs, draws.scene, draws.seed}, draw);
+Scene replicate_scene(const Scene& scene, const Replicates& replicates, int replicate) {
+  return replicate == 0 ? scene
+                        : perturbed(scene, {replicates.runs, replicates.scene, replicates.seed}, replicate);
 }
 
-double drawn_step(double dt, const Draws& draws, int draw) {
-  if (draw == 0) return dt;
-  const double place = (2.0 * draw - 1) / (draws.runs - 1) - 1;
-  return dt * (1 + draws.steps * place);
+double replicate_step(double dt, const Replicates& replicates, int replicate) {
+  if (replicate == 0) return dt;
+  const double place = (2.0 * replicate - 1) / (replicates.runs - 1) - 1;
+  return dt * (1 + replicates.steps * place);
 }
 
 Perturbations read_perturbations(const Node& table) {
@@ -63,8 +64,8 @@ Perturbations read_perturbations(const Node& table) {
   return perturbations;
 }
 
-Draws read_draws(const Node& table) {
-  require_table(table, draws_keys);
+Replicates read_replicates(const Node& table) {
+  require_table(table, replicates_keys);
   const auto share = [&](const char* key, double& value, double most) {
     const Node* node = find(table, key);
     if (node == nullptr) return;
@@ -72,20 +73,21 @@ Draws read_draws(const Node& table) {
       throw wrong_value(*node, fmt::format("a number from 0 to {}", most));
     value = node->number;
   };
-  Draws draws;
-  draws.runs = static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 1"), 1, most_draws));
+  Replicates replicates;
+  replicates.runs =
+      static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 1"), 1, most_replicates));
   for (const char* key : {"finest", "steps"}) {  // the horizon takes the others
     const Node* node = find(table, key);
-    if (node != nullptr && draws.runs == 1)
+    if (node != nullptr && replicates.runs == 1)
       throw wrong_value(*node, "left out where `runs` is 1: no other step is");
   }
   if (const Node* node = find(table, "finest"))
-    draws.finest = static_cast<int>(whole_number(*node, 1, draws.runs));
-  share("steps", draws.steps, 0.5);
-  share("scene", draws.scene, 0.1);
+    replicates.finest = static_cast<int>(whole_number(*node, 1, replicates.runs));
+  share("steps", replicates.steps, 0.5);
+  share("scene", replicates.scene, 0.1);
   if (const Node* node = find(table, "seed"))
-    draws.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
-  return draws;
+    replicates.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
+  return replicates;
 }
 
 }  // namespace rockstack

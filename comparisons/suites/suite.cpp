@@ -244,7 +244,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   if (const Node* node = find(root, "results")) suite.wanted = read_wanted(*node);
   if (const Node* node = find(root, "softness")) suite.softness = read_softness(*node, suite.wanted);
   if (const Node* table = find(root, "perturbations")) suite.perturbations = read_perturbations(*table);
-  if (const Node* table = find(root, "draws")) suite.draws = read_draws(*table);
+  if (const Node* table = find(root, "draws")) suite.replicates = read_replicates(*table);
   if (const Node* node = find(root, "time_limit")) suite.limits.time = number_above_zero(*node);
   if (const Node* node = find(root, "memory_limit")) suite.limits.memory = mebibytes(*node);
   if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);
@@ -281,7 +281,7 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
 Suite suite_for(NamedScene scene, const SceneChoice& choice) {
   Suite suite;
   suite.title = scene.scene.title;
-  suite.draws.runs = choice.quick ? fewest_draws : quick_draws;
+  suite.replicates.runs = choice.quick ? fewest_replicates : quick_replicates;
   suite.softness = choice.softness;
   if (choice.quick) {
     suite.repeats = 1;

@@ -47,7 +47,7 @@ struct Perturbations {
 
 /// The runs that an engine's number is drawn from: one run is chance, since the phase between impacts and
 /// time steps and the last digits of a scene each change it by factors.
-struct Draws {
+struct Replicates {
   int runs = 1;         ///< with the one at the nominal step and scene; ≥ 1
   int finest = 0;       ///< the same at the finest of several steps, 1 to `runs`; 0: as many
   double steps = 0.03;  ///< the largest relative change of the time step, 0 to 0.5
@@ -55,14 +55,14 @@ struct Draws {
   std::uint64_t seed = 1;
 };
 
-inline constexpr int quick_draws = 5;      ///< where nobody asked for a number of draws
-inline constexpr int fewest_draws = 3;     ///< where a quick answer is asked for
-inline constexpr int most_draws = 10'000;  ///< that may be asked for
+inline constexpr int quick_replicates = 5;      ///< where nobody asked for a number of replicates
+inline constexpr int fewest_replicates = 3;     ///< where a quick answer is asked for
+inline constexpr int most_replicates = 10'000;  ///< that may be asked for
 
 /// As many at every step.
-inline void set_runs(Draws& draws, int runs) {
-  draws.runs = runs;
-  draws.finest = 0;
+inline void set_runs(Replicates& replicates, int runs) {
+  replicates.runs = runs;
+  replicates.finest = 0;
 }
 
 /// The scene of one run (from 0): each block's width and height, all initial angles and velocities together,
@@ -70,16 +70,17 @@ inline void set_runs(Draws& draws, int runs) {
 /// does what is closed. The same on every call.
 Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run);
 
-/// The scene of one draw; that of draw 0 is the scene itself.
-Scene drawn_scene(const Scene& scene, const Draws& draws, int draw);
+/// The scene of one replicate; that of replicate 0 is the scene itself.
+Scene replicate_scene(const Scene& scene, const Replicates& replicates, int replicate);
 
-/// The time step of one draw, s: dt itself for draw 0; the others are spread evenly over dt (1 ± steps).
-double drawn_step(double dt, const Draws& draws, int draw);
+/// The time step of one replicate, s: dt itself for replicate 0; the others are spread evenly over dt (1 ±
+/// steps).
+double replicate_step(double dt, const Replicates& replicates, int replicate);
 
 /// The tables [perturbations] and [draws] of a suite or study. @throws InputError with file:line, key, value
 /// and what is allowed.
 Perturbations read_perturbations(const Node& table);
-Draws read_draws(const Node& table);
+Replicates read_replicates(const Node& table);
 
 /// A scene with the name and text that its results go by.
 struct NamedScene {
@@ -136,7 +137,7 @@ struct Suite {
   double tolerance = 0.01;                ///< up to which histories agree, rad
   Wanted wanted;
   Perturbations perturbations;     ///< none unless asked for
-  Draws draws;                     ///< behind each number of an engine
+  Replicates replicates;           ///< behind each number of an engine
   int repeats = 5;                 ///< timed runs after the warm-up
   bool softness = false;           ///< whether differences are split into model, softness and step
   double history_interval = 1e-3;  ///< least time between samples that files keep, s; 0: all are kept
@@ -174,7 +175,7 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
 struct SceneChoice {
   std::vector<std::string> engines = {};  ///< "ode", "bullet:nncg"; none: the first solver of Bullet and ODE
   std::vector<double> steps = {};         ///< s; none: default_steps(), or of a quick one the first two
-  bool quick = false;                     ///< fewer draws, one timed run, 2000 samples of each history
+  bool quick = false;                     ///< fewer replicates, one timed run, 2000 samples of each history
   bool softness = false;                  ///< as in a suite
 };
 

@@ -47,7 +47,7 @@ inline constexpr KeyTable engine_keys{
      {"parameters", "{ erp = [0.1, 0.2] }", "", "names of the engine's parameters, each a value or an array",
       "{}", "changes of its parameter set, in every combination"}}};
 
-inline constexpr KeyTable draws_keys{
+inline constexpr KeyTable replicates_keys{
     "[draws]",
     "runs behind each number of an engine, which is their median",
     {{"runs", "5", "", "a whole number from 1 to 10000", required_key,
@@ -72,7 +72,7 @@ inline constexpr KeyTable statements_keys{
      {"shaken", "\"scene\"", "", "the name of a scene of the suite", required_key, "of Figs. 21 and 22"}}};
 
 /// All tables of a suite file, in the order of a file.
-inline constexpr std::initializer_list<const KeyTable*> suite_tables{&suite_keys, &engine_keys, &draws_keys,
-                                                                     &perturbations_keys, &statements_keys};
+inline constexpr std::initializer_list<const KeyTable*> suite_tables{
+    &suite_keys, &engine_keys, &replicates_keys, &perturbations_keys, &statements_keys};
 
 }  // namespace rockstack

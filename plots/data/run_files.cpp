@@ -134,7 +134,7 @@ std::vector<ImpactLoss> impact_losses(const Run& run) {
   return losses;
 }
 
-std::vector<double> draws_of(const Run& run, const std::string& quantity) {
+std::vector<double> replicates_of(const Run& run, const std::string& quantity) {
   const auto file = run.folder / "draws.csv";
   if (!std::filesystem::exists(file)) return {};
   std::vector<double> values = read_columns(file, {quantity}).front();

@@ -75,7 +75,7 @@ std::vector<ImpactLoss> impact_losses(const Run& run);
 
 /// A number of each draw of a run, rising; empty where the run has no draws. @throws InputError naming the
 /// file and what is wrong in it.
-std::vector<double> draws_of(const Run& run, const std::string& quantity);
+std::vector<double> replicates_of(const Run& run, const std::string& quantity);
 
 /// The whole range of a number over draws.
 struct SpreadRange {

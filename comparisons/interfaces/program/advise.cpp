@@ -30,7 +30,7 @@ void print_trials(const Advice& advice, const AdviceRequest& request) {
                                                                     : "";
     fmt::print(
         "{:<32} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n", row.engine + ":" + row.solver, row.dt.value_or(0),
-        cell(off), cell(row.stepping_time_minimum), fmt::format("{} / {}", trial.within, trial.draws),
+        cell(off), cell(row.stepping_time_minimum), fmt::format("{} / {}", trial.within, trial.replicates),
         trial.confirming > 0 ? fmt::format("{} / {}", trial.confirmed, trial.confirming) : "-", remark);
   }
   fmt::print(
@@ -38,7 +38,7 @@ void print_trials(const Advice& advice, const AdviceRequest& request) {
       "within: replicates that are off by {} at most, of steps up to {:.0f} % longer and shorter and scenes that\n"
       "differ in the sixth digit; {:.0f} of 100 must be\n"
       "confirmed: the same of others, of steps up to {:.0f} % longer and shorter\n",
-      request.error, 100 * request.draws.steps, 100 * passing_share, 100 * request.confirming.steps);
+      request.error, 100 * request.replicates.steps, 100 * passing_share, 100 * request.confirming.steps);
 }
 
 /// What holds after histories have parted.

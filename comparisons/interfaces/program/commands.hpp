@@ -61,7 +61,7 @@ struct CompareArguments {
   std::optional<std::string> record;  ///< in the place of made-up motions
   std::filesystem::path out;
   std::size_t jobs = 1;                    ///< runs at a time; without effect under mpirun
-  int draws = 0;                           ///< behind each number of an engine; 0: as many as the suites say
+  int replicates = 0;                      ///< behind each number of an engine; 0: as many as the suites say
   SceneChoice choice;                      ///< of scenes; suites say their own
   std::optional<double> history_interval;  ///< in the place of that of the suites, s
 };
@@ -148,9 +148,9 @@ struct NewArguments {
 int new_command(const NewArguments& arguments, const Common& common);
 
 /// Runs a study of stability, writes and draws its maps, and says how many runs have which verdict.
-/// `draws`: as CompareArguments::draws.
+/// `replicates`: as CompareArguments::replicates.
 int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, Executor& executor,
-                      int draws, const Common& common);
+                      int replicates, const Common& common);
 
 // What several commands share.
 

@@ -56,7 +56,7 @@ std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& 
   std::vector<Suite> suites;
   for (const std::string& input : arguments.inputs) {
     Suite& suite = suites.emplace_back(read_input(input, arguments, common));
-    if (arguments.draws > 0) set_runs(suite.draws, arguments.draws);
+    if (arguments.replicates > 0) set_runs(suite.replicates, arguments.replicates);
     if (arguments.history_interval) suite.history_interval = *arguments.history_interval;
   }
   if (arguments.record) replace_motion(suites, *arguments.record);
@@ -200,8 +200,8 @@ void print_legend(const std::vector<Suite>& suites, const Common& common) {
   if (!common.talks()) return;
   int replicates = 1, finest = 0;
   for (const Suite& suite : suites) {
-    replicates = std::max(replicates, suite.draws.runs);
-    finest = std::max(finest, suite.draws.finest);
+    replicates = std::max(replicates, suite.replicates.runs);
+    finest = std::max(finest, suite.replicates.finest);
   }
   const std::string fewer = finest > 0 ? fmt::format(", {} at the finest step", finest) : "";
   fmt::print(
@@ -271,7 +271,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
     if (arguments.record)
       throw InputError(fmt::format("--record {}: must be left out of a study", *arguments.record));
     if (kind == InputKind::stability_study)
-      return stability_command(file, arguments.out, *executor, arguments.draws, common);
+      return stability_command(file, arguments.out, *executor, arguments.replicates, common);
     return study_command(file, arguments.out, common);
   }
   const std::vector<Suite> suites = read_inputs(arguments, common);

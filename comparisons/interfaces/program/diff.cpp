@@ -70,15 +70,16 @@ void print_tests(const ResultsChange& result) {
   else if (result.counted == 0)
     fmt::print(
         "too few replicates: none of {} numbers could show a change at level {}, with {} a row all could\n",
-        result.tests, result.level, result.draws_needed());
+        result.tests, result.level, result.replicates_needed());
   else
     fmt::print("numbers tested: {} ({} more could show nothing); chance of a false alarm among all: {}\n",
                result.counted, result.tests - result.counted, result.level);
 }
 
 void print_singles(const ResultsChange& result, const ChangeOptions& options) {
-  const auto single = std::count_if(result.rows.begin(), result.rows.end(),
-                                    [](const RowChange& row) { return !row.drawn && row.old_row.steps; });
+  const auto single = std::count_if(result.rows.begin(), result.rows.end(), [](const RowChange& row) {
+    return !row.replicated && row.old_row.steps;
+  });
   if (single == 0) return;
   if (options.single)
     fmt::print("rows of single runs: {}; a number of theirs is reported from {} times on\n", single,

@@ -135,7 +135,7 @@ std::string suite_text() {
   return text_of({{&suite_keys,
                    {{"title", "\"Two blocks\""}, {"scenes", "[\"spanos-free-rocking\"]"}, {"repeats", "1"}}},
                   {&engine_keys, {{"settings", "[\"tuned\"]"}, {"dt", "[1e-2, 1e-3]"}}},
-                  {&draws_keys},
+                  {&replicates_keys},
                   {&perturbations_keys, {}, true}});
 }
 

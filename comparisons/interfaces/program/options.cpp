@@ -81,11 +81,11 @@ void add_compare(CLI::App& command, CompareArguments& arguments) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command
-      .add_option("--draws", arguments.draws,
+      .add_option("--draws", arguments.replicates,
                   "replicates behind each number of an engine: runs at nearby steps of nearly the same "
                   "scene; left out: "
                   "as the suite says, 5 for a scene")
-      ->check(CLI::Range(1, most_draws));
+      ->check(CLI::Range(1, most_replicates));
   command
       .add_option(
           "--engine", arguments.choice.engines,

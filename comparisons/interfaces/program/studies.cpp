@@ -77,9 +77,9 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
 }
 
 int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, Executor& executor,
-                      int draws, const Common& common) {
+                      int replicates, const Common& common) {
   StabilityStudy study = read_stability_study(file, common.overrides);
-  if (draws > 0) set_runs(study.suite.draws, draws);
+  if (replicates > 0) set_runs(study.suite.replicates, replicates);
   require_comparable({study.suite});
   const ResultsFolder folder(out, Results::stability);
   const std::vector<StabilityRun> rows =

@@ -96,7 +96,7 @@ py::list canon(const std::string& engine_name, const std::string& settings,
   const WorkerEngine& engine = engine_named(engine_name);
   Suite suite = read_suite(find_file("canon", "suites"), {});
   if (draws < 1) throw InputError("draws = " + std::to_string(draws) + ": must be at least 1");
-  suite.draws.runs = draws;
+  suite.replicates.runs = draws;
   if (scenes) {
     std::vector<NamedScene> chosen;
     for (const std::string& name : *scenes) {
@@ -160,7 +160,7 @@ std::string compare_all(const std::vector<Input>& inputs, const std::filesystem:
   for (const Input& input : inputs) {
     const py::gil_scoped_release free;  // as in engine_named()
     Suite& suite = suites.emplace_back(suite_of(input, choice));
-    if (draws > 0) set_runs(suite.draws, draws);
+    if (draws > 0) set_runs(suite.replicates, draws);
     if (history_interval) suite.history_interval = *history_interval;
   }
   require_comparable(suites);

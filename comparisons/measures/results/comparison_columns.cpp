@@ -13,9 +13,9 @@ Column measured(const char* name, Column::Field field, const char* definition) {
   return {.name = name, .definition = definition, .field = field, .measured = true};
 }
 
-/// Of a number that every replicate has its own of.
-Column drawn(const char* name, Column::Field field, const char* definition) {
-  return {.name = name, .definition = definition, .field = field, .drawn = true};
+/// Of a number that every replicate has its own of: their median.
+Column median(const char* name, Column::Field field, const char* definition) {
+  return {.name = name, .definition = definition, .field = field, .replicated = true};
 }
 
 /// Of the column before it, with the upper one behind it.
@@ -63,12 +63,12 @@ const std::vector<Column>& columns() {
             "what becomes of the run, in words: until when it agrees, and what else happens in it"),
       plain("steps", &M::steps,
             "time steps that the engine made; fewer than the duration holds where a block toppled"),
-      plain("draws", &M::draws,
+      plain("draws", &M::replicates,
             "how many runs the numbers of the motion are medians of: the one at this step, and others at "
             "steps and of scenes that hardly differ (draws.csv in the run's folder, spread.csv); empty "
             "where it is one"),
-      plain("draws_failed", &M::draws_failed, "how many of them failed"),
-      plain("draws_other_verdict", &M::draws_other_verdict,
+      plain("draws_failed", &M::replicates_failed, "how many of them failed"),
+      plain("draws_other_verdict", &M::replicates_other_verdict,
             "in how many of them one of both topples alone, engine or exact solution"),
       plain("horizon", &M::horizon,
             "up to when histories can be compared, s: the first time at which the exact motion of one of "
@@ -100,27 +100,27 @@ const std::vector<Column>& columns() {
       measured("peak_memory", &M::peak_memory,
                "largest resident memory of the engine's process, the history included, bytes"),
       // How far the motion is off.
-      drawn("largest_angle_difference", &M::largest_angle_difference,
-            "largest absolute difference of any block's angle, at the engine's own times up to the horizon, "
-            "rad"),
+      median("largest_angle_difference", &M::largest_angle_difference,
+             "largest absolute difference of any block's angle, at the engine's own times up to the horizon, "
+             "rad"),
       lower_quartile("largest_angle_difference_lower", &M::largest_angle_difference_lower),
       upper_quartile("largest_angle_difference_upper", &M::largest_angle_difference_upper),
-      drawn("rms_angle_difference", &M::rms_angle_difference,
-            "root of the mean square of that difference over all times up to the horizon and all blocks, "
-            "rad"),
+      median("rms_angle_difference", &M::rms_angle_difference,
+             "root of the mean square of that difference over all times up to the horizon and all blocks, "
+             "rad"),
       lower_quartile("rms_angle_difference_lower", &M::rms_angle_difference_lower),
       upper_quartile("rms_angle_difference_upper", &M::rms_angle_difference_upper),
-      drawn("largest_position_difference", &M::largest_position_difference,
-            "largest distance of a block's centre of mass from the exact one, up to the horizon, m"),
-      drawn("rms_position_difference", &M::rms_position_difference,
-            "root of the mean square of that distance over all times up to the horizon and all blocks, m"),
+      median("largest_position_difference", &M::largest_position_difference,
+             "largest distance of a block's centre of mass from the exact one, up to the horizon, m"),
+      median("rms_position_difference", &M::rms_position_difference,
+             "root of the mean square of that distance over all times up to the horizon and all blocks, m"),
       lower_quartile("rms_position_difference_lower", &M::rms_position_difference_lower),
       upper_quartile("rms_position_difference_upper", &M::rms_position_difference_upper),
-      drawn("relative_position_difference", &M::relative_position_difference,
-            "the largest distance of a centre as a share of the least block height"),
-      drawn("error", &M::error,
-            "what rows are ranked by: the RMS angle difference (rad), or the RMS distance of centres as a "
-            "share of the least block height, whichever is larger"),
+      median("relative_position_difference", &M::relative_position_difference,
+             "the largest distance of a centre as a share of the least block height"),
+      median("error", &M::error,
+             "what rows are ranked by: the RMS angle difference (rad), or the RMS distance of centres as a "
+             "share of the least block height, whichever is larger"),
       lower_quartile("error_lower", &M::error_lower),
       upper_quartile("error_upper", &M::error_upper),
       plain("rank", &M::rank,
@@ -131,132 +131,134 @@ const std::vector<Column>& columns() {
             "how far the exact motion goes up to the horizon: the largest change of an angle (rad), or the "
             "longest way of a centre as a share of the least block height, whichever is larger; 0 where the "
             "scene is at rest and angles tell nothing apart"),
-      drawn("peak_angle", &M::peak_angle, "largest absolute angle of any block over the whole scene, rad"),
-      drawn("exact_peak_angle", &M::exact_peak_angle, "likewise of the exact motion"),
-      drawn("relative_angle_difference", &M::relative_angle_difference,
-            "the largest angle difference as a share of the largest exact angle of any block up to the "
-            "horizon"),
-      drawn("magnitude_error", &M::magnitude_error,
-            "amplitude part of the difference, blind to delay: root of the engine's mean square angle over "
-            "the exact one, less 1 (Sprague & Geers 2003)"),
-      drawn("phase_error", &M::phase_error,
-            "phase part, blind to amplitude: angle between both histories as vectors of all samples and "
-            "blocks, as a share of half a turn (Sprague & Geers 2003); 0 in step, 1 in opposition"),
-      drawn("second_peak_difference", &M::second_peak_difference,
-            "peak of the top block in its second swing, after its angle first changed sign, less the exact "
-            "one, as a share of the exact one"),
-      drawn("agreement_time", &M::agreement_time,
-            "time until which no angle differs by more than the tolerance; the horizon where none does "
-            "before, s"),
+      median("peak_angle", &M::peak_angle, "largest absolute angle of any block over the whole scene, rad"),
+      median("exact_peak_angle", &M::exact_peak_angle, "likewise of the exact motion"),
+      median("relative_angle_difference", &M::relative_angle_difference,
+             "the largest angle difference as a share of the largest exact angle of any block up to the "
+             "horizon"),
+      median("magnitude_error", &M::magnitude_error,
+             "amplitude part of the difference, blind to delay: root of the engine's mean square angle over "
+             "the exact one, less 1 (Sprague & Geers 2003)"),
+      median("phase_error", &M::phase_error,
+             "phase part, blind to amplitude: angle between both histories as vectors of all samples and "
+             "blocks, as a share of half a turn (Sprague & Geers 2003); 0 in step, 1 in opposition"),
+      median("second_peak_difference", &M::second_peak_difference,
+             "peak of the top block in its second swing, after its angle first changed sign, less the exact "
+             "one, as a share of the exact one"),
+      median("agreement_time", &M::agreement_time,
+             "time until which no angle differs by more than the tolerance; the horizon where none does "
+             "before, s"),
       lower_quartile("agreement_time_lower", &M::agreement_time_lower),
       upper_quartile("agreement_time_upper", &M::agreement_time_upper),
-      drawn("position_agreement_time", &M::position_agreement_time,
-            "time until which no centre is further off than the tolerance times the least block height; the "
-            "horizon where none is before, s"),
+      median("position_agreement_time", &M::position_agreement_time,
+             "time until which no centre is further off than the tolerance times the least block height; the "
+             "horizon where none is before, s"),
       // Impacts, settlings and patterns.
-      drawn("first_impact_time_difference", &M::first_impact_time_difference,
-            "time of the engine's first impact at the interface that impacts first, less the exact one's, s"),
-      drawn("impacts", &M::impacts, "impacts above the chatter speed over the whole scene"),
+      median(
+          "first_impact_time_difference", &M::first_impact_time_difference,
+          "time of the engine's first impact at the interface that impacts first, less the exact one's, s"),
+      median("impacts", &M::impacts, "impacts above the chatter speed over the whole scene"),
       plain("slower_impacts", &M::slower_impacts, "impacts of the exact motion below the chatter speed"),
-      drawn("impacts_matched", &M::impacts_matched,
-            "impacts above the chatter speed that both have, in order at the same interface, not leaving to "
-            "opposite sides, and no further apart than the window: three steps and the drift, which is "
-            "twice the angle difference just before over the speed of closing, but never more than half way "
-            "to the next impact of the interface. An impact leaves to a side where the interface's relative "
-            "angular velocity after it is at least the chatter speed"),
-      drawn("impacts_missed", &M::impacts_missed,
-            "exact impacts above the chatter speed, up to the horizon, that the engine does not have"),
-      drawn("impacts_extra", &M::impacts_extra,
-            "engine impacts above the chatter speed that the exact solution does not have"),
-      drawn("impacts_matched_null", &M::impacts_matched_null,
-            "the sampling limit: of the exact motion itself, sampled at the engine's steps and read as an "
-            "engine's, within three steps"),
-      drawn("impacts_missed_null", &M::impacts_missed_null, "likewise missed"),
-      drawn("impacts_extra_null", &M::impacts_extra_null, "likewise extra"),
-      drawn("impacts_matched_random", &M::impacts_matched_random,
-            "the chance level: how many match of as many impacts at random times, within the same windows; "
-            "median of 101"),
-      drawn("impacts_matched_shifted", &M::impacts_matched_shifted,
-            "likewise of the engine's own impacts, all shifted by the same time, a tenth of the duration to "
-            "nine tenths"),
-      drawn("rms_impact_time_difference", &M::rms_impact_time_difference,
-            "root of the mean square time difference of the matched impacts, s"),
-      drawn("largest_impact_time_difference", &M::largest_impact_time_difference,
-            "largest absolute time difference of the matched impacts, s"),
-      drawn("settlings_matched", &M::settlings_matched,
-            "settlings that both have, within the settling duration, 0.1 sqrt(H/g). All chatter of an "
-            "interface is one settling: the interface comes to stay within 2 mrad of closed, slower than "
-            "the chatter speed, for at least the settling duration"),
-      drawn("settlings_missed", &M::settlings_missed, "exact settlings that the engine does not have"),
-      drawn("settlings_extra", &M::settlings_extra, "engine settlings that the exact solution does not have"),
-      drawn("slip_error", &M::slip_error,
-            "largest difference of how far a block has slipped along what is below it, of all blocks that "
-            "touch that in the exact solution and all times, m; law unilateral alone"),
-      drawn("final_slip_error", &M::final_slip_error,
-            "likewise at the last time that both cover, m; empty where no block touches then"),
-      drawn("pattern_agreement", &M::pattern_agreement,
-            "share of time in which the engine is in the exact pattern. An interface is closed while it "
-            "stays within 2 mrad for at least the settling duration, and open to one side else; likewise "
-            "for the exact solution, at the same times. patterns.csv holds the share of time of each pair "
-            "of patterns"),
-      drawn("pattern_sequence_time", &M::pattern_sequence_time,
-            "time until which both pass through the same patterns in the same order; the horizon where they "
-            "do up to there, s"),
+      median("impacts_matched", &M::impacts_matched,
+             "impacts above the chatter speed that both have, in order at the same interface, not leaving to "
+             "opposite sides, and no further apart than the window: three steps and the drift, which is "
+             "twice the angle difference just before over the speed of closing, but never more than half way "
+             "to the next impact of the interface. An impact leaves to a side where the interface's relative "
+             "angular velocity after it is at least the chatter speed"),
+      median("impacts_missed", &M::impacts_missed,
+             "exact impacts above the chatter speed, up to the horizon, that the engine does not have"),
+      median("impacts_extra", &M::impacts_extra,
+             "engine impacts above the chatter speed that the exact solution does not have"),
+      median("impacts_matched_null", &M::impacts_matched_null,
+             "the sampling limit: of the exact motion itself, sampled at the engine's steps and read as an "
+             "engine's, within three steps"),
+      median("impacts_missed_null", &M::impacts_missed_null, "likewise missed"),
+      median("impacts_extra_null", &M::impacts_extra_null, "likewise extra"),
+      median("impacts_matched_random", &M::impacts_matched_random,
+             "the chance level: how many match of as many impacts at random times, within the same windows; "
+             "median of 101"),
+      median("impacts_matched_shifted", &M::impacts_matched_shifted,
+             "likewise of the engine's own impacts, all shifted by the same time, a tenth of the duration to "
+             "nine tenths"),
+      median("rms_impact_time_difference", &M::rms_impact_time_difference,
+             "root of the mean square time difference of the matched impacts, s"),
+      median("largest_impact_time_difference", &M::largest_impact_time_difference,
+             "largest absolute time difference of the matched impacts, s"),
+      median("settlings_matched", &M::settlings_matched,
+             "settlings that both have, within the settling duration, 0.1 sqrt(H/g). All chatter of an "
+             "interface is one settling: the interface comes to stay within 2 mrad of closed, slower than "
+             "the chatter speed, for at least the settling duration"),
+      median("settlings_missed", &M::settlings_missed, "exact settlings that the engine does not have"),
+      median("settlings_extra", &M::settlings_extra,
+             "engine settlings that the exact solution does not have"),
+      median("slip_error", &M::slip_error,
+             "largest difference of how far a block has slipped along what is below it, of all blocks that "
+             "touch that in the exact solution and all times, m; law unilateral alone"),
+      median("final_slip_error", &M::final_slip_error,
+             "likewise at the last time that both cover, m; empty where no block touches then"),
+      median("pattern_agreement", &M::pattern_agreement,
+             "share of time in which the engine is in the exact pattern. An interface is closed while it "
+             "stays within 2 mrad for at least the settling duration, and open to one side else; likewise "
+             "for the exact solution, at the same times. patterns.csv holds the share of time of each pair "
+             "of patterns"),
+      median("pattern_sequence_time", &M::pattern_sequence_time,
+             "time until which both pass through the same patterns in the same order; the horizon where they "
+             "do up to there, s"),
       // What bodies and contacts do.
-      drawn("energy_gain", &M::energy_gain,
-            "largest rise of the blocks' kinetic and potential energy and of what their contacts have "
-            "stored, less the work of the ground's motion, above its least value before; as a share of the "
-            "stack's weight times the height of its centre of mass at rest. A contact that is a spring "
-            "stores half of stiffness k times overlap squared; one so stiff that k dt^2 exceeds the lighter "
-            "block's mass counts as rigid. The true motion never gains any"),
-      drawn("penetration", &M::penetration,
-            "largest depth of a block's corner in the block or ground it meets, m"),
-      drawn("sinking", &M::sinking,
-            "the least such depth over the last tenth of the run, m: how far a block has sunk in"),
-      drawn("gap", &M::gap, "largest height of a block over what it stands on, m"),
-      drawn("slip", &M::slip,
-            "largest way of a pivot along the face that it stands on, from its place without slipping, m"),
-      drawn("out_of_plane", &M::out_of_plane, "largest distance of a block's centre from the plane, m"),
-      drawn("out_of_plane_tilt", &M::out_of_plane_tilt, "largest sine of a block's angle out of the plane"),
-      drawn("complementarity_residual", &M::complementarity_residual,
-            "largest product of gap and normal force of a contact that pushes across a gap; as a share of "
-            "the stack's weight times the height of its centre of mass. The gap is that at the step's end, "
-            "the force the step's impulse over its length. Empty where the engine tells no contacts"),
-      drawn("friction_cone_violation", &M::friction_cone_violation,
-            "impulse along the faces above friction coefficient times normal impulse, added up over all "
-            "contacts and steps, as a share of all normal impulse; whatever law of friction the engine "
-            "itself has"),
-      drawn("contact_stiffness", &M::contact_stiffness,
-            "stiffness of a contact point where contacts are springs, N/m: that by which all impulses "
-            "together overlap as much as by the points' own. In a space of three dimensions a corner of a "
-            "block is two points. Empty where contacts are rigid, or the engine tells none"),
-      drawn("contact_damping", &M::contact_damping,
-            "damping of the dashpot beside that spring, N s/m: the mean by impulse"),
-      drawn("contact_points", &M::contact_points,
-            "how many points push together at one end of an interface, the mean by impulse: a corner has "
-            "that many times the stiffness and damping of a point"),
-      drawn("contact_damping_ratio", &M::contact_damping_ratio,
-            "damping ratio of a corner of the lowest block on that spring and dashpot, c/(2 sqrt(k m)) with "
-            "1/m = 1/mass + (half width)^2/inertia"),
-      drawn("contact_restitution", &M::contact_restitution,
-            "share of its speed with which such a corner leaves again, from that ratio; the force is cut at "
-            "zero, weight left out"),
-      drawn("contact_impacts_matched", &M::contact_impacts_matched,
-            "as impacts_matched, of the engine's impacts as its contacts tell them: an end of an interface "
-            "that bore nothing in the step before, and was off, begins to bear while the interface closes "
-            "at the chatter speed or faster; the time is that at which gap and speed let both faces touch, "
-            "the side that at the step's end. Listed in contact_impacts.csv"),
-      drawn("contact_impacts_missed", &M::contact_impacts_missed, "likewise missed"),
-      drawn("contact_impacts_extra", &M::contact_impacts_extra, "likewise extra"),
-      drawn("impact_readings_differ", &M::impact_readings_differ,
-            "impacts that one reading of the engine's motion has and the other has not: from angles, and "
-            "from contacts, within three steps"),
-      drawn("residual_motion", &M::residual_motion,
-            "root of the mean square angular velocity of all blocks over the last tenth of the scene, where "
-            "the exact solution is at rest all that time, rad/s"),
-      drawn("warnings", &M::warnings,
-            "in how many steps the engine said that its solver failed, and went on: ODE with what it had, "
-            "Bullet with sequential impulse in place of an mlcp solver"),
+      median("energy_gain", &M::energy_gain,
+             "largest rise of the blocks' kinetic and potential energy and of what their contacts have "
+             "stored, less the work of the ground's motion, above its least value before; as a share of the "
+             "stack's weight times the height of its centre of mass at rest. A contact that is a spring "
+             "stores half of stiffness k times overlap squared; one so stiff that k dt^2 exceeds the lighter "
+             "block's mass counts as rigid. The true motion never gains any"),
+      median("penetration", &M::penetration,
+             "largest depth of a block's corner in the block or ground it meets, m"),
+      median("sinking", &M::sinking,
+             "the least such depth over the last tenth of the run, m: how far a block has sunk in"),
+      median("gap", &M::gap, "largest height of a block over what it stands on, m"),
+      median("slip", &M::slip,
+             "largest way of a pivot along the face that it stands on, from its place without slipping, m"),
+      median("out_of_plane", &M::out_of_plane, "largest distance of a block's centre from the plane, m"),
+      median("out_of_plane_tilt", &M::out_of_plane_tilt, "largest sine of a block's angle out of the plane"),
+      median("complementarity_residual", &M::complementarity_residual,
+             "largest product of gap and normal force of a contact that pushes across a gap; as a share of "
+             "the stack's weight times the height of its centre of mass. The gap is that at the step's end, "
+             "the force the step's impulse over its length. Empty where the engine tells no contacts"),
+      median("friction_cone_violation", &M::friction_cone_violation,
+             "impulse along the faces above friction coefficient times normal impulse, added up over all "
+             "contacts and steps, as a share of all normal impulse; whatever law of friction the engine "
+             "itself has"),
+      median("contact_stiffness", &M::contact_stiffness,
+             "stiffness of a contact point where contacts are springs, N/m: that by which all impulses "
+             "together overlap as much as by the points' own. In a space of three dimensions a corner of a "
+             "block is two points. Empty where contacts are rigid, or the engine tells none"),
+      median("contact_damping", &M::contact_damping,
+             "damping of the dashpot beside that spring, N s/m: the mean by impulse"),
+      median("contact_points", &M::contact_points,
+             "how many points push together at one end of an interface, the mean by impulse: a corner has "
+             "that many times the stiffness and damping of a point"),
+      median("contact_damping_ratio", &M::contact_damping_ratio,
+             "damping ratio of a corner of the lowest block on that spring and dashpot, c/(2 sqrt(k m)) with "
+             "1/m = 1/mass + (half width)^2/inertia"),
+      median("contact_restitution", &M::contact_restitution,
+             "share of its speed with which such a corner leaves again, from that ratio; the force is cut at "
+             "zero, weight left out"),
+      median("contact_impacts_matched", &M::contact_impacts_matched,
+             "as impacts_matched, of the engine's impacts as its contacts tell them: an end of an interface "
+             "that bore nothing in the step before, and was off, begins to bear while the interface closes "
+             "at the chatter speed or faster; the time is that at which gap and speed let both faces touch, "
+             "the side that at the step's end. Listed in contact_impacts.csv"),
+      median("contact_impacts_missed", &M::contact_impacts_missed, "likewise missed"),
+      median("contact_impacts_extra", &M::contact_impacts_extra, "likewise extra"),
+      median("impact_readings_differ", &M::impact_readings_differ,
+             "impacts that one reading of the engine's motion has and the other has not: from angles, and "
+             "from contacts, within three steps"),
+      median("residual_motion", &M::residual_motion,
+             "root of the mean square angular velocity of all blocks over the last tenth of the scene, where "
+             "the exact solution is at rest all that time, rad/s"),
+      median("warnings", &M::warnings,
+             "in how many steps the engine said that its solver failed, and went on: ODE with what it had, "
+             "Bullet with sequential impulse in place of an mlcp solver"),
       plain("toppled", &M::toppled, "block that passed its toppling angle and when, which ends the run"),
       plain("fallen", &M::fallen,
             "block that has left the face it stood on, and when: from then on nothing of that is below it"),
@@ -264,28 +266,28 @@ const std::vector<Column>& columns() {
             "in which of both a block topples or falls off within the scene: neither, both, engine alone or "
             "exact alone"),
       // What the difference comes from.
-      drawn("model_difference", &M::model_difference,
-            "contact model: RMS angle difference from the exact motion to the exact one under law "
-            "unilateral with the engine's friction, rad; this and the next two over the time that all "
-            "motions cover, as far as a suite asks for softness"),
-      drawn("softness_difference", &M::softness_difference,
-            "contact softness: from there to the exact motion under law compliant, with corners of the "
-            "engine's stiffness and damping, rad; 0 where its contacts are rigid"),
-      drawn("step_difference", &M::step_difference,
-            "time step: from there to the engine, rad. In every sample the three add up"),
-      drawn("model_share", &M::model_share,
-            "share of the contact model in the difference: sum over samples and blocks of that part times "
-            "the whole, over the sum of squares of the whole. The three shares add up to 1; one is negative "
-            "where its part works against the others"),
-      drawn("softness_share", &M::softness_share, "likewise of contact softness"),
-      drawn("step_share", &M::step_share, "likewise of the time step"),
-      drawn("parts_over_whole", &M::parts_over_whole,
-            "root of the sum of squares of the three parts over the whole: 1 where they have nothing to do "
-            "with each other, more where they cancel"),
-      drawn("spring_factor", &M::spring_factor,
-            "1 where the compliant motion has the engine's own stiffness and damping. Where that would take "
-            "more than about 100000 steps, its angles are extrapolated from springs that are softer by this "
-            "factor and by twice as much"),
+      median("model_difference", &M::model_difference,
+             "contact model: RMS angle difference from the exact motion to the exact one under law "
+             "unilateral with the engine's friction, rad; this and the next two over the time that all "
+             "motions cover, as far as a suite asks for softness"),
+      median("softness_difference", &M::softness_difference,
+             "contact softness: from there to the exact motion under law compliant, with corners of the "
+             "engine's stiffness and damping, rad; 0 where its contacts are rigid"),
+      median("step_difference", &M::step_difference,
+             "time step: from there to the engine, rad. In every sample the three add up"),
+      median("model_share", &M::model_share,
+             "share of the contact model in the difference: sum over samples and blocks of that part times "
+             "the whole, over the sum of squares of the whole. The three shares add up to 1; one is negative "
+             "where its part works against the others"),
+      median("softness_share", &M::softness_share, "likewise of contact softness"),
+      median("step_share", &M::step_share, "likewise of the time step"),
+      median("parts_over_whole", &M::parts_over_whole,
+             "root of the sum of squares of the three parts over the whole: 1 where they have nothing to do "
+             "with each other, more where they cancel"),
+      median("spring_factor", &M::spring_factor,
+             "1 where the compliant motion has the engine's own stiffness and damping. Where that would take "
+             "more than about 100000 steps, its angles are extrapolated from springs that are softer by this "
+             "factor and by twice as much"),
       plain("split_reason", &M::split_reason, "why a difference is not split"),
   });
   return list;

@@ -21,7 +21,7 @@ RunStatus run_status(const std::string& name);
 
 /// What was run and how it differs from the exact solution: one row of a comparison. Empty where it does not
 /// apply, was not asked for, or the run failed. columns() holds what each field means, and its unit. Numbers
-/// of the motion are medians over draws where the suite asks for some.
+/// of the motion are medians over replicates where the suite asks for some.
 struct RunMetrics {
   std::string run, scene, law, engine, solver, settings;
   std::optional<double> dt;
@@ -31,7 +31,7 @@ struct RunMetrics {
   std::optional<double> stepping_time_minimum, stepping_time_median, stepping_time_spread;
   std::optional<int> repeats, runs_at_a_time, timed_cold;
   std::optional<double> real_time_factor, exact_sampled_time, processor_time, peak_memory;
-  std::optional<int> draws, draws_failed, draws_other_verdict;
+  std::optional<int> replicates, replicates_failed, replicates_other_verdict;
   std::optional<double> horizon;
   std::optional<double> largest_angle_difference, rms_angle_difference, relative_angle_difference;
   std::optional<double> largest_angle_difference_lower, largest_angle_difference_upper;
@@ -80,8 +80,8 @@ struct Column {
   const char* name;
   const char* definition;
   Field field;
-  bool measured = false;  ///< time or memory that the machine took: another run gives another value
-  bool drawn = false;     ///< a median over draws, where there are some
+  bool measured = false;    ///< time or memory that the machine took: another run gives another value
+  bool replicated = false;  ///< a median over replicates, where there are some
   std::optional<Field> lower = {}, upper = {};  ///< of a column that has its quartiles beside it
 
   nlohmann::ordered_json cell(const RunMetrics& row) const;

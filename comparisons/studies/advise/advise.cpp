@@ -25,7 +25,7 @@ Suite suite_of(const NamedScene& scene, const AdviceRequest& request) {
   suite.wanted = {.angles = true, .impacts = false, .patterns = false, .bodies = true, .histories = false};
   suite.repeats = request.repeats;
   suite.limits = request.limits;
-  suite.draws = request.draws;
+  suite.replicates = request.replicates;
   for (const WorkerEngine* engine : request.engines)
     suite.series.push_back(make_series(*engine, "tuned", advised_steps()));
   return suite;
@@ -39,18 +39,18 @@ RunMetrics nominal_run(const Job& job, const std::filesystem::path& folder, cons
   return metrics_in(files.at(summary_name));
 }
 
-int count_within(const std::vector<RunMetrics>& draws, double error) {
-  return static_cast<int>(
-      std::count_if(draws.begin(), draws.end(), [&](const RunMetrics& row) { return meets(row, error); }));
+int count_within(const std::vector<RunMetrics>& replicates, double error) {
+  return static_cast<int>(std::count_if(replicates.begin(), replicates.end(),
+                                        [&](const RunMetrics& row) { return meets(row, error); }));
 }
 
-/// Draws about the step itself, for a trial that passes without them.
+/// Replicates about the step itself, for a trial that passes without them.
 void confirm(const Job& job, const AdviceRequest& request, Trial& trial) {
   Suite suite = job.suite;
-  suite.draws = request.confirming;
-  const auto draws = make_draws({suite, job.scene, job.dt, job.series}, all_cores());
-  trial.confirming = static_cast<int>(draws.size());
-  trial.confirmed = count_within(draws, request.error);
+  suite.replicates = request.confirming;
+  const auto replicates = make_replicates({suite, job.scene, job.dt, job.series}, all_cores());
+  trial.confirming = static_cast<int>(replicates.size());
+  trial.confirmed = count_within(replicates, request.error);
 }
 
 Trial try_out(const Job& job, const AdviceRequest& request, const std::filesystem::path& folder,
@@ -58,22 +58,22 @@ Trial try_out(const Job& job, const AdviceRequest& request, const std::filesyste
   const auto own = folder / "runs" / describe(job).run;
   Trial trial{nominal_run(job, own, command)};
   trial.within = meets(trial.row, request.error) ? 1 : 0;
-  if (trial.within == 0 || !is_drawn(job)) return trial;
-  const auto draws = make_draws(job, all_cores());
-  write_draws(pack_draws(draws, draws_identity(job)), trial.row, own);
-  trial.draws += static_cast<int>(draws.size());
-  trial.within += count_within(draws, request.error);
-  summarise(draws, trial.row);
+  if (trial.within == 0 || !is_replicated(job)) return trial;
+  const auto replicates = make_replicates(job, all_cores());
+  write_replicates(pack_replicates(replicates, replicates_identity(job)), trial.row, own);
+  trial.replicates += static_cast<int>(replicates.size());
+  trial.within += count_within(replicates, request.error);
+  summarise(replicates, trial.row);
   if (trial.passes()) confirm(job, request, trial);
   return trial;
 }
 
-/// Peaks, impacts and toppling of the whole scene, over the same draws exactly and by one series.
+/// Peaks, impacts and toppling of the whole scene, over the same replicates exactly and by one series.
 std::vector<DistributionDistance> whole_scene(const Job& job, const Scene& scene) {
   std::vector<MotionTally> exact, other;
-  for (int i = 0; i < job.suite.draws.runs; ++i) {
-    const Scene drawn = drawn_scene(scene, job.suite.draws, i);
-    const double step = drawn_step(job.dt, job.suite.draws, i);
+  for (int i = 0; i < job.suite.replicates.runs; ++i) {
+    const Scene drawn = replicate_scene(scene, job.suite.replicates, i);
+    const double step = replicate_step(job.dt, job.suite.replicates, i);
     try {
       other.push_back(observed_tally(
           drawn,
@@ -88,7 +88,7 @@ std::vector<DistributionDistance> whole_scene(const Job& job, const Scene& scene
 
 Json json_of(const Trial& trial) {
   Json cells = metrics_json(trial.row);
-  cells["draws_tried"] = trial.draws;
+  cells["draws_tried"] = trial.replicates;
   cells["draws_within"] = trial.within;
   cells["confirming_draws_tried"] = trial.confirming;
   cells["confirming_draws_within"] = trial.confirmed;
@@ -123,7 +123,7 @@ int cheapest(const std::vector<Trial>& trials) {
 Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::filesystem::path& folder,
               const std::string& command) {
   Advice advice;
-  advice.predictable_time = predictable_time(scene.scene, request.draws, request.error);
+  advice.predictable_time = predictable_time(scene.scene, request.replicates, request.error);
   NamedScene predictable = scene;
   predictable.scene.duration = advice.predictable_time;
   const Suite suite = suite_of(predictable, request);

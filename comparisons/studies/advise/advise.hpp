@@ -20,24 +20,26 @@ struct AdviceRequest {
   std::vector<const WorkerEngine*> engines = {};  ///< that are tried, with their tuned sets
   Limits limits = {};                             ///< of each run
   int repeats = 3;                                ///< timed runs
-  /// What must come within the error, nine draws of ten each: at steps up to a quarter longer and shorter,
-  /// and again about the step itself, so that none is taken for the luck of being tried often.
-  Draws draws = {.runs = 21, .steps = 0.25};
-  Draws confirming = {.runs = 21, .seed = 2};
+  /// What must come within the error, nine replicates of ten each: at steps up to a quarter longer and
+  /// shorter, and again about the step itself, so that none is taken for the luck of being tried often.
+  Replicates replicates = {.runs = 21, .steps = 0.25};
+  Replicates confirming = {.runs = 21, .seed = 2};
 };
 
-/// The share of draws that must come within the error.
+/// The share of replicates that must come within the error.
 inline constexpr double passing_share = 0.9;
 
 /// A solver at a step.
 struct Trial {
-  RunMetrics row;  ///< medians, where draws were made
-  int within = 0;  ///< draws within the error; of one, the nominal run, where that misses it
-  int draws = 1;
-  int confirmed = 0;   ///< confirming draws within the error
+  RunMetrics row;  ///< medians, where replicates were made
+  int within = 0;  ///< replicates within the error; of one, the nominal run, where that misses it
+  int replicates = 1;
+  int confirmed = 0;   ///< confirming replicates within the error
   int confirming = 0;  ///< made where those before pass
 
-  bool passes() const { return within >= passing_share * draws && confirmed >= passing_share * confirming; }
+  bool passes() const {
+    return within >= passing_share * replicates && confirmed >= passing_share * confirming;
+  }
 };
 
 /// A solver whose finer steps were not tried: they would have taken longer than was left.
@@ -53,7 +55,8 @@ struct Advice {
   std::vector<Untried> untried;
   /// Until when histories can be compared at all, s (job.hpp). Trials end there.
   double predictable_time = 0;
-  /// Of the pick's draws over the whole scene, where it lasts longer than it can be predicted; else empty.
+  /// Of the pick's replicates over the whole scene, where it lasts longer than it can be predicted; else
+  /// empty.
   std::vector<DistributionDistance> beyond;
 };
 
@@ -70,7 +73,7 @@ int cheapest(const std::vector<Trial>& trials);
 /// Tries every solver with its tuned parameters from large to small steps until it passes, takes longer than
 /// the cheapest that did, or would take longer than the time that is left: a step of half the length twice as
 /// long as the one before. Writes FOLDER/runs/, FOLDER/advice.json and, of its trials, FOLDER/advice.csv: the
-/// columns of comparison.csv and how many draws came within the error.
+/// columns of comparison.csv and how many replicates came within the error.
 /// @throws std::runtime_error where a file cannot be written or
 /// the scene has no exact solution.
 Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::filesystem::path& folder,

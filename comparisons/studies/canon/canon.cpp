@@ -58,13 +58,13 @@ double slowest_turn(const Scene& scene) {
 
 /// Replicates use all cores. @throws whatever kept the engine from answering.
 CanonErrors errors_at(const Suite& suite, const NamedScene& scene, const EngineSeries& series, double dt) {
-  CanonErrors errors{dt, std::vector<Deviation>(static_cast<std::size_t>(suite.draws.runs))};
+  CanonErrors errors{dt, std::vector<Deviation>(static_cast<std::size_t>(suite.replicates.runs))};
   std::vector<std::size_t> replicates(errors.replicates.size());
   std::iota(replicates.begin(), replicates.end(), 0);
   const auto compute = [&](std::size_t replicate) {
     const auto number = static_cast<int>(replicate);
-    const Scene drawn = drawn_scene(scene.scene, suite.draws, number);
-    const double step = drawn_step(dt, suite.draws, number);
+    const Scene drawn = replicate_scene(scene.scene, suite.replicates, number);
+    const double step = replicate_step(dt, suite.replicates, number);
     const History engine = simulate(*series.engine, drawn, step, series.parameters, suite.limits).history;
     errors.replicates[replicate] = deviation(drawn, solve(drawn, {.sample_times = engine.times}), engine);
     return std::string();
@@ -168,7 +168,7 @@ std::optional<CanonAnswer> kept_answer(const fs::path& file, const std::string& 
 /// Of the answer to all steps.
 std::string identity_of(const Suite& suite, const NamedScene& scene, const EngineSeries& series) {
   std::string text;
-  for (const double step : canon_steps) text += draws_identity({suite, scene, step, &series});
+  for (const double step : canon_steps) text += replicates_identity({suite, scene, step, &series});
   return fmt::format("{:016x}", checksum(text));
 }
 
@@ -227,9 +227,12 @@ bool follows_law(const CanonAnswer& answer) {
 }
 
 std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, const std::string& command) {
-  Json json{{"title", suite.title},           {"command", command},
-            {"steps", canon_steps},           {"agreement", canon_agreement},
-            {"replicates", suite.draws.runs}, {"scenes", Json::array()},
+  Json json{{"title", suite.title},
+            {"command", command},
+            {"steps", canon_steps},
+            {"agreement", canon_agreement},
+            {"replicates", suite.replicates.runs},
+            {"scenes", Json::array()},
             {"rows", Json::array()}};
   for (const NamedScene& scene : suite.scenes)
     json["scenes"].push_back(

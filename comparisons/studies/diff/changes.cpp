@@ -29,7 +29,7 @@ RowChange row_change(const RowPair& pair, const ChangeOptions& options, bool tim
   RowChange row{pair.old_run->row,
                 pair.new_run->row,
                 bits_of(pair),
-                !pair.old_run->draws.empty() && !pair.new_run->draws.empty(),
+                !pair.old_run->replicates.empty() && !pair.new_run->replicates.empty(),
                 {}};
   for (const ReportedQuantity& quantity : reported_quantities())
     if (auto change = change_of(quantity, pair, options)) row.quantities.push_back(std::move(*change));
@@ -127,15 +127,15 @@ bool ResultsChange::worse() const {
                      [](const RowChange& row) { return row.worst() == Turn::worse; });
 }
 
-std::size_t ResultsChange::draws_needed() const {
+std::size_t ResultsChange::replicates_needed() const {
   const double chance = level / static_cast<double>(std::max<std::size_t>(tests, 1));
-  std::size_t draws = 1;
+  std::size_t replicates = 1;
   // Of two samples of n values the least chance is 2/C(2n, n), which is 1 for n = 1.
-  for (double least = 1; least > chance; ++draws) {
-    const auto n = static_cast<double>(draws);
+  for (double least = 1; least > chance; ++replicates) {
+    const auto n = static_cast<double>(replicates);
     least *= (n + 1) / (2 * (2 * n + 1));
   }
-  return draws;
+  return replicates;
 }
 
 ResultsChange hold_against(const RecordedResults& old_results, const RecordedResults& new_results,

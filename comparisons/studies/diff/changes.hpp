@@ -17,7 +17,7 @@ namespace rockstack {
 /// A run as a comparison has left it.
 struct RecordedRun {
   RunMetrics row;                                ///< the one run, at the step that is named
-  std::vector<RunMetrics> draws;                 ///< that one and all like it; empty where it stands alone
+  std::vector<RunMetrics> replicates;            ///< that one and all like it; empty where it stands alone
   std::map<std::string, std::string> checksums;  ///< of its files, by their names
 };
 
@@ -27,12 +27,12 @@ struct RecordedResults {
 
   std::filesystem::path folder;
   Facts environment;                    ///< versions, flags, processor
-  std::map<std::string, Facts> scenes;  ///< by name: what was asked, how draws were made; values as JSON
+  std::map<std::string, Facts> scenes;  ///< by name: what was asked, how replicates were made; values as JSON
   std::vector<RecordedRun> runs;
 };
 
-/// Reads comparison.json, and of each run summary.json and, where it has draws, draws.json; nothing else has
-/// to be there. @throws InputError naming the file and what is wrong in it.
+/// Reads comparison.json, and of each run summary.json and, where it has replicates, draws.json; nothing else
+/// has to be there. @throws InputError naming the file and what is wrong in it.
 RecordedResults read_recorded_results(const std::filesystem::path& folder);
 
 /// One row of the old results with the one of the new results that answers the same question.
@@ -52,13 +52,14 @@ struct RowPairs {
 const std::vector<std::string>& row_names();
 
 /// Pairs rows that agree in all row_names(), then of the others those that agree in all but `across`. Scenes
-/// of one name that ask something else, or make draws another way, are left out unless `across` has "scene".
+/// of one name that ask something else, or make replicates another way, are left out unless `across` has
+/// "scene".
 /// @throws InputError where several rows of one folder agree so, or no row has a partner.
 /// The pairs point into both results.
 RowPairs pair_rows(const RecordedResults& old_results, const RecordedResults& new_results,
                    const std::vector<std::string>& across);
 
-/// A number of a run, or of a draw, that may get better or worse.
+/// A number of a run, or of a replicate, that may get better or worse.
 struct ReportedQuantity {
   enum class Better {
     less,
@@ -84,8 +85,8 @@ enum class Turn { none, better, other, worse };
 /// "", "better", "changed", "worse".
 std::string name(Turn turn);
 
-/// A number over draws: the values of ranks ⌈n/4⌉, ⌈n/2⌉ and ⌈3n/4⌉; of a time over repeats its least, median
-/// and greatest.
+/// A number over replicates: the values of ranks ⌈n/4⌉, ⌈n/2⌉ and ⌈3n/4⌉; of a time over repeats its least,
+/// median and greatest.
 struct ValueSpread {
   double lower = 0, median = 0, upper = 0;
   std::size_t values = 0;
@@ -125,8 +126,8 @@ void judge(double level, QuantityChange& change);
 /// One row in both results.
 struct RowChange {
   RunMetrics old_row, new_row;
-  std::string bits;    ///< "same" or "different" bytes in the files that both kept, "" where none are
-  bool drawn = false;  ///< whether both have draws
+  std::string bits;         ///< "same" or "different" bytes in the files that both kept, "" where none are
+  bool replicated = false;  ///< whether both have replicates
   std::vector<QuantityChange> quantities;
 
   Turn worst() const;
@@ -137,19 +138,19 @@ struct ResultsChange {
   std::vector<RowChange> rows;
   std::vector<std::string> only_old, only_new, other_questions;  ///< as RowPairs
   std::vector<std::string> other_environment;                    ///< "compiler: GNU 12.2.0, GNU 13.1.0"
-  std::size_t tests = 0;    ///< numbers that have draws on both sides, and vary
+  std::size_t tests = 0;    ///< numbers that have replicates on both sides, and vary
   std::size_t counted = 0;  ///< of them, those that could show a change at the level
   double level = 0;
 
   bool worse() const;
 
-  /// Draws on each side with which all tests could show a change.
-  std::size_t draws_needed() const;
+  /// Replicates on each side with which all tests could show a change.
+  std::size_t replicates_needed() const;
 };
 
-/// Holds new results against old ones. A number of draws is reported as changed where its test, corrected for
-/// how many there are, says so at the level; a run by itself where the options say so. Times are reported on
-/// one processor alone. @throws InputError as pair_rows().
+/// Holds new results against old ones. A number of replicates is reported as changed where its test,
+/// corrected for how many there are, says so at the level; a run by itself where the options say so. Times
+/// are reported on one processor alone. @throws InputError as pair_rows().
 ResultsChange hold_against(const RecordedResults& old_results, const RecordedResults& new_results,
                            const ChangeOptions& options);
 

@@ -80,10 +80,10 @@ std::vector<double> values_of(const ReportedQuantity& quantity, const RecordedRu
   const auto add = [&](const RunMetrics& row) {
     if (const auto value = quantity.value(row); value && !std::isnan(*value)) values.push_back(*value);
   };
-  if (run.draws.empty())
+  if (run.replicates.empty())
     add(run.row);
   else
-    std::for_each(run.draws.begin(), run.draws.end(), add);
+    std::for_each(run.replicates.begin(), run.replicates.end(), add);
   return values;
 }
 

@@ -21,7 +21,7 @@ RecordedResults::Facts facts_in(const Json& object) {
   return facts;
 }
 
-/// What the scene's name, text and number of draws do not change.
+/// What the scene's name, text and number of replicates do not change.
 RecordedResults::Facts question_in(const Json& scene) {
   RecordedResults::Facts question;
   for (const char* key :
@@ -30,14 +30,14 @@ RecordedResults::Facts question_in(const Json& scene) {
   return question;
 }
 
-RecordedRun read_run(const std::filesystem::path& folder, bool drawn) {
+RecordedRun read_run(const std::filesystem::path& folder, bool replicated) {
   RecordedRun run = read_json(folder / "summary.json", [](const Json& json) {
     return RecordedRun{metrics_from(json), {}, json.at("files").get<std::map<std::string, std::string>>()};
   });
-  if (!drawn) return run;
-  run.draws =
+  if (!replicated) return run;
+  run.replicates =
       read_json(folder / "draws.json", [](const Json& json) { return metrics_list(json.at("draws")); });
-  run.draws.insert(run.draws.begin(), run.row);
+  run.replicates.insert(run.replicates.begin(), run.row);
   return run;
 }
 
@@ -129,7 +129,7 @@ RecordedResults read_recorded_results(const std::filesystem::path& folder) {
     if (row.run.empty() || std::filesystem::path(row.run).filename() != row.run)
       throw InputError(
           fmt::format("{}: run = {}: must be a name without a slash", file.string(), one_line(row.run)));
-    results.runs.push_back(read_run(folder / "runs" / row.run, row.draws.value_or(1) > 1));
+    results.runs.push_back(read_run(folder / "runs" / row.run, row.replicates.value_or(1) > 1));
   }
   return results;
 }

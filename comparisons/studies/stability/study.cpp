@@ -179,7 +179,7 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
   study.suite.limits.time = 60;
   if (const Node* repeats = find(root, "repeats"))
     study.suite.repeats = static_cast<int>(whole_number(*repeats, 1));
-  if (const Node* draws = find(root, "draws")) study.suite.draws = read_draws(*draws);
+  if (const Node* replicates = find(root, "draws")) study.suite.replicates = read_replicates(*replicates);
   if (const Node* limit = find(root, "time_limit")) study.suite.limits.time = number_above_zero(*limit);
   for (const EngineSeries& series : study.suite.series) {
     if (!study.axis.parameter.empty() && !series.parameters.contains(study.axis.parameter))

@@ -30,7 +30,7 @@ Departure read_departure(const Run& run, int blocks, std::size_t bins, bool toge
   names.insert(names.begin(), "time");
   std::vector<std::vector<double>> columns = read_columns(run.folder / "difference.csv", names);
   if (together) columns = {columns[0], largest_of(columns)};
-  Departure departure{.run = run, .sizes = {}, .agreement_times = draws_of(run, "agreement_time")};
+  Departure departure{.run = run, .sizes = {}, .agreement_times = replicates_of(run, "agreement_time")};
   if (departure.agreement_times.empty()) departure.agreement_times = {value_of(run.agreement_time)};
   constexpr double nothing = 1e-30;  // under every axis: a curve that is nearer leaves the panel
   for (std::size_t k = 1; k < columns.size(); ++k)

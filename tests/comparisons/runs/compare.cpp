@@ -132,7 +132,7 @@ TEST(Compare, ScenesThatWouldShareAFolderAreRefused) {
 Suite small_suite(const TemporaryFolder& folder) {
   Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
   suite.repeats = 1;
-  suite.draws.runs = 1;
+  suite.replicates.runs = 1;
   if (suite.series.size() > 2) suite.series.resize(2);
   for (EngineSeries& series : suite.series) series.steps = {1e-2, 1e-3};
   suite.variants = {{Variant::Choice::linear}};

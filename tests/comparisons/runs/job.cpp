@@ -31,7 +31,7 @@ TEST(DiskUse, IsToldBeforeAndFallsWithTheSamplesThatAreKept) {
   const TemporaryFolder folder;
   Suite suite = suite_for(read_named_scene(folder.write("block.toml", sampled_block), {}), {.steps = {1e-3}});
   suite.repeats = 1;
-  suite.draws.runs = 1;
+  suite.replicates.runs = 1;
   const RunMetrics all = compare({suite}, folder.path() / "all", {}).rows.back();
   const double bytes = bytes_in(folder.path() / "all");
   // How long numbers are depends on the motion.

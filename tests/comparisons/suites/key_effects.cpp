@@ -107,7 +107,7 @@ std::string suite_outcome(const Settings& settings) {
 /// An engine that takes half a second of processor time.
 const Settings slow{{&engine_keys, "worker", "\"./my_engine.py\""},
                     {&engine_keys, "name", "\"faulty:half-a-second\""}};
-const KeyCase::Setting three_draws{&draws_keys, "runs", "3"};
+const KeyCase::Setting three_draws{&replicates_keys, "runs", "3"};
 const KeyCase::Setting papers{&suite_keys, "scenes",
                               "[\"scene.toml\", \"spanos-free-rocking\", \"spanos-synthetic\"]"};
 const KeyCase::Setting papers_free{&statements_keys, "free", "\"spanos-free-rocking\""};
@@ -132,11 +132,11 @@ const std::vector<KeyCase> suite_cases{
     {&engine_keys, "settings", "[\"default\"]"},
     {&engine_keys, "dt", "[2e-3]"},
     {&engine_keys, "parameters", "{ erp = 0.3 }"},
-    {&draws_keys, "runs", "3"},
-    {&draws_keys, "finest", "2", {three_draws, {&engine_keys, "dt", "[1e-2, 5e-3]"}}},
-    {&draws_keys, "steps", "0.3", {three_draws}},
-    {&draws_keys, "scene", "0.01", {three_draws}},
-    {&draws_keys, "seed", "2", {three_draws}},
+    {&replicates_keys, "runs", "3"},
+    {&replicates_keys, "finest", "2", {three_draws, {&engine_keys, "dt", "[1e-2, 5e-3]"}}},
+    {&replicates_keys, "steps", "0.3", {three_draws}},
+    {&replicates_keys, "scene", "0.01", {three_draws}},
+    {&replicates_keys, "seed", "2", {three_draws}},
     {&perturbations_keys, "runs", "10"},
     {&perturbations_keys, "size", "1e-3"},
     {&perturbations_keys, "seed", "2"},

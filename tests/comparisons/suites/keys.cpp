@@ -67,8 +67,9 @@ void read_ensemble_file(const std::filesystem::path& file) {
 
 /// Where values are drawn, how many and from which seed must be said too.
 std::string read_ensemble_text(const std::string& text) {
-  const bool draws = text.find("uniform") != std::string::npos || text.find("normal") != std::string::npos;
-  return key_error((draws ? "samples = 2\nseed = 1\n" : "") + text, read_ensemble_file);
+  const bool replicates =
+      text.find("uniform") != std::string::npos || text.find("normal") != std::string::npos;
+  return key_error((replicates ? "samples = 2\nseed = 1\n" : "") + text, read_ensemble_file);
 }
 
 TEST(Keys, OfSuitesAreThoseThatAreRead) {
@@ -87,9 +88,9 @@ std::string suite_of(const std::filesystem::path& file) {
   const Suite suite = read_suite(file, {});
   std::ostringstream found;
   found << suite.tolerance << ' ' << suite.repeats << ' ' << suite.limits.time << ' ' << suite.limits.memory
-        << ' ' << suite.draws.runs << ' ' << suite.draws.steps << ' ' << suite.draws.scene << ' '
-        << suite.draws.seed << ' ' << suite.perturbations.runs << ' ' << suite.perturbations.size << ' '
-        << suite.perturbations.seed << ' ' << suite.variants.size();
+        << ' ' << suite.replicates.runs << ' ' << suite.replicates.steps << ' ' << suite.replicates.scene
+        << ' ' << suite.replicates.seed << ' ' << suite.perturbations.runs << ' ' << suite.perturbations.size
+        << ' ' << suite.perturbations.seed << ' ' << suite.variants.size();
   for (const EngineSeries& series : suite.series) {
     found << ' ' << series.settings;
     for (const double step : series.steps) found << ' ' << step;
@@ -131,7 +132,7 @@ int expect_defaults_are_those_read(const KeyFile& file, const KeyTable& table, D
 
 TEST(Keys, OfSuitesHaveTheDefaultsOfTheReader) {
   int defaults = 0;
-  for (const KeyTable* table : {&suite_keys, &engine_keys, &draws_keys, &perturbations_keys}) {
+  for (const KeyTable* table : {&suite_keys, &engine_keys, &replicates_keys, &perturbations_keys}) {
     std::vector<const KeyTable*> tables{&suite_keys, &engine_keys};
     if (table != &suite_keys && table != &engine_keys) tables.push_back(table);
     defaults += expect_defaults_are_those_read(KeyFile(tables), *table, suite_of);

@@ -12,7 +12,7 @@
 
 namespace rockstack {
 
-std::vector<Draw> draws(const Scene& scene, double dt, int runs) {
+std::vector<Draw> replicates(const Scene& scene, double dt, int runs) {
   const Distribution jitter{Distribution::Kind::uniform, 0.97, 1.03};
   std::vector<Draw> list;
   for (int run = 0; run < runs; ++run) {

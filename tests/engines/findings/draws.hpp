@@ -17,7 +17,7 @@ struct Draw {
 };
 
 /// The same on every call.
-std::vector<Draw> draws(const Scene& scene, double dt, int runs = 21);
+std::vector<Draw> replicates(const Scene& scene, double dt, int runs = 21);
 
 struct Quartiles {
   double lower = 0, median = 0, upper = 0;

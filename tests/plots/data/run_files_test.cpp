@@ -39,10 +39,10 @@ TEST(Share, IsTheCountOfTheTallies) {
   EXPECT_EQ(share.agree, 2u);
 }
 
-TEST(Draws, AreSortedAndThoseWithoutANumberDropped) {
+TEST(Replicates, AreSortedAndThoseWithoutANumberDropped) {
   const plots::Run run = run_with(testing::fresh_folder(), "draws.csv", "run,agreement_time\na,3\nb,\nc,1\n");
-  EXPECT_EQ(draws_of(run, "agreement_time"), (std::vector<double>{1, 3}));
-  EXPECT_TRUE(draws_of(plots::Run{}, "agreement_time").empty());
+  EXPECT_EQ(replicates_of(run, "agreement_time"), (std::vector<double>{1, 3}));
+  EXPECT_TRUE(replicates_of(plots::Run{}, "agreement_time").empty());
 }
 
 // An engine that is late but loses the same has the same losses, which add up to all that is lost.

@@ -64,8 +64,8 @@ TEST(Outcome, WhatSlidesAwayDoesNotRest) {
 TEST(Outcome, ReplicatesThatToppleOtherwiseAreCounted) {
   RunMetrics row = moving();
   row.toppling_verdict = TopplingVerdict::both;
-  row.draws = 21;
-  row.draws_other_verdict = 3;
+  row.replicates = 21;
+  row.replicates_other_verdict = 3;
   EXPECT_EQ(outcome(row, scale), "agrees to the end; topples otherwise in 3 of 21 replicates");
 }
 

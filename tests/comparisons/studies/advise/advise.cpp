@@ -9,7 +9,7 @@ Trial timed(int within, double seconds) {
   Trial trial;
   trial.row.stepping_time_minimum = seconds;
   trial.within = within;
-  trial.draws = 21;
+  trial.replicates = 21;
   return trial;
 }
 

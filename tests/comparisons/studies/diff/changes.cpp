@@ -29,13 +29,13 @@ RunMetrics drawn_row(Random& random, double size) {
 }
 
 /// Two solvers on three scenes of unlike difficulty.
-RecordedResults recorded(Random& random, std::size_t draws) {
+RecordedResults recorded(Random& random, std::size_t replicates) {
   RecordedResults results;
   results.folder = "recorded";
   for (const auto& [scene, size] : {std::pair{"easy", 1e-5}, {"fair", 1e-3}, {"hard", 1e-1}}) {
     for (const char* solver : {"first", "second"}) {
       RecordedRun run;
-      for (std::size_t i = 0; i < draws; ++i) run.draws.push_back(drawn_row(random, size));
+      for (std::size_t i = 0; i < replicates; ++i) run.replicates.push_back(drawn_row(random, size));
       run.row.scene = scene;
       run.row.engine = "engine";
       run.row.solver = solver;
@@ -52,8 +52,8 @@ RecordedResults recorded(Random& random, std::size_t draws) {
 RecordedResults single(Random& random) {
   RecordedResults results = recorded(random, 1);
   for (RecordedRun& run : results.runs) {
-    run.row.rms_angle_difference = run.draws.front().rms_angle_difference;
-    run.draws.clear();
+    run.row.rms_angle_difference = run.replicates.front().rms_angle_difference;
+    run.replicates.clear();
   }
   return results;
 }
@@ -81,9 +81,9 @@ TEST(Changes, OneThatIsThereIsToldAndNothingElse) {
   Random random(6);
   const RecordedResults before = recorded(random, 11);
   RecordedResults now = recorded(random, 11);
-  for (RunMetrics& draw : now.runs[3].draws) {
-    *draw.rms_angle_difference *= 10;
-    *draw.agreement_time *= 10;
+  for (RunMetrics& replicate : now.runs[3].replicates) {
+    *replicate.rms_angle_difference *= 10;
+    *replicate.agreement_time *= 10;
   }
   const ResultsChange result = hold_against(before, now, {});
   EXPECT_EQ(told(result), (std::vector<std::string>{"fair.second rms_angle_difference worse",
@@ -97,13 +97,13 @@ TEST(Changes, ThatRoundingMakesOrThatAreLessThanAHundredthStayUntold) {
   Random random(6);
   RecordedResults before = recorded(random, 11), now = before;
   for (std::size_t i = 0; i < 11; ++i) {
-    before.runs[0].draws[i].energy_gain = 1e-16 * static_cast<double>(i);
-    now.runs[0].draws[i].energy_gain = 1e-14 * static_cast<double>(i + 1);
-    before.runs[1].draws[i].penetration = 1e-3 * (1 + 1e-6 * static_cast<double>(i));
-    now.runs[1].draws[i].penetration = 1.005e-3;
+    before.runs[0].replicates[i].energy_gain = 1e-16 * static_cast<double>(i);
+    now.runs[0].replicates[i].energy_gain = 1e-14 * static_cast<double>(i + 1);
+    before.runs[1].replicates[i].penetration = 1e-3 * (1 + 1e-6 * static_cast<double>(i));
+    now.runs[1].replicates[i].penetration = 1.005e-3;
   }
   EXPECT_EQ(told(hold_against(before, now, {})), std::vector<std::string>());
-  for (RunMetrics& draw : now.runs[1].draws) draw.penetration = 1.02e-3;
+  for (RunMetrics& replicate : now.runs[1].replicates) replicate.penetration = 1.02e-3;
   EXPECT_EQ(told(hold_against(before, now, {})), std::vector<std::string>{"easy.second penetration worse"});
 }
 
@@ -111,11 +111,11 @@ TEST(Changes, DrawsThatFailAreAWorseNumberAndARowThatFailsIsWorseByItself) {
   Random random(8);
   const RecordedResults before = recorded(random, 11);
   RecordedResults now = before;
-  for (std::size_t i = 1; i < 11; ++i) now.runs[0].draws[i].status = RunStatus::not_finite;
+  for (std::size_t i = 1; i < 11; ++i) now.runs[0].replicates[i].status = RunStatus::not_finite;
   EXPECT_EQ(told(hold_against(before, now, {})), std::vector<std::string>{"easy.first failed worse"});
   now = before;
   now.runs[0].row.status = RunStatus::signal;
-  now.runs[0].draws.clear();
+  now.runs[0].replicates.clear();
   EXPECT_EQ(told(hold_against(before, now, {})), std::vector<std::string>{"easy.first failed worse"});
   EXPECT_EQ(told(hold_against(now, before, {})), std::vector<std::string>{"easy.first failed better"});
 }
@@ -139,7 +139,7 @@ TEST(Changes, TooFewDrawsAreSaid) {
   const ResultsChange result = hold_against(recorded(random, 4), recorded(random, 4), {});
   EXPECT_EQ(result.counted, 0U);
   EXPECT_EQ(result.tests, 24U);
-  EXPECT_EQ(result.draws_needed(), 8U);
+  EXPECT_EQ(result.replicates_needed(), 8U);
 }
 
 TEST(Changes, OfCostAreToldWhereTheRepeatsLieApart) {
@@ -219,7 +219,7 @@ TEST(Changes, EveryDrawnColumnIsReportedOrFollowsFromOthers) {
                                    "spring_factor"};
   for (const ReportedQuantity& quantity : reported_quantities()) known.insert(quantity.name);
   for (const Column& column : columns())
-    EXPECT_EQ(known.count(column.name), column.drawn ? 1U : 0U) << column.name;
+    EXPECT_EQ(known.count(column.name), column.replicated ? 1U : 0U) << column.name;
 }
 
 }  // namespace

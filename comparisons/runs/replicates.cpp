@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What draws are asked for of a suite: no sample is kept.
+/// What replicates are asked for of a suite: no sample is kept.
 Suite without_histories(const Suite& suite) {
   Suite lean;
   lean.tolerance = suite.tolerance;
@@ -27,17 +27,17 @@ Suite without_histories(const Suite& suite) {
   lean.wanted.histories = false;
   lean.softness = suite.softness;
   lean.limits = suite.limits;
-  lean.draws = suite.draws;
+  lean.replicates = suite.replicates;
   return lean;
 }
 
-RunMetrics make_draw(const Job& job, int number) {
-  const Draws& draws = job.suite.draws;
+RunMetrics make_replicate(const Job& job, int number) {
+  const Replicates& replicates = job.suite.replicates;
   RunMetrics row;
   try {
     RunFiles files;
-    row = engine_metrics(job, drawn_scene(job.scene.scene, draws, number), drawn_step(job.dt, draws, number),
-                         0, files);
+    row = engine_metrics(job, replicate_scene(job.scene.scene, replicates, number),
+                         replicate_step(job.dt, replicates, number), 0, files);
   } catch (const std::exception& failure) {
     row = describe(job);
     row.status = RunStatus::failed;
@@ -52,14 +52,14 @@ bool out_of_bounds(const RunMetrics& row) {
 }
 
 std::vector<double> values_of(const Column& column, const RunMetrics& nominal,
-                              const std::vector<RunMetrics>& draws) {
+                              const std::vector<RunMetrics>& replicates) {
   std::vector<double> values;
   const auto add = [&](const RunMetrics& row) {
     if (row.status != RunStatus::done) return;
     if (const Json cell = column.cell(row); cell.is_number()) values.push_back(cell.get<double>());
   };
   add(nominal);
-  std::for_each(draws.begin(), draws.end(), add);
+  std::for_each(replicates.begin(), replicates.end(), add);
   return values;
 }
 
@@ -67,20 +67,20 @@ constexpr double lower = 0.25, upper = 0.75;
 
 }  // namespace
 
-bool is_drawn(const Job& job) {
-  return job.series != nullptr && draws_of(job).runs > 1;
+bool is_replicated(const Job& job) {
+  return job.series != nullptr && replicates_of(job).runs > 1;
 }
 
-std::vector<RunMetrics> make_draws(const Job& job, std::size_t threads) {
+std::vector<RunMetrics> make_replicates(const Job& job, std::size_t threads) {
   Suite suite = without_histories(job.suite);
-  suite.draws = draws_of(job);
+  suite.replicates = replicates_of(job);
   const Job lean{suite, job.scene, job.dt, job.series, nullptr, job.horizon};
-  std::vector<RunMetrics> rows(static_cast<std::size_t>(suite.draws.runs) - 1);
+  std::vector<RunMetrics> rows(static_cast<std::size_t>(suite.replicates.runs) - 1);
   std::vector<std::size_t> parts(rows.size());
   std::iota(parts.begin(), parts.end(), 0);
   std::optional<RunMetrics> end;
   const auto compute = [&](std::size_t i) {
-    rows[i] = make_draw(lean, static_cast<int>(i) + 1);
+    rows[i] = make_replicate(lean, static_cast<int>(i) + 1);
     return std::string();
   };
   const auto deliver = [&](std::size_t i, const std::string& /*text*/) {
@@ -93,13 +93,14 @@ std::vector<RunMetrics> make_draws(const Job& job, std::size_t threads) {
   return rows;
 }
 
-std::string pack_draws(const std::vector<RunMetrics>& draws, const std::string& identity) {
+std::string pack_replicates(const std::vector<RunMetrics>& replicates, const std::string& identity) {
   Json json{{"identity", identity}, {"draws", Json::array()}};
-  for (const RunMetrics& row : draws) json["draws"].push_back(metrics_json(row));
+  for (const RunMetrics& row : replicates) json["draws"].push_back(metrics_json(row));
   return json.dump() + "\n";
 }
 
-std::optional<std::vector<RunMetrics>> unpack_draws(const std::string& text, const std::string& identity) {
+std::optional<std::vector<RunMetrics>> unpack_replicates(const std::string& text,
+                                                         const std::string& identity) {
   try {
     const Json json = parse_json(text, "draws: ");
     if (json.at("identity") != identity) return {};
@@ -111,40 +112,42 @@ std::optional<std::vector<RunMetrics>> unpack_draws(const std::string& text, con
   }
 }
 
-void write_draws(const std::string& packed, const RunMetrics& nominal, const std::filesystem::path& folder) {
+void write_replicates(const std::string& packed, const RunMetrics& nominal,
+                      const std::filesystem::path& folder) {
   std::vector<RunMetrics> rows = metrics_list(parse_json(packed, "draws: ").at("draws"));
   rows.insert(rows.begin(), nominal);
   write_file(folder / "draws.csv", comparison_csv(rows));
   write_file(folder / "draws.json", packed);
 }
 
-void summarise(const std::vector<RunMetrics>& draws, RunMetrics& nominal) {
+void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal) {
   const RunMetrics first = nominal;
   const auto count = [&](const auto& counts) {
-    return static_cast<int>(std::count_if(draws.begin(), draws.end(), counts));
+    return static_cast<int>(std::count_if(replicates.begin(), replicates.end(), counts));
   };
-  nominal.draws = static_cast<int>(draws.size()) + 1;
-  nominal.draws_failed = count([](const RunMetrics& row) { return row.status != RunStatus::done; });
-  nominal.draws_other_verdict = (differ(first.toppling_verdict) ? 1 : 0) + count([](const RunMetrics& row) {
-                                  return row.status == RunStatus::done && differ(row.toppling_verdict);
-                                });
+  nominal.replicates = static_cast<int>(replicates.size()) + 1;
+  nominal.replicates_failed = count([](const RunMetrics& row) { return row.status != RunStatus::done; });
+  nominal.replicates_other_verdict =
+      (differ(first.toppling_verdict) ? 1 : 0) + count([](const RunMetrics& row) {
+        return row.status == RunStatus::done && differ(row.toppling_verdict);
+      });
   for (const Column& column : columns()) {
-    if (!column.drawn) continue;
-    const std::vector<double> values = values_of(column, first, draws);
+    if (!column.replicated) continue;
+    const std::vector<double> values = values_of(column, first, replicates);
     if (values.empty()) continue;
     column.set(nominal, median(values));
     column.set_quartiles(nominal, quantile(values, lower), quantile(values, upper));
   }
 }
 
-std::string spread_csv(const std::vector<DrawnRow>& rows) {
+std::string spread_csv(const std::vector<RunWithReplicates>& rows) {
   CsvWriter csv;
   csv.line("run", "quantity", "draws", "least", "lower_quartile", "median", "upper_quartile", "greatest");
-  for (const auto& [nominal, draws] : rows) {
-    if (draws.empty()) continue;
+  for (const auto& [nominal, replicates] : rows) {
+    if (replicates.empty()) continue;
     for (const Column& column : columns()) {
-      if (!column.drawn) continue;
-      const std::vector<double> values = values_of(column, nominal, draws);
+      if (!column.replicated) continue;
+      const std::vector<double> values = values_of(column, nominal, replicates);
       if (values.empty()) continue;
       csv.line(nominal.run, column.name, values.size(), quantile(values, 0), quantile(values, lower),
                median(values), quantile(values, upper), quantile(values, 1));

@@ -28,21 +28,21 @@ Suite suite_of(const TemporaryFolder& folder, const WorkerEngine& engine) {
   Suite suite = suite_for(read_named_scene(folder.write("block.toml", block_let_go), {}));
   suite.repeats = 1;
   suite.limits.time = 5;
-  suite.draws.runs = 5;
+  suite.replicates.runs = 5;
   suite.series = {make_series(engine, "default", {1e-2})};
   return suite;
 }
 
-TEST(Draws, StepsLieEvenlyAroundTheNominalOne) {
-  const Draws draws{.runs = 21, .steps = 0.03};
+TEST(Replicates, StepsLieEvenlyAroundTheNominalOne) {
+  const Replicates replicates{.runs = 21, .steps = 0.03};
   double sum = 0;
-  for (int i = 1; i < draws.runs; ++i) {
-    const double step = drawn_step(1e-3, draws, i);
+  for (int i = 1; i < replicates.runs; ++i) {
+    const double step = replicate_step(1e-3, replicates, i);
     EXPECT_LE(std::abs(step / 1e-3 - 1), 0.03);
     EXPECT_NE(step, 1e-3);
     sum += step;
   }
-  EXPECT_EQ(drawn_step(1e-3, draws, 0), 1e-3);
+  EXPECT_EQ(replicate_step(1e-3, replicates, 0), 1e-3);
   EXPECT_NEAR(sum, 20 * 1e-3, 1e-15);
 }
 
@@ -55,35 +55,35 @@ RunMetrics row_with(double difference) {
 
 // Of 1 … 21 quartiles are the values 5, 10 and 15 places behind the first. Of 20 values they lie 4.75 places
 // and so on behind it; a count stays whole.
-TEST(Draws, ARowGetsMediansAndQuartiles) {
+TEST(Replicates, ARowGetsMediansAndQuartiles) {
   RunMetrics nominal = row_with(21);
-  std::vector<RunMetrics> draws;
-  for (int i = 1; i <= 20; ++i) draws.push_back(row_with(i));
-  draws.push_back(row_with(0));
-  draws.back().status = RunStatus::failed;
-  summarise(draws, nominal);
+  std::vector<RunMetrics> replicates;
+  for (int i = 1; i <= 20; ++i) replicates.push_back(row_with(i));
+  replicates.push_back(row_with(0));
+  replicates.back().status = RunStatus::failed;
+  summarise(replicates, nominal);
   EXPECT_EQ(nominal.rms_angle_difference, 11);
   EXPECT_EQ(nominal.rms_angle_difference_lower, 6);
   EXPECT_EQ(nominal.rms_angle_difference_upper, 16);
   EXPECT_EQ(nominal.impacts_matched, 11);
-  EXPECT_EQ(nominal.draws, 22);
-  EXPECT_EQ(nominal.draws_failed, 1);
-  draws.pop_back();
-  draws.pop_back();
+  EXPECT_EQ(nominal.replicates, 22);
+  EXPECT_EQ(nominal.replicates_failed, 1);
+  replicates.pop_back();
+  replicates.pop_back();
   nominal = row_with(21);
-  summarise(draws, nominal);
+  summarise(replicates, nominal);
   EXPECT_EQ(nominal.rms_angle_difference, 10.5);
   EXPECT_EQ(nominal.rms_angle_difference_lower, 5.75);
   EXPECT_EQ(nominal.rms_angle_difference_upper, 15.25);
   EXPECT_EQ(nominal.impacts_matched, 11);
 }
 
-TEST(Draws, StandBehindARowAndAreNotMadeAgain) {
+TEST(Replicates, StandBehindARowAndAreNotMadeAgain) {
   if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   const TemporaryFolder folder;
   Suite suite = suite_of(folder, native_engines().front());
   const RunMetrics row = compare({suite}, folder.path(), {}).rows.at(1);
-  EXPECT_EQ(row.draws, 5);
+  EXPECT_EQ(row.replicates, 5);
   const auto file = folder.path() / "runs" / row.run / "draws.csv";
   const auto read = [&] { return read_columns(file, {"dt", "rms_angle_difference"}); };
   auto errors = read().at(1);
@@ -99,42 +99,42 @@ TEST(Draws, StandBehindARowAndAreNotMadeAgain) {
   EXPECT_EQ(again.rows.at(1).rms_angle_difference, row.rms_angle_difference);
   EXPECT_EQ(std::filesystem::last_write_time(file), written);
 
-  suite.draws.runs = 7;
+  suite.replicates.runs = 7;
   EXPECT_EQ(compare({suite}, folder.path(), {}).reused, 2U);
   EXPECT_EQ(read().at(0).size(), 7U);
 }
 
-TEST(Draws, ThatFailAreCountedAndOneThatRunsOutOfTimeEndsTheSet) {
+TEST(Replicates, ThatFailAreCountedAndOneThatRunsOutOfTimeEndsTheSet) {
   for (const WorkerEngine& engine : engines_of(FAULTY_WORKER)) {
     if (engine.solver != "throw" && engine.solver != "loop") continue;
     const TemporaryFolder folder;
     Suite suite = suite_of(folder, engine);
     suite.limits.time = 1;
     const Job job{suite, suite.scenes.front(), 1e-2, &suite.series.front()};
-    const auto draws = make_draws(job, 1);
-    ASSERT_EQ(draws.size(), 4U);
-    for (const RunMetrics& row : draws)
+    const auto replicates = make_replicates(job, 1);
+    ASSERT_EQ(replicates.size(), 4U);
+    for (const RunMetrics& row : replicates)
       EXPECT_EQ(row.status, engine.solver == "loop" ? RunStatus::time_limit : RunStatus::failed);
-    const std::string names = draws[0].run + " " + draws[1].run;
-    EXPECT_EQ(draws[0].run == draws[1].run, engine.solver == "loop") << names;
+    const std::string names = replicates[0].run + " " + replicates[1].run;
+    EXPECT_EQ(replicates[0].run == replicates[1].run, engine.solver == "loop") << names;
   }
 }
 
 // Free rocking is predictable: it dies away. One disturbance is 1e-6 of the motion, the tolerance 1e-2 rad.
-TEST(Draws, PredictableTimeIsTheDurationUnlessHistoriesPart) {
+TEST(Replicates, PredictableTimeIsTheDurationUnlessHistoriesPart) {
   const Scene scene = free_rocking(3);
   EXPECT_EQ(predictable_time(scene, {.runs = 5}, 1e-2), scene.duration);
   EXPECT_LT(predictable_time(scene, {.runs = 5, .scene = 1e-2}, 1e-6), 0.1);
 }
 
 // A block that rocks for a second; neighbours differ by a thousandth part and drift apart.
-TEST(Draws, RowsAreOfTheTimeUpToTheHorizonOfTheSceneHoweverManyDrawsThereAre) {
+TEST(Replicates, RowsAreOfTheTimeUpToTheHorizonOfTheSceneHoweverManyDrawsThereAre) {
   if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   std::vector<double> horizons;
   for (const int runs : {1, 3}) {
     const TemporaryFolder folder;
     Suite suite = suite_of(folder, native_engines().front());
-    suite.draws = {.runs = runs, .scene = 1e-3};
+    suite.replicates = {.runs = runs, .scene = 1e-3};
     suite.tolerance = 2e-4;
     const auto rows = compare({suite}, folder.path(), {}).rows;
     horizons.push_back(*rows.at(0).horizon);
