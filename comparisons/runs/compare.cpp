@@ -176,11 +176,10 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
   json["command"] = command;
   json["statements"] = statements_json(suites);
   json["fit_definition"] = fit_definition();
-  json["fits"] = fits_json(evidence.fits);
+  json["fits"] = evidence.fits;
   json["distribution_definition"] = distribution_definition();
-  json["distributions"] = distributions_json(evidence.distances);
-  json["rows"] = Json::array();
-  for (const RunMetrics& row : rows) json["rows"].push_back(metrics_json(row));
+  json["distributions"] = evidence.distances;
+  json["rows"] = rows;
   return json;
 }
 
@@ -261,9 +260,8 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   evidence.distances = distances(result.rows, folder);
   result.verdict = verdict_of(evidence, scenes);
   write_ground(suites, folder);
-  if (!evidence.distances.empty())
-    write_file(folder / "distributions.csv", csv_of(distributions_json(evidence.distances)));
-  if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(fits_json(evidence.fits)));
+  if (!evidence.distances.empty()) write_file(folder / "distributions.csv", csv_of(Json(evidence.distances)));
+  if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(Json(evidence.fits)));
   if (std::any_of(jobs.begin(), jobs.end(), is_replicated))
     write_file(folder / "spread.csv", spread_csv(made.rows));
   if (const auto ranking = rank_sets(evidence.rows); !ranking.empty())

@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 
 Json summary(const RunMetrics& row, const NamedScene& scene, const Json& parameters,
              const std::vector<const WorkerEngine*>& engines, const std::string& command) {
-  Json json = metrics_json(row);
+  Json json = row;
   json["title"] = scene.scene.title;
   json["parameters"] = parameters;
   json["scene_file"] = scene.text;
@@ -232,10 +232,6 @@ RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at
   json["files"] = checksums(files);
   files[summary_name] = json.dump(2) + "\n";
   return files;
-}
-
-RunMetrics metrics_in(const std::string& summary) {
-  return metrics_from(parse_json(summary, "summary: "));
 }
 
 History solve_into(const NamedScene& scene, const SolveOptions& options,

@@ -68,9 +68,6 @@ RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at
 /// @throws std::runtime_error where the scene cannot be solved or the worker not be started.
 RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int repeats, RunFiles& files);
 
-/// The metrics in a summary. @throws nlohmann::json::exception where it is none.
-RunMetrics metrics_in(const std::string& summary);
-
 /// Solves a scene and writes history.csv, events.csv, those of `histories` (results/histories.hpp) and
 /// summary.json into a folder. Where the motion could
 /// not be followed to its end, the files hold it up to there, and the summary's status is "failed".

@@ -94,9 +94,7 @@ std::vector<RunMetrics> make_replicates(const Job& job, std::size_t threads) {
 }
 
 std::string pack_replicates(const std::vector<RunMetrics>& replicates, const std::string& identity) {
-  Json json{{"identity", identity}, {"draws", Json::array()}};
-  for (const RunMetrics& row : replicates) json["draws"].push_back(metrics_json(row));
-  return json.dump() + "\n";
+  return Json{{"identity", identity}, {"draws", replicates}}.dump() + "\n";
 }
 
 std::optional<std::vector<RunMetrics>> unpack_replicates(const std::string& text,
@@ -104,7 +102,7 @@ std::optional<std::vector<RunMetrics>> unpack_replicates(const std::string& text
   try {
     const Json json = parse_json(text, "draws: ");
     if (json.at("identity") != identity) return {};
-    return metrics_list(json.at("draws"));
+    return json.at("draws").get<std::vector<RunMetrics>>();
   } catch (const InputError&) {
     return {};
   } catch (const Json::exception&) {
@@ -114,7 +112,7 @@ std::optional<std::vector<RunMetrics>> unpack_replicates(const std::string& text
 
 void write_replicates(const std::string& packed, const RunMetrics& nominal,
                       const std::filesystem::path& folder) {
-  std::vector<RunMetrics> rows = metrics_list(parse_json(packed, "draws: ").at("draws"));
+  auto rows = parse_json(packed, "draws: ").at("draws").get<std::vector<RunMetrics>>();
   rows.insert(rows.begin(), nominal);
   write_file(folder / "draws.csv", comparison_csv(rows));
   write_file(folder / "draws.json", packed);

@@ -175,7 +175,7 @@ Checksums checksums(const RunFiles& files) {
 
 std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, const std::string& identity) {
   const auto whole = [&](const Json& summary) -> std::optional<RunMetrics> {
-    const RunMetrics row = metrics_from(summary);
+    const auto row = summary.get<RunMetrics>();
     if (row.status != RunStatus::done || summary.at("identity") != identity) return {};
     for (const auto& [name, sum] : summary.at("files").get<Checksums>()) {
       if (fmt::format("{:016x}", checksum(bytes_of(run_folder / name))) != sum) return {};

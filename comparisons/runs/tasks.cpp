@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/runs/job.hpp"
 #include "comparisons/runs/measure.hpp"
 
@@ -127,7 +128,7 @@ class Runs {
     } else {
       const RunFiles files = unpack(text);
       write_files(files, run_folder(task.job));
-      row.nominal = metrics_in(files.at(summary_name));
+      row.nominal = parse_json(files.at(summary_name), "summary: ").get<RunMetrics>();
     }
     if (const auto drawn = texts_.find(task.job); drawn != texts_.end() && !row.nominal.run.empty()) {
       write_replicates(drawn->second, row.nominal, run_folder(task.job));

@@ -38,7 +38,7 @@ PaperStatement statement_of(const Json& json) {
 
 void read_runs(const Json& rows, const fs::path& results, Comparison& comparison) {
   const auto files = std::make_shared<KeptFiles>();
-  for (RunMetrics& row : metrics_list(rows)) {
+  for (RunMetrics& row : rows.get<std::vector<RunMetrics>>()) {
     Run run{std::move(row)};
     run.folder = results / "runs" / name_in(results, "run", run.run);
     run.files = files;
@@ -75,8 +75,8 @@ Comparison comparison_of(const Json& json, const fs::path& results) {
   comparison.left_out = json.at("left_out").get<std::vector<std::string>>();
   for (const Json& statement : json.at("statements"))
     comparison.statements.push_back(statement_of(statement));
-  comparison.fits = fits_from(json.at("fits"));
-  comparison.distances = distances_from(json.at("distributions"));
+  comparison.fits = json.at("fits").get<std::vector<SeriesFit>>();
+  comparison.distances = json.at("distributions").get<std::vector<DistributionDistance>>();
   comparison.verdict = verdict_from(json.at("verdict"));
   if (comparison.verdict.scenes.size() != comparison.scenes.size())
     throw std::invalid_argument(fmt::format("verdict of {} scenes: must be of {}",
@@ -100,7 +100,7 @@ ComparedScene scene_of(const Json& summary, const Run& run) {
 
 /// A motion that was given up is shown up to there.
 Run run_of(const Json& summary, const fs::path& results) {
-  Run run{metrics_from(summary)};
+  Run run{summary.get<RunMetrics>()};
   run.status = RunStatus::done;
   run.folder = results;
   run.files = std::make_shared<KeptFiles>();

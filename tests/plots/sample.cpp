@@ -192,7 +192,7 @@ void write_json(const fs::path& folder, const Sample& sample, const std::vector<
   json["left_out"] = {"ode"};
   json["environment"] = {{"rockstack", "0.1.0"}, {"eigen", "3.4.0"}};
   json["command"] = "rockstack compare sample.toml --out DIR";
-  for (const RunMetrics& row : rows) json["rows"].push_back(metrics_json(row));
+  for (const RunMetrics& row : rows) json["rows"].push_back(row);
   create(folder / "comparison.json") << json.dump(1);
   create(folder / "comparison.csv") << comparison_csv(rows);
 }

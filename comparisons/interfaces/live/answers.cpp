@@ -1,7 +1,6 @@
 #include "comparisons/interfaces/live/live_state.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 

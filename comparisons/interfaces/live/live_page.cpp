@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/interfaces/live/live_state.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"

@@ -53,7 +53,7 @@ class Requests {
   /// `solver`: the program of exact_worker.cpp; `records`: that scenes may name.
   Requests(std::filesystem::path solver, std::set<std::string> records);
 
-  /// {"page", "sequence", "kind": "exact", "engine" or "cloud", "member", "state"}: what answers.hpp says,
+  /// {"page", "sequence", "kind": "exact", "engine" or "cloud", "member", "state"}: what live_state.hpp says,
   /// with "milliseconds", or "failure" with the reason, or "dropped" for what is cancelled: superseded, or
   /// `gone`, which is asked now and then: whether the page has left. Safe to call from several threads.
   /// @throws InputError, std::invalid_argument or nlohmann::json::exception for a request that is none.

@@ -13,11 +13,9 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "analytic/scene/input/document.hpp"

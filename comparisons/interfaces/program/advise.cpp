@@ -7,7 +7,6 @@
 
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {

@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/build.hpp"
@@ -21,22 +19,16 @@
 #endif
 
 namespace rockstack {
-namespace {
-
-using Json = nlohmann::ordered_json;
 
 bool shows_progress(const Common& common) {
   return !common.quiet && isatty(STDERR_FILENO) != 0;
 }
 
-/// A time to be waited for, in the largest unit that fits.
 std::string waiting_time(double seconds) {
   if (seconds < 60) return fmt::format("{:.0f} s", seconds);
   if (seconds < 3600) return fmt::format("{:.0f} min", seconds / 60);
   return fmt::format("{:.1f} h", seconds / 3600);
 }
-
-}  // namespace
 
 std::vector<std::string> both_if_empty(const std::vector<std::string>& settings) {
   return settings.empty() ? std::vector<std::string>{"default", "tuned"} : settings;
@@ -106,44 +98,6 @@ std::function<void(const Progress&)> progress(const Common& common) {
 
 void clear_progress(const Common& common) {
   if (shows_progress(common)) fmt::print(stderr, "\r\033[K");
-}
-
-std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const Common& common) {
-  if (!shows_progress(common)) return [](std::size_t, std::size_t, std::size_t) {};
-  using Clock = std::chrono::steady_clock;
-  return [start = Clock::now(), last = Clock::time_point{}](std::size_t done, std::size_t begun_with,
-                                                            std::size_t runs) mutable {
-    const auto now = Clock::now();
-    const bool end = done == runs;
-    if (!end && now - last < std::chrono::milliseconds(100)) return;
-    last = now;
-    const double seconds = std::chrono::duration<double>(now - start).count();
-    const double rest = seconds * static_cast<double>(runs - done) / static_cast<double>(done - begun_with);
-    const std::string remaining =
-        end || done == begun_with ? "" : fmt::format(", {} to go", waiting_time(rest));
-    fmt::print(stderr, "\r\033[K{} of {} runs{}{}", done, runs, remaining, end ? "\n" : "");
-    std::fflush(stderr);
-  };
-}
-
-void print_stopped(const SweepResult& result, const Common& common) {
-  fmt::print(stderr, "{}rockstack: stopped after {} of {} runs; the same command goes on from there\n",
-             shows_progress(common) ? "\n" : "", result.done, result.runs);
-}
-
-void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common) {
-  if (common.json) {
-    fmt::print("{}\n", Json{{"runs", result.runs},
-                            {"done", result.done},
-                            {"computed", result.computed},
-                            {"failed", result.failed},
-                            {"seconds", result.seconds},
-                            {"folder", folder.string()}}
-                           .dump(2));
-  } else if (!common.quiet) {
-    fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
-    fmt::print("results: {}\n", folder.string());
-  }
 }
 
 int end_of_runs(std::size_t failed, std::size_t runs, const char* file) {

@@ -12,7 +12,6 @@
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/studies/diff/changes.hpp"
-#include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/suite.hpp"
 #include "engines/worker/registry.hpp"
 
@@ -182,20 +181,17 @@ std::unique_ptr<Executor> make_executor(std::size_t threads);
 /// A word as a shell reads it back.
 std::string shell_word(const std::string& word);
 
+/// Whether there is a terminal to show it on, and somebody who wants it.
+bool shows_progress(const Common& common);
+
+/// A time to be waited for, in the largest unit that fits.
+std::string waiting_time(double seconds);
+
 /// A line that counts runs, names the one that is made and says how long the rest may take.
 std::function<void(const Progress&)> progress(const Common& common);
 
 /// Takes that line away, so that something else can be printed there.
 void clear_progress(const Common& common);
-
-/// A line that counts runs done and says how long the rest will take.
-std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const Common& common);
-
-/// How far a sweep came that was stopped, and how to go on; on standard error.
-void print_stopped(const SweepResult& result, const Common& common);
-
-/// Runs done, and where the results are.
-void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common);
 
 /// Says on standard error how many runs failed, and which file says why. Returns the exit code.
 int end_of_runs(std::size_t failed, std::size_t runs, const char* file);

@@ -12,7 +12,7 @@
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/sentences.hpp"
-#include "comparisons/measures/verdict/outcome.hpp"
+#include "comparisons/measures/verdict/verdict.hpp"
 #include "comparisons/runs/job.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/stability/study.hpp"
@@ -229,11 +229,10 @@ std::function<void(const std::vector<RunMetrics>&)> row_printer(const Common& co
 void print_comparison(const CompareResult& result, const std::filesystem::path& folder,
                       const Common& common) {
   if (common.json) {
-    Json rows = Json::array();
-    for (const RunMetrics& row : result.rows) rows.push_back(metrics_json(row));
     fmt::print(
         "{}\n",
-        Json{{"headline", result.verdict.headline}, {"rows", rows}, {"folder", folder.string()}}.dump(2));
+        Json{{"headline", result.verdict.headline}, {"rows", result.rows}, {"folder", folder.string()}}.dump(
+            2));
     return;
   }
   if (common.quiet) return;

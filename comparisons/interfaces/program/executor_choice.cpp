@@ -1,9 +1,5 @@
 #include "comparisons/interfaces/program/commands.hpp"
 
-#ifdef ROCKSTACK_WITH_MPI
-#include "comparisons/runs/execution/ranks.hpp"
-#endif
-
 namespace rockstack {
 
 std::unique_ptr<Executor> make_executor(std::size_t threads) {

@@ -3,14 +3,12 @@
 #include <spawn.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <tuple>
 #include <utility>
 
 #include "analytic/scene/input/toml_reader.hpp"
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/live/requests.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -37,6 +39,47 @@ int serve(Executor& executor, const SweepArguments& arguments, const Common& com
     return block_lines(*ensemble, block, library);
   });
   return 0;
+}
+
+/// A line that counts runs done and says how long the rest will take.
+std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const Common& common) {
+  if (!shows_progress(common)) return [](std::size_t, std::size_t, std::size_t) {};
+  using Clock = std::chrono::steady_clock;
+  return [start = Clock::now(), last = Clock::time_point{}](std::size_t done, std::size_t begun_with,
+                                                            std::size_t runs) mutable {
+    const auto now = Clock::now();
+    const bool end = done == runs;
+    if (!end && now - last < std::chrono::milliseconds(100)) return;
+    last = now;
+    const double seconds = std::chrono::duration<double>(now - start).count();
+    const double rest = seconds * static_cast<double>(runs - done) / static_cast<double>(done - begun_with);
+    const std::string remaining =
+        end || done == begun_with ? "" : fmt::format(", {} to go", waiting_time(rest));
+    fmt::print(stderr, "\r\033[K{} of {} runs{}{}", done, runs, remaining, end ? "\n" : "");
+    std::fflush(stderr);
+  };
+}
+
+/// How far a sweep came that was stopped, and how to go on; on standard error.
+void print_stopped(const SweepResult& result, const Common& common) {
+  fmt::print(stderr, "{}rockstack: stopped after {} of {} runs; the same command goes on from there\n",
+             shows_progress(common) ? "\n" : "", result.done, result.runs);
+}
+
+/// Runs done, and where the results are.
+void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common) {
+  if (common.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"runs", result.runs},
+                                              {"done", result.done},
+                                              {"computed", result.computed},
+                                              {"failed", result.failed},
+                                              {"seconds", result.seconds},
+                                              {"folder", folder.string()}}
+                           .dump(2));
+  } else if (!common.quiet) {
+    fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
+    fmt::print("results: {}\n", folder.string());
+  }
 }
 
 void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem::path& out,

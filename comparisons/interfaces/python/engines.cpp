@@ -178,7 +178,7 @@ std::string compare_all(const std::vector<Input>& inputs, const std::filesystem:
       },
       progress);
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const RunMetrics& row : result.rows) rows.push_back(metrics_json(row));
+  for (const RunMetrics& row : result.rows) rows.push_back(row);
   return rows.dump();
 }
 

@@ -146,16 +146,16 @@ bool read_entry(std::istream& in, std::uint64_t rest, std::size_t& part, std::st
 
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& folder)
-    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (descriptor_ < 0 || flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-  close(descriptor_);
-  throw InputError(
-      fmt::format("--out {}: must be a folder that no other run writes into just now", folder.string()));
+Descriptor::~Descriptor() {
+  if (number_ >= 0) close(number_);
 }
 
-FolderLock::~FolderLock() {
-  if (descriptor_ >= 0) close(descriptor_);
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  const int number = descriptor_.number();
+  if (number >= 0 && flock(number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw InputError(
+        fmt::format("--out {}: must be a folder that no other run writes into just now", folder.string()));
 }
 
 std::uint64_t checksum(std::string_view text) {
@@ -212,26 +212,10 @@ ResultsFolder::~ResultsFolder() {
 }
 
 Journal::Journal(const std::filesystem::path& folder, const std::string& identity)
-    : file_(folder / "runs.journal") {
-  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) fail(file_);
-  try {
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-      throw InputError(
-          fmt::format("--out {}: must be left alone while another sweep writes into it", folder.string()));
-    }
-    scan(fmt::format("rockstack sweep {:016x}\n", checksum(identity)));
-  } catch (...) {
-    ::close(descriptor_);
-    throw;
-  }
-}
-
-Journal::~Journal() {
-  ::close(descriptor_);
-}
-
-void Journal::scan(const std::string& head) {
+    : file_(folder / "runs.journal"),
+      descriptor_(open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666)) {
+  if (descriptor_.number() < 0) fail(file_);
+  const std::string head = fmt::format("rockstack sweep {:016x}\n", checksum(identity));
   std::ifstream in(file_, std::ios::binary);
   const std::uint64_t size = std::filesystem::file_size(file_);
   std::string found(std::min<std::uint64_t>(size, head.size()), '\0');
@@ -249,13 +233,13 @@ void Journal::scan(const std::string& head) {
     entries_[part] = {end - text.size(), text.size()};
     end_ = end;
   }
-  if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) fail(file_);
+  if (ftruncate(descriptor_.number(), static_cast<off_t>(end_)) != 0) fail(file_);
   if (!whole) write(head);
 }
 
 void Journal::write(std::string_view text) {
   while (!text.empty()) {
-    const ssize_t written = ::pwrite(descriptor_, text.data(), text.size(), static_cast<off_t>(end_));
+    const ssize_t written = pwrite(descriptor_.number(), text.data(), text.size(), static_cast<off_t>(end_));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) fail(file_);
     end_ += static_cast<std::uint64_t>(written);

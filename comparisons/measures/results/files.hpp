@@ -11,18 +11,29 @@
 
 namespace rockstack {
 
+/// A file that the system has open, closed with this.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor();
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int number() const { return number_; }  ///< negative where it could not be opened
+
+ private:
+  int number_;
+};
+
 /// Keeps a folder for this process until destroyed: two runs in one folder would spoil each other's files.
 class FolderLock {
  public:
   /// @throws InputError where another process has the folder. Where the file system knows no locks there is
   /// none.
   explicit FolderLock(const std::filesystem::path& folder);
-  ~FolderLock();
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
 
  private:
-  int descriptor_;
+  Descriptor descriptor_;
 };
 
 /// The 64-bit checksum FNV-1a of Fowler, Noll & Vo.
@@ -83,16 +94,11 @@ class ResultsFolder {
 /// follows it, is dropped when the file is opened again.
 class Journal {
  public:
-  /// Opens DIR/runs.journal, or starts one for the job of that identity.
-  /// @throws InputError where it belongs to another job or another process is writing it; std::runtime_error
-  /// where it cannot be written.
+  /// Opens DIR/runs.journal, or starts one for the job of that identity. The folder is this process's own.
+  /// @throws InputError where it belongs to another job; std::runtime_error where it cannot be written.
   Journal(const std::filesystem::path& folder, const std::string& identity);
-  ~Journal();
-  Journal(const Journal&) = delete;
-  Journal& operator=(const Journal&) = delete;
 
   bool has(std::size_t part) const { return entries_.contains(part); }
-  std::size_t size() const { return entries_.size(); }
 
   /// Adds a part that is not there yet. @throws std::runtime_error where it cannot be written.
   void append(std::size_t part, const std::string& text);
@@ -105,11 +111,10 @@ class Journal {
     std::uint64_t begin, length;  ///< of the text in the file, bytes
   };
 
-  void scan(const std::string& head);
   void write(std::string_view text);
 
   std::filesystem::path file_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::uint64_t end_ = 0;  ///< of the last whole entry, bytes
   std::map<std::size_t, Entry> entries_;
 };

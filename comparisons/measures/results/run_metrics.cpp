@@ -19,42 +19,42 @@ constexpr std::array<const char*, 6> status_names{"done",   "failed",     "not f
                                                   "signal", "time limit", "memory limit"};
 
 template <class Value>
-Json to_json(const std::optional<Value>& value) {
+Json json_of(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json to_json(const std::string& value) {
+Json json_of(const std::string& value) {
   return value;
 }
 
 template <class Enumeration>
-requires std::is_enum_v<Enumeration> Json to_json(Enumeration value) {
+requires std::is_enum_v<Enumeration> Json json_of(Enumeration value) {
   return name(value);
 }
 
-void from_json(const Json& cell, std::optional<double>& value) {
+void read_cell(const Json& cell, std::optional<double>& value) {
   if (!cell.is_null()) value = cell.get<double>();
 }
 
 /// Counts stay whole: a median half way between two is rounded up.
-void from_json(const Json& cell, std::optional<int>& value) {
+void read_cell(const Json& cell, std::optional<int>& value) {
   if (!cell.is_null()) value = static_cast<int>(std::lround(cell.get<double>()));
 }
 
-void from_json(const Json& cell, std::string& value) {
+void read_cell(const Json& cell, std::string& value) {
   value = cell.get<std::string>();
 }
 
-void from_json(const Json& cell, RunStatus& value) {
+void read_cell(const Json& cell, RunStatus& value) {
   value = run_status(cell.get<std::string>());
 }
 
-void from_json(const Json& cell, TopplingVerdict& value) {
+void read_cell(const Json& cell, TopplingVerdict& value) {
   value = named_verdict(cell.get<std::string>());
 }
 
 void put(RunMetrics& row, const Column::Field& field, const Json& cell) {
-  std::visit([&](auto member) { from_json(cell, row.*member); }, field);
+  std::visit([&](auto member) { read_cell(cell, row.*member); }, field);
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ RunStatus run_status(const std::string& name) {
 }
 
 Json Column::cell(const RunMetrics& row) const {
-  return std::visit([&](auto member) { return to_json(row.*member); }, field);
+  return std::visit([&](auto member) { return json_of(row.*member); }, field);
 }
 
 void Column::set(RunMetrics& row, const Json& cell) const {
@@ -82,25 +82,14 @@ void Column::set_quartiles(RunMetrics& row, const Json& low, const Json& high) c
   if (upper) put(row, *upper, high);
 }
 
-Json metrics_json(const RunMetrics& row) {
-  Json cells;
+void to_json(Json& cells, const RunMetrics& row) {
   for (const Column& one : columns()) cells[one.name] = one.cell(row);
-  return cells;
 }
 
-RunMetrics metrics_from(const Json& cells) {
-  RunMetrics row;
+void from_json(const Json& cells, RunMetrics& row) {
   for (const Column& one : columns()) {
     if (cells.contains(one.name)) one.set(row, cells.at(one.name));
   }
-  return row;
-}
-
-std::vector<RunMetrics> metrics_list(const Json& rows) {
-  std::vector<RunMetrics> list;
-  list.reserve(rows.size());
-  for (const Json& cells : rows) list.push_back(metrics_from(cells));
-  return list;
 }
 
 }  // namespace rockstack

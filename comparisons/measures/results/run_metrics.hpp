@@ -93,13 +93,8 @@ struct Column {
 
 const std::vector<Column>& columns();
 
-/// All metrics by the names of their columns.
-nlohmann::ordered_json metrics_json(const RunMetrics& row);
-
-/// The metrics whose cells metrics_json() gave; a cell that is not there stays empty.
-RunMetrics metrics_from(const nlohmann::ordered_json& cells);
-
-/// Those of a list, as comparison.json has them under "rows".
-std::vector<RunMetrics> metrics_list(const nlohmann::ordered_json& rows);
+/// All metrics by the names of their columns, and back; a cell that is not there stays empty.
+void to_json(nlohmann::ordered_json& cells, const RunMetrics& row);
+void from_json(const nlohmann::ordered_json& cells, RunMetrics& row);
 
 }  // namespace rockstack

@@ -57,9 +57,7 @@ std::vector<double> ground_times(const Scene& scene) {
 }  // namespace
 
 std::string comparison_csv(const std::vector<RunMetrics>& rows) {
-  Json list = Json::array();
-  for (const RunMetrics& row : rows) list.push_back(metrics_json(row));
-  return csv_of(list);
+  return csv_of(Json(rows));
 }
 
 std::string cell_text(const Json& cell) {

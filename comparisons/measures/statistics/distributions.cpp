@@ -30,19 +30,6 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-Json json_of(const DistributionDistance& one) {
-  return {{"scene", one.scene},
-          {"run", one.run},
-          {"quantity", one.quantity},
-          {"exact_runs", one.exact},
-          {"runs", one.other},
-          {"exact_mean", one.exact_mean},
-          {"mean", one.other_mean},
-          {"distance", one.apart.distance},
-          {"critical", one.apart.critical},
-          {"p_value", one.apart.p_value}};
-}
-
 std::vector<MotionTally> tallies_in(const std::filesystem::path& run_folder) {
   const auto file = run_folder / "perturbed.csv";
   if (!std::filesystem::exists(file)) return {};
@@ -133,26 +120,29 @@ std::vector<DistributionDistance> distances(const std::vector<RunMetrics>& rows,
   return list;
 }
 
-Json distributions_json(const std::vector<DistributionDistance>& list) {
-  Json json = Json::array();
-  for (const DistributionDistance& one : list) json.push_back(json_of(one));
-  return json;
+void to_json(Json& json, const DistributionDistance& one) {
+  json = {{"scene", one.scene},
+          {"run", one.run},
+          {"quantity", one.quantity},
+          {"exact_runs", one.exact},
+          {"runs", one.other},
+          {"exact_mean", one.exact_mean},
+          {"mean", one.other_mean},
+          {"distance", one.apart.distance},
+          {"critical", one.apart.critical},
+          {"p_value", one.apart.p_value}};
 }
 
-std::vector<DistributionDistance> distances_from(const Json& list) {
-  std::vector<DistributionDistance> distances;
-  for (const Json& one : list) {
-    const auto number = [&](const char* key) { return one.at(key).get<double>(); };
-    distances.push_back({one.at("scene").get<std::string>(),
-                         one.at("run").get<std::string>(),
-                         one.at("quantity").get<std::string>(),
-                         one.at("exact_runs").get<std::size_t>(),
-                         one.at("runs").get<std::size_t>(),
-                         number("exact_mean"),
-                         number("mean"),
-                         {number("distance"), number("p_value"), number("critical")}});
-  }
-  return distances;
+void from_json(const Json& json, DistributionDistance& one) {
+  const auto number = [&](const char* key) { return json.at(key).get<double>(); };
+  one = {json.at("scene").get<std::string>(),
+         json.at("run").get<std::string>(),
+         json.at("quantity").get<std::string>(),
+         json.at("exact_runs").get<std::size_t>(),
+         json.at("runs").get<std::size_t>(),
+         number("exact_mean"),
+         number("mean"),
+         {number("distance"), number("p_value"), number("critical")}};
 }
 
 std::string distribution_definition() {

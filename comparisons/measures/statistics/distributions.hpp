@@ -51,11 +51,9 @@ std::vector<DistributionDistance> distances(const std::vector<MotionTally>& exac
 std::vector<DistributionDistance> distances(const std::vector<RunMetrics>& rows,
                                             const std::filesystem::path& folder);
 
-/// Objects with scene, run, quantity, exact_runs, runs, exact_mean, mean, distance, critical and p_value.
-nlohmann::ordered_json distributions_json(const std::vector<DistributionDistance>& distances);
-
-/// The distances that distributions_json() gave.
-std::vector<DistributionDistance> distances_from(const nlohmann::ordered_json& list);
+/// With scene, run, quantity, exact_runs, runs, exact_mean, mean, distance, critical and p_value; and back.
+void to_json(nlohmann::ordered_json& json, const DistributionDistance& distance);
+void from_json(const nlohmann::ordered_json& json, DistributionDistance& distance);
 
 /// What is compared and how.
 std::string distribution_definition();

@@ -47,12 +47,26 @@ StepFit fit_of(const Series& series, const Quantity& quantity) {
   return fit_steps(errors);
 }
 
-/// Names and cells of a fit.
-Json cells_of(const SeriesFit& one) {
+}  // namespace
+
+std::vector<SeriesFit> fit_runs(const std::vector<RunMetrics>& rows) {
+  std::vector<SeriesFit> fits;
+  for (const Series& series : series_of(rows)) {
+    if (series.size() < least_steps) continue;
+    const RunMetrics& row = *series.front();
+    for (const Quantity& quantity : quantities) {
+      fits.push_back(
+          {row.scene, row.engine, row.solver, row.settings, quantity.column, fit_of(series, quantity)});
+    }
+  }
+  return fits;
+}
+
+void to_json(Json& json, const SeriesFit& one) {
   const StepFit& fit = one.fit;
   const bool fitted = fit.model_error.high > 0;
   const auto cell = [&](double value) { return fitted ? Json(value) : Json(); };
-  return {{"scene", one.scene},
+  json = {{"scene", one.scene},
           {"engine", one.engine},
           {"solver", one.solver},
           {"settings", one.settings},
@@ -70,42 +84,21 @@ Json cells_of(const SeriesFit& one) {
           {"reason", fit.reason}};
 }
 
-}  // namespace
-
-std::vector<SeriesFit> fit_runs(const std::vector<RunMetrics>& rows) {
-  std::vector<SeriesFit> fits;
-  for (const Series& series : series_of(rows)) {
-    if (series.size() < least_steps) continue;
-    const RunMetrics& row = *series.front();
-    for (const Quantity& quantity : quantities) {
-      fits.push_back(
-          {row.scene, row.engine, row.solver, row.settings, quantity.column, fit_of(series, quantity)});
-    }
-  }
-  return fits;
-}
-
-Json fits_json(const std::vector<SeriesFit>& fits) {
-  Json list = Json::array();
-  for (const SeriesFit& fit : fits) list.push_back(cells_of(fit));
-  return list;
-}
-
-std::vector<SeriesFit> fits_from(const Json& list) {
-  std::vector<SeriesFit> fits;
-  for (const Json& one : list) {
-    const auto text = [&](const char* key) { return one.at(key).get<std::string>(); };
-    const auto number = [&](const std::string& key) {
-      return one.at(key).is_null() ? std::nan("") : one.at(key).get<double>();
-    };
-    const auto bounded = [&](const std::string& key) {
-      return Bounded{number(key), number(key + "_low"), number(key + "_high")};
-    };
-    fits.push_back({text("scene"), text("engine"), text("solver"), text("settings"), text("quantity"),
-                    StepFit{one.at("steps").get<std::size_t>(), bounded("gap"), bounded("order"),
-                            number("coefficient"), number("scatter"), text("reason")}});
-  }
-  return fits;
+void from_json(const Json& json, SeriesFit& one) {
+  const auto text = [&](const char* key) { return json.at(key).get<std::string>(); };
+  const auto number = [&](const std::string& key) {
+    return json.at(key).is_null() ? std::nan("") : json.at(key).get<double>();
+  };
+  const auto bounded = [&](const std::string& key) {
+    return Bounded{number(key), number(key + "_low"), number(key + "_high")};
+  };
+  one = {text("scene"),
+         text("engine"),
+         text("solver"),
+         text("settings"),
+         text("quantity"),
+         StepFit{json.at("steps").get<std::size_t>(), bounded("gap"), bounded("order"), number("coefficient"),
+                 number("scatter"), text("reason")}};
 }
 
 std::string fit_definition() {

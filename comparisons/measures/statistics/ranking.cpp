@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -146,6 +147,16 @@ std::vector<RankedSet> rank_sets(const std::vector<ReplicatedRow>& rows) {
     ranking.insert(ranking.end(), own.begin(), own.end());
   }
   return ranking;
+}
+
+void to_json(nlohmann::ordered_json& json, const RankedSet& set) {
+  json = {{"rank", set.rank},   {"engine", set.engine}, {"solver", set.solver}, {"settings", set.settings},
+          {"score", set.score}, {"worst", set.worst},   {"cells", set.cells},   {"failed", set.failed}};
+}
+
+void from_json(const nlohmann::ordered_json& json, RankedSet& set) {
+  set = {json.at("engine"), json.at("solver"), json.at("settings"), json.at("rank"),
+         json.at("score"),  json.at("worst"),  json.at("cells"),    json.at("failed")};
 }
 
 std::string ranking_csv(const std::vector<RankedSet>& sets) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct RankedSet {
   int cells = 0;     ///< scenes and steps that count
   int failed = 0;    ///< of those, where its run is not done: each counts as a hundred times the least
 };
+
+/// An object with the names above; and back.
+void to_json(nlohmann::ordered_json& json, const RankedSet& set);
+void from_json(const nlohmann::ordered_json& json, RankedSet& set);
 
 /// The level of the tests that tell sets apart: of replicates of two sets, by their ranks within each scene
 /// and step that both have (mann_whitney()). It is that of all pairs together (adjust()): of sets that are

@@ -1,4 +1,4 @@
-#include "comparisons/measures/statistics/step_fit.hpp"
+#include "comparisons/measures/statistics/fits.hpp"
 
 #include <fmt/format.h>
 

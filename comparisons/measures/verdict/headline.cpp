@@ -1,4 +1,4 @@
-#include "comparisons/measures/verdict/outcome.hpp"
+#include "comparisons/measures/verdict/verdict.hpp"
 
 #include <fmt/format.h>
 

@@ -11,7 +11,6 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
-#include "comparisons/measures/verdict/outcome.hpp"
 
 namespace rockstack {
 namespace {
@@ -254,30 +253,18 @@ std::string ranking_definition() {
 }
 
 ComparisonVerdict verdict_from(const Json& json) {
-  ComparisonVerdict verdict{json.at("headline").get<std::vector<std::string>>(), {}, {}};
+  ComparisonVerdict verdict{json.at("headline").get<std::vector<std::string>>(),
+                            {},
+                            json.at("ranking").get<std::vector<RankedSet>>()};
   for (const Json& scene : json.at("scenes"))
     verdict.scenes.push_back(scene.at("sentences").get<std::vector<std::string>>());
-  for (const Json& set : json.at("ranking"))
-    verdict.ranking.push_back({set.at("engine").get<std::string>(), set.at("solver").get<std::string>(),
-                               set.at("settings").get<std::string>(), set.at("rank").get<int>(),
-                               set.at("score").get<double>(), set.at("worst").get<double>(),
-                               set.at("cells").get<int>(), set.at("failed").get<int>()});
   return verdict;
 }
 
 Json verdict_json(const ComparisonVerdict& verdict, const std::vector<JudgedScene>& scenes) {
-  Json json{{"headline", verdict.headline}, {"scenes", Json::array()}, {"ranking", Json::array()}};
+  Json json{{"headline", verdict.headline}, {"scenes", Json::array()}, {"ranking", verdict.ranking}};
   for (std::size_t i = 0; i < scenes.size(); ++i)
     json["scenes"].push_back({{"name", scenes[i].name}, {"sentences", verdict.scenes[i]}});
-  for (const RankedSet& set : verdict.ranking)
-    json["ranking"].push_back({{"rank", set.rank},
-                               {"engine", set.engine},
-                               {"solver", set.solver},
-                               {"settings", set.settings},
-                               {"score", set.score},
-                               {"worst", set.worst},
-                               {"cells", set.cells},
-                               {"failed", set.failed}});
   json["ranking_definition"] = ranking_definition();
   return json;
 }

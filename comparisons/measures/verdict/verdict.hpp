@@ -4,11 +4,64 @@
 #include <string>
 #include <vector>
 
+#include "analytic/scene/scene.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fits.hpp"
-#include "comparisons/measures/verdict/outcome.hpp"
+#include "comparisons/measures/statistics/ranking.hpp"
 
 namespace rockstack {
+
+/// What a scene's rows are held against.
+struct SceneScale {
+  double least_height = 1;  ///< of its blocks, m
+  double duration = 0;      ///< s
+  double tolerance = 0.01;  ///< rad, and as a share of the least block height
+};
+
+SceneScale scale_of(const Scene& scene, double tolerance);
+
+/// True for a run of an engine, not of the exact solver in another way.
+bool is_engine(const RunMetrics& row);
+
+/// "ode:step (tuned)".
+std::string set_name(const std::string& engine, const std::string& solver, const std::string& settings);
+std::string set_name(const RunMetrics& row);
+
+/// Whether neither an angle nor a centre is off by more than the tolerance before the horizon.
+bool agrees(const RunMetrics& row, const SceneScale& scale);
+
+/// Until when neither is, s; the horizon where the row agrees.
+double agreement_end(const RunMetrics& row, const SceneScale& scale);
+
+/// What happens in a run that does not in the exact motion, as a verb with what it needs: "block 2 has fallen
+/// off at 0.4 s", "sinks by 86 mm"; empty where nothing does.
+std::string event_of(const RunMetrics& row, const SceneScale& scale);
+
+/// What becomes of a run, in words: "agrees until 1.2 s", "rests, but sinks by 86 mm", "failed: …".
+std::string outcome(const RunMetrics& row, const SceneScale& scale);
+
+/// A scene that rows are of.
+struct JudgedScene {
+  std::string name;
+  SceneScale scale;
+};
+
+std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene);
+
+/// Until when engines agree with the exact motion, from coarse steps to fine ones, in a sentence; empty where
+/// no row moves. At most three steps are told.
+std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
+                               const std::vector<JudgedScene>& scenes);
+
+/// What happens in engines and not in the exact motion, in a sentence, one set once at the step at which it
+/// errs most; of more than `most` sets how many they are. Empty where nothing happens.
+std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes,
+                           std::size_t most);
+
+/// Which sets are nearest to the exact motion, in a sentence that says in which scenes, and calls one nearer
+/// than another only where replicates tell them apart. Up to three scenes are told one by one, more by the
+/// ranking over all. Empty where nothing can be ranked. `scenes`: in the order to be told.
+std::string nearest_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes);
 
 /// What a comparison comes to, in sentences: the only place where they are made.
 struct ComparisonVerdict {

@@ -48,4 +48,10 @@ std::size_t all_cores();
 /// Threads of this process. Precondition: count ≥ 1.
 std::unique_ptr<Executor> make_threads(std::size_t count);
 
+/// Of a library of its own, rockstack_ranks: the processes that mpirun has started together: the first leads,
+/// each of the others computes a task at a time. Nothing where this process was started alone. To be called
+/// once in a process.
+/// @throws std::runtime_error where MPI cannot start.
+std::unique_ptr<Executor> find_ranks();
+
 }  // namespace rockstack

@@ -1,4 +1,4 @@
-#include "comparisons/runs/execution/ranks.hpp"
+#include "comparisons/runs/execution/executor.hpp"
 
 #include <mpi.h>
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
@@ -36,7 +37,7 @@ RunMetrics nominal_run(const Job& job, const std::filesystem::path& folder, cons
   if (const auto made = finished_run(folder, identity(job))) return *made;
   const RunFiles files = measure(job, command, 1);
   write_files(files, folder);
-  return metrics_in(files.at(summary_name));
+  return parse_json(files.at(summary_name), "summary: ").get<RunMetrics>();
 }
 
 int count_within(const std::vector<RunMetrics>& replicates, double error) {
@@ -87,7 +88,7 @@ std::vector<DistributionDistance> whole_scene(const Job& job, const Scene& scene
 }
 
 Json json_of(const Trial& trial) {
-  Json cells = metrics_json(trial.row);
+  Json cells = trial.row;
   cells["draws_tried"] = trial.replicates;
   cells["draws_within"] = trial.within;
   cells["confirming_draws_tried"] = trial.confirming;
@@ -180,7 +181,7 @@ Json advice_json(const NamedScene& scene, const AdviceRequest& request, const Ad
             {"predictable_time", advice.predictable_time},
             {"pick", nullptr},
             {"untried", Json::array()},
-            {"beyond", distributions_json(advice.beyond)},
+            {"beyond", advice.beyond},
             {"trials", Json::array()}};
   if (advice.pick >= 0) json["pick"] = json_of(advice.trials[static_cast<std::size_t>(advice.pick)]);
   for (const Untried& one : advice.untried)

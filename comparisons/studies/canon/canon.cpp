@@ -19,8 +19,8 @@
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
+#include "comparisons/measures/statistics/fits.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
-#include "comparisons/measures/statistics/step_fit.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/runs/job.hpp"
 

@@ -32,11 +32,13 @@ RecordedResults::Facts question_in(const Json& scene) {
 
 RecordedRun read_run(const std::filesystem::path& folder, bool replicated) {
   RecordedRun run = read_json(folder / "summary.json", [](const Json& json) {
-    return RecordedRun{metrics_from(json), {}, json.at("files").get<std::map<std::string, std::string>>()};
+    return RecordedRun{
+        json.get<RunMetrics>(), {}, json.at("files").get<std::map<std::string, std::string>>()};
   });
   if (!replicated) return run;
-  run.replicates =
-      read_json(folder / "draws.json", [](const Json& json) { return metrics_list(json.at("draws")); });
+  run.replicates = read_json(folder / "draws.json", [](const Json& json) {
+    return json.at("draws").get<std::vector<RunMetrics>>();
+  });
   run.replicates.insert(run.replicates.begin(), run.row);
   return run;
 }
@@ -69,32 +71,10 @@ std::map<Key, const RecordedRun*> rows_by_key(const Rows& rows, const Across& ac
   return by_key;
 }
 
-/// Rows of both results, as yet without a partner.
-struct Unpaired {
-  Rows old_rows, new_rows;
-};
-
 Rows all_rows(const RecordedResults& results) {
   Rows rows;
-  rows.reserve(results.runs.size());
   for (const RecordedRun& run : results.runs) rows.push_back(&run);
   return rows;
-}
-
-/// Takes rows that agree in all but `across` out of those without a partner.
-std::vector<RowPair> take_pairs(Unpaired& rows, const Across& across, const std::filesystem::path& old_folder,
-                                const std::filesystem::path& new_folder) {
-  const auto old_rows = rows_by_key(rows.old_rows, across, old_folder);
-  const auto new_rows = rows_by_key(rows.new_rows, across, new_folder);
-  std::vector<RowPair> pairs;
-  for (const RecordedRun* run : rows.old_rows)
-    if (const auto twin = new_rows.find(key_of(run->row, across)); twin != new_rows.end())
-      pairs.push_back({run, twin->second});
-  std::erase_if(rows.old_rows,
-                [&](const RecordedRun* run) { return new_rows.contains(key_of(run->row, across)); });
-  std::erase_if(rows.new_rows,
-                [&](const RecordedRun* run) { return old_rows.contains(key_of(run->row, across)); });
-  return pairs;
 }
 
 /// The scenes of one name that differ, each with what differs first.
@@ -122,7 +102,7 @@ RecordedResults read_recorded_results(const std::filesystem::path& folder) {
     results.environment = facts_in(json.at("environment"));
     for (const Json& scene : json.at("scenes"))
       results.scenes[scene.at("name").get<std::string>()] = question_in(scene);
-    return metrics_list(json.at("rows"));
+    return json.at("rows").get<std::vector<RunMetrics>>();
   });
   results.runs.reserve(rows.size());
   for (const RunMetrics& row : rows) {
@@ -141,18 +121,24 @@ const std::vector<std::string>& row_names() {
 
 RowPairs pair_rows(const RecordedResults& old_results, const RecordedResults& new_results,
                    const Across& across) {
-  Unpaired rows{all_rows(old_results), all_rows(new_results)};
+  Rows old_rows = all_rows(old_results), new_rows = all_rows(new_results);
   RowPairs all;
   for (const Across& names : {Across{}, across}) {
-    const auto taken = take_pairs(rows, names, old_results.folder, new_results.folder);
-    all.pairs.insert(all.pairs.end(), taken.begin(), taken.end());
+    const auto own = rows_by_key(old_rows, names, old_results.folder);
+    const auto twins = rows_by_key(new_rows, names, new_results.folder);
+    std::erase_if(old_rows, [&](const RecordedRun* run) {
+      const auto twin = twins.find(key_of(run->row, names));
+      if (twin != twins.end()) all.pairs.push_back({run, twin->second});
+      return twin != twins.end();
+    });
+    std::erase_if(new_rows, [&](const RecordedRun* run) { return own.contains(key_of(run->row, names)); });
   }
   const auto others = other_questions(old_results, new_results, across);
   for (const auto& [scene, key] : others)
     all.other_questions.push_back(fmt::format("scene {}: {}", scene, key));
   std::erase_if(all.pairs, [&](const RowPair& pair) { return others.contains(pair.old_run->row.scene); });
-  for (const RecordedRun* run : rows.old_rows) all.only_old.push_back(run->row.run);
-  for (const RecordedRun* run : rows.new_rows) all.only_new.push_back(run->row.run);
+  for (const RecordedRun* run : old_rows) all.only_old.push_back(run->row.run);
+  for (const RecordedRun* run : new_rows) all.only_new.push_back(run->row.run);
   if (all.pairs.empty())
     throw InputError(
         fmt::format("{} and {}: must have a row in common: scene, engine, solver, settings and dt",

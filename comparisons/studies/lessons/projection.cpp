@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
 

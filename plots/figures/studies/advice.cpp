@@ -24,7 +24,7 @@ TrialLines lines_of(const Json& advice) {
   TrialLines lines;
   const Json& pick = advice.at("pick");
   for (const Json& trial : advice.at("trials")) {
-    Run run{metrics_list(Json::array({trial})).front()};
+    Run run{trial.get<RunMetrics>()};
     const double off =
         std::max(value_of(run.largest_angle_difference), run.relative_position_difference.value_or(0));
     const double time = value_of(run.stepping_time_minimum);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "comparisons/measures/statistics/step_fit.hpp"
+#include "comparisons/measures/statistics/fits.hpp"
 #include "tests/engines/findings/draws.hpp"
 #include "tests/engines/findings/impact_laws.hpp"
 #include "tests/engines/linked_engines.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/statistics/step_fit.hpp"
+#include "comparisons/measures/statistics/fits.hpp"
 #include "tests/engines/findings/draws.hpp"
 #include "tests/engines/linked_engines.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/measures/statistics/step_fit.hpp"
+#include "comparisons/measures/statistics/fits.hpp"
 #include "engines/worker/registry.hpp"
 #include "tests/engines/findings/draws.hpp"
 #include "tests/engines/findings/impact_laws.hpp"

@@ -88,7 +88,7 @@ std::string made_up_advice() {
     row.dt = dt;
     row.largest_angle_difference = off;
     row.stepping_time_minimum = seconds;
-    Json trial_json = metrics_json(row);
+    Json trial_json = row;
     trial_json.update({{"draws_tried", 21}, {"draws_within", passes ? 20 : 3}});
     trial_json.update(
         {{"confirming_draws_tried", passes ? 20 : 0}, {"confirming_draws_within", passes ? 19 : 0}});

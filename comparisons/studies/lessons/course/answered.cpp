@@ -77,13 +77,6 @@ Json summary(const Lesson& lesson, const CourseEntry& course) {
           {"after", after}};
 }
 
-Json predictions(const CourseEntry& course, const LessonValues& values) {
-  Json list = Json::array();
-  for (const Problem& problem : course.predictions)
-    list.push_back(to_json(answered(problem, values.measured)));
-  return list;
-}
-
 /// The names of the lessons before and after; empty: none.
 Json neighbours(const Lesson& lesson) {
   const std::size_t place = place_of(lesson.name);
@@ -96,7 +89,9 @@ Json lesson_json(const Lesson& lesson, const LessonValues& values, bool in_cours
   Json json = summary(lesson, course);
   if (in_course) json["neighbours"] = neighbours(lesson);
   json["references"] = course.references;
-  json["predictions"] = predictions(course, values);
+  json["predictions"] = Json::array();
+  for (const Problem& problem : course.predictions)
+    json["predictions"].push_back(answered(problem, values.measured));
   json["text"] = text_of(lesson);
   json["numbers"] = values.numbers;
   json["tables"] = Json::object();
@@ -129,7 +124,7 @@ Answered answered(const Problem& problem, const std::map<std::string, double>& n
   return result;
 }
 
-Json to_json(const Answered& question) {
+void to_json(Json& json, const Answered& question) {
   Json parts = Json::array();
   for (const auto& [part, value, shown] : question.parts) {
     parts.push_back({{"ask", part.ask},
@@ -141,7 +136,7 @@ Json to_json(const Answered& question) {
                      {"why", part.why}});
     if (!part.choices.empty()) parts.back()["right"] = right_choice(part, value);
   }
-  return {{"name", question.name}, {"text", question.text}, {"parts", parts}};
+  json = {{"name", question.name}, {"text", question.text}, {"parts", parts}};
 }
 
 std::vector<Answered> drawn_problems(const std::string& lesson, std::uint64_t seed) {
@@ -156,9 +151,7 @@ std::vector<Answered> drawn_problems(const std::string& lesson, std::uint64_t se
 }
 
 Json sheet_json(const std::string& lesson, const std::string& title, std::uint64_t seed) {
-  Json problems = Json::array();
-  for (const Answered& problem : drawn_problems(lesson, seed)) problems.push_back(to_json(problem));
-  return {{"lesson", lesson}, {"title", title}, {"seed", seed}, {"problems", problems}};
+  return {{"lesson", lesson}, {"title", title}, {"seed", seed}, {"problems", drawn_problems(lesson, seed)}};
 }
 
 std::vector<RunMetrics> run_lesson(const Lesson& lesson, const fs::path& folder, bool in_course,

@@ -9,38 +9,26 @@
 namespace rockstack {
 namespace {
 
-constexpr KeyTable course_keys{
-    "",
-    "a lesson as part of a course",
-    {{"minutes", "45", "", "a whole number from 1 to 600", required_key, "in class"},
-     {"after", "[\"housner\"]", "", "names of lessons", "[]", "what to know first"},
-     {"aims", "[\"Tell a force from an impulse\"]", "", "texts", required_key, "what is learnt"},
-     {"references", "[\"G. W. Housner 1963\"]", "", "texts", required_key, "where it comes from"},
-     {"predictions", "", "", "tables [[predictions]]", required_key, "asked before the text tells"},
-     {"problems", "", "", "tables [[problems]]", required_key, "with numbers drawn for each student"}}};
+/// Of a file that nobody but the lessons has; what keys mean stands at the members that they fill.
+constexpr InputKey named_key(const char* name) {
+  return {name, "", "", "", "", ""};
+}
 
-constexpr KeyTable problem_keys{
-    "[[problems]]",
-    "a question with its scene",
-    {{"name", "\"first\"", "", "a text", "\"\"", "of a prediction"},
-     {"text", "\"A block stands.\"", "", "a text", "\"\"", "what is given"},
-     {"scene", "\"housner-block\"", "", "a shipped scene", no_default, "that is solved"},
-     {"set", "[\"duration=2\"]", "", "key=value texts", "[]", "changes of it"},
-     {"against", "[\"duration=2\"]", "", "key=value texts", "[]", "changes of what answers are divided by"},
-     {"draw", "{ width = [0.2, 0.6, 0.1] }", "", "least, most and step of each number", "{}", "drawn"},
-     {"parts", "[]", "", "tables", required_key, "what is asked"}}};
+constexpr KeyTable course_keys{"",
+                               "a lesson as part of a course",
+                               {named_key("minutes"), named_key("after"), named_key("aims"),
+                                named_key("references"), named_key("predictions"), named_key("problems")}};
+
+constexpr KeyTable problem_keys{"[[problems]]",
+                                "a question with its scene",
+                                {named_key("name"), named_key("text"), named_key("scene"), named_key("set"),
+                                 named_key("against"), named_key("draw"), named_key("parts")}};
 
 constexpr KeyTable part_keys{
     "parts",
     "one thing that is asked",
-    {{"ask", "\"When?\"", "", "a text", required_key, "the question"},
-     {"answer", "\"first-impact\"", "", "a quantity", required_key, "computed"},
-     {"choices", "[\"less\", \"more\"]", "", "texts", "[]", "to choose from"},
-     {"bounds", "[1.0]", "", "ascending numbers, one fewer than choices", "[]", "between the choices"},
-     {"unit", "\"s\"", "", "a text", "\"\"", "of the answer"},
-     {"digits", "3", "", "0 to 9", "3", "after the point"},
-     {"within", "0.05", "", "> 0", "0.05", "share of the answer by which a number may be off"},
-     {"why", "\"Because.\"", "", "a text", "\"\"", "told with the answer"}}};
+    {named_key("ask"), named_key("answer"), named_key("choices"), named_key("bounds"), named_key("unit"),
+     named_key("digits"), named_key("within"), named_key("why")}};
 
 std::vector<std::string> texts(const Node& table, const char* key) {
   std::vector<std::string> list;

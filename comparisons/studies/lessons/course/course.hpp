@@ -94,7 +94,7 @@ Answered answered(const Problem& problem, const std::map<std::string, double>& n
 
 /// As {"name", "text", "parts": [{"ask", "choices", "right", "unit", "within", "value", "shown", "why"}]};
 /// `right` counts choices from 0, and stands only beside some.
-nlohmann::ordered_json to_json(const Answered& question);
+void to_json(nlohmann::ordered_json& json, const Answered& question);
 
 /// A lesson's problems with numbers of a student's own. The same seed gives the same sheet.
 /// @throws InputError as answered().

@@ -125,7 +125,7 @@ TEST(Results, RowsReadBackFromTheirCells) {
   row.impacts_extra = 3;
   row.slip = 1.0 / 3;
   row.toppling_verdict = TopplingVerdict::both;
-  const RunMetrics read = metrics_from(nlohmann::ordered_json::parse(metrics_json(row).dump()));
+  const auto read = nlohmann::ordered_json::parse(nlohmann::ordered_json(row).dump()).get<RunMetrics>();
   EXPECT_EQ(comparison_csv({read}), comparison_csv({row}));
   EXPECT_EQ(read.slip, row.slip);
   EXPECT_FALSE(read.gap);

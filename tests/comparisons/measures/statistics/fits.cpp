@@ -46,13 +46,13 @@ TEST(Fits, RunsThatFailedAreLeftOut) {
   auto list = rows();
   list[1].rms_angle_difference.reset();
   EXPECT_EQ(fit_runs(list)[0].fit.reason, "4 steps are fewer than 5");
-  const auto json = fits_json(fit_runs(list));
+  const nlohmann::ordered_json json = fit_runs(list);
   EXPECT_TRUE(json[0]["gap"].is_null());
   EXPECT_FALSE(json[0]["holds"].get<bool>());
 }
 
 TEST(Fits, FileHasACellForEachName) {
-  const std::string text = csv_of(fits_json(fit_runs(rows())));
+  const std::string text = csv_of(nlohmann::ordered_json(fit_runs(rows())));
   const auto commas = [&](std::size_t from) {
     return std::count(text.begin() + static_cast<long>(from),
                       text.begin() + static_cast<long>(text.find('\n', from)), ',');
