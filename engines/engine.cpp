@@ -45,7 +45,7 @@ Setting shaking_setting() {
 }
 
 double choice_value(const std::string& engine, const Setting& setting, const std::string& choice) {
-  const auto found = std::find(setting.choices.begin(), setting.choices.end(), choice);
+  const auto found = std::ranges::find(setting.choices, choice);
   if (found == setting.choices.end()) {
     throw std::invalid_argument(fmt::format(
         "{}: {} = {}: must be {}", engine, setting.name, choice,

@@ -1,4 +1,4 @@
-#include "engines/placement.hpp"
+#include "engines/scene_setup.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,12 @@
 
 #include "analytic/scene/scene.hpp"
 #include "engines/engine.hpp"
-#include "engines/placement.hpp"
 
 namespace rockstack {
+
+/// Bottom to top: pivots touch where they have no gap, centres move as the initial state has them.
+/// @throws std::runtime_error for a restitution, or a centre of mass off a block's middle, in one line.
+std::vector<Placement> place(const Scene& scene);
 
 /// How the ground moves under a scene's accelerations, from rest at t = 0: displacements are their double
 /// integral, exact for straight lines between samples and by Gauss's rule with five points for pulses: to

@@ -158,7 +158,7 @@ class DartSimulation final : public ShakenSimulation {
 
   /// From 1, bottom to top; 0 is the ground.
   std::size_t number_of(const BodyNode* body) const {
-    const auto found = std::find(blocks_.begin(), blocks_.end(), body);
+    const auto found = std::ranges::find(blocks_, body);
     return found == blocks_.end() ? 0 : static_cast<std::size_t>(found - blocks_.begin()) + 1;
   }
 

@@ -132,7 +132,7 @@ class OdeSimulation final : public ShakenSimulation {
 
   /// From 0, bottom to top; nothing where it is the ground.
   std::optional<std::size_t> number_of(dBodyID body) const {
-    const auto found = std::find(bodies_.begin(), bodies_.end(), body);
+    const auto found = std::ranges::find(bodies_, body);
     if (found == bodies_.end()) return {};
     return static_cast<std::size_t>(found - bodies_.begin());
   }

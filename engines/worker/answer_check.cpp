@@ -146,7 +146,7 @@ void require_contacts(const ContactRecord& contacts, std::size_t samples, const 
 
 void require_status(const std::string& status) {
   static constexpr std::array<const char*, 4> states{"done", "failed", "not finite", "memory limit"};
-  require(std::find(states.begin(), states.end(), status) != states.end(),
+  require(std::ranges::find(states, status) != states.end(),
           "`status` must be \"done\", \"failed\", \"not finite\" or \"memory limit\"");
 }
 
@@ -177,7 +177,7 @@ void check_descriptions(const std::vector<EngineDescription>& engines) {
   std::set<std::string> names;
   for (const EngineDescription& engine : engines) {
     require(is_word(engine.name, "-"), "name", engine.name, "small letters, digits and '-', at most 60");
-    require(std::find(taken.begin(), taken.end(), engine.name) == taken.end(), "name", engine.name,
+    require(std::ranges::find(taken, engine.name) == taken.end(), "name", engine.name,
             fmt::format("another one than {}, which are not engines'", fmt::join(taken, ", ")));
     require(is_word(engine.solver, "-"), "solver", engine.solver,
             "small letters, digits and '-', at most 60");

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "plots/data/results.hpp"
@@ -21,20 +20,6 @@ struct LawCell {
   double none = 0;                                    ///< after which no pattern is consistent
 };
 
-/// Two answers to one kind of impact.
-struct LawPair {
-  std::string kind, paper, consistent;  ///< patterns before and after
-  double count = 0;                     ///< states that have these answers
-  double clearness = 0;                 ///< how far apart they are at most, a share of the rate before
-};
-
-/// A state just before an impact that engines were asked about.
-struct LawState {
-  std::string name;
-  double aspect_ratio = 0;  ///< height over width of the top block
-  double mass_ratio = 0;    ///< of the top block to the one below
-};
-
 /// One row of impact-laws-engines.csv: what one engine made of one state. NaN where a run failed.
 struct LawRun {
   Run run;                                     ///< its scene is the state's name
@@ -43,15 +28,11 @@ struct LawRun {
   std::vector<std::string> cells;              ///< the whole row as text, for LawResults::columns
 };
 
-/// What `rockstack compare` has written of a study of impact laws.
+/// What `rockstack compare` has written of a study of impact laws, besides what its page takes from
+/// impact-laws.json.
 struct LawResults {
-  std::string title, command, suite_file;
-  std::vector<std::pair<std::string, Facts>> definitions;  ///< of each file, what its columns mean
-  Facts environment;
+  std::size_t states = 0;  ///< that engines were asked about
   std::vector<std::string> left_out;
-  std::vector<std::pair<std::string, Facts>> engines;  ///< parameters of each solver that was asked
-  std::vector<LawPair> pairs;
-  std::vector<LawState> states;
   std::vector<LawCell> cells;
   std::vector<std::string> columns;  ///< of the runs' cells
   std::vector<LawRun> runs;
@@ -82,8 +63,8 @@ std::string mass_ratio_range(const LawCell& cell);
 struct LawTally {
   std::string of;  ///< what they have in common
   int consistent = 0, paper = 0, neither = 0, failed = 0;
-  std::vector<double> from_paper, from_consistent;  ///< of those that did not fail
-  const LawRun* farthest = nullptr;                 ///< from law consistent, null where all failed
+  std::vector<double> from_paper = {}, from_consistent = {};  ///< of those that did not fail
+  const LawRun* farthest = nullptr;                           ///< from law consistent, null where all failed
 
   int runs() const { return consistent + paper + neither + failed; }
 };

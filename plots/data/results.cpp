@@ -57,8 +57,8 @@ void note_kinds(Comparison& comparison) {
       scene.slips = scene.slips || tells_slips(run);
     }
     const auto is_own = [&](const auto& one) { return one.scene == scene.name; };
-    scene.fitted = std::any_of(comparison.fits.begin(), comparison.fits.end(), is_own);
-    scene.perturbed = std::any_of(comparison.distances.begin(), comparison.distances.end(), is_own);
+    scene.fitted = std::ranges::any_of(comparison.fits, is_own);
+    scene.perturbed = std::ranges::any_of(comparison.distances, is_own);
   }
 }
 
@@ -154,7 +154,7 @@ void KeptFiles::make_room_for(const std::filesystem::path& file) {
 }
 
 bool ComparedScene::has(const std::string& result) const {
-  return std::find(results.begin(), results.end(), result) != results.end();
+  return std::ranges::find(results, result) != results.end();
 }
 
 SceneScale scale_of(const Comparison& comparison, const ComparedScene& scene) {
@@ -178,7 +178,7 @@ std::vector<Run> done_runs(const Comparison& comparison, const std::string& scen
   std::vector<Run> runs;
   for (const Run& run : comparison.runs)
     if (run.done() && run.scene == scene) runs.push_back(run);
-  std::stable_partition(runs.begin(), runs.end(), [](const Run& run) { return run.exact(); });
+  std::ranges::stable_partition(runs, [](const Run& run) { return run.exact(); });
   return runs;
 }
 

@@ -19,6 +19,7 @@
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fits.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
+#include "plots/data/lists.hpp"
 
 namespace rockstack::plots {
 

@@ -31,14 +31,14 @@ EnergyHistory read_energies(const std::filesystem::path& file) {
 std::vector<AlignedImpact> matched_impacts(const Run& run) {
   std::vector<AlignedImpact> list = *impacts_of(run);
   std::erase_if(list, [](const AlignedImpact& one) { return !one.exact || !one.engine || !one.number; });
-  std::stable_sort(list.begin(), list.end(),
-                   [](const AlignedImpact& a, const AlignedImpact& b) { return *a.exact < *b.exact; });
+  std::ranges::stable_sort(
+      list, [](const AlignedImpact& a, const AlignedImpact& b) { return *a.exact < *b.exact; });
   return list;
 }
 
 /// The sample nearest before a time. Precondition: times rise and are not empty.
 double at(const std::vector<double>& times, const std::vector<double>& values, double time) {
-  const auto after = std::upper_bound(times.begin(), times.end(), time);
+  const auto after = std::ranges::upper_bound(times, time);
   return values[after == times.begin() ? 0 : static_cast<std::size_t>(after - times.begin()) - 1];
 }
 
@@ -139,7 +139,7 @@ std::vector<double> replicates_of(const Run& run, const std::string& quantity) {
   if (!std::filesystem::exists(file)) return {};
   std::vector<double> values = read_columns(file, {quantity}).front();
   std::erase_if(values, [](double value) { return std::isnan(value); });
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return values;
 }
 
@@ -148,15 +148,10 @@ std::map<std::string, SpreadRange> ranges_of(const std::filesystem::path& result
   const auto file = results / "spread.csv";
   std::map<std::string, SpreadRange> ranges;
   if (!std::filesystem::exists(file)) return ranges;
-  const Table table = read_table(file);
-  const std::size_t run = column(table, "run", file), name = column(table, "quantity", file),
-                    least = column(table, "least", file), greatest = column(table, "greatest", file);
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const auto& row = table.rows[i];
-    if (row[name] != quantity) continue;
-    const std::string place = fmt::format("{}:{}", file.string(), i + 2);
-    ranges[row[run]] = {number(row[least], place, "least"), number(row[greatest], place, "greatest")};
-  }
+  each_row(file, [&](const TableRow& row) {
+    if (row.text("quantity") == quantity)
+      ranges[row.text("run")] = {row.value("least"), row.value("greatest")};
+  });
   return ranges;
 }
 

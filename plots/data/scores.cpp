@@ -77,7 +77,7 @@ const std::vector<SolverQuestion>& solver_questions() {
 }
 
 const Run& Score::worst() const {
-  return runs[static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin())];
+  return runs[static_cast<std::size_t>(std::ranges::max_element(values) - values.begin())];
 }
 
 double common_step(const Comparison& comparison) {
@@ -85,9 +85,7 @@ double common_step(const Comparison& comparison) {
   for (const Run& run : comparison.runs)
     if (is_compared(run)) ++counts[*run.dt];
   if (counts.empty()) return std::nan("");
-  return std::max_element(counts.begin(), counts.end(),
-                          [](const auto& a, const auto& b) { return a.second < b.second; })
-      ->first;
+  return std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; })->first;
 }
 
 std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& question) {
@@ -106,7 +104,7 @@ std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& qu
     score.median = median(score.values);
     list.push_back(std::move(score));
   }
-  std::stable_sort(list.begin(), list.end(), [](const Score& a, const Score& b) {
+  std::ranges::stable_sort(list, [](const Score& a, const Score& b) {
     return a.runs.size() != b.runs.size() ? a.runs.size() > b.runs.size() : a.median < b.median;
   });
   return list;

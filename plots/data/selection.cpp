@@ -49,7 +49,7 @@ bool iterations_make_lines(const std::vector<Run>& runs) {
 }
 
 bool has_tuned(const std::vector<StepLine>& lines, const Run& run) {
-  return std::any_of(lines.begin(), lines.end(), [&](const StepLine& line) {
+  return std::ranges::any_of(lines, [&](const StepLine& line) {
     return same_solver(line.front(), run) && line.front().settings == "tuned";
   });
 }
@@ -63,16 +63,12 @@ std::vector<StepLine> step_lines(const Comparison& comparison, const std::string
   const auto settings = [&](const Run& run) { return by_iterations ? settings_of_line(run) : run.settings; };
   for (const Run& run : runs) {
     if (run.exact()) continue;
-    const auto found = std::find_if(lines.begin(), lines.end(), [&](const StepLine& line) {
+    const auto is_own = [&](const StepLine& line) {
       return same_solver(line.front(), run) && settings(line.front()) == settings(run);
-    });
-    if (found == lines.end()) {
-      lines.push_back({run});
-    } else {
-      found->push_back(run);
-    }
+    };
+    found_or_added(lines, is_own, {}).push_back(run);
   }
-  for (StepLine& line : lines) std::stable_sort(line.begin(), line.end(), comes_before);
+  for (StepLine& line : lines) std::ranges::stable_sort(line, comes_before);
   return lines;
 }
 
@@ -142,7 +138,7 @@ std::string line_label(const StepLine& line) {
 
 const StepFit* fit_of(const Comparison& comparison, const StepLine& line, const std::string& quantity) {
   const Run& run = line.front();
-  const auto found = std::find_if(comparison.fits.begin(), comparison.fits.end(), [&](const SeriesFit& fit) {
+  const auto found = std::ranges::find_if(comparison.fits, [&](const SeriesFit& fit) {
     return fit.scene == run.scene && fit.engine == run.engine && fit.solver == run.solver &&
            fit.settings == run.settings && fit.quantity == quantity;
   });

@@ -50,7 +50,7 @@ constexpr double small_part = 0.01;
 /// How far apart the least and the greatest of all angles are, rad.
 double range_of(const History& history) {
   if (history.angles.empty()) return 0;
-  const auto [low, high] = std::minmax_element(history.angles.begin(), history.angles.end());
+  const auto [low, high] = std::ranges::minmax_element(history.angles);
   return *high - *low;
 }
 
@@ -97,10 +97,8 @@ std::string logarithmic_tics(const std::string& axis, double low, double high, d
   if (axis == "x")
     std::erase_if(chosen,
                   [&](double place) { return place > high / std::pow(high / low, overhang / pixels); });
-  std::string tics;
-  for (const double place : chosen)
-    tics += fmt::format("{}'{}' {}", tics.empty() ? "" : ", ", in_decades(place), plain(place));
-  return fmt::format("set {}tics ({})\n", axis, tics);
+  const auto tic = [](double place) { return fmt::format("'{}' {}", in_decades(place), plain(place)); };
+  return fmt::format("set {}tics ({})\n", axis, text_of_each(chosen, tic, ", "));
 }
 
 std::string linear_tics(const std::string& axis, double low, double high, double pixels) {

@@ -17,29 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for what gnuplot writes, away from results, that goes away with its contents.
-struct Scratch {
-  fs::path folder;
-
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "rockstack-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": no such folder can be made");
-    folder = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(folder, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-};
-
-std::string quoted_for_shell(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 std::string contents(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -142,13 +119,30 @@ std::string without_unseen(std::string svg) {
 
 }  // namespace
 
-bool has_ffmpeg() {
-  return std::system("command -v ffmpeg >/dev/null 2>&1") == 0;
+Scratch::Scratch(const fs::path& within, const std::string& name) {
+  std::string made = (within / (name + "-XXXXXX")).string();
+  if (mkdtemp(made.data()) == nullptr) throw std::runtime_error(made + ": no such folder can be made");
+  folder = made;
+}
+
+Scratch::~Scratch() {
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+}
+
+std::string quoted_for_shell(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+bool has_program(const std::string& name) {
+  return std::system(fmt::format("command -v {} >/dev/null 2>&1", name).c_str()) == 0;
 }
 
 void draw(const Animation& animation, const fs::path& stem) {
-  const Scratch scratch;
-  const bool film = has_ffmpeg();
+  const Scratch scratch(fs::temp_directory_path(), "rockstack");
+  const bool film = has_program("ffmpeg");
   run_gnuplot(scratch.folder, script(animation, film), stem, animation.time_limit);
   if (film) make_film(animation, scratch.folder, stem);
   fs::create_directories(stem.parent_path());
@@ -156,7 +150,7 @@ void draw(const Animation& animation, const fs::path& stem) {
 }
 
 void draw(const Drawing& drawing, const fs::path& stem) {
-  const Scratch scratch;
+  const Scratch scratch(fs::temp_directory_path(), "rockstack");
   run_gnuplot(scratch.folder, script(drawing), stem, drawing.time_limit);
   std::vector<std::pair<const char*, std::string>> pictures;
   for (const auto& [format, end] : {std::pair{".png", "IEND"}, {".pdf", "%%EOF"}, {".svg", "</svg>"}}) {

@@ -34,8 +34,21 @@ struct Animation {
   double time_limit = 3600;  ///< of gnuplot, s
 };
 
-/// True where ffmpeg is installed, which makes films.
-bool has_ffmpeg();
+/// Whether a program is installed, as ffmpeg, which makes films.
+bool has_program(const std::string& name);
+
+/// A folder for what a program writes, away from results, that goes away with its contents.
+struct Scratch {
+  /// `name`-XXXXXX in a folder. @throws std::runtime_error where it cannot be made.
+  Scratch(const std::filesystem::path& within, const std::string& name);
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  std::filesystem::path folder;
+};
+
+std::string quoted_for_shell(const std::string& text);
 
 /// Draws `stem`.gif, and `stem`.mp4 where ffmpeg is there. @throws std::runtime_error as for a Drawing, and
 /// with ffmpeg's own words where it fails.

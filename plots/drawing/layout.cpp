@@ -15,8 +15,8 @@ constexpr std::size_t half_a_figure = 46;  // letters of a legend
 
 /// In two columns, or in one where some words are too long for half of the figure.
 std::size_t legend_rows(const Legend& legend) {
-  const bool wide = std::any_of(legend.begin(), legend.end(),
-                                [](const auto& entry) { return entry.second.size() > half_a_figure; });
+  const bool wide =
+      std::ranges::any_of(legend, [](const auto& entry) { return entry.second.size() > half_a_figure; });
   return wide ? legend.size() : (legend.size() + 1) / 2;
 }
 

@@ -13,7 +13,7 @@ using Edges = std::map<double, std::pair<double, double>>;
 
 /// Lower and upper edge of the cell around each value: halfway to its neighbours.
 Edges edges_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());
   Edges edges;
   const std::size_t n = values.size();

@@ -42,7 +42,7 @@ Box around(double x, double y, double half) {
 }
 
 bool meets_any(const Box& box, const std::vector<Box>& others) {
-  return std::any_of(others.begin(), others.end(), [&](const Box& other) { return box.meets(other); });
+  return std::ranges::any_of(others, [&](const Box& other) { return box.meets(other); });
 }
 
 /// What lines pass through, as boxes beside each other.
@@ -93,8 +93,8 @@ std::string command(const LabelledPanel& panel, const LabelledMark& mark, const 
 }  // namespace
 
 bool are_many(const std::vector<Run>& runs) {
-  return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(),
-                                                [](const Run& run) { return !run.exact(); })) > most_series;
+  return static_cast<std::size_t>(std::ranges::count_if(runs, [](const Run& run) { return !run.exact(); })) >
+         most_series;
 }
 
 Extent extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, double room, double least) {

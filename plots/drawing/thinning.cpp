@@ -10,10 +10,7 @@ namespace {
 
 Curve pick(const Curve& curve, const std::vector<std::size_t>& indices) {
   Curve result;
-  for (const std::size_t i : indices) {
-    result.times.push_back(curve.times[i]);
-    result.values.push_back(curve.values[i]);
-  }
+  for (const std::size_t i : indices) result.add(curve.times[i], curve.values[i]);
   return result;
 }
 
@@ -48,7 +45,7 @@ struct Place {
 /// Points in shares of the curve's extent.
 std::vector<Place> scaled(const Curve& curve) {
   const auto share = [](const std::vector<double>& values) {
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const auto [low, high] = std::ranges::minmax_element(values);
     const double extent = *high - *low;
     return extent > 0 ? 1 / extent : 0;
   };
@@ -111,7 +108,7 @@ Curve simplified(const Curve& curve, double tolerance) {
     open.emplace_back(first, at);
     open.emplace_back(at, last);
   }
-  std::sort(kept.begin(), kept.end());
+  std::ranges::sort(kept);
   return pick(points, kept);
 }
 

@@ -11,6 +11,7 @@ struct Curve {
   std::vector<double> values;  ///< as many as times
 
   std::size_t size() const { return times.size(); }
+  void add(double time, double value) { times.push_back(time), values.push_back(value); }
   /// The largest magnitude; 0 of no values.
   double largest() const;
 };

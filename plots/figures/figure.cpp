@@ -17,8 +17,8 @@ Drawing SceneSubject::nothing(const std::string& reason) const {
 Shown SceneSubject::shown(const std::vector<std::string>& files) const {
   Shown shown = shown_runs(comparison, scene.name);
   std::erase_if(shown.engines, [&](const Run& run) {
-    return !std::all_of(files.begin(), files.end(),
-                        [&](const std::string& file) { return std::filesystem::exists(run.folder / file); });
+    return !std::ranges::all_of(
+        files, [&](const std::string& file) { return std::filesystem::exists(run.folder / file); });
   });
   return shown;
 }
@@ -80,12 +80,10 @@ void Plots::add(const Numbers& lines, const std::vector<std::string>& styles) {
 }
 
 std::string word_tics(const std::vector<std::string>& words, int first, int step) {
-  std::string tics;
-  for (const std::string& word : words) {
-    tics += fmt::format("{}{} {}", tics.empty() ? "" : ", ", in_quotes(word), first);
-    first += step;
-  }
-  return tics;
+  const auto tic = [&](const std::string& word) {
+    return fmt::format("{} {}", in_quotes(word), std::exchange(first, first + step));
+  };
+  return text_of_each(words, tic, ", ");
 }
 
 }  // namespace rockstack::plots

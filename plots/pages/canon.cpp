@@ -16,7 +16,7 @@ std::string cell_of(const Json& answer) {
   const std::string verdict = answer.at("verdict");
   const std::string reason = escaped_at(answer, "reason");
   std::string text = escaped(verdict), name = text;
-  std::replace(name.begin(), name.end(), ' ', '-');  // the class of the style sheet: another-law
+  std::ranges::replace(name, ' ', '-');  // the class of the style sheet: another-law
   if (verdict != "no run")
     text += fmt::format("<br>{} → {}", steps_text(answer.at("steps_off").front()),
                         steps_text(answer.at("steps_off").back()));
@@ -53,7 +53,7 @@ std::string answer_of(const Json& canon) {
   std::size_t whole = 0;
   for (const Json& row : canon.at("rows")) {
     const Json& answers = row.at("answers");
-    const bool follows = std::all_of(answers.begin(), answers.end(), [](const Json& answer) {
+    const bool follows = std::ranges::all_of(answers, [](const Json& answer) {
       return answer.at("verdict") == "agrees" || answer.at("verdict") == "converges";
     });
     if (!follows) continue;

@@ -45,6 +45,12 @@ std::set<std::string> names_in(const fs::path& folder, const std::set<std::strin
   return names;
 }
 
+/// Sentences, each in an element and a line of its own.
+std::string elements(const std::string& name, const std::vector<std::string>& sentences) {
+  return text_of_each(sentences,
+                      [&](const std::string& sentence) { return element(name, escaped(sentence)) + "\n"; });
+}
+
 std::string class_attribute(const std::string& classes) {
   return classes.empty() ? "" : fmt::format(" class=\"{}\"", classes);
 }
@@ -56,8 +62,7 @@ std::string escaped(std::string_view text) {
       {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
   std::string result;
   for (const char c : text) {
-    const auto found =
-        std::find_if(entities.begin(), entities.end(), [&](const auto& one) { return one.first == c; });
+    const auto found = std::ranges::find_if(entities, [&](const auto& one) { return one.first == c; });
     result += found == entities.end() ? std::string_view(&c, 1) : found->second;
   }
   return result;
@@ -115,20 +120,15 @@ std::string page(const PageContent& content) {
 }
 
 std::string answer_box(const std::vector<std::string>& sentences) {
-  std::string paragraphs;
-  for (const std::string& sentence : sentences) paragraphs += element("p", escaped(sentence)) + "\n";
-  return paragraphs.empty() ? "" : element("div", paragraphs, " class=\"answer\"");
+  return sentences.empty() ? "" : element("div", elements("p", sentences), " class=\"answer\"");
 }
 
 std::string sentence_list(const std::vector<std::string>& sentences) {
-  std::string items;
-  for (const std::string& sentence : sentences) items += element("li", escaped(sentence)) + "\n";
-  return element("ul", items) + "\n";
+  return element("ul", elements("li", sentences)) + "\n";
 }
 
 std::string table(const std::vector<std::string>& columns, const std::string& rows) {
-  std::string headings;
-  for (const std::string& column : columns) headings += heading(column);
+  const std::string headings = text_of_each(columns, [](const std::string& name) { return heading(name); });
   return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
 }
 
@@ -151,10 +151,9 @@ std::string table_row(const std::vector<std::string>& columns, const std::vector
 }
 
 std::string definition_list(const Facts& facts) {
-  std::string items;
-  for (const auto& [name, text] : facts)
-    items += element("dt", escaped(name)) + element("dd", escaped(text)) + "\n";
-  return element("dl", items);
+  return element("dl", text_of_each(facts, [](const auto& fact) {
+                   return element("dt", escaped(fact.first)) + element("dd", escaped(fact.second)) + "\n";
+                 }));
 }
 
 std::string table_cell(const std::string& column, const std::string& cell, const std::string& kind,
@@ -190,8 +189,8 @@ std::string drawn_figures(const fs::path& results, const std::set<std::string>& 
     if (known.contains(stem)) continue;
     const Figure* figure = figure_in(stem);
     std::string title = stem;
-    std::replace_if(
-        title.begin(), title.end(), [](char c) { return c == '.' || c == '-'; }, ' ');
+    std::ranges::replace_if(
+        title, [](char c) { return c == '.' || c == '-'; }, ' ');
     if (figure != nullptr)
       title = figure->title + (stem == figure->name ? "" : ": " + stem.substr(figure->name.size() + 1));
     text += element("h3", escaped(title)) + drawn_figure(results, stem, escaped(stem) + "-", title) + "\n";
@@ -208,10 +207,8 @@ std::string scene_figure(const fs::path& results, const Comparison& comparison, 
 }
 
 std::string file_links(const fs::path& results) {
-  std::string text;
-  for (const std::string& name : names_in(results, {".csv", ".json"}))
-    text += (text.empty() ? "" : ", ") + link(escaped(name), escaped(name));
-  return text;
+  const auto to = [](const std::string& name) { return link(escaped(name), escaped(name)); };
+  return text_of_each(names_in(results, {".csv", ".json"}), to, ", ");
 }
 
 }  // namespace rockstack::plots

@@ -11,8 +11,7 @@ namespace {
 /// Entries in falling order of a value.
 template <class Entry, class Value>
 std::vector<Entry> ranked(std::vector<Entry> entries, const Value& value) {
-  std::stable_sort(entries.begin(), entries.end(),
-                   [&](const Entry& a, const Entry& b) { return value(a) > value(b); });
+  std::ranges::stable_sort(entries, [&](const Entry& a, const Entry& b) { return value(a) > value(b); });
   return entries;
 }
 
@@ -47,8 +46,7 @@ std::string extremes(const std::vector<LawShare>& shares) {
 void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::string>& sentences) {
   const LawShare all = all_cells(cells);
   const auto kinds = shares_by(cells, [](const LawCell& cell) { return cell.kind; });
-  const auto differing =
-      std::count_if(kinds.begin(), kinds.end(), [](const LawShare& kind) { return kind.differ > 0; });
+  const auto differing = std::ranges::count_if(kinds, [](const LawShare& kind) { return kind.differ > 0; });
   const std::string judged = fmt::format("Stacks of {} blocks: {:.0f} impacts of {} were judged. ", blocks,
                                          all.impacts, counted(kinds.size(), "kind"));
   if (differing == 0) {
@@ -60,8 +58,8 @@ void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::
                                              differing > 3 ? "most often after " : "", worst_kinds(kinds)));
     std::vector<LawCell> where = cells;  // of kinds after which the laws differ at all
     std::erase_if(where, [&](const LawCell& cell) {
-      return std::any_of(kinds.begin(), kinds.end(),
-                         [&](const LawShare& kind) { return kind.of == cell.kind && !(kind.differ > 0); });
+      return std::ranges::any_of(
+          kinds, [&](const LawShare& kind) { return kind.of == cell.kind && !(kind.differ > 0); });
     });
     sentences.push_back(fmt::format(
         "The share within {} by height over width of the top block: {}; by its mass over that of the block "
@@ -94,7 +92,7 @@ void add_patterns(const LawResults& results, const LawTally& all, std::vector<st
   sentences.push_back(fmt::format(
       "Engines ran into {} where the laws clearly differ, in {}: {} end in the pattern of law consistent, {} "
       "in that of law paper, {} in neither, and {} failed.",
-      counted(results.states.size(), "state"), counted(results.runs.size(), "run"), all.consistent, all.paper,
+      counted(results.states, "state"), counted(results.runs.size(), "run"), all.consistent, all.paper,
       all.neither, all.failed));
   std::vector<std::string> steps;
   for (const LawTally& step :
@@ -116,8 +114,8 @@ void add_patterns(const LawResults& results, const LawTally& all, std::vector<st
 }
 
 void add_velocities(const LawResults& results, const LawTally& all, std::vector<std::string>& sentences) {
-  const auto nearer = std::count_if(results.runs.begin(), results.runs.end(),
-                                    [](const LawRun& one) { return one.from_consistent < one.from_paper; });
+  const auto nearer = std::ranges::count_if(
+      results.runs, [](const LawRun& one) { return one.from_consistent < one.from_paper; });
   sentences.push_back(fmt::format(
       "The angular velocities after the impact are nearer to law consistent's in {} of {} that came to their "
       "end. Half of them are within {:.2g} of the largest relative one before the impact from law "

@@ -63,13 +63,14 @@ std::string stacks_table(const std::vector<LawCell>& cells) {
   return table(columns, share_rows(columns, cells, slenderness) + share_rows(columns, cells, mass));
 }
 
-std::string pairs_table(const std::vector<LawPair>& pairs) {
+std::string pairs_table(const Json& pairs) {
   const Cells columns{"kind", "law paper", "law consistent", "impacts", "clearness"};
-  std::string rows;
-  for (const LawPair& pair : pairs)
-    rows += table_row(columns, {pair.kind, pair.paper, pair.consistent, whole(pair.count),
-                                fmt::format("{}", pair.clearness)});
-  return table(columns, rows);
+  return table(columns, text_of_each(pairs, [&](const Json& pair) {
+                 return table_row(columns,
+                                  {text_at(pair, "kind"), text_at(pair, "paper"), text_at(pair, "consistent"),
+                                   whole(pair.at("count").get<double>()),
+                                   fmt::format("{}", pair.at("clearness").get<double>())});
+               }));
 }
 
 /// What tables of runs have after the columns that name them.
@@ -94,26 +95,32 @@ Cells with_tally(Cells names, const LawTally& tally) {
 
 std::string solvers_table(const std::vector<LawRun>& runs) {
   const Cells columns = followed_by({"solver", "time step (s)"}, tally_columns);
-  std::string rows;
-  for (const LawTally& tally : tallies_by(runs, [](const LawRun& one) {
-         return fmt::format("{};{}", line_label(one.run), value_of(one.run.dt));
-       }))
-    rows += table_row(columns, with_tally(parts_of(tally.of), tally));
-  return table(columns, rows);
+  const auto tallies = tallies_by(runs, [](const LawRun& one) {
+    return fmt::format("{};{}", line_label(one.run), value_of(one.run.dt));
+  });
+  return table(columns, text_of_each(tallies, [&](const LawTally& tally) {
+                 return table_row(columns, with_tally(parts_of(tally.of), tally));
+               }));
 }
 
-std::string states_table(const LawResults& results) {
+std::string ratio_text(double over, double under) {
+  return fmt::format("{}", over / under);
+}
+
+std::string states_table(const std::vector<LawRun>& runs, const Json& states) {
   const Cells columns =
       followed_by({"state", "height over width of the top block", "its mass over that below"}, tally_columns);
   std::map<std::string, LawTally> tallies;
-  for (LawTally& tally : tallies_by(results.runs, [](const LawRun& one) { return one.run.scene; }))
+  for (LawTally& tally : tallies_by(runs, [](const LawRun& one) { return one.run.scene; }))
     tallies.emplace(tally.of, std::move(tally));
-  std::string rows;
-  for (const LawState& state : results.states)
-    rows += table_row(columns, with_tally({state.name, fmt::format("{}", state.aspect_ratio),
-                                           fmt::format("{}", state.mass_ratio)},
-                                          tallies[state.name]));
-  return table(columns, rows);
+  return table(columns, text_of_each(states, [&](const Json& state) {
+                 const std::string name = text_at(state, "name");
+                 const Json& blocks = state.at("blocks");
+                 const Json &top = blocks.at(blocks.size() - 1), &below = blocks.at(blocks.size() - 2);
+                 return table_row(columns, with_tally({name, ratio_text(top.at("height"), top.at("width")),
+                                                       ratio_text(top.at("mass"), below.at("mass"))},
+                                                      tallies[name]));
+               }));
 }
 
 /// "0.1234 -0.5678" of numbers with many digits.
@@ -132,9 +139,8 @@ std::vector<std::size_t> order_of(const Cells& columns) {
                     "rates",      "rates_paper", "rates_consistent"};
   std::vector<std::size_t> order(columns.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto place = [&](std::size_t i) { return std::find(first.begin(), first.end(), columns[i]); };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+  const auto place = [&](std::size_t i) { return std::ranges::find(first, columns[i]); };
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
   return order;
 }
 
@@ -163,45 +169,47 @@ std::string maps(const fs::path& results, const std::vector<LawCell>& cells) {
   return text;
 }
 
-/// Facts under names: of each, what `titled` makes of them.
-template <class Titled>
-std::string facts_under(const std::vector<std::pair<std::string, Facts>>& parts, const Titled& titled) {
-  std::string text;
-  for (const auto& [name, facts] : parts) text += titled(escaped(name), definition_list(facts));
-  return text;
+/// "ode:step, tuned".
+std::string set_of(const Json& engine) {
+  return fmt::format("{}:{}, {}", text_at(engine, "engine"), text_at(engine, "solver"),
+                     text_at(engine, "settings"));
 }
 
-std::string content(const fs::path& folder, const LawResults& results) {
-  return filled_in(
-      impact_laws_html,
-      {{"title", escaped(results.title)},
-       {"answer", answer_box(law_answer(results))},
-       {"law_summary", sentence_list(law_summary(results))},
-       {"engine_summary", sentence_list(engine_summary(results))},
-       {"maps", maps(folder, results.cells)},
-       {"kinds", kinds_table(results.cells)},
-       {"stacks", stacks_table(results.cells)},
-       {"pairs", pairs_table(results.pairs)},
-       {"engine_figure", drawn_figure(folder, "impact-laws.engines", "laws-engines-",
-                                      "How far every engine run is from either law")},
-       {"solvers", solvers_table(results.runs)},
-       {"states", states_table(results)},
-       {"runs", runs_table(results)},
-       {"suite", escaped(results.suite_file)},
-       {"parameters", facts_under(results.engines,
-                                  [](const auto& name, const auto& facts) { return details(name, facts); })},
-       {"definitions",
-        facts_under(results.definitions,
-                    [](const auto& name, const auto& facts) { return element("h3", name) + facts; })},
-       {"command", escaped(results.command)},
-       {"environment", definition_list(results.environment)}});
+std::string content(const fs::path& folder, const LawResults& results, const Json& json) {
+  const std::string parameters = text_of_each(json.at("engines"), [](const Json& engine) {
+    return details(escaped(set_of(engine)), definition_list(facts_of(engine.at("parameters"))));
+  });
+  std::string definitions;
+  for (const auto& [file, columns] : json.at("definitions").items())
+    definitions += element("h3", escaped(file)) + definition_list(facts_of(columns));
+  return filled_in(impact_laws_html,
+                   {{"title", escaped_at(json, "title")},
+                    {"answer", answer_box(law_answer(results))},
+                    {"law_summary", sentence_list(law_summary(results))},
+                    {"engine_summary", sentence_list(engine_summary(results))},
+                    {"maps", maps(folder, results.cells)},
+                    {"kinds", kinds_table(results.cells)},
+                    {"stacks", stacks_table(results.cells)},
+                    {"pairs", pairs_table(json.at("disagreements"))},
+                    {"engine_figure", drawn_figure(folder, "impact-laws.engines", "laws-engines-",
+                                                   "How far every engine run is from either law")},
+                    {"solvers", solvers_table(results.runs)},
+                    {"states", states_table(results.runs, json.at("cases"))},
+                    {"runs", runs_table(results)},
+                    {"suite", escaped_at(json, "suite_file")},
+                    {"parameters", parameters},
+                    {"definitions", definitions},
+                    {"command", escaped_at(json, "command")},
+                    {"environment", definition_list(facts_of(json.at("environment")))}});
 }
 
 }  // namespace
 
 void write_impact_law_report(const std::filesystem::path& results) {
-  const LawResults read = read_law_results(results);
-  write_file(results / "report.html", page({read.title, "report", content(results, read)}));
+  read_json(results / "impact-laws.json", [&](const Json& json) {
+    const std::string text = content(results, read_law_results(results), json);
+    write_file(results / "report.html", page({text_at(json, "title"), "report", text}));
+  });
 }
 
 }  // namespace rockstack::plots

@@ -68,7 +68,7 @@ constexpr std::array followers{EventKind::slip, EventKind::stick, EventKind::par
 
 template <class Kinds>
 bool is_among(const Kinds& kinds, EventKind kind) {
-  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  return std::ranges::find(kinds, kind) != kinds.end();
 }
 
 /// Events by time, with 1 for chatter: slow bounces, and the starts and ends of sliding and touching that

@@ -16,8 +16,8 @@ constexpr double reported_gain = 1e-4;
 constexpr double reported_ratio = 2;
 
 const ComparedScene& scene_of(const Comparison& comparison, const Run& run) {
-  return *std::find_if(comparison.scenes.begin(), comparison.scenes.end(),
-                       [&](const ComparedScene& scene) { return scene.name == run.scene; });
+  return *std::ranges::find_if(comparison.scenes,
+                               [&](const ComparedScene& scene) { return scene.name == run.scene; });
 }
 
 /// The scene of a run again, with its solver in both sets, at these steps.
@@ -117,12 +117,12 @@ class Writer {
     const Score& score = *accuracy_.of(solver);
     const Run& worst = score.worst();
     const std::vector<RankedSet>& ranking = comparison_.verdict.ranking;
-    const auto set = std::find_if(ranking.begin(), ranking.end(), [&](const RankedSet& one) {
+    const auto set = std::ranges::find_if(ranking, [&](const RankedSet& one) {
       return set_name(one.engine, one.solver, one.settings) == set_name(worst);
     });
     if (set == ranking.end()) return;
-    const auto sharing = std::count_if(ranking.begin(), ranking.end(),
-                                       [&](const RankedSet& one) { return one.rank == set->rank; });
+    const auto sharing =
+        std::ranges::count_if(ranking, [&](const RankedSet& one) { return one.rank == set->rank; });
     list.push_back(
         {fmt::format("Rank {} of {}{}: with its {} set its error is {:.2g} times the least, in the "
                      "geometric mean of {} of scene and step; at {} most in {} ({:.2g}).",
@@ -168,7 +168,7 @@ class Writer {
   void add_energy(const std::string& solver, std::vector<Remark>& list) const {
     const Score* score = energy_.of(solver);
     if (score == nullptr) return;
-    const double most = *std::max_element(score->values.begin(), score->values.end());
+    const double most = *std::ranges::max_element(score->values);
     if (most < reported_gain) return;
     list.push_back({fmt::format("In {} its contacts make energy: {:.2g} of the stack's weight times height.",
                                 score->worst().scene, most),
@@ -178,10 +178,9 @@ class Writer {
   void add_overlap(const std::string& solver, std::vector<Remark>& list) const {
     const Score* score = overlap_.of(solver);
     if (score == nullptr) return;
-    list.push_back(
-        {fmt::format("Blocks sink into each other by up to {:.2g} m ({}).",
-                     *std::max_element(score->values.begin(), score->values.end()), score->worst().scene),
-         again(score->worst())});
+    list.push_back({fmt::format("Blocks sink into each other by up to {:.2g} m ({}).",
+                                *std::ranges::max_element(score->values), score->worst().scene),
+                    again(score->worst())});
   }
 
   void add_cost(const std::string& solver, std::vector<Remark>& list) const {

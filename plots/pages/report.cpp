@@ -85,8 +85,8 @@ std::string contents_list(const Comparison& comparison) {
 }
 
 std::vector<std::string> counts_of(const Comparison& comparison) {
-  const auto failed = static_cast<std::size_t>(std::count_if(comparison.runs.begin(), comparison.runs.end(),
-                                                             [](const Run& run) { return !run.done(); }));
+  const auto failed = static_cast<std::size_t>(
+      std::ranges::count_if(comparison.runs, [](const Run& run) { return !run.done(); }));
   std::vector<std::string> sentences{
       fmt::format("{} of {}; {} failed.", counted(comparison.runs.size(), "run"),
                   counted(comparison.scenes.size(), "scene"), failed == 0 ? "none" : std::to_string(failed))};

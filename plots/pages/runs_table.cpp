@@ -42,8 +42,7 @@ std::string text_of(const Run& run, std::size_t column) {
 }
 
 bool any_value(const Comparison& comparison, std::size_t column) {
-  return std::any_of(comparison.runs.begin(), comparison.runs.end(),
-                     [&](const Run& run) { return !text_of(run, column).empty(); });
+  return std::ranges::any_of(comparison.runs, [&](const Run& run) { return !text_of(run, column).empty(); });
 }
 
 Order order_of(const Comparison& comparison) {
@@ -58,8 +57,7 @@ Order order_of(const Comparison& comparison) {
   }
   order.shown = order.columns.size();
   for (std::size_t i = 0; i < columns().size(); ++i)
-    if (std::find(order.columns.begin(), order.columns.end(), i) == order.columns.end())
-      order.columns.push_back(i);
+    if (std::ranges::find(order.columns, i) == order.columns.end()) order.columns.push_back(i);
   return order;
 }
 

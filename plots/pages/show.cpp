@@ -37,8 +37,8 @@ constexpr std::array kinds{Kind{"course.json", write_course},
                            Kind{"impact-laws.csv", write_impact_law_report}};
 
 const Kind* kind_of(const fs::path& results) {
-  const auto* const kind = std::find_if(kinds.begin(), kinds.end(),
-                                        [&](const Kind& one) { return fs::exists(results / one.file); });
+  const auto* const kind =
+      std::ranges::find_if(kinds, [&](const Kind& one) { return fs::exists(results / one.file); });
   return kind == kinds.end() ? nullptr : kind;
 }
 

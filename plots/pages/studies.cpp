@@ -24,8 +24,8 @@ struct Study {
 
 std::string table_of(const fs::path& file) {
   const Table table = read_table(file);
-  std::string rows;
-  for (const auto& row : table.rows) rows += table_row(table.columns, row);
+  const std::string rows =
+      text_of_each(table.rows, [&](const auto& row) { return table_row(table.columns, row); });
   return element("h3", escaped(file.filename().string())) + wide_table(table.columns, rows, "Table") + "\n";
 }
 
@@ -76,18 +76,14 @@ std::vector<double> sums(const fs::path& file, const std::vector<std::string>& n
 }
 
 void add_toppled(const fs::path& results, Sentences& sentences) {
-  const Table runs = read_table(results / "runs.csv");
-  const std::size_t toppled = column(runs, "toppled", results / "runs.csv");
-  const std::size_t status = column(runs, "status", results / "runs.csv");
-  const auto count = [&](const auto& counts) {
-    return std::count_if(runs.rows.begin(), runs.rows.end(), counts);
-  };
-  const auto done = count([&](const auto& row) { return row[status] == "done"; });
-  const auto fell = count([&](const auto& row) { return row[status] == "done" && row[toppled] != "0"; });
-  const auto failed = count([&](const auto& row) { return row[status] != "done"; });
+  std::size_t done = 0, fell = 0, failed = 0;
+  each_row(results / "runs.csv", [&](const TableRow& row) {
+    const bool is_done = row.text("status") == "done", stands = row.text("toppled") == "0";
+    ++(is_done ? done : failed);
+    if (is_done && !stands) ++fell;
+  });
   if (done > 0)
-    sentences.push_back(fmt::format("Of {} {} topple, {:.3g} %.",
-                                    counted(static_cast<std::size_t>(done), "run"), fell,
+    sentences.push_back(fmt::format("Of {} {} topple, {:.3g} %.", counted(done, "run"), fell,
                                     100.0 * static_cast<double>(fell) / static_cast<double>(done)));
   if (failed > 0) sentences.push_back(fmt::format("{} failed; runs.csv says why.", failed));
 }
@@ -119,13 +115,11 @@ void add_outcomes(const fs::path& results, Sentences& sentences) {
 
 /// How many engine runs have each verdict.
 std::string verdicts(const fs::path& results) {
-  const Table runs = read_table(results / "stability.csv");
-  const std::size_t verdict = column(runs, "verdict", results / "stability.csv");
-  const std::size_t dt = column(runs, "dt", results / "stability.csv");
   std::map<std::string, std::size_t> counts;
   std::size_t all = 0;
-  for (const auto& row : runs.rows)
-    if (!row[dt].empty()) ++counts[row[verdict]], ++all;
+  each_row(results / "stability.csv", [&](const TableRow& row) {
+    if (!row.text("dt").empty()) ++counts[row.text("verdict")], ++all;
+  });
   Sentences parts;
   for (const char* name : {"sound", "inexact", "unstable", "failed"})
     if (counts[name] > 0)
@@ -135,19 +129,14 @@ std::string verdicts(const fs::path& results) {
 
 /// The largest stable step of each solver over the study's values.
 void add_stable_steps(const fs::path& results, const std::string& axis, Sentences& sentences) {
-  const fs::path file = results / "steps.csv";
-  const Table steps = read_table(file);
-  const std::vector<double> stable = read_columns(file, {"largest_stable_step"})[0];
-  const std::size_t engine = column(steps, "engine", file), solver = column(steps, "solver", file),
-                    settings = column(steps, "settings", file);
   std::map<std::string, std::vector<double>> lists;
-  for (std::size_t i = 0; i < steps.rows.size(); ++i) {
-    const auto& row = steps.rows[i];
-    lists[fmt::format("{} {}, {}", row[engine], row[solver], row[settings])].push_back(stable[i]);
-  }
+  each_row(results / "steps.csv", [&](const TableRow& row) {
+    lists[fmt::format("{} {}, {}", row.text("engine"), row.text("solver"), row.text("settings"))].push_back(
+        row.value("largest_stable_step"));
+  });
   const auto words = [](double step) { return step > 0 ? duration_text(step) : std::string("none"); };
   for (const auto& [name, list] : lists) {
-    const auto [least, most] = std::minmax_element(list.begin(), list.end());
+    const auto [least, most] = std::ranges::minmax_element(list);
     sentences.push_back(fmt::format("{}: the largest stable step is {} {} values of {}.", name,
                                     *least == *most
                                         ? fmt::format("{} at all", words(*least))
@@ -182,10 +171,10 @@ Sentences advised(const Json& json) {
   }
   if (until < json.at("duration").get<double>())
     sentences.push_back(fmt::format("This holds until {:.4g} s, the horizon of predictability.", until));
-  std::vector<std::string> untried;
-  for (const Json& one : json.at("untried"))
-    untried.push_back(fmt::format("{}:{} below {}", text_at(one, "engine"), text_at(one, "solver"),
-                                  duration_text(one.at("below").get<double>())));
+  const std::vector<std::string> untried = each_of(json.at("untried"), [](const Json& one) {
+    return fmt::format("{}:{} below {}", text_at(one, "engine"), text_at(one, "solver"),
+                       duration_text(one.at("below").get<double>()));
+  });
   if (!untried.empty())
     sentences.push_back(fmt::format("As the search had {:g} s, it has not tried {}.",
                                     json.at("within").get<double>(), joined(untried)));

@@ -25,9 +25,7 @@ struct CommonAxes {
     constexpr double part = 0.27;
     return static_cast<double>(set) + part * (place(dt) - 0.5 * static_cast<double>(steps.size() - 1));
   }
-  double place(double dt) const {
-    return static_cast<double>(std::find(steps.begin(), steps.end(), dt) - steps.begin());
-  }
+  double place(double dt) const { return static_cast<double>(std::ranges::find(steps, dt) - steps.begin()); }
 };
 
 bool is_shown(const Run& run) {
@@ -40,7 +38,7 @@ CommonAxes frame_of(const Comparison& comparison) {
   for (const Run& run : comparison.runs) {
     if (!is_shown(run)) continue;
     runs.push_back(run);
-    if (std::find(frame.sets.begin(), frame.sets.end(), line_label(run)) == frame.sets.end())
+    if (std::ranges::find(frame.sets, line_label(run)) == frame.sets.end())
       frame.sets.push_back(line_label(run));
   }
   frame.sets.resize(std::min(frame.sets.size(), most_rows));
@@ -59,9 +57,9 @@ std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& 
                              const CommonAxes& frame) {
   std::vector<Place> places;
   for (const Run& run : comparison.runs) {
-    const auto set = std::find(frame.sets.begin(), frame.sets.end(), line_label(run));
+    const auto set = std::ranges::find(frame.sets, line_label(run));
     if (run.scene != scene.name || !is_shown(run) || set == frame.sets.end() ||
-        std::find(frame.steps.begin(), frame.steps.end(), run.dt) == frame.steps.end())
+        std::ranges::find(frame.steps, run.dt) == frame.steps.end())
       continue;
     places.push_back({&run, frame.height(static_cast<std::size_t>(set - frame.sets.begin()), *run.dt),
                       paler(style_of(run).colour, frame.strength(*run.dt))});
@@ -147,8 +145,7 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& fr
 
 Legend legend_of(const Comparison& comparison, const CommonAxes& frame) {
   const auto any = [&](const auto& holds) {
-    return std::any_of(comparison.runs.begin(), comparison.runs.end(),
-                       [&](const Run& run) { return is_shown(run) && holds(run); });
+    return std::ranges::any_of(comparison.runs, [&](const Run& run) { return is_shown(run) && holds(run); });
   };
   Legend legend;
   for (const double dt : frame.steps)
@@ -157,8 +154,8 @@ Legend legend_of(const Comparison& comparison, const CommonAxes& frame) {
   legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
   if (any([](const Run& run) { return run.replicates.value_or(1) > 1; }))
     legend.emplace_back(fmt::format("with lines {}", quartiles_style), "quartiles of replicates");
-  const auto shaded = std::find_if(comparison.scenes.begin(), comparison.scenes.end(),
-                                   [](const ComparedScene& scene) { return axis_of(scene).is_shaded(); });
+  const auto shaded = std::ranges::find_if(
+      comparison.scenes, [](const ComparedScene& scene) { return axis_of(scene).is_shaded(); });
   if (shaded != comparison.scenes.end()) explain_shade(axis_of(*shaded), legend);
   if (any([](const Run& run) { return !run.done(); })) legend.emplace_back(failure_style, "failed");
   return legend;
@@ -181,8 +178,8 @@ std::string answer(const Comparison& comparison) {
 Drawings agreement(const ComparisonSubject& subject) {
   const Comparison& comparison = subject.comparison;
   const CommonAxes frame = frame_of(comparison);
-  const bool any = std::any_of(comparison.runs.begin(), comparison.runs.end(),
-                               [](const Run& run) { return is_shown(run) && run.error; });
+  const bool any =
+      std::ranges::any_of(comparison.runs, [](const Run& run) { return is_shown(run) && run.error; });
   if (!any) return {};
   Sheet sheet = subject.figure.sheet(comparison.title, legend_of(comparison, frame), answer(comparison));
   const std::size_t scenes = std::min(comparison.scenes.size(), most_scenes);

@@ -63,9 +63,7 @@ Curve fitted(const ErrorLine& line) {
   Curve curve;
   for (int i = 0; i <= points; ++i) {
     const double dt = first * std::pow(last / first, static_cast<double>(i) / points);
-    curve.times.push_back(dt);
-    curve.values.push_back(line.fit->model_error.value +
-                           line.fit->coefficient * std::pow(dt, line.fit->order.value));
+    curve.add(dt, line.fit->model_error.value + line.fit->coefficient * std::pow(dt, line.fit->order.value));
   }
   return curve;
 }

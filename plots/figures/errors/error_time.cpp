@@ -55,10 +55,9 @@ double exact_cost(const std::vector<Run>& exact) {
 }
 
 Numbers numbers_of(const CostLine& line) {
-  Numbers numbers;
-  numbers.reserve(line.costs.size());
-  for (const Cost& cost : line.costs) numbers.push_back({cost.time, cost.error, cost.lower, cost.upper});
-  return numbers;
+  return each_of(line.costs, [](const Cost& cost) {
+    return std::vector{cost.time, cost.error, cost.lower, cost.upper};
+  });
 }
 
 /// Whether the errors of two neighbouring runs tell a trend: their quartiles over replicates differ, and
@@ -127,8 +126,7 @@ std::vector<std::string> plots_of(const std::vector<CostLine>& lines, std::size_
 /// where no solver has more than one, or where errors differ too little for slopes to be told apart.
 std::string slope_guides(const std::vector<CostLine>& lines, const Frame& frame, bool named) {
   constexpr double enough = 30;
-  const bool single =
-      std::none_of(lines.begin(), lines.end(), [](const CostLine& line) { return line.costs.size() > 1; });
+  const bool single = std::ranges::none_of(lines, [](const CostLine& line) { return line.costs.size() > 1; });
   const auto& [across, up] = frame;
   if (single || up.high < enough * up.low) return "";
   std::string text;
@@ -153,8 +151,8 @@ std::vector<Series> series_of(const std::vector<CostLine>& lines, bool many) {
     one.words = many ? solver_name(lines[i].run) : lines[i].label;
     one.plots = plots_of(lines, i, 1.7);
     one.alone = plots_of(lines, i, 1.1);
-    const auto same = std::find_if(list.begin(), list.end(),
-                                   [&](const Series& other) { return many && other.words == one.words; });
+    const auto same =
+        std::ranges::find_if(list, [&](const Series& other) { return many && other.words == one.words; });
     if (same == list.end()) {
       list.push_back(std::move(one));
       continue;
@@ -195,9 +193,8 @@ void add_notes(Sheet& sheet, const std::vector<CostLine>& lines, bool guided, bo
     sheet.note(
         "lines join runs whose errors tell a trend; dotted slopes: a method of order one, and of two; black: "
         "the exact solver");
-  const bool changed = std::any_of(lines.begin(), lines.end(), [](const CostLine& line) {
-    return line.run.settings.find('+') != std::string::npos;
-  });
+  const bool changed = std::ranges::any_of(
+      lines, [](const CostLine& line) { return line.run.settings.find('+') != std::string::npos; });
   if (many && changed)
     sheet.note("stars and crosses: sets with a parameter changed, which the ranking names");
 }

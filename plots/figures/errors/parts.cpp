@@ -58,8 +58,8 @@ double largest_term(const std::vector<Run>& runs) {
 
 /// How many of the runs have that term as their largest.
 auto led_by(const std::vector<Run>& runs, const Term& led) {
-  return std::count_if(runs.begin(), runs.end(), [&](const Run& run) {
-    return std::all_of(terms_of_difference.begin(), terms_of_difference.end(), [&](const Term& term) {
+  return std::ranges::count_if(runs, [&](const Run& run) {
+    return std::ranges::all_of(terms_of_difference, [&](const Term& term) {
       return term.size == led.size || run.*term.size < run.*led.size;
     });
   });

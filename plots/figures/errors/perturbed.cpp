@@ -21,7 +21,7 @@ std::vector<Sample> samples_of(const std::vector<Run>& runs, int block) {
       if (!tally.failed())
         sample.values.push_back(block > 0 ? tally.peaks.at(static_cast<std::size_t>(block) - 1)
                                           : tally.impacts);
-    std::sort(sample.values.begin(), sample.values.end());
+    std::ranges::sort(sample.values);
     if (!sample.values.empty()) samples.push_back(std::move(sample));
   }
   return samples;
@@ -38,12 +38,9 @@ Reach reach_of(const std::vector<Sample>& samples) {
 /// The share of values at or below, from one end of the panel to the other, as gnuplot's steps.
 Curve shares(const std::vector<double>& values, const Reach& reach) {
   Curve curve{{reach.low}, {0}};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    curve.times.push_back(values[i]);
-    curve.values.push_back(static_cast<double>(i + 1) / static_cast<double>(values.size()));
-  }
-  curve.times.push_back(reach.high);
-  curve.values.push_back(1);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    curve.add(values[i], static_cast<double>(i + 1) / static_cast<double>(values.size()));
+  curve.add(reach.high, 1);
   return curve;
 }
 

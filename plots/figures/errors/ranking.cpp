@@ -44,7 +44,7 @@ std::vector<RankedSeries> ranked(const Comparison& comparison, const std::string
   std::vector<RankedSeries> rows;
   for (const StepLine& line : step_lines(comparison, scene))
     for (const RankedSeries& row : rows_of(line)) rows.push_back(row);
-  std::stable_sort(rows.begin(), rows.end(), [](const RankedSeries& a, const RankedSeries& b) {
+  std::ranges::stable_sort(rows, [](const RankedSeries& a, const RankedSeries& b) {
     return a.steps != b.steps ? a.steps > b.steps : a.largest < b.largest;
   });
   rows.resize(std::min(rows.size(), most_rows));

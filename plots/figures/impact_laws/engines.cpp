@@ -20,8 +20,7 @@ std::vector<Marks> marks_of(const std::vector<LawRun>& runs) {
   for (const LawRun& one : runs) {
     if (!visible(one)) continue;
     const std::string label = run_label(one.run);
-    auto found =
-        std::find_if(list.begin(), list.end(), [&](const Marks& m) { return run_label(m.run) == label; });
+    auto found = std::ranges::find_if(list, [&](const Marks& m) { return run_label(m.run) == label; });
     if (found == list.end()) found = list.insert(list.end(), {one.run, {}});
     found->at.emplace_back(one.from_paper, one.from_consistent);
   }
@@ -95,8 +94,7 @@ std::vector<Series> series_of(const std::vector<Marks>& list, Legend& legend) {
     const std::string label = line_label(run);
     const bool short_step = run.dt <= shortest.at(label);
     const std::string style = mark_style(run, short_step ? 1.3 : 0.8), marks = fmt::format("$marks_{}", i);
-    auto found =
-        std::find_if(series.begin(), series.end(), [&](const Series& one) { return one.words == label; });
+    auto found = std::ranges::find_if(series, [&](const Series& one) { return one.words == label; });
     if (found == series.end()) found = series.insert(series.end(), {label, style_of(run).colour, {}, {}, {}});
     found->plots.push_back(fmt::format("{} using 1:2 {} notitle", marks, style));
     found->alone.push_back(found->plots.back());

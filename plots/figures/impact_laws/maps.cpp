@@ -96,13 +96,12 @@ Legend shade_legend() {
 
 /// Of all panels.
 std::string settings_of(const std::vector<LawCell>& cells) {
-  std::string palette;
-  for (std::size_t i = 0; i < shades.size(); ++i)
-    palette += fmt::format("{}{} '{}'", i > 0 ? ", " : "", 25 * i, shades.at(i));
+  int percent = -25;
+  const auto shade = [&](const char* colour) { return fmt::format("{} '{}'", percent += 25, colour); };
   return fmt::format(
              "set tics out nomirror scale 0.6\nset palette defined ({})\nset cbrange [0:100]\nunset colorbox\n"
              "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb '{}' fs solid noborder\n",
-             palette, no_impact) +
+             text_of_each(shades, shade, ", "), no_impact) +
          axis_of("x", edges(cells, &LawCell::aspect_ratio_from, &LawCell::aspect_ratio_to)) +
          axis_of("y", edges(cells, &LawCell::mass_ratio_from, &LawCell::mass_ratio_to));
 }

@@ -41,7 +41,7 @@ Stack<double> stack_of(const std::vector<Block>& blocks) {
 /// Angles of all blocks, or their places, between samples on straight lines; held after the end.
 std::vector<double> values_at(const History& history, const std::vector<double>& rows, double time) {
   const std::vector<double>& times = history.times;
-  const auto after = std::upper_bound(times.begin(), times.end(), time) - times.begin();
+  const auto after = std::ranges::upper_bound(times, time) - times.begin();
   const auto high = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after, 1, std::ssize(times) - 1));
   const double span = times[high] - times[high - 1];
   const double part = span > 0 ? std::clamp((time - times[high - 1]) / span, 0.0, 1.0) : 1;
@@ -199,7 +199,7 @@ std::vector<std::filesystem::path> draw_animations(const std::filesystem::path& 
     const std::filesystem::path stem = results / "figures" / (scene.name + ".motion");
     draw(animation_of(stage_of(comparison, scene)), stem);
     files.push_back(std::filesystem::path(stem).concat(".gif"));
-    if (has_ffmpeg()) files.push_back(std::filesystem::path(stem).concat(".mp4"));
+    if (has_program("ffmpeg")) files.push_back(std::filesystem::path(stem).concat(".mp4"));
   }
   return files;
 }

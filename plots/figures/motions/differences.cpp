@@ -60,12 +60,8 @@ void add_panels(Sheet& sheet, const std::vector<Departure>& departures, const Re
                 const TimeAxis& axis, double tolerance, bool together) {
   const std::size_t panels = departures.front().sizes.size();
   for (std::size_t k = 0; k < panels; ++k) {
-    std::vector<Run> runs;
-    std::vector<Curve> sizes;
-    for (const Departure& one : departures) {
-      runs.push_back(one.run);
-      sizes.push_back(one.sizes[k]);
-    }
+    const std::vector<Run> runs = each_of(departures, &Departure::run);
+    const auto sizes = each_of(departures, [&](const Departure& one) { return one.sizes[k]; });
     const std::string words =
         together ? "largest |Δθ| (rad)" : fmt::format("|Δ{}| (rad)", angle_name(static_cast<int>(k) + 1));
     const auto axes = [&](double, double height) {
@@ -87,10 +83,12 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, cons
   std::vector<std::string> names;
   for (const Departure& one : departures) {
     const double row = rows - static_cast<double>(names.size());
-    Numbers marks;
-    for (const double time : one.agreement_times) marks.push_back({time, row});
-    plots.add(marks, {fmt::format("using 1:2 with points pt 2 ps 0.7*mark lw 1 lc rgb '{}'",
-                                  style_of(one.run).colour)});
+    plots.add(
+        each_of(one.agreement_times,
+                [&](double time) {
+                  return std::vector{time, row};
+                }),
+        {fmt::format("using 1:2 with points pt 2 ps 0.7*mark lw 1 lc rgb '{}'", style_of(one.run).colour)});
     plots.add({{value_of(one.run.agreement_time), row}}, {"using 1:2 " + mark_style(one.run, 1.6)});
     names.push_back(line_label(one.run));
   }
@@ -134,10 +132,8 @@ Drawing differences(const SceneSubject& subject) {
   const bool many = are_many(runs), together = many || scene.blocks() > most_blocks;
   const std::size_t curves =
       runs.size() * (many ? runs.size() : 2 * static_cast<std::size_t>(scene.blocks()));
-  std::vector<Departure> departures;
-  departures.reserve(runs.size());
-  for (const Run& run : runs)
-    departures.push_back(read_departure(run, scene.blocks(), bins_for(curves), together));
+  const std::vector<Departure> departures = each_of(
+      runs, [&](const Run& run) { return read_departure(run, scene.blocks(), bins_for(curves), together); });
   Legend legend = legend_of(runs, curve_style);
   legend.emplace_back(tolerance_style, "tolerance");
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);

@@ -19,7 +19,7 @@ std::vector<double> stretches(const Shown& shown, double end) {
   if (!shown.exact.empty())
     for (const Event& event : history_of(shown.exact.front())->events)
       if (event.kind == EventKind::impact) times.push_back(event.time);
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   constexpr double parts = 60;
   std::vector<double> kept{0};
   for (const double time : times)
@@ -67,27 +67,23 @@ std::string range_of(const std::vector<Curve>& curves, double height) {
 /// The exact curve of the run that lasts longest.
 const Curve& longest_exact(const std::vector<Energies>& all) {
   const auto last = [](const Energies& one) { return one.exact.times.empty() ? 0 : one.exact.times.back(); };
-  return std::max_element(all.begin(), all.end(),
-                          [&](const Energies& a, const Energies& b) { return last(a) < last(b); })
-      ->exact;
+  return std::ranges::max_element(all, {}, last)->exact;
 }
 
 std::string answer(const std::vector<Energies>& all) {
-  const auto [low, high] = std::minmax_element(
-      all.begin(), all.end(),
-      [](const Energies& a, const Energies& b) { return a.apart.largest() < b.apart.largest(); });
-  const auto text = [](const Energies& one) { return fmt::format("{:.3g}", one.apart.largest()); };
-  return fmt::format("Off between impacts by at most {} J", span_text(text(*low), text(*high)));
+  Reach largest;
+  for (const Energies& one : all) largest.add(one.apart.largest());
+  const auto text = [](double value) { return fmt::format("{:.3g}", value); };
+  return fmt::format("Off between impacts by at most {} J", span_text(text(largest.low), text(largest.high)));
 }
 
 }  // namespace
 
 Drawing energy(const SceneSubject& subject) {
   const Shown shown = subject.shown({"energy.csv"});
-  std::vector<Energies> all;
-  all.reserve(shown.engines.size());
-  for (const Run& run : shown.engines)
-    all.push_back(read_energies(run, shown, bins_for(3 * shown.engines.size())));
+  const std::vector<Energies> all = each_of(shown.engines, [&](const Run& run) {
+    return read_energies(run, shown, bins_for(3 * shown.engines.size()));
+  });
   if (all.empty()) return subject.nothing("No engine run of this scene tells its energy.");
   const bool many = are_many(shown.engines);
   const std::string in_grey = fmt::format("with lines lw 1 lc rgb '{}'", context_colour);

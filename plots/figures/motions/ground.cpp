@@ -18,8 +18,7 @@ struct Peak {
 };
 
 Peak peak_of(const Curve& curve) {
-  const auto peak = std::max_element(curve.values.begin(), curve.values.end(),
-                                     [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const auto peak = std::ranges::max_element(curve.values, {}, [](double value) { return std::abs(value); });
   return {*peak, curve.times[static_cast<std::size_t>(peak - curve.values.begin())]};
 }
 

@@ -37,9 +37,8 @@ Verdicts verdicts_on(const Run& run) {
     } else if (one.exact) {
       verdicts.missed.push_back(value_of(one.number));
     } else {
-      const auto before = std::count_if(list->begin(), list->end(), [&](const AlignedImpact& other) {
-        return other.exact && other.exact <= one.engine;
-      });
+      const auto before = std::ranges::count_if(
+          *list, [&](const AlignedImpact& other) { return other.exact && other.exact <= one.engine; });
       verdicts.extra.push_back(static_cast<double>(before) + 0.5);
     }
   }
@@ -73,8 +72,7 @@ void add_unmatched(Sheet& sheet, const std::vector<Verdicts>& all, double last) 
   double row = 2 * runs;
   for (const Verdicts& one : all) {
     for (const auto& [numbers, height] : {std::pair{&one.missed, row}, {&one.extra, row - runs}}) {
-      Numbers marks;
-      for (const double number : *numbers) marks.push_back({number, height});
+      const Numbers marks = each_of(*numbers, [&](double number) { return std::vector{number, height}; });
       if (!marks.empty()) plots.add(marks, {"using 1:2 " + mark_style(one.run, 1.1)});
     }
     --row;
@@ -91,9 +89,8 @@ void add_unmatched(Sheet& sheet, const std::vector<Verdicts>& all, double last) 
 }
 
 double median_size(const Verdicts& verdicts) {
-  std::vector<double> sizes;
-  for (const double late : verdicts.lateness) sizes.push_back(std::abs(late));
-  return sizes.empty() ? std::numeric_limits<double>::infinity() : median(std::move(sizes));
+  if (verdicts.lateness.empty()) return std::numeric_limits<double>::infinity();
+  return median(each_of(verdicts.lateness, [](double late) { return std::abs(late); }));
 }
 
 /// From the engine that has least to the one that has most.
@@ -138,10 +135,8 @@ void add_differences(Sheet& sheet, const std::vector<Verdicts>& all, double last
   for (const Verdicts& one : all) {
     const std::string name = fmt::format("matched_{}", series.size());
     Curve curve;
-    for (std::size_t i = 0; i < one.numbers.size(); ++i) {
-      curve.times.push_back(one.numbers[i] + aside(series.size(), all.size()));
-      curve.values.push_back(scale.place(one.lateness[i]));
-    }
+    for (std::size_t i = 0; i < one.numbers.size(); ++i)
+      curve.add(one.numbers[i] + aside(series.size(), all.size()), scale.place(one.lateness[i]));
     sheet.data(data_block(name, curve));
     series.push_back(mark_series(one.run, name, last > few ? 1.1 : 1.6));
     series.back().words += fmt::format(": −{} +{}", one.missed.size(), one.extra.size());
@@ -183,8 +178,7 @@ Excess excess_of(const Losses& one, double aside) {
   std::vector<double> sizes;
   for (const ImpactLoss& loss : one.impacts) {
     const double percent = 100 * (loss.engine / loss.exact - 1);
-    excess.curve.times.push_back(loss.number + aside);
-    excess.curve.values.push_back(std::clamp(percent, -most_percent, most_percent));
+    excess.curve.add(loss.number + aside, std::clamp(percent, -most_percent, most_percent));
     sizes.push_back(std::abs(percent));
   }
   if (!sizes.empty()) excess.median = median(sizes), excess.largest = quantile(sizes, 1);
@@ -194,10 +188,7 @@ Excess excess_of(const Losses& one, double aside) {
 /// The impacts by number: exact losses of the run that has the most.
 Curve exact_losses(const Losses& most) {
   Curve curve;
-  for (const ImpactLoss& loss : most.impacts) {
-    curve.times.push_back(loss.number);
-    curve.values.push_back(loss.exact);
-  }
+  for (const ImpactLoss& loss : most.impacts) curve.add(loss.number, loss.exact);
   return curve;
 }
 
@@ -212,10 +203,8 @@ std::string numbers(double last) {
 Drawing impact_times(const SceneSubject& subject) {
   const std::vector<Run> runs = subject.shown({"impacts.csv"}).engines;
   if (runs.empty()) return subject.nothing("No engine run of this scene to compare.");
-  std::vector<Verdicts> all;
-  all.reserve(runs.size());
-  for (const Run& run : runs) all.push_back(verdicts_on(run));
-  if (std::all_of(all.begin(), all.end(), [](const Verdicts& one) { return one.numbers.empty(); }))
+  const std::vector<Verdicts> all = each_of(runs, verdicts_on);
+  if (std::ranges::all_of(all, [](const Verdicts& one) { return one.numbers.empty(); }))
     return subject.nothing(without_matches(all));
   Sheet sheet = subject.sheet(mark_legend(runs, 1.6), answer(all));
   const double last = last_number(all);
@@ -228,16 +217,14 @@ Drawing impact_times(const SceneSubject& subject) {
 }
 
 Drawing impact_energy(const SceneSubject& subject) {
-  std::vector<Losses> all;
-  for (const Run& run : subject.shown({"energy.csv", "impacts.csv"}).engines)
-    all.push_back({run, impact_losses(run)});
+  std::vector<Losses> all = each_of(subject.shown({"energy.csv", "impacts.csv"}).engines, [](const Run& run) {
+    return Losses{run, impact_losses(run)};
+  });
   std::erase_if(all, [](const Losses& one) { return one.impacts.empty(); });
   const double largest = largest_loss(all);
   if (!(largest > 0)) return subject.nothing("No impact that loses energy and that an engine has too.");
-  const auto most =
-      std::max_element(all.begin(), all.end(),
-                       [](const Losses& a, const Losses& b) { return a.impacts.size() < b.impacts.size(); }) -
-      all.begin();
+  const auto count = [](const Losses& one) { return one.impacts.size(); };
+  const auto most = std::ranges::max_element(all, {}, count) - all.begin();
   for (Losses& one : all)
     std::erase_if(one.impacts, [&](const ImpactLoss& loss) { return !(loss.exact > counted * largest); });
   const Curve exact = exact_losses(all[static_cast<std::size_t>(most)]);

@@ -1,4 +1,4 @@
-#include "comparisons/measures/results/csv.hpp"
+
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
@@ -14,17 +14,14 @@ struct Occupancy {
 };
 
 Occupancy read_occupancy(const Run& run) {
-  const std::filesystem::path file = run.folder / "patterns.csv";
-  const Table table = read_table(file);
-  const std::size_t exact = column(table, "exact", file), engine = column(table, "engine", file);
-  const std::vector<double> shares = read_columns(file, {"share"})[0];
   Occupancy result{.run = run, .exact = {}, .engine = {}};
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const std::vector<std::string>& row = table.rows[i];
-    result.exact[row[exact]] += shares[i];
-    result.engine[row[engine]] += shares[i];
-    if (row[exact] == row[engine]) result.same += shares[i];
-  }
+  each_row(run.folder / "patterns.csv", [&](const TableRow& row) {
+    const std::string &exact = row.text("exact"), &engine = row.text("engine");
+    const double share = row.value("share");
+    result.exact[exact] += share;
+    result.engine[engine] += share;
+    if (exact == engine) result.same += share;
+  });
   return result;
 }
 
@@ -50,7 +47,7 @@ std::vector<std::string> patterns_of(const std::vector<Occupancy>& all) {
   for (const auto& [pattern, share] : largest_shares(all))
     if (share >= visible) patterns.push_back(pattern);
   const Shares& exact = all.front().exact;
-  std::stable_sort(patterns.begin(), patterns.end(), [&](const std::string& a, const std::string& b) {
+  std::ranges::stable_sort(patterns, [&](const std::string& a, const std::string& b) {
     return share_in(exact, a) > share_in(exact, b);
   });
   patterns.resize(std::min(patterns.size(), most));
@@ -60,10 +57,8 @@ std::vector<std::string> patterns_of(const std::vector<Occupancy>& all) {
 /// Marks of one run: the share, and the row's middle counted from above.
 Curve marks(const std::vector<std::string>& patterns, const Shares& shares, double aside) {
   Curve curve;
-  for (std::size_t i = 0; i < patterns.size(); ++i) {
-    curve.times.push_back(share_in(shares, patterns[i]));
-    curve.values.push_back(static_cast<double>(i) + aside);
-  }
+  for (std::size_t i = 0; i < patterns.size(); ++i)
+    curve.add(share_in(shares, patterns[i]), static_cast<double>(i) + aside);
   return curve;
 }
 
@@ -92,9 +87,7 @@ std::string answer(const std::vector<Occupancy>& all) {
   for (const Occupancy& one : all)
     if (!is_variant(one.run)) engines.push_back(&one);
   if (engines.empty()) engines.push_back(&all.front());
-  const auto [least, most] =
-      std::minmax_element(engines.begin(), engines.end(),
-                          [](const Occupancy* a, const Occupancy* b) { return a->same < b->same; });
+  const auto [least, most] = std::ranges::minmax_element(engines, {}, &Occupancy::same);
   const auto words = [](const Occupancy& one) {
     return fmt::format("{} for {:.1f} % of the time", run_phrase(one.run), 100 * one.same);
   };
@@ -116,9 +109,7 @@ std::string panel_settings(const std::vector<Occupancy>& all, const std::vector<
 
 Drawing occupancy(const SceneSubject& subject) {
   const std::vector<Run> runs = subject.shown({"patterns.csv"}).engines;
-  std::vector<Occupancy> all;
-  all.reserve(runs.size());
-  for (const Run& run : runs) all.push_back(read_occupancy(run));
+  const std::vector<Occupancy> all = each_of(runs, read_occupancy);
   if (all.empty()) return subject.nothing("No engine run of this scene tells its patterns.");
   const std::vector<std::string> patterns = patterns_of(all);
   std::vector<Series> series;

@@ -13,10 +13,7 @@ Curve read_orbit(const Run& run, int block, double tolerance) {
   constexpr std::size_t most = 20'000;
   const std::size_t stride = std::max<std::size_t>(1, angles.size() / most);
   Curve curve;
-  for (std::size_t i = 0; i < angles.size(); i += stride) {
-    curve.times.push_back(angles[i]);
-    curve.values.push_back(velocities[i]);
-  }
+  for (std::size_t i = 0; i < angles.size(); i += stride) curve.add(angles[i], velocities[i]);
   return simplified(curve, tolerance);
 }
 
@@ -67,12 +64,9 @@ Drawing phase(const SceneSubject& subject) {
                    few = 8;  // curves, more of which must be coarser for the file to stay small
   const double tolerance = finest * std::max(1.0, curves / few);
   Sheet sheet = subject.sheet(legend_of(runs, curve_style), answer(runs));
-  for (int k = 0; k < scene.blocks(); ++k) {
-    std::vector<Curve> orbits;
-    orbits.reserve(runs.size());
-    for (const Run& run : runs) orbits.push_back(read_orbit(run, k, tolerance));
-    add_block(sheet, runs, k, scene.blocks(), orbits);
-  }
+  for (int k = 0; k < scene.blocks(); ++k)
+    add_block(sheet, runs, k, scene.blocks(),
+              each_of(runs, [&](const Run& run) { return read_orbit(run, k, tolerance); }));
   return sheet.finish();
 }
 

@@ -1,4 +1,4 @@
-#include <iterator>
+#include <ranges>
 
 #include "plots/data/run_files.hpp"
 #include "plots/figures/figure.hpp"
@@ -31,12 +31,9 @@ Quantity read_quantity(const std::vector<Run>& runs, std::vector<double> History
 }
 
 std::vector<Quantity> read_slips(const std::vector<Run>& runs, int blocks, std::size_t bins) {
-  std::vector<Quantity> list;
-  list.reserve(static_cast<std::size_t>(blocks));
-  for (int k = 0; k < blocks; ++k)
-    list.push_back(
-        read_quantity(runs, &History::slips, k, fmt::format("slip {} (mm)", k + 1), millimetres, bins));
-  return list;
+  return each_of(std::views::iota(0, blocks), [&](int k) {
+    return read_quantity(runs, &History::slips, k, fmt::format("slip {} (mm)", k + 1), millimetres, bins);
+  });
 }
 
 double last_time(const std::vector<Quantity>& quantities) {
@@ -91,17 +88,16 @@ std::string flights_of(const Run& run, int blocks, double end) {
     close(end);
   }
   if (times.empty()) return "nothing flies";
-  std::string text = "apart: ";
-  for (std::size_t i = 0; i < std::min(reported, times.size()); ++i) text += (i > 0 ? ", " : "") + times[i];
-  return text + (times.size() > reported ? fmt::format(" and {} more", times.size() - reported) : "");
+  const std::string more =
+      times.size() > reported ? fmt::format(" and {} more", times.size() - reported) : "";
+  times.resize(std::min(reported, times.size()));
+  return "apart: " + text_of_each(times, std::identity(), ", ") + more;
 }
 
 /// The largest slip of a run, and at which interface.
 std::string slip_phrase(const std::vector<Run>& runs, std::size_t run, const std::vector<Quantity>& slips) {
   const auto largest = [&](const Quantity& slip) { return slip.curves[run].largest(); };
-  const auto most = std::max_element(slips.begin(), slips.end(), [&](const Quantity& a, const Quantity& b) {
-    return largest(a) < largest(b);
-  });
+  const auto most = std::ranges::max_element(slips, {}, largest);
   return fmt::format("{:.3g} mm at interface {} ({})", largest(*most), most - slips.begin() + 1,
                      line_label(runs[run]));
 }
@@ -131,8 +127,8 @@ Drawing slip(const SceneSubject& subject) {
     panels.push_back(
         read_quantity(runs, &History::gaps, k, fmt::format("gap {} (mm)", k + 1), millimetres, bins));
   const auto is_still = [&](const Quantity& panel) {
-    return std::all_of(panel.curves.begin(), panel.curves.end(),
-                       [](const Curve& curve) { return curve.largest() <= least * millimetres; });
+    return std::ranges::all_of(panel.curves,
+                               [](const Curve& curve) { return curve.largest() <= least * millimetres; });
   };
   panels.erase(std::remove_if(panels.begin() + 1, panels.end(), is_still), panels.end());
   return drawn(subject, runs, panels, answer);
@@ -145,7 +141,6 @@ Drawing friction(const SceneSubject& subject) {
     if (run.exact() || has_own_friction(run)) runs.push_back(run);
   const std::size_t bins = bins_of(runs, scene.blocks());
   std::vector<Quantity> panels;
-  panels.reserve(2 * static_cast<std::size_t>(scene.blocks()));
   for (int k = 0; k < scene.blocks(); ++k)
     panels.push_back(read_quantity(runs, &History::angles, k, angle_name(k + 1) + " (rad)", 1, bins));
   const std::vector<Quantity> slips = read_slips(runs, scene.blocks(), bins);

@@ -24,30 +24,21 @@ TrialLines lines_of(const Json& advice) {
   TrialLines lines;
   const Json& pick = advice.at("pick");
   for (const Json& trial : advice.at("trials")) {
-    Run run{trial.get<RunMetrics>()};
+    const Run run{trial.get<RunMetrics>()};
     const double off =
         std::max(value_of(run.largest_angle_difference), run.relative_position_difference.value_or(0));
     const double time = value_of(run.stepping_time_minimum);
     if (!run.done() || !(time > 0) || !(off >= 0)) continue;
     const bool picked = !pick.is_null() && pick.at("run") == trial.at("run");
-    const auto own = std::find_if(lines.begin(), lines.end(), [&](const auto& line) {
-      return solver_name(line.front().run) == solver_name(run);
-    });
-    TrialMark mark{std::move(run), time, std::max(off, least_error), trial.at("passes").get<bool>(), picked};
-    if (own == lines.end()) {
-      lines.push_back({std::move(mark)});
-    } else {
-      own->push_back(std::move(mark));
-    }
+    const auto is_own = [&](const auto& line) { return solver_name(line.front().run) == solver_name(run); };
+    found_or_added(lines, is_own, {})
+        .push_back({run, time, std::max(off, least_error), trial.at("passes").get<bool>(), picked});
   }
   return lines;
 }
 
 Numbers numbers_of(const std::vector<TrialMark>& marks) {
-  Numbers numbers;
-  numbers.reserve(marks.size());
-  for (const TrialMark& mark : marks) numbers.push_back({mark.time, mark.error});
-  return numbers;
+  return each_of(marks, [](const TrialMark& mark) { return std::vector{mark.time, mark.error}; });
 }
 
 std::string answer_of(const TrialLines& lines, double error) {
@@ -72,7 +63,6 @@ Drawings advice(const FolderSubject& subject) {
     for (const TrialMark& mark : line) across.add(mark.time), up.add(mark.error);
   across = across.wider_times(2), up = up.wider_times(2);
   Legend legend;
-  legend.reserve(lines.size() + 2);
   for (const auto& line : lines)
     legend.emplace_back(mark_style(line.front().run, 1.5), solver_name(line.front().run));
   legend.emplace_back(limit_style, fmt::format("asked for: {:g}", error));

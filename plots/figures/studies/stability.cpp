@@ -1,7 +1,6 @@
 #include <iterator>
 #include <set>
 
-#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/results.hpp"
 #include "plots/drawing/maps.hpp"
 #include "plots/figures/figure.hpp"
@@ -34,10 +33,7 @@ double place_of(double value, const Places& places) {
 
 /// Labels in a unit that many times smaller.
 std::string tics(const Places& places, double times) {
-  std::vector<std::string> words;
-  words.reserve(places.size());
-  for (const double value : places) words.push_back(fmt::format("{:.4g}", times * value));
-  return word_tics(words);
+  return word_tics(each_of(places, [&](double value) { return fmt::format("{:.4g}", times * value); }));
 }
 
 /// What is drawn of one solver: its cells, and the largest stable step at each value.
@@ -48,26 +44,19 @@ struct Map {
 };
 
 std::map<std::string, Map> read_maps(const std::filesystem::path& results) {
-  const auto file = results / "stability.csv";
-  const Table table = read_table(file);
-  const auto numbers = read_columns(file, {"value", "dt"});
-  const auto at = [&](const char* name) { return column(table, name, file); };
-  const std::size_t engine = at("engine"), solver = at("solver"), settings = at("settings"),
-                    verdict = at("verdict");
   std::map<std::string, Map> maps;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const auto& row = table.rows[i];
-    if (std::isnan(numbers[1][i])) continue;
-    Map& map = maps[row[engine] + "-" + row[solver] + "-" + row[settings]];
-    map.solver = fmt::format("{} {}, {}", row[engine], row[solver], row[settings]);
-    map.cells.push_back({numbers[0][i], numbers[1][i], row[verdict]});
-  }
-  const Table steps = read_table(results / "steps.csv");
-  const auto stable = read_columns(results / "steps.csv", {"value", "largest_stable_step"});
-  for (std::size_t i = 0; i < steps.rows.size(); ++i) {
-    const auto& row = steps.rows[i];
-    maps[row[0] + "-" + row[1] + "-" + row[2]].stable.emplace_back(stable[0][i], stable[1][i]);
-  }
+  const auto map_of = [&](const TableRow& row) -> Map& {
+    return maps[row.text("engine") + "-" + row.text("solver") + "-" + row.text("settings")];
+  };
+  each_row(results / "stability.csv", [&](const TableRow& row) {
+    if (std::isnan(row.value("dt"))) return;
+    Map& map = map_of(row);
+    map.solver = fmt::format("{} {}, {}", row.text("engine"), row.text("solver"), row.text("settings"));
+    map.cells.push_back({row.value("value"), row.value("dt"), row.text("verdict")});
+  });
+  each_row(results / "steps.csv", [&](const TableRow& row) {
+    map_of(row).stable.emplace_back(row.value("value"), row.value("largest_stable_step"));
+  });
   return maps;
 }
 
@@ -82,8 +71,8 @@ Numbers staircase(const Map& map, const Places& across, const Places& up) {
 }
 
 std::string answer(const Map& map) {
-  const auto sound = std::count_if(map.cells.begin(), map.cells.end(),
-                                   [](const Cell& cell) { return cell.verdict == "sound"; });
+  const auto sound =
+      std::ranges::count_if(map.cells, [](const Cell& cell) { return cell.verdict == "sound"; });
   return fmt::format("{} of {} runs are sound", sound, map.cells.size());
 }
 

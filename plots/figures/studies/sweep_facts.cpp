@@ -23,7 +23,7 @@ void add_scales(SweepFacts& facts, const Json& scene) {
 std::vector<double> values_of(const Json& sweep, const std::string& key) {
   for (const Json& variation : sweep.at("vary")) {
     const auto keys = variation.at("keys").get<std::vector<std::string>>();
-    const bool named = std::find(keys.begin(), keys.end(), key) != keys.end();
+    const bool named = std::ranges::find(keys, key) != keys.end();
     if (named && variation.contains("values")) return variation.at("values").get<std::vector<double>>();
   }
   return {};
@@ -52,7 +52,7 @@ std::optional<StruckBlock> struck_block(const Json& sweep) {
   const auto in_step = [&](double a, double v) {
     return std::abs(v - struck.vertical * a) <= 1e-9 * std::abs(a);
   };
-  if (!std::equal(across.begin(), across.end(), up.begin(), in_step)) return std::nullopt;
+  if (!std::ranges::equal(across, up, in_step)) return std::nullopt;
   return struck;
 }
 

@@ -58,7 +58,7 @@ std::vector<std::vector<double>> mode_counts(const std::filesystem::path& file, 
   std::vector<std::vector<double>> list;
   for (const MapKind& kind : mode_kinds()) {
     const std::string name = std::string(kind.name) == "failed" ? "failed" : prefix + kind.name;
-    const bool there = std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end();
+    const bool there = std::ranges::find(table.columns, name) != table.columns.end();
     list.push_back(there ? read_columns(file, {name})[0] : std::vector<double>(table.rows.size(), 0));
   }
   return list;

@@ -31,8 +31,8 @@ TEST(Animation, HasAPictureAFrameAndAFilmWhereFfmpegIs) {
   EXPECT_EQ(gif.substr(0, 6), "GIF89a");
   EXPECT_EQ(pictures_in(gif), 3u);
   const fs::path film = fs::path(stem).concat(".mp4");
-  EXPECT_EQ(fs::exists(film), has_ffmpeg());
-  if (has_ffmpeg()) {
+  EXPECT_EQ(fs::exists(film), has_program("ffmpeg"));
+  if (has_program("ffmpeg")) {
     EXPECT_EQ(testing::bytes_of(film).substr(4, 4), "ftyp");
   }
 }
@@ -55,7 +55,7 @@ TEST(Animation, OfASceneRunsAtItsStatedSpeed) {
       << "time,theta_1,omega_1,pattern\n0,0.1,0,R\n0.05,0.09,-0.2,R\n0.1,0.08,-0.2,R\n";
   fs::create_directories(folder / "figures");
   const std::vector<fs::path> files = draw_animations(folder);
-  ASSERT_EQ(files.size(), has_ffmpeg() ? 2u : 1u);
+  ASSERT_EQ(files.size(), has_program("ffmpeg") ? 2u : 1u);
   // 0.1 s at a tenth of the speed and 25 frames a second, and the last one.
   EXPECT_EQ(pictures_in(testing::bytes_of(folder / "figures" / "sample.motion.gif")), 26u);
 }

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "comparisons/measures/results/csv.hpp"
+
+namespace rockstack::plots {
+
+/// What `make` gives of each part of a list, a function or a member.
+template <class List, class Make>
+auto each_of(const List& list, Make make) {
+  std::vector<std::decay_t<decltype(std::invoke(make, *list.begin()))>> made;
+  for (const auto& part : list) made.push_back(std::invoke(make, part));
+  return made;
+}
+
+/// The texts of the parts of a list, one after the other.
+template <class List, class Text>
+std::string text_of_each(const List& list, Text text, const std::string& between = "") {
+  std::string all;
+  for (const auto& part : list) all += (all.empty() ? "" : between) + text(part);
+  return all;
+}
+
+/// The first part that is so, or where there is none, a new one at the end.
+template <class Part, class Is>
+Part& found_or_added(std::vector<Part>& list, const Is& is, Part added) {
+  const auto found = std::ranges::find_if(list, is);
+  return found == list.end() ? list.emplace_back(std::move(added)) : *found;
+}
+
+/// A row of a table, by the names of its columns. Keeps references to table and file.
+struct TableRow {
+  const Table& table;
+  const std::filesystem::path& file;
+  std::size_t index;
+
+  /// Both throw InputError naming the file and what is missing, or is no number there.
+  const std::string& text(const char* name) const { return table.rows[index][column(table, name, file)]; }
+  double value(const char* name) const { return number(text(name), place(), name); }
+  std::string place() const { return file.string() + ":" + std::to_string(index + 2); }
+};
+
+/// Calls `use` with each row of a file. @throws InputError as read_table().
+template <class Use>
+void each_row(const std::filesystem::path& file, const Use& use) {
+  const Table table = read_table(file);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) use(TableRow{table, file, i});
+}
+
+}  // namespace rockstack::plots
