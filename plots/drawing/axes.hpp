@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -8,6 +10,22 @@
 #include "plots/drawing/layout.hpp"
 
 namespace rockstack::plots {
+
+/// Where values lie.
+struct Reach {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(double value) { low = std::min(low, value), high = std::max(high, value); }
+  /// With room on a linear axis.
+  Reach wider(double margin) const { return {low - margin, high + margin}; }
+  /// With room on a logarithmic axis: a factor.
+  Reach wider_times(double factor) const { return {low / factor, high * factor}; }
+  /// Where a value is on a logarithmic axis of so many pixels.
+  double place(double value, double pixels) const {
+    return pixels * std::log(value / low) / std::log(high / low);
+  }
+};
 
 /// A scale that is linear up to 10^first and logarithmic beyond, on both sides of zero; one unit a power of
 /// ten.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "plots/data/selection.hpp"
@@ -97,19 +96,17 @@ bool are_many(const std::vector<Run>& runs) {
          most_series;
 }
 
-Extent extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, double room, double least) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Extent all{infinity, -infinity}, exact = all;
+Reach extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, double room, double least) {
+  Reach all, exact;
   for (std::size_t i = 0; i < runs.size(); ++i)
     for (const double value : curves[i].values) {
-      all = {std::min(all.low, value), std::max(all.high, value)};
-      if (runs[i].exact()) exact = {std::min(exact.low, value), std::max(exact.high, value)};
+      all.add(value);
+      if (runs[i].exact()) exact.add(value);
     }
   if (const double span = exact.high - exact.low; span > least)
     all = {std::max(all.low, exact.low - room * span), std::min(all.high, exact.high + room * span)};
   if (all.low > all.high) all = {0, 0};
-  const double margin = std::max(0.08 * (all.high - all.low), least);
-  return {all.low - margin, all.high + margin};
+  return all.wider(std::max(0.08 * (all.high - all.low), least));
 }
 
 void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series>& series, bool many) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "plots/drawing/axes.hpp"
 #include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 
@@ -39,15 +40,10 @@ inline constexpr double panel_width = 1056;
 /// Whether runs, the exact one aside, are too many for one panel.
 bool are_many(const std::vector<Run>& runs);
 
-/// The lowest and the highest of some values.
-struct Extent {
-  double low = 0, high = 0;
-};
-
 /// All of the exact curve, and of the others what lies within `room` times its span beyond it: an engine
 /// whose blocks fall over or slide away must not flatten the rest. With a margin of `least` or more; one
 /// curve a run.
-Extent extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, double room, double least);
+Reach extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, double room, double least);
 
 /// Adds one panel, or where they are many a small one for each series that has one.
 void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series>& series, bool many);

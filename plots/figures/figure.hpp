@@ -123,22 +123,6 @@ Legend mark_legend(const std::vector<Run>& runs, double size);
 void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
                 const std::vector<Curve>& curves, const std::string& stem, const CurveLook& look = {});
 
-/// Where values lie.
-struct Reach {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void add(double value) { low = std::min(low, value), high = std::max(high, value); }
-  /// With room on a linear axis.
-  Reach wider(double margin) const { return {low - margin, high + margin}; }
-  /// With room on a logarithmic axis: a factor.
-  Reach wider_times(double factor) const { return {low / factor, high * factor}; }
-  /// Where a value is on a logarithmic axis of so many pixels.
-  double place(double value, double pixels) const {
-    return pixels * std::log(value / low) / std::log(high / low);
-  }
-};
-
 /// With room about it on a logarithmic axis, a twenty-fifth of its decades or more.
 Reach with_log_room(const Reach& reach);
 

@@ -29,44 +29,35 @@ std::string solver_of(const Json& row) {
 }
 
 std::string rows_of(const Json& canon) {
-  std::string rows;
-  for (const Json& row : canon.at("rows")) {
-    std::string cells =
-        element("th", escaped(solver_of(row) + ", " + text_at(row, "settings")), " scope=\"row\"");
-    for (const Json& answer : row.at("answers")) cells += cell_of(answer);
-    rows += element("tr", cells) + "\n";
-  }
-  return rows;
+  return text_of_each(canon.at("rows"), [](const Json& row) {
+    const std::string name = escaped(solver_of(row) + ", " + text_at(row, "settings"));
+    return element("tr", element("th", name, " scope=\"row\"") + text_of_each(row.at("answers"), cell_of)) +
+           "\n";
+  });
 }
 
 std::string scenes_of(const Json& canon) {
-  std::string text;
-  for (const Json& scene : canon.at("scenes"))
-    text += details(escaped(text_at(scene, "name") + ": " + text_at(scene, "title")),
-                    code_block(text_at(scene, "scene_file")));
-  return text;
+  return text_of_each(canon.at("scenes"), [](const Json& scene) {
+    return details(escaped(text_at(scene, "name") + ": " + text_at(scene, "title")),
+                   code_block(text_at(scene, "scene_file")));
+  });
 }
 
 /// Which engines agree or converge on every scene.
 std::string answer_of(const Json& canon) {
-  std::string all;
-  std::size_t whole = 0;
-  for (const Json& row : canon.at("rows")) {
-    const Json& answers = row.at("answers");
-    const bool follows = std::ranges::all_of(answers, [](const Json& answer) {
-      return answer.at("verdict") == "agrees" || answer.at("verdict") == "converges";
-    });
-    if (!follows) continue;
-    ++whole;
-    all += fmt::format("{}{} ({})", all.empty() ? ": " : ", ", solver_of(row), text_at(row, "settings"));
-  }
-  return fmt::format("{} of {} rows agree with the exact solution or converge to it on every scene{}.", whole,
-                     canon.at("rows").size(), all);
+  std::vector<std::string> whole;
+  for (const Json& row : canon.at("rows"))
+    if (std::ranges::all_of(row.at("answers"), [](const Json& answer) {
+          return answer.at("verdict") == "agrees" || answer.at("verdict") == "converges";
+        }))
+      whole.push_back(fmt::format("{} ({})", solver_of(row), text_at(row, "settings")));
+  return fmt::format("{} of {} rows agree with the exact solution or converge to it on every scene{}{}.",
+                     whole.size(), canon.at("rows").size(), whole.empty() ? "" : ": ",
+                     text_of_each(whole, std::identity(), ", "));
 }
 
 std::string content(const Json& canon) {
   std::vector<std::string> columns{"engine, set"};
-  columns.reserve(1 + canon.at("scenes").size());
   for (const Json& scene : canon.at("scenes")) columns.push_back(scene.at("name"));
   return filled_in(canon_html,
                    {{"title", escaped_at(canon, "title")},

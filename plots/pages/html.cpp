@@ -139,8 +139,9 @@ std::string wide_table(const std::vector<std::string>& columns, const std::strin
 }
 
 std::string titled_table(const std::string& title, const std::vector<std::string>& columns,
-                         const std::string& rows) {
-  return element("h3", title) + element("div", table(columns, rows), " class=\"statements\"") + "\n";
+                         const std::string& rows, const std::string& between) {
+  return element("h3", title) + between + element("div", table(columns, rows), " class=\"statements\"") +
+         "\n";
 }
 
 std::string table_row(const std::vector<std::string>& columns, const std::vector<std::string>& cells,

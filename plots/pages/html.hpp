@@ -68,11 +68,12 @@ std::string sentence_list(const std::vector<std::string>& sentences);
 /// A table of rows whose headings sort it.
 std::string table(const std::vector<std::string>& columns, const std::string& rows);
 
-/// The same in an element that scrolls by itself, as `label` calls it, and of sentences under a title.
+/// The same in an element that scrolls by itself, as `label` calls it, and of sentences under a title, with
+/// what stands between.
 std::string wide_table(const std::vector<std::string>& columns, const std::string& rows,
                        const std::string& label);
 std::string titled_table(const std::string& title, const std::vector<std::string>& columns,
-                         const std::string& rows);
+                         const std::string& rows, const std::string& between = "");
 
 /// A row of cells as table_cell() makes them. Precondition: as many cells as columns.
 std::string table_row(const std::vector<std::string>& columns, const std::vector<std::string>& cells,

@@ -22,11 +22,8 @@ const ComparedScene& scene_of(const Comparison& comparison, const Run& run) {
 
 /// The scene of a run again, with its solver in both sets, at these steps.
 std::string command(const Comparison& comparison, const Run& run, const std::vector<double>& steps) {
-  std::vector<std::string> words;
-  words.reserve(steps.size());
-  for (const double dt : steps) words.push_back(fmt::format("{}", dt));
   return fmt::format("rockstack compare {} --engine {} --dt {} --set duration={} --out DIR", run.scene,
-                     solver_name(run), fmt::join(words, ","), scene_of(comparison, run).duration);
+                     solver_name(run), fmt::join(steps, ","), scene_of(comparison, run).duration);
 }
 
 /// All steps of a run's series, the largest first.
@@ -98,7 +95,6 @@ class Writer {
 
   std::vector<SolverRemarks> all() const {
     std::vector<SolverRemarks> list;
-    list.reserve(accuracy_.best().size());
     for (const Score* score : accuracy_.best()) {
       const std::string solver = solver_name(score->runs.front());
       list.push_back({solver, {}});
@@ -229,9 +225,9 @@ std::string remarks_section(const Comparison& comparison) {
                              " class=\"hint\"") +
                      "\n";
   for (const SolverRemarks& solver : list) {
-    std::string items;
-    for (const Remark& one : solver.list)
-      items += element("li", escaped(one.sentence) + " " + element("code", escaped(one.command))) + "\n";
+    const std::string items = text_of_each(solver.list, [](const Remark& one) {
+      return element("li", escaped(one.sentence) + " " + element("code", escaped(one.command))) + "\n";
+    });
     text += element("h3", escaped(solver.solver)) + element("ul", items) + "\n";
   }
   return section("What each solver's author can act on", text, " id=\"solvers\"");

@@ -39,10 +39,9 @@ std::string impacts_table(const Comparison& comparison, const std::string& scene
 std::string statements_section(const Comparison& comparison) {
   if (comparison.statements.empty()) return "";
   const std::vector<std::string> columns{"Figure", "The paper says", "Verdict", "It holds if", "Computed"};
-  std::string rows;
-  for (const PaperStatement& statement : comparison.statements)
-    rows += table_row(columns, {statement.source, statement.claim, statement.verdict, statement.criterion,
-                                statement.computed});
+  const std::string rows = text_of_each(comparison.statements, [&](const PaperStatement& one) {
+    return table_row(columns, {one.source, one.claim, one.verdict, one.criterion, one.computed});
+  });
   return section("What the paper says, and what was computed",
                  element("div", table(columns, rows), " class=\"statements\""), " id=\"statements\"");
 }

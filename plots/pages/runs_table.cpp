@@ -122,20 +122,17 @@ std::string cell_of(const std::optional<double>& value) {
   return value ? fmt::format("{:.2g}", *value) : "";
 }
 
-std::string sentence(const std::vector<Run>& runs) {
-  std::vector<double> model, softness, step;
-  for (const Run& run : runs) {
-    if (!run.step_share) continue;
-    model.push_back(value_of(run.model_share));
-    softness.push_back(value_of(run.softness_share));
-    step.push_back(*run.step_share);
-  }
-  if (step.empty()) return "";
+std::string sentence(std::vector<Run> runs) {
+  std::erase_if(runs, [](const Run& run) { return !run.step_share; });
+  if (runs.empty()) return "";
+  const auto percent = [&](const auto& share) {
+    return percent_of(median(each_of(runs, [&](const Run& run) { return value_of(run.*share); })));
+  };
   return element(
       "p", fmt::format("In the median of {} runs the contact model makes {:.0f} % of the difference, contact "
                        "softness {:.0f} % and the time step {:.0f} %.",
-                       step.size(), percent_of(median(model)), percent_of(median(softness)),
-                       percent_of(median(step))));
+                       runs.size(), percent(&Run::model_share), percent(&Run::softness_share),
+                       percent(&Run::step_share)));
 }
 
 }  // namespace
@@ -169,16 +166,15 @@ std::string terms_table(const Comparison& comparison, const std::string& scene) 
   std::vector<Run> runs = done_runs(comparison, scene);
   std::erase_if(runs, [](const Run& run) { return !run.step_difference; });
   if (runs.empty()) return "";
-  std::string rows;
-  for (const Run& run : runs)
-    rows += table_row(columns, {run_label(run), fmt::format("{:.2g}", value_of(run.rms_angle_difference)),
-                                size_and_share(run.model_difference, run.model_share),
-                                size_and_share(run.softness_difference, run.softness_share),
-                                size_and_share(run.step_difference, run.step_share),
-                                cell_of(run.contact_stiffness), cell_of(run.contact_damping_ratio),
-                                cell_of(run.contact_restitution), cell_of(run.spring_factor)});
-  return element("h3", "What the differences are made of") + sentence(runs) +
-         element("div", table(columns, rows), " class=\"statements\"") + "\n";
+  const std::string rows = text_of_each(runs, [&](const Run& run) {
+    return table_row(columns, {run_label(run), fmt::format("{:.2g}", value_of(run.rms_angle_difference)),
+                               size_and_share(run.model_difference, run.model_share),
+                               size_and_share(run.softness_difference, run.softness_share),
+                               size_and_share(run.step_difference, run.step_share),
+                               cell_of(run.contact_stiffness), cell_of(run.contact_damping_ratio),
+                               cell_of(run.contact_restitution), cell_of(run.spring_factor)});
+  });
+  return titled_table("What the differences are made of", columns, rows, sentence(runs));
 }
 
 std::string contact_section(const Comparison& comparison) {
@@ -200,8 +196,7 @@ std::string contact_section(const Comparison& comparison) {
                          fmt::format("{}", one.largest_slip), fmt::format("{}", one.slips),
                          fmt::format("{}", one.highest_lift), fmt::format("{}", one.lift_offs)},
                         run.exact() ? " class=\"exact\"" : "");
-    for (const std::string& warning : summary.warnings)
-      warnings.push_back(fmt::format("{}: {}", label, warning));
+    for (const std::string& warning : summary.warnings) warnings.push_back(label + ": " + warning);
   }
   if (rows.empty()) return "";
   std::string text = wide_table(columns, rows, "Slip and lift-off");

@@ -9,8 +9,14 @@
 namespace rockstack {
 namespace {
 
+constexpr double two_sided = 1.959963984540054;  // Φ of it = 0.975
+
 double normal_cdf(double x) {
   return 0.5 * std::erfc(-x / std::numbers::sqrt2);
+}
+
+double normal_density(double x) {
+  return std::exp(-x * x / 2) / std::sqrt(2 * std::numbers::pi);
 }
 
 constexpr double far_tail = -30;  // beyond it the leading term is exact to 1e-3, and no fit ends there
@@ -23,7 +29,7 @@ double log_normal_cdf(double x) {
 /// φ(x)/Φ(x), the derivative of log Φ.
 double mills(double x) {
   if (x < far_tail) return -x;
-  return std::exp(-x * x / 2) / std::sqrt(2 * std::numbers::pi) / normal_cdf(x);
+  return normal_density(x) / normal_cdf(x);
 }
 
 /// A straight line a + b x of the normal quantile.
@@ -100,7 +106,7 @@ std::optional<Line> climb(const std::vector<Level>& levels, const std::vector<do
 
 Bounds wilson_bounds(std::size_t hits, std::size_t trials) {
   if (trials == 0) return {};
-  constexpr double z = 1.959963984540054;  // Φ(z) = 0.975
+  constexpr double z = two_sided;
   const auto n = static_cast<double>(trials);
   const double share = static_cast<double>(hits) / n;
   const double scale = 1 / (1 + z * z / n);
@@ -137,6 +143,36 @@ std::optional<Fragility> fit_fragility(const std::vector<Level>& all) {
 
 double probability(const Fragility& curve, double intensity) {
   return normal_cdf(std::log(intensity / curve.median) / curve.beta);
+}
+
+FragilityBounds::FragilityBounds(const Fragility& curve, const std::vector<Level>& levels) : curve_(curve) {
+  // Of z = (ln x − ln median)/β the slopes are −1/β along ln median and −z/β along β.
+  double along_median = 0, along_beta = 0, mixed = 0;
+  for (const Level& level : levels) {
+    const double z = std::log(level.intensity / curve.median) / curve.beta, p = normal_cdf(z);
+    if (!(p > 0 && p < 1)) continue;
+    const double slope = normal_density(z) / curve.beta;
+    const double weight = static_cast<double>(level.runs) * slope * slope / (p * (1 - p));
+    along_median += weight;
+    along_beta += weight * z * z;
+    mixed += weight * z;
+  }
+  const double determinant = along_median * along_beta - mixed * mixed;
+  variance_median_ = along_beta / determinant;
+  variance_beta_ = along_median / determinant;
+  covariance_ = -mixed / determinant;
+}
+
+Bounds FragilityBounds::at(double intensity) const {
+  const double z = std::log(intensity / curve_.median) / curve_.beta;
+  const double variance = variance_median_ + 2 * z * covariance_ + z * z * variance_beta_;
+  const double half = two_sided * std::sqrt(variance) / curve_.beta;
+  return std::isfinite(variance) ? Bounds{normal_cdf(z - half), normal_cdf(z + half)} : Bounds{};
+}
+
+Bounds FragilityBounds::of_median() const {
+  const double factor = std::exp(two_sided * std::sqrt(variance_median_));
+  return {curve_.median / factor, curve_.median * factor};
 }
 
 }  // namespace rockstack

@@ -37,4 +37,19 @@ std::optional<Fragility> fit_fragility(const std::vector<Level>& all);
 
 double probability(const Fragility& curve, double intensity);
 
+/// What the runs leave open of a fitted curve, with 95 % confidence: by the covariance of ln median and β,
+/// from Fisher's information. Precondition: median and β > 0.
+class FragilityBounds {
+ public:
+  FragilityBounds(const Fragility& curve, const std::vector<Level>& levels);
+
+  /// Of the curve at an intensity; 0 and 1 where the runs fix none.
+  Bounds at(double intensity) const;
+  Bounds of_median() const;
+
+ private:
+  Fragility curve_;
+  double variance_median_ = 0, variance_beta_ = 0, covariance_ = 0;
+};
+
 }  // namespace rockstack

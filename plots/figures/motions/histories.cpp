@@ -85,7 +85,7 @@ std::vector<Curve> curves_of(const std::vector<Run>& runs, std::size_t drawn, in
 
 std::string axes_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, const TimeAxis& axis,
                     double height) {
-  const Extent extent = extent_of(runs, curves, 0.5, 1e-6);
+  const Reach extent = extent_of(runs, curves, 0.5, 1e-6);
   return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
 }
 

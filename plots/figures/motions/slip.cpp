@@ -54,7 +54,7 @@ Drawing drawn(const SceneSubject& subject, const std::vector<Run>& runs,
   Sheet sheet = subject.sheet(legend, answer);
   for (std::size_t p = 0; p < quantities.size(); ++p) {
     const Quantity& quantity = quantities[p];
-    const Extent extent = extent_of(runs, quantity.curves, 1, least * quantity.scale);
+    const Reach extent = extent_of(runs, quantity.curves, 1, least * quantity.scale);
     const auto axes = [&](double, double height) {
       return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
     };

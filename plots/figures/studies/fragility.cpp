@@ -1,8 +1,8 @@
 #include <utility>
 
 #include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/statistics/fragility.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
-#include "plots/data/fragility_fit.hpp"
 #include "plots/figures/figure.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
 
@@ -16,12 +16,12 @@ constexpr auto fitted_style = "with lines lw 2 lc rgb '#0B4F8A'";
 constexpr auto bounds_style = "with filledcurves fc rgb '#CFE0EE' fs solid 1 noborder";
 
 /// The fitted curve between its bounds, from zero to the highest intensity.
-Numbers fitted_curve(const FragilityFit& fit, double end) {
+Numbers fitted_curve(const Fragility& fit, const FragilityBounds& bounds, double end) {
   constexpr int points = 200;
   Numbers numbers;
   for (int i = 1; i <= points; ++i) {
     const double x = end * i / points;
-    numbers.push_back({x, fit.probability(x), fit.lower(x), fit.upper(x)});
+    numbers.push_back({x, probability(fit, x), bounds.at(x).lower, bounds.at(x).upper});
   }
   return numbers;
 }
@@ -92,13 +92,13 @@ Drawings fragility(const FolderSubject& subject) {
       read_columns(subject.folder / "fragility.csv", {"intensity", "fraction", "lower", "upper", "runs"});
   const auto fit = read_columns(subject.folder / "fragility-fit.csv", {"median", "beta"});
   double end = 0, runs = 0;
-  std::vector<TestedLevel> tested;
+  std::vector<Level> tested;
   Numbers counts;
   for (std::size_t i = 0; i < levels[0].size(); ++i) {
     end = std::max(end, levels[0][i]);
     runs = std::max(runs, levels[4][i]);
     if (std::isnan(levels[1][i])) continue;
-    tested.push_back({levels[0][i], levels[4][i]});
+    tested.push_back({levels[0][i], static_cast<std::size_t>(levels[4][i])});
     counts.push_back({levels[0][i], levels[1][i], levels[2][i], levels[3][i]});
   }
   end *= 1.04;
@@ -106,16 +106,16 @@ Drawings fragility(const FolderSubject& subject) {
   std::string answer = "No curve fits these counts";
   Numbers curve;
   if (!fit[0].empty()) {
-    const double median = fit[0][0], beta = fit[1][0];
-    const FragilityFit fitted(median, beta, tested);
-    legend.emplace_back(fitted_style,
-                        fmt::format("lognormal fit, median {:.4g} ({:.3g}–{:.3g}), β {:.3g}", median,
-                                    fitted.median_lower(), fitted.median_upper(), beta));
+    const Fragility fitted{fit[0][0], fit[1][0]};
+    const FragilityBounds bounds(fitted, tested);
+    const auto [lower, upper] = bounds.of_median();
+    legend.emplace_back(fitted_style, fmt::format("lognormal fit, median {:.4g} ({:.3g}–{:.3g}), β {:.3g}",
+                                                  fitted.median, lower, upper, fitted.beta));
     legend.emplace_back(bounds_style, "95 % bounds of the fit");
-    answer = fmt::format("Half of the motions topple it at {}", value_on(facts.intensity, median));
+    answer = fmt::format("Half of the motions topple it at {}", value_on(facts.intensity, fitted.median));
     if (facts.least_acceleration > 0)
-      answer += fmt::format(", {:.3g} times g tan α", median / facts.least_acceleration);
-    curve = fitted_curve(fitted, end);
+      answer += fmt::format(", {:.3g} times g tan α", fitted.median / facts.least_acceleration);
+    curve = fitted_curve(fitted, bounds, end);
   }
   Sheet sheet = subject.figure.sheet(facts.title, legend, answer);
   Plots plots(sheet, "share");

@@ -9,14 +9,11 @@ namespace rockstack::plots {
 namespace {
 
 /// From light to dark, so that they are told apart in grey and by everyone.
-const std::vector<MapKind>& verdict_kinds() {
-  static const std::vector<MapKind> list{
-      {"sound", "#D3EDE0", "sound: within all limits"},
-      {"inexact", "#EDB93A", "inexact: physical, but off"},
-      {"unstable", "#C43C4E", "unstable: gains energy, or topples what stands"},
-      {"failed", "#2F2F2F", "failed: the run did not end well"}};
-  return list;
-}
+const std::vector<MapKind> verdict_kinds{
+    {"sound", "#D3EDE0", "sound: within all limits"},
+    {"inexact", "#EDB93A", "inexact: physical, but off"},
+    {"unstable", "#C43C4E", "unstable: gains energy, or topples what stands"},
+    {"failed", "#2F2F2F", "failed: the run did not end well"}};
 
 /// One square of a map.
 struct Cell {
@@ -78,10 +75,9 @@ std::string answer(const Map& map) {
 
 /// The index of a verdict; those that are none are failed.
 std::size_t kind_of(const std::string& verdict) {
-  const std::vector<MapKind>& kinds = verdict_kinds();
-  const auto found =
-      std::find_if(kinds.begin(), kinds.end() - 1, [&](const MapKind& kind) { return verdict == kind.name; });
-  return static_cast<std::size_t>(found - kinds.begin());
+  const auto found = std::find_if(verdict_kinds.begin(), verdict_kinds.end() - 1,
+                                  [&](const MapKind& kind) { return verdict == kind.name; });
+  return static_cast<std::size_t>(found - verdict_kinds.begin());
 }
 
 Drawing drawing(const FolderSubject& subject, const Map& map, const Json& facts) {
@@ -92,8 +88,8 @@ Drawing drawing(const FolderSubject& subject, const Map& map, const Json& facts)
     const double x = place_of(cell.value, across), y = place_of(cell.dt, up);
     cells.push_back({x - 0.5, x + 0.5, y - 0.5, y + 0.5, kind_of(cell.verdict)});
   }
-  CellMap drawn = cell_map("kind", cells, verdict_kinds(), "white");
-  Legend legend = map_legend(verdict_kinds(), std::vector<bool>(verdict_kinds().size(), true));
+  CellMap drawn = cell_map("kind", cells, verdict_kinds, "white");
+  Legend legend = map_legend(verdict_kinds, std::vector<bool>(verdict_kinds.size(), true));
   const char* stable_style = "with lines lw 4 lc rgb 'black'";
   legend.emplace_back(stable_style, "largest stable step");
   drawn.elements.push_back(fmt::format("$stable using 1:2 {} notitle", stable_style));

@@ -13,21 +13,18 @@ namespace rockstack::plots {
 namespace {
 
 /// What may become of a stack, as columns of overturning.csv.
-const std::vector<MapKind>& outcomes() {
-  static const std::vector<MapKind> list{{"rest", "#FFFFFF", "stays at rest"},
-                                         {"rocking", "#C6DBEF", "rocks and stands"},
-                                         {"toppled_after_impact", "#F2A65A", "topples after an impact"},
-                                         {"toppled_without_impact", "#9E2A2B", "topples without an impact"},
-                                         {"failed", "#808080", "could not be solved"}};
-  return list;
-}
+const std::vector<MapKind> outcomes{{"rest", "#FFFFFF", "stays at rest"},
+                                    {"rocking", "#C6DBEF", "rocks and stands"},
+                                    {"toppled_after_impact", "#F2A65A", "topples after an impact"},
+                                    {"toppled_without_impact", "#9E2A2B", "topples without an impact"},
+                                    {"failed", "#808080", "could not be solved"}};
 
 /// The least intensity that topples in more than half of its runs.
 std::string answer_of(const std::vector<double>& frequencies, const std::vector<double>& intensities,
                       const std::vector<std::vector<double>>& counts, const SweepFacts& facts) {
   double least = std::numeric_limits<double>::infinity(), at = 0;
   for (std::size_t row = 0; row < frequencies.size(); ++row) {
-    const std::string kind = outcomes()[commonest(counts, row)].name;
+    const std::string kind = outcomes[commonest(counts, row)].name;
     if (kind.starts_with("toppled") && intensities[row] < least)
       least = intensities[row], at = frequencies[row];
   }
@@ -40,23 +37,20 @@ std::string answer_of(const std::vector<double>& frequencies, const std::vector<
 }
 
 /// What may become of a stack, as columns of modes.csv.
-const std::vector<MapKind>& mode_kinds() {
-  static const std::vector<MapKind> list{{"rest", "#FFFFFF", "rest"},
-                                         {"slide", "#FEE391", "slide"},
-                                         {"rock", "#C6DBEF", "rock"},
-                                         {"slide_rock", "#6A9FB5", "slide-rock"},
-                                         {"free_flight", "#B9A3D0", "free flight"},
-                                         {"topple", "#9E2A2B", "topple"},
-                                         {"fall", "#F2A65A", "fall off"},
-                                         {"failed", "#808080", "could not be solved"}};
-  return list;
-}
+const std::vector<MapKind> mode_kinds{{"rest", "#FFFFFF", "rest"},
+                                      {"slide", "#FEE391", "slide"},
+                                      {"rock", "#C6DBEF", "rock"},
+                                      {"slide_rock", "#6A9FB5", "slide-rock"},
+                                      {"free_flight", "#B9A3D0", "free flight"},
+                                      {"topple", "#9E2A2B", "topple"},
+                                      {"fall", "#F2A65A", "fall off"},
+                                      {"failed", "#808080", "could not be solved"}};
 
 /// The columns of every kind; without a column of that name, as of ends that no motion begins with, zeros.
 std::vector<std::vector<double>> mode_counts(const std::filesystem::path& file, const std::string& prefix) {
   const Table table = read_table(file);
   std::vector<std::vector<double>> list;
-  for (const MapKind& kind : mode_kinds()) {
+  for (const MapKind& kind : mode_kinds) {
     const std::string name = std::string(kind.name) == "failed" ? "failed" : prefix + kind.name;
     const bool there = std::ranges::find(table.columns, name) != table.columns.end();
     list.push_back(there ? read_columns(file, {name})[0] : std::vector<double>(table.rows.size(), 0));
@@ -81,14 +75,13 @@ std::string answer_of(const std::vector<std::vector<double>>& counts) {
 
 Drawings overturning(const FolderSubject& subject) {
   const SweepFacts facts = sweep_facts(subject.folder);
-  std::vector<std::string> names;
-  for (const MapKind& kind : outcomes()) names.emplace_back(kind.name);
   const std::filesystem::path file = subject.folder / "overturning.csv";
   const auto places = read_columns(file, {"frequency", "intensity"});
-  const auto counts = read_columns(file, names);
+  const auto counts =
+      read_columns(file, each_of(outcomes, [](const MapKind& kind) { return std::string(kind.name); }));
   if (places[0].empty()) return {{"", empty_sheet(facts.title, "There are no runs.")}};
-  const CellMap map = cell_map("kind", counted_cells(places[0], places[1], counts), outcomes());
-  Sheet sheet = subject.figure.sheet(facts.title, map_legend(outcomes(), map.there),
+  const CellMap map = cell_map("kind", counted_cells(places[0], places[1], counts), outcomes);
+  Sheet sheet = subject.figure.sheet(facts.title, map_legend(outcomes, map.there),
                                      answer_of(places[0], places[1], counts, facts));
   if (facts.least_acceleration > 0) {
     sheet.leave_room_above(axis_above);
@@ -112,12 +105,12 @@ Drawings modes(const FolderSubject& subject) {
   const auto places = read_columns(file, {"intensity", "friction"});
   if (places[0].empty()) return {{"", empty_sheet(facts.title, "There are no runs.")}};
   CellMap onset =
-      cell_map("onset", counted_cells(places[0], places[1], mode_counts(file, "onset_")), mode_kinds());
+      cell_map("onset", counted_cells(places[0], places[1], mode_counts(file, "onset_")), mode_kinds);
   const auto motions = mode_counts(file, "");
-  const CellMap whole = cell_map("whole", counted_cells(places[0], places[1], motions), mode_kinds());
+  const CellMap whole = cell_map("whole", counted_cells(places[0], places[1], motions), mode_kinds);
   std::vector<bool> there = onset.there;
   for (std::size_t k = 0; k < there.size(); ++k) there[k] = there[k] || whole.there[k];
-  Legend legend = map_legend(mode_kinds(), there);
+  Legend legend = map_legend(mode_kinds, there);
   if (facts.struck) {
     const char* style = "with lines lw 3 lc rgb '#000000'";
     onset.data += fmt::format("$boundaries << END\n{}END\n",

@@ -41,13 +41,12 @@ std::string lesson_table(const Json& json) {
 }
 
 std::string choices_of(const Json& part, const std::string& name) {
-  std::string labels;
   int place = 0;
-  for (const Json& choice : part.at("choices"))
-    labels += fmt::format(
+  return text_of_each(part.at("choices"), [&](const Json& choice) {
+    return fmt::format(
         "<label class=\"choice\"><input type=\"radio\" name=\"predict-{}\" value=\"{}\"> {}</label>\n", name,
         place++, choice.get<std::string>());
-  return labels;
+  });
 }
 
 std::string number_field(const Json& part, const std::string& name) {
@@ -104,9 +103,8 @@ Values values_of(const fs::path& results, const Comparison& comparison, const Js
 }
 
 std::string list_of(const Json& texts) {
-  std::string items;
-  for (const Json& text : texts) items += element("li", text.get<std::string>()) + "\n";
-  return element("ul", items);
+  const auto item = [](const Json& text) { return element("li", text.get<std::string>()) + "\n"; };
+  return element("ul", text_of_each(texts, item));
 }
 
 /// To the course and the lessons beside this one, where they are.
@@ -120,10 +118,9 @@ std::string navigation(const Json& lesson) {
 }
 
 std::string titles_after(const Json& lesson) {
-  std::string titles;
-  for (const Json& one : lesson.at("after"))
-    titles += (titles.empty() ? " · after " : ", ") + element("code", escaped_at(one, "name"));
-  return titles;
+  const auto name = [](const Json& one) { return element("code", escaped_at(one, "name")); };
+  const Json& before = lesson.at("after");
+  return before.empty() ? "" : " · after " + text_of_each(before, name, ", ");
 }
 
 /// The first scene's motion, where the text does not show it anyway.
