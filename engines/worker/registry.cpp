@@ -129,6 +129,18 @@ std::string joined(const std::vector<std::string>& names) {
   return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// All engines of a program. @throws InputError where it is no worker, with the reason.
+std::vector<const WorkerEngine*> all_engines_at(const fs::path& program) {
+  try {
+    std::vector<const WorkerEngine*> list;
+    for (const WorkerEngine& engine : engines_at(fs::absolute(program))) list.push_back(&engine);
+    return list;
+  } catch (const std::exception& error) {
+    throw InputError(
+        fmt::format("worker = {}: must be a worker program; {}", program.string(), error.what()));
+  }
+}
+
 }  // namespace
 
 void require_folders(const std::string& name, const std::string& given) {
@@ -181,17 +193,6 @@ std::vector<std::string> engines_left_out() {
     if (!there) names.push_back(name);
   }
   return names;
-}
-
-std::vector<const WorkerEngine*> all_engines_at(const fs::path& program) {
-  try {
-    std::vector<const WorkerEngine*> list;
-    for (const WorkerEngine& engine : engines_at(fs::absolute(program))) list.push_back(&engine);
-    return list;
-  } catch (const std::exception& error) {
-    throw InputError(
-        fmt::format("worker = {}: must be a worker program; {}", program.string(), error.what()));
-  }
 }
 
 const WorkerEngine& find_engine_at(const fs::path& program, const std::string& name) {

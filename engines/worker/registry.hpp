@@ -48,9 +48,6 @@ std::vector<const WorkerEngine*> chosen_engines(const std::string& name);
 /// InputError as find_engine().
 const WorkerEngine& find_engine_at(const std::filesystem::path& program, const std::string& name);
 
-/// All of them. @throws InputError where the program is no worker, with the reason.
-std::vector<const WorkerEngine*> all_engines_at(const std::filesystem::path& program);
-
 /// Names of engines that were left out when this program was built and that no worker in a folder provides.
 std::vector<std::string> engines_left_out();
 

@@ -82,14 +82,6 @@ std::vector<LawShare> shares_by(const std::vector<LawCell>& cells,
   return list;
 }
 
-std::string aspect_ratio_range(const LawCell& cell) {
-  return fmt::format("{:.3g} to {:.3g}", cell.aspect_ratio_from, cell.aspect_ratio_to);
-}
-
-std::string mass_ratio_range(const LawCell& cell) {
-  return fmt::format("{:.3g} to {:.3g}", cell.mass_ratio_from, cell.mass_ratio_to);
-}
-
 std::vector<LawTally> tallies_by(const std::vector<LawRun>& runs,
                                  const std::function<std::string(const LawRun&)>& name) {
   std::vector<LawTally> list;

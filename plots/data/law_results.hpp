@@ -55,10 +55,6 @@ struct LawShare {
 std::vector<LawShare> shares_by(const std::vector<LawCell>& cells,
                                 const std::function<std::string(const LawCell&)>& name);
 
-/// The range of a cell along either axis, "0.25 to 0.386".
-std::string aspect_ratio_range(const LawCell& cell);
-std::string mass_ratio_range(const LawCell& cell);
-
 /// Some engine runs together.
 struct LawTally {
   std::string of;  ///< what they have in common

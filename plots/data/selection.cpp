@@ -104,12 +104,6 @@ std::vector<double> chosen_steps(const std::vector<Run>& runs) {
   return steps;
 }
 
-std::vector<Run> perturbed_runs(const Comparison& comparison, const std::string& scene) {
-  std::vector<Run> runs = done_runs(comparison, scene);
-  std::erase_if(runs, [](const Run& run) { return !std::filesystem::exists(run.folder / "perturbed.csv"); });
-  return runs;
-}
-
 int iterations_of(const Run& run) {
   const auto [begin, length] = iterations_in(run.settings);
   if (begin == std::string::npos) return 0;
@@ -153,11 +147,6 @@ std::string run_phrase(const Run& run) {
   std::string label = run_label(run);
   const std::size_t comma = label.find(", ");
   return comma == std::string::npos ? label : label.replace(comma, 2, " (") + ")";
-}
-
-std::string off_by(double error) {
-  return error > least_error ? fmt::format("off by {:.2g} rad", error)
-                             : fmt::format("off by less than {:g} rad", least_error);
 }
 
 std::string nearest_phrase(const std::vector<std::string>& first, std::size_t all) {

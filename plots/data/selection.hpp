@@ -35,9 +35,6 @@ std::vector<StepLine> step_lines(const Comparison& comparison, const std::string
 /// The largest, the middle and the smallest of the time steps of some runs; or all, where there are fewer.
 std::vector<double> chosen_steps(const std::vector<Run>& runs);
 
-/// The runs of a scene that have answers over perturbed scenes, the exact one first.
-std::vector<Run> perturbed_runs(const Comparison& comparison, const std::string& scene);
-
 /// The iterations that a suite gave the solver of a run, 0 where it gave none.
 int iterations_of(const Run& run);
 
@@ -58,9 +55,6 @@ std::string run_phrase(const Run& run);
 
 /// The least RMS angle difference that figures tell apart, rad: what is less is rounding.
 inline constexpr double least_error = 1e-12;
-
-/// "off by 0.0015 rad".
-std::string off_by(double error);
 
 /// Those that share a first rank of `all`, in words: which they are, and whether they can be told apart.
 std::string nearest_phrase(const std::vector<std::string>& first, std::size_t all);

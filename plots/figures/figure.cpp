@@ -55,10 +55,6 @@ void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& 
   add_series(sheet, panel, series, are_many(runs));
 }
 
-Reach with_log_room(const Reach& reach) {
-  return reach.wider_times(std::max(1.5, std::pow(reach.high / reach.low, 0.04)));
-}
-
 std::string logarithmic_axes(const Reach& across, const Reach& up, double width, double height) {
   return logarithmic_range("x", across.low, across.high, width) +
          logarithmic_range("y", up.low, up.high, height) + grid_lines;

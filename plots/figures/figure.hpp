@@ -123,9 +123,6 @@ Legend mark_legend(const std::vector<Run>& runs, double size);
 void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
                 const std::vector<Curve>& curves, const std::string& stem, const CurveLook& look = {});
 
-/// With room about it on a logarithmic axis, a twenty-fifth of its decades or more.
-Reach with_log_room(const Reach& reach);
-
 /// Ranges and numbers of a panel over two logarithmic axes, of so many pixels.
 std::string logarithmic_axes(const Reach& across, const Reach& up, double width, double height);
 

@@ -75,7 +75,7 @@ std::string content(const Json& canon) {
 
 void write_canon_report(const fs::path& results) {
   read_json(results / "canon.json", [&](const Json& canon) {
-    write_file(results / "report.html", page({canon.at("title"), "report", content(canon)}));
+    write_file(results / "report.html", page(canon.at("title"), "report", content(canon)));
   });
 }
 

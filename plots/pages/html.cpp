@@ -109,14 +109,14 @@ std::string code_block(const std::string& text) {
   return element("pre", element("code", escaped(text)));
 }
 
-std::string page(const PageContent& content) {
+std::string page(const std::string& title, const std::string& kind, const std::string& content) {
   return filled_in(page_html,
-                   {{"title", escaped(content.title)},
-                    {"kind", content.kind},
+                   {{"title", escaped(title)},
+                    {"kind", kind},
                     {"css", std::string(page_css) + std::string(player_css) + std::string(lesson_css)},
                     {"js", std::string(page_js)},
                     {"player_js", std::string(player_js)},
-                    {"content", content.content}});
+                    {"content", content}});
 }
 
 std::string answer_box(const std::vector<std::string>& sentences) {

@@ -49,15 +49,9 @@ std::string code_block(const std::string& text);
 /// with `label` as its text for those who do not see it.
 std::string inline_svg(const std::string& file, const std::string& prefix, const std::string& label);
 
-/// What pages differ in.
-struct PageContent {
-  std::string title;    ///< as plain text
-  std::string kind;     ///< for the style sheet: "report" or "lesson"
-  std::string content;  ///< header and main section
-};
-
-/// A page that needs nothing beside itself: its content in the frame, style and script of all pages.
-std::string page(const PageContent& content);
+/// A page that needs nothing beside itself: its header and main section in the frame, style and script of all
+/// pages. `title` is plain text, `kind` is for the style sheet: "report" or "lesson".
+std::string page(const std::string& title, const std::string& kind, const std::string& content);
 
 /// The sentences that a reader came for, in a box of their own; nothing where there are none.
 std::string answer_box(const std::vector<std::string>& sentences);

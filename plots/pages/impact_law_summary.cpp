@@ -43,6 +43,15 @@ std::string extremes(const std::vector<LawShare>& shares) {
                      order.front().differ_percent(), order.back().of, order.back().differ_percent());
 }
 
+/// The range of a cell along either axis, "0.25 to 0.386".
+std::string aspect_ratio_range(const LawCell& cell) {
+  return fmt::format("{:.3g} to {:.3g}", cell.aspect_ratio_from, cell.aspect_ratio_to);
+}
+
+std::string mass_ratio_range(const LawCell& cell) {
+  return fmt::format("{:.3g} to {:.3g}", cell.mass_ratio_from, cell.mass_ratio_to);
+}
+
 void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::string>& sentences) {
   const LawShare all = all_cells(cells);
   const auto kinds = shares_by(cells, [](const LawCell& cell) { return cell.kind; });

@@ -166,12 +166,12 @@ std::string content(const fs::path& results, const Motion& motion) {
 }  // namespace
 
 void write_report(const fs::path& results, const Comparison& comparison) {
-  write_file(results / "report.html", page({comparison.title, "report", content(results, comparison)}));
+  write_file(results / "report.html", page(comparison.title, "report", content(results, comparison)));
 }
 
 /// Of one motion.
 void write_report(const fs::path& results, const Motion& motion) {
-  write_file(results / "report.html", page({motion.comparison.title, "report", content(results, motion)}));
+  write_file(results / "report.html", page(motion.comparison.title, "report", content(results, motion)));
 }
 
 }  // namespace rockstack::plots

@@ -62,7 +62,7 @@ void write_study(const fs::path& results, const char* file, const std::function<
                    {"tables", tables},
                    {"command", command.empty() ? "" : element("h2", "To run it again") + code_block(command)},
                    {"facts", definition_list(facts_beside(json))}});
-    write_file(results / "report.html", page({study.title, "report", content}));
+    write_file(results / "report.html", page(study.title, "report", content));
   });
 }
 

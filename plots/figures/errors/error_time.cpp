@@ -163,6 +163,11 @@ std::vector<Series> series_of(const std::vector<CostLine>& lines, bool many) {
   return list;
 }
 
+std::string off_by(double error) {
+  return error > least_error ? fmt::format("off by {:.2g} rad", error)
+                             : fmt::format("off by less than {:g} rad", least_error);
+}
+
 /// The cheapest run within the tolerance, where there is one.
 std::string answer(const std::vector<CostLine>& lines, double tolerance) {
   const Cost* best = nullptr;

@@ -6,6 +6,13 @@
 namespace rockstack::plots {
 namespace {
 
+/// The runs of a scene that have answers over perturbed scenes, the exact one first.
+std::vector<Run> perturbed_runs(const Comparison& comparison, const std::string& scene) {
+  std::vector<Run> runs = done_runs(comparison, scene);
+  std::erase_if(runs, [](const Run& run) { return !std::filesystem::exists(run.folder / "perturbed.csv"); });
+  return runs;
+}
+
 /// One answer's sorted values of one quantity.
 struct Sample {
   Run run;

@@ -57,6 +57,11 @@ SpreadRange range_of(const Run& run, const Ranges& ranges) {
   return found == ranges.end() ? SpreadRange{*run.error, *run.error} : found->second;
 }
 
+/// With room about it on a logarithmic axis, a twenty-fifth of its decades or more.
+Reach with_log_room(const Reach& reach) {
+  return reach.wider_times(std::max(1.5, std::pow(reach.high / reach.low, 0.04)));
+}
+
 Reach reach_of(const std::vector<Run>& runs, const Ranges& ranges) {
   Reach reach;
   for (const Run& run : runs) {

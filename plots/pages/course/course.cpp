@@ -26,10 +26,10 @@ std::string course_page(const Json& course) {
     minutes += lesson.at("minutes").get<double>();
   }
   constexpr double hour = 60;  // min
-  return page({"Contact modelling: a course", "course",
-               filled_in(course_html, {{"count", fmt::format("{}", course.at("lessons").size())},
-                                       {"hours", fmt::format("{:.0f}", minutes / hour)},
-                                       {"lessons", lessons}})});
+  return page("Contact modelling: a course", "course",
+              filled_in(course_html, {{"count", fmt::format("{}", course.at("lessons").size())},
+                                      {"hours", fmt::format("{:.0f}", minutes / hour)},
+                                      {"lessons", lessons}}));
 }
 
 /// Room for an answer, or the answer.
@@ -65,15 +65,15 @@ std::string sheet_page(const Json& sheet, bool with_answers) {
                 lesson, seed)
           : "Angles in rad, clockwise positive; gravity is 9.81 m/s². Give answers to the digits that your "
             "way of computing supports, and say what you assumed.";
-  return page({fmt::format("{}: {} {}", title, kind, seed), "sheet",
-               filled_in(sheet_html, {{"kind", kind},
-                                      {"lesson", element("code", lesson)},
-                                      {"seed", seed},
-                                      {"title", escaped(title)},
-                                      {"name_line", with_answers ? "" : name_line},
-                                      {"problems", problems},
-                                      {"note", note},
-                                      {"css", std::string(sheet_css)}})});
+  return page(fmt::format("{}: {} {}", title, kind, seed), "sheet",
+              filled_in(sheet_html, {{"kind", kind},
+                                     {"lesson", element("code", lesson)},
+                                     {"seed", seed},
+                                     {"title", escaped(title)},
+                                     {"name_line", with_answers ? "" : name_line},
+                                     {"problems", problems},
+                                     {"note", note},
+                                     {"css", std::string(sheet_css)}}));
 }
 
 }  // namespace

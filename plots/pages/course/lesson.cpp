@@ -155,7 +155,7 @@ std::string page_of(const std::string& title, Values values, const char* kind, s
                     std::string_view css, std::string_view script) {
   values["css"] = css;
   values["script"] = script;
-  return page({title, kind, filled_in(content, values)});
+  return page(title, kind, filled_in(content, values));
 }
 
 }  // namespace
