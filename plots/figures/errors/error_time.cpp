@@ -151,14 +151,10 @@ std::vector<Series> series_of(const std::vector<CostLine>& lines, bool many) {
     one.words = many ? solver_name(lines[i].run) : lines[i].label;
     one.plots = plots_of(lines, i, 1.7);
     one.alone = plots_of(lines, i, 1.1);
-    const auto same =
-        std::ranges::find_if(list, [&](const Series& other) { return many && other.words == one.words; });
-    if (same == list.end()) {
-      list.push_back(std::move(one));
-      continue;
-    }
-    same->alone.insert(same->alone.end(), one.alone.begin(), one.alone.end());
-    same->context.insert(same->context.end(), one.context.begin(), one.context.end());
+    Series& all = found_or_added(list, [&](const Series& other) { return many && other.words == one.words; },
+                                 {one.words, one.colour, one.plots, {}, {}});
+    all.alone.insert(all.alone.end(), one.alone.begin(), one.alone.end());
+    all.context.insert(all.context.end(), one.context.begin(), one.context.end());
   }
   return list;
 }

@@ -20,9 +20,8 @@ std::vector<Marks> marks_of(const std::vector<LawRun>& runs) {
   for (const LawRun& one : runs) {
     if (!visible(one)) continue;
     const std::string label = run_label(one.run);
-    auto found = std::ranges::find_if(list, [&](const Marks& m) { return run_label(m.run) == label; });
-    if (found == list.end()) found = list.insert(list.end(), {one.run, {}});
-    found->at.emplace_back(one.from_paper, one.from_consistent);
+    found_or_added(list, [&](const Marks& m) { return run_label(m.run) == label; }, {one.run, {}})
+        .at.emplace_back(one.from_paper, one.from_consistent);
   }
   return list;
 }
@@ -31,8 +30,8 @@ std::vector<Marks> marks_of(const std::vector<LawRun>& runs) {
 std::map<std::string, double> shortest_steps(const std::vector<Marks>& list) {
   std::map<std::string, double> steps;
   for (const Marks& marks : list) {
-    const auto [at, added] = steps.emplace(line_label(marks.run), value_of(marks.run.dt));
-    if (!added) at->second = std::min(at->second, value_of(marks.run.dt));
+    double& shortest = steps.emplace(line_label(marks.run), value_of(marks.run.dt)).first->second;
+    shortest = std::min(shortest, value_of(marks.run.dt));
   }
   return steps;
 }
@@ -94,11 +93,11 @@ std::vector<Series> series_of(const std::vector<Marks>& list, Legend& legend) {
     const std::string label = line_label(run);
     const bool short_step = run.dt <= shortest.at(label);
     const std::string style = mark_style(run, short_step ? 1.3 : 0.8), marks = fmt::format("$marks_{}", i);
-    auto found = std::ranges::find_if(series, [&](const Series& one) { return one.words == label; });
-    if (found == series.end()) found = series.insert(series.end(), {label, style_of(run).colour, {}, {}, {}});
-    found->plots.push_back(fmt::format("{} using 1:2 {} notitle", marks, style));
-    found->alone.push_back(found->plots.back());
-    found->context.push_back(
+    Series& own = found_or_added(series, [&](const Series& one) { return one.words == label; },
+                                 {label, style_of(run).colour, {}, {}, {}});
+    own.plots.push_back(fmt::format("{} using 1:2 {} notitle", marks, style));
+    own.alone.push_back(own.plots.back());
+    own.context.push_back(
         fmt::format("{} using 1:2 with points pt 7 ps 0.4*mark lc rgb '{}' notitle", marks, context_colour));
     if (short_step) legend.emplace_back(style, label);
   }

@@ -83,12 +83,9 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, cons
   std::vector<std::string> names;
   for (const Departure& one : departures) {
     const double row = rows - static_cast<double>(names.size());
-    plots.add(
-        each_of(one.agreement_times,
-                [&](double time) {
-                  return std::vector{time, row};
-                }),
-        {fmt::format("using 1:2 with points pt 2 ps 0.7*mark lw 1 lc rgb '{}'", style_of(one.run).colour)});
+    const Numbers marks = each_of(one.agreement_times, [&](double time) { return std::vector{time, row}; });
+    plots.add(marks, {fmt::format("using 1:2 with points pt 2 ps 0.7*mark lw 1 lc rgb '{}'",
+                                  style_of(one.run).colour)});
     plots.add({{value_of(one.run.agreement_time), row}}, {"using 1:2 " + mark_style(one.run, 1.6)});
     names.push_back(line_label(one.run));
   }

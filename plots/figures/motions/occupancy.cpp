@@ -1,4 +1,3 @@
-
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
