@@ -281,7 +281,7 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
 Suite suite_for(NamedScene scene, const SceneChoice& choice) {
   Suite suite;
   suite.title = scene.scene.title;
-  suite.replicates.runs = choice.quick ? fewest_replicates : quick_replicates;
+  suite.replicates.runs = usual_replicates;
   suite.softness = choice.softness;
   if (choice.quick) {
     suite.repeats = 1;

@@ -55,8 +55,9 @@ struct Replicates {
   std::uint64_t seed = 1;
 };
 
-inline constexpr int quick_replicates = 5;      ///< where nobody asked for a number of replicates
-inline constexpr int fewest_replicates = 3;     ///< where a quick answer is asked for
+/// Where nobody asked for a number of replicates: the least that can tell four sets apart at one step, six
+/// pairs at 5 % (ranking.hpp): 6 · 2/252.
+inline constexpr int usual_replicates = 5;
 inline constexpr int most_replicates = 10'000;  ///< that may be asked for
 
 /// As many at every step.
@@ -175,7 +176,7 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
 struct SceneChoice {
   std::vector<std::string> engines = {};  ///< "ode", "bullet:nncg"; none: the first solver of Bullet and ODE
   std::vector<double> steps = {};         ///< s; none: default_steps(), or of a quick one the first two
-  bool quick = false;                     ///< fewer replicates, one timed run, 2000 samples of each history
+  bool quick = false;                     ///< one timed run, 2000 samples of each history
   bool softness = false;                  ///< as in a suite
 };
 

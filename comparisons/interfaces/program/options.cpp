@@ -98,9 +98,8 @@ void add_compare(CLI::App& command, CompareArguments& arguments) {
                   "of scenes: time step, s; may be repeated or a list, 1e-2,1e-3; left out: 1e-2,1e-3,1e-4")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_flag(
-      "--quick", arguments.choice.quick,
-      "of scenes: 3 replicates, steps of 1e-2 and 1e-3 s, one timed run, 2000 samples of each history");
+  command.add_flag("--quick", arguments.choice.quick,
+                   "of scenes: steps of 1e-2 and 1e-3 s, one timed run, 2000 samples of each history");
   command.add_flag(
       "--softness", arguments.choice.softness,
       "of scenes: split each engine's difference into contact model, contact softness and time step");

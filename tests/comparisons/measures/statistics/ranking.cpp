@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "comparisons/suites/suite.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -63,6 +65,17 @@ TEST(Ranking, SetsThatReplicatesDoNotTellApartShareARank) {
   for (ReplicatedRow& row : finer) row.row.dt = 1e-4;
   rows.insert(rows.end(), finer.begin(), finer.end());
   EXPECT_EQ(rank_all(rows)[2].rank, 3);
+}
+
+// Two sets of two engines at one step: what a comparison without further words may consist of.
+TEST(Ranking, TheUsualNumberOfReplicatesTellsFourSetsApartAndOneLessDoesNot) {
+  std::vector<ReplicatedRow> rows{run("a", "one", 1), run("b", "one", 2), run("c", "one", 4),
+                                  run("d", "one", 8)};
+  for (ReplicatedRow& row : rows) row.errors.resize(usual_replicates);
+  const auto ranking = rank_all(rows);
+  for (std::size_t i = 0; i < ranking.size(); ++i) EXPECT_EQ(ranking[i].rank, static_cast<int>(i) + 1);
+  for (ReplicatedRow& row : rows) row.errors.resize(usual_replicates - 1);
+  for (const RankedSet& set : rank_all(rows)) EXPECT_EQ(set.rank, 1);
 }
 
 // What rests has errors of rounding; a set that is best there alone is not best.
