@@ -56,21 +56,47 @@ std::vector<Run> read_runs(const std::filesystem::path& file, const SummaryKeys&
   return runs;
 }
 
-void write_fragility(const std::vector<Run>& runs, const std::filesystem::path& folder) {
-  std::map<double, Level> by_intensity;
+/// The level that an intensity belongs to: its own; or where there are many, as values are drawn, the middle
+/// one of a bin, each bin with as many runs as any other.
+std::map<double, double> levels_of(const std::vector<Run>& runs) {
+  constexpr std::size_t most_levels = 100, bins = 20;
+  std::vector<double> all;
+  for (const Run& run : runs) all.push_back(run.intensity);
+  std::ranges::sort(all);
+  std::map<double, double> levels;
+  for (const double intensity : all) levels.emplace(intensity, intensity);
+  if (levels.size() <= most_levels) return levels;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::size_t bin = i * bins / all.size();
+    levels[all[i]] = all[(2 * bin + 1) * all.size() / (2 * bins)];
+  }
+  return levels;
+}
+
+/// What came of the runs at each level.
+std::vector<Level> tallied(const std::vector<Run>& runs, const std::map<double, double>& levels) {
+  std::map<double, Level> tallies;
   for (const Run& run : runs) {
-    Level& level = by_intensity[run.intensity];
-    level.intensity = run.intensity;
+    const double intensity = levels.at(run.intensity);
+    Level& level = tallies[intensity];
+    level.intensity = intensity;
     ++(run.failed ? level.failed : level.runs);
     if (run.toppled) ++level.toppled;
   }
-  std::vector<Level> levels;
-  levels.reserve(by_intensity.size());
-  for (const auto& [intensity, level] : by_intensity) levels.push_back(level);
-  const auto fit = fit_fragility(levels);
+  std::vector<Level> list;
+  for (const auto& [intensity, level] : tallies) list.push_back(level);
+  return list;
+}
+
+/// The curve is fitted to all intensities as they are, whatever the levels of the table.
+void write_fragility(const std::vector<Run>& runs, const std::map<double, double>& levels,
+                     const std::filesystem::path& folder) {
+  std::map<double, double> own;
+  for (const auto& [intensity, level] : levels) own.emplace(intensity, intensity);
+  const auto fit = fit_fragility(tallied(runs, own));
   CsvWriter csv;
   csv.line("intensity", "runs", "toppled", "failed", "fraction", "lower", "upper", "fitted");
-  for (const Level& level : levels) {
+  for (const Level& level : tallied(runs, levels)) {
     const Bounds bounds = wilson_bounds(level.toppled, level.runs);
     const auto runs_there = static_cast<double>(level.runs);
     const std::string fraction =
@@ -86,12 +112,13 @@ void write_fragility(const std::vector<Run>& runs, const std::filesystem::path& 
   write_file(folder / "fragility-fit.csv", fitted.text());
 }
 
-void write_incremental(std::vector<Run> runs, const std::filesystem::path& folder) {
+void write_incremental(std::vector<Run> runs, const std::map<double, double>& levels,
+                       const std::filesystem::path& folder) {
   std::erase_if(runs, [](const Run& run) { return run.failed; });
-  std::map<double, std::vector<double>> levels;
-  for (const Run& run : runs) {
-    levels[run.intensity].push_back(run.toppled ? std::numeric_limits<double>::infinity() : run.peak_ratio);
-  }
+  std::map<double, std::vector<double>> ratios_of;
+  for (const Run& run : runs)
+    ratios_of[levels.at(run.intensity)].push_back(run.toppled ? std::numeric_limits<double>::infinity()
+                                                              : run.peak_ratio);
   // Stable: curves stay in the order of their first run.
   std::map<std::string, std::size_t> numbers;
   for (const Run& run : runs) numbers.emplace(run.others, numbers.size());
@@ -111,7 +138,7 @@ void write_incremental(std::vector<Run> runs, const std::filesystem::path& folde
   write_file(folder / "incremental.csv", curves.text());
   CsvWriter fractiles;
   fractiles.line("intensity", "runs", "fractile_16", "fractile_50", "fractile_84");
-  for (const auto& [intensity, ratios] : levels) {
+  for (const auto& [intensity, ratios] : ratios_of) {
     fractiles.add(number_text(intensity), ratios.size());
     for (const double share : {0.16, 0.5, 0.84}) fractiles.add(number_text(quantile(ratios, share)));
     fractiles.end_line();
@@ -194,8 +221,9 @@ void write_summaries(const std::filesystem::path& folder, const SummaryKeys& key
   const std::vector<Run> runs = read_runs(folder / "runs.csv", keys);
   if (!keys.period.empty()) return write_overturning(runs, folder);
   if (!keys.friction.empty()) return write_modes(runs, folder);
-  write_fragility(runs, folder);
-  write_incremental(runs, folder);
+  const std::map<double, double> levels = levels_of(runs);
+  write_fragility(runs, levels, folder);
+  write_incremental(runs, levels, folder);
 }
 
 }  // namespace rockstack

@@ -1,3 +1,4 @@
+#include <set>
 #include <utility>
 
 #include "comparisons/measures/results/csv.hpp"
@@ -62,16 +63,29 @@ Numbers run_marks(const std::vector<ScaledMotion>& motions) {
   return marks;
 }
 
-/// A capacity curve: the angle that a share of the motions stays within up to each intensity. It never turns
-/// back. A line is an angle over slenderness, and an intensity.
+/// The largest ratio up to an intensity, of each motion that has a run there or below.
+std::vector<double> reached_at(const std::vector<ScaledMotion>& motions, double intensity) {
+  std::vector<double> reached;
+  for (const ScaledMotion& motion : motions) {
+    const auto above = std::ranges::upper_bound(motion.intensities, intensity);
+    if (above != motion.intensities.begin())
+      reached.push_back(motion.reached[static_cast<std::size_t>(above - motion.intensities.begin()) - 1]);
+  }
+  return reached;
+}
+
+/// A capacity curve: the angle that a share of the motions stays within up to each intensity, or of very many
+/// to some of them. It never turns back. A line is an angle over slenderness, and an intensity.
 Numbers capacity(const std::vector<ScaledMotion>& motions, double share) {
-  std::map<double, std::vector<double>> levels;
-  for (const ScaledMotion& motion : motions)
-    for (std::size_t i = 0; i < motion.reached.size(); ++i)
-      levels[motion.intensities[i]].push_back(motion.reached[i]);
+  constexpr std::size_t most_points = 100;
+  std::set<double> all;
+  for (const ScaledMotion& motion : motions) all.insert(motion.intensities.begin(), motion.intensities.end());
+  const std::size_t stride = 1 + (all.size() - 1) / most_points;
   Numbers curve;
-  for (const auto& [intensity, reached] : levels) {
-    curve.push_back({std::min(quantile(reached, share), edge), intensity});
+  std::size_t i = 0;
+  for (const double intensity : all) {
+    if (i++ % stride != 0 && i != all.size()) continue;
+    curve.push_back({std::min(quantile(reached_at(motions, intensity), share), edge), intensity});
     if (curve.back()[0] >= edge) break;
   }
   return curve;

@@ -1,11 +1,13 @@
 #include "comparisons/studies/sweep/sweep.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/statistics/fragility.hpp"
 #include "tests/comparisons/studies/sweep/sweep_folder.hpp"
 
 namespace rockstack {
@@ -107,6 +109,36 @@ TEST(Summaries, FailedRunsAreCountedAndLeftOutOfShares) {
   EXPECT_EQ(levels[2], std::vector<double>{1});
   EXPECT_EQ(levels[3], std::vector<double>{0.5});
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "incremental.csv")) << "no curve has two points";
+}
+
+// As many intensities as runs, as where values are drawn: a table of them would be the runs once more.
+TEST(Summaries, ManyIntensitiesAreCountedInBinsAndFittedAsTheyAre) {
+  const TemporaryFolder folder;
+  std::vector<std::string> lines;
+  std::vector<Level> own;
+  for (int i = 1; i <= 400; ++i) {
+    const double level = 0.01 * i;
+    const bool topples = (i * 7919) % 400 < i;  // more of them the higher, in an order that is not sorted
+    lines.push_back(fmt::format("1,{},0.1,0.3,{},1,1,done", level, topples ? 1 : 0));
+    own.push_back({level, 1, topples ? 1u : 0u});
+  }
+  folder.write("runs.csv", rows(lines));
+  write_summaries(folder.path(), {.intensity = "level", .period = "", .friction = ""});
+  const auto levels = read_columns(folder.path() / "fragility.csv", {"intensity", "runs", "toppled"});
+  ASSERT_EQ(levels[0].size(), 20u);
+  std::size_t first = 0;
+  for (std::size_t bin = 0; bin < 20; ++bin, first += 20) {
+    double toppled = 0;
+    for (std::size_t i = first; i < first + 20; ++i) toppled += static_cast<double>(own[i].toppled);
+    EXPECT_EQ(levels[0][bin], own[first + 10].intensity);
+    EXPECT_EQ(levels[1][bin], 20);
+    EXPECT_EQ(levels[2][bin], toppled);
+  }
+  const auto fit = read_columns(folder.path() / "fragility-fit.csv", {"median", "beta"});
+  const Fragility expected = fit_fragility(own).value();
+  EXPECT_EQ(fit[0][0], expected.median);
+  EXPECT_EQ(fit[1][0], expected.beta);
+  EXPECT_EQ(read_columns(folder.path() / "incremental-fractiles.csv", {"runs"})[0].size(), 20u);
 }
 
 }  // namespace
