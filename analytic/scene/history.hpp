@@ -21,10 +21,12 @@ enum class EventKind {
   slip,      ///< what stuck starts to slide
   stick,     ///< what slid sticks, or slides back
   corner,    ///< a corner passes the end of a face: the contact goes on at another corner, or parts
-  fall,      ///< a block leaves the face that it was over; the history ends
+  fall,      ///< a block is beside the face that it was over, and no longer above it; the history ends
   // Law `compliant` alone:
   touch,  ///< a corner starts to push
   part,   ///< a corner stops pushing
+  // Again of laws that leave pivots:
+  strike,  ///< a block meets the ground or one that it is not stacked on; the history ends
 };
 
 std::string name(EventKind kind);
@@ -33,7 +35,7 @@ EventKind named_event(std::string_view name);
 
 /// Whether the history ends with it.
 inline bool ends_motion(EventKind kind) {
-  return kind == EventKind::topple || kind == EventKind::fall;
+  return kind == EventKind::topple || kind == EventKind::fall || kind == EventKind::strike;
 }
 
 /// Whether the pattern that was chosen after an event is one that the laws of contact allow, and the only

@@ -122,11 +122,11 @@ void validate_initial(const Scene& scene) {
     }
     require_all_signed(key, values);
   };
+  validate_gaps(scene);
   check("initial.angles", scene.initial.angles);
   check("initial.velocities", scene.initial.velocities);
   for (const auto& [key, values] : of_free_blocks(scene.initial))
     if (!values.empty()) check(key, values);
-  validate_gaps(scene);
   validate_offsets(scene);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const double limit = toppling_angle(scene, k);

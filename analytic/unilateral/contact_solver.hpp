@@ -153,10 +153,10 @@ class ContactSolver {
     note_stall();
     const Joints<Real> before = state_.joints;
     for (const Guard<Real>& guard : found.guards) {
-      if (guard.change != Change::topple && guard.change != Change::fall) continue;
+      const auto end = end_of(guard.change);
+      if (!end) continue;
       ended_ = true;
-      return note(guard.change == Change::topple ? EventKind::topple : EventKind::fall, guard.interface + 1,
-                  before, state_.bodies.rate);
+      return note(*end, guard.interface + 1, before, state_.bodies.rate);
     }
     Joints<Real> touching = state_.joints;
     const int interface = found.guards.front().interface + 1;
@@ -277,6 +277,20 @@ class ContactSolver {
       burst_ = 0;
     }
     if (++burst_ > 10000 * stack_.size()) stop("events do not come to an end after", burst_start_);
+  }
+
+  /// The end of the motion that a change is, if it is one.
+  static std::optional<EventKind> end_of(Change change) {
+    switch (change) {
+      case Change::topple:
+        return EventKind::topple;
+      case Change::fall:
+        return EventKind::fall;
+      case Change::strike:
+        return EventKind::strike;
+      default:
+        return {};
+    }
   }
 
   [[noreturn]] void stop(const char* what) const { stop(what, time()); }

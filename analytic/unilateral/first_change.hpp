@@ -105,6 +105,23 @@ bool lands(const ModeSeries<Real>& series, const Guard<Real>& guard, const Real&
          (is_inside(guard.within, s, guard.rounding) && is_inside(guard.within_other, s, guard.rounding));
 }
 
+/// Whether a guard that is negative from s on ends its step: a corner may meet the plane of a face beside it,
+/// and what flies may be beyond a face and come back.
+template <class Real>
+bool ends_step(const ModeSeries<Real>& series, const Guard<Real>& guard, const Real& s) {
+  switch (guard.change) {
+    case Change::landing:
+      return lands(series, guard, s);
+    case Change::fall:
+      return guard.other.terms == 0 || value(guard.other, s) < 0;
+    case Change::strike:
+      return guard.within.terms == 0 ||
+             (is_inside(guard.within, s, guard.rounding) && is_inside(guard.within_other, s, guard.rounding));
+    default:
+      return true;
+  }
+}
+
 /// The changes that end a step. Guards that start at zero by a decision at `time` are looked at from
 /// `skipped` of the step on.
 template <class Real>
@@ -116,9 +133,10 @@ FirstChange<Real> first_change(std::vector<Guard<Real>> guards, const ModeSeries
     Polynomial<Real>& whole = guard.series;
     const bool starts = fresh.starts(guard, time, decided);
     Real first = starts ? skipped : Real(0);
-    const bool lower = guard.change == Change::landing && whole[0] < -guard.rounding;
+    // Beside its face a corner may be lower, and come up before it meets it.
+    const bool lower =
+        (guard.change == Change::landing || guard.within.terms > 0) && whole[0] < -guard.rounding;
     if (lower) {
-      // Beside its face a corner may be lower, and come up before it lands.
       const std::optional<Real> above = first_crossing(times(-1, whole));
       if (!above) continue;
       first = *above;
@@ -131,7 +149,7 @@ FirstChange<Real> first_change(std::vector<Guard<Real>> guards, const ModeSeries
     std::optional<Real> crossing = first_crossing(rest);
     if (crossing) *crossing = first + (1 - first) * *crossing;
     if (!crossing || *crossing > found.s) continue;
-    if (guard.change == Change::landing && !lands(series, guard, *crossing)) continue;
+    if (!ends_step(series, guard, *crossing)) continue;
     if (*crossing < found.s) found = {*crossing, {}};
     found.guards.push_back(std::move(guard));
   }

@@ -48,7 +48,9 @@ inline constexpr KeyTable initial_keys{
      {"slip_velocities", "[0.0]", "m/s", "a number for each block; law \"unilateral\" or \"compliant\"",
       "all 0", "along what is below, to the right positive"},
      {"offsets", "[0.0]", "m", "a number for each block, so that it is over what is below; those laws",
-      "all 0", "of a block's middle from that of what is below, to the right positive"},
+      "all 0",
+      "of a block's middle from that of what is below, along the face, to the right positive; of a block that leans, "
+      "before it is turned about the corner that touches"},
      {"gaps", "[0.0]", "m", "≥ 0 for each block; those laws, with unloaded springs", "all 0",
       "by which a block is above what is below at the start, to fall"},
      {"gap_velocities", "[0.0]", "m/s", "a number for each block, 0 where it has no gap", "all 0",

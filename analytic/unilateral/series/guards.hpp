@@ -14,7 +14,9 @@ enum class Change : std::uint8_t {
   landing,  ///< a corner meets a face
   corner,   ///< a corner comes to the end of a face
   topple,
-  fall,
+  fall,    ///< of a block that touches: nothing is left of the face; of one that flies: beside it, and not
+           ///< above
+  strike,  ///< a corner meets a body that is not next to its own
 };
 
 /// Something that stays positive for as long as a mode lasts.
@@ -22,12 +24,14 @@ template <class Real>
 struct Guard {
   Polynomial<Real> series;
   Change change{};
-  int interface = 0;              ///< from 0; of topple the block
-  int side = 0;                   ///< of landing: which corner, −1 or 1
-  bool below = false;             ///< of landing: a corner of the block below
-  Polynomial<Real> within;        ///< of landing: how far the corner is inside the face's end on its side, m
-  Polynomial<Real> within_other;  ///< on the other side
-  Real rounding = 0;              ///< of landing: of these distances, m
+  int interface = 0;   ///< from 0; of topple the block
+  int side = 0;        ///< of landing: which corner, −1 or 1
+  bool below = false;  ///< of landing: a corner of the block below
+  /// Of landing and strike: how far the corner is inside the face's end on its side, m; and on the other
+  /// side.
+  Polynomial<Real> within = {}, within_other = {};
+  Real rounding = 0;            ///< of these distances, m
+  Polynomial<Real> other = {};  ///< of fall from flight: what is negative beside it
 };
 
 /// Gathers what a mode ends by, interface by interface.
@@ -72,6 +76,18 @@ class GuardCollector {
     push(line(angle, 1, lean), Change::topple, k);
   }
 
+  /// What block k may strike: the ground, and blocks that are not next to it.
+  void add_strikes(int k) {
+    for (int other = -1; other < k - 1; ++other) {
+      if (lowest(k) > highest(other)) continue;
+      for (const int side : {-1, 1}) {
+        add_strike({other, k, side * stack_.half_width(k), -stack_.half_height(k), 1}, k);
+        if (other >= 0)
+          add_strike({k, other, side * stack_.half_width(other), stack_.half_height(other), -1}, k);
+      }
+    }
+  }
+
   std::vector<Guard<Real>> take() && { return std::move(guards_); }
 
  private:
@@ -85,7 +101,7 @@ class GuardCollector {
     return k == 0 ? upper : sum(upper, times(-1, series_.bodies[k - 1].angle));
   }
   Guard<Real>& push(const Polynomial<Real>& series, Change change, int k) {
-    guards_.push_back({series, change, k, 0, false, {}, {}, 0});
+    guards_.push_back({series, change, k});
     return guards_.back();
   }
   /// A force, or one times `factor`. Of blocks that fly side by side it is rounding: no event may come of it.
@@ -159,10 +175,40 @@ class GuardCollector {
         const Real end = stack_.half_width(point.face);
         guard.within = line(end, -side, place.along);
         guard.within_other = line(end, side, place.along);
-        // A block that is wholly beyond an end of the face below falls.
-        if (!below) push(guard.within_other, Change::fall, k);
+        if (below) continue;
+        // A block falls that is wholly beyond an end of the face below, and no longer above it.
+        const Polynomial<Real> height = guard.series, inside = guard.within_other;
+        push(inside, Change::fall, k).other = height;
+        push(height, Change::fall, k).other = inside;
       }
     }
+  }
+
+  void add_strike(const CornerOnFace<Real>& point, int k) {
+    const FaceSeries<Real> place = corner_series(stack_, series_, point);
+    Guard<Real>& guard =
+        push(line(-stack_.half_height(point.face), point.upward, place.above), Change::strike, k);
+    guard.rounding = rounding_along(k);
+    if (point.face < 0) return;
+    guard.within = line(stack_.half_width(point.face), -1, place.along);
+    guard.within_other = line(stack_.half_width(point.face), 1, place.along);
+  }
+
+  /// How much a corner's turn may move it up or down, m.
+  Real swing(int k) const {
+    using std::abs;
+    const Polynomial<Real>& angle = series_.bodies[k].angle;
+    return (stack_.half_width(k) + abs(stack_.centre(k).x())) * (abs(angle[0]) + reach(angle));
+  }
+  /// Bounds of how low or high a body's corners come within the step, from the ground, m.
+  Real lowest(int k) const {
+    const Polynomial<Real>& y = series_.bodies[k].y;
+    return y[0] - reach(y) - stack_.half_height(k) - stack_.centre(k).y() - swing(k);
+  }
+  Real highest(int k) const {
+    if (k < 0) return 0;
+    const Polynomial<Real>& y = series_.bodies[k].y;
+    return y[0] + reach(y) + stack_.half_height(k) - stack_.centre(k).y() + swing(k);
   }
 
   const ContactModel<Real>& stack_;
@@ -180,6 +226,7 @@ std::vector<Guard<Real>> guards_of(const ContactModel<Real>& stack, const Joints
   for (int k = 0; k < stack.size(); ++k) {
     collector.add_interface(k);
     collector.add_toppling(k, toppling_angles[k]);
+    collector.add_strikes(k);
   }
   return std::move(collector).take();
 }

@@ -31,6 +31,7 @@ struct SpringGuard {
   std::size_t end = 0;  ///< of a bed
   bool below = false;   ///< of `touch`: a corner of the block below
   Polynomial<Real> within = {}, within_other = {};  ///< of `touch`: how far it is inside either end, m
+  Polynomial<Real> other = {};                      ///< of `fall` from flight: what is negative beside it
 };
 
 /// The share of a step before a corner parts in which it does not come to slide.
@@ -49,7 +50,17 @@ struct FirstSpringChange {
     if (crossing && guard.within.terms > 0 &&
         std::min(value(guard.within, *crossing), value(guard.within_other, *crossing)) < -rounding)
       return;
+    if (crossing && guard.other.terms > 0 && value(guard.other, *crossing) >= 0) return;
     note(std::move(guard), crossing);
+  }
+
+  /// A fall from flight: beyond an end of the face, and no longer above it. m.
+  void consider_fall(std::size_t point, const Polynomial<Real>& inside, const Polynomial<Real>& height) {
+    for (const auto& [series, other] : {std::pair(inside, height), std::pair(height, inside)}) {
+      SpringGuard<Real> guard{series, SpringChange::fall, point};
+      guard.other = other;
+      consider(std::move(guard), 0);
+    }
   }
 
   /// One that ends at `crossing`, if at all.
@@ -168,8 +179,11 @@ class SpringGuards {
     }
     if (law.damping > 0 && has_crossing(point.bed)) add_crossing(i, depth, pressure, rounding_.normal(law));
     const CornerOnFace<Real> middle = corner_of(stack_, point);
-    if (middle.face >= 0 && !point.pushes())
-      add_bed_falling(i, middle, corner_series(stack_, motion_, middle).along);
+    if (middle.face < 0 || point.pushes()) return;
+    const FaceSeries<Real> place = corner_series(stack_, motion_, middle);
+    for (const int way : {-1, 1})
+      found_.consider_fall(i, line(stack_.half_width(middle.face), way, place.along),
+                           times(-1, depth_of(middle, place)));
   }
 
   /// A quantity of a bed that keeps its sign at an end up to the change. Where it has another sign at the
@@ -226,9 +240,8 @@ class SpringGuards {
         const Real end = stack_.half_width(corner.face);
         guard.within = line(end, -1, place.along);
         guard.within_other = line(end, 1, place.along);
-        // A block that is wholly beyond an end of the face below falls.
         if (!below && lies_open(point.interface))
-          found_.consider({line(end, point.side, place.along), SpringChange::fall, i}, 0);
+          found_.consider_fall(i, line(end, point.side, place.along), guard.series);
       }
       found_.consider(std::move(guard), rounding_.place);
     }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
@@ -12,6 +14,8 @@
 
 namespace rockstack {
 namespace {
+
+constexpr double visible = 1e-9;  // m
 
 /// In the order of TopplingVerdict.
 constexpr std::array<const char*, 5> verdict_names{"", "neither", "both", "exact alone", "engine alone"};
@@ -46,10 +50,6 @@ bool ends_at_rest(const Scene& scene, const History& history) {
          history.events.back().to == closed_pattern(history.blocks);
 }
 
-bool ends_with(const History& history, EventKind kind) {
-  return !history.events.empty() && history.events.back().kind == kind;
-}
-
 /// When an interface would have to pull, from `demands` of forces or impulses; empty where none does.
 std::string pull(const std::vector<Demand>& demands) {
   for (std::size_t k = 0; k < demands.size(); ++k) {
@@ -72,23 +72,66 @@ std::string demand(const History& history) {
                            : fmt::format("; needs friction {:.2g}", forces);
 }
 
-constexpr double visible = 1e-9;  // m
-
 auto largest_of(const std::vector<InterfaceSummary>& interfaces, double InterfaceSummary::*value) {
   return std::max_element(interfaces.begin(), interfaces.end(),
                           [&](const auto& a, const auto& b) { return a.*value < b.*value; });
 }
 
-/// The block that slips furthest, and where it is left.
-std::string slipping(const std::vector<InterfaceSummary>& interfaces) {
-  const auto most = largest_of(interfaces, &InterfaceSummary::largest_slip);
-  if (most->largest_slip <= visible) return "";
-  return fmt::format("; block {} slips by up to {} and is left {} to the {}", most - interfaces.begin() + 1,
-                     quantity_text(most->largest_slip, "m"), quantity_text(std::abs(most->final_slip), "m"),
-                     most->final_slip < 0 ? "left" : "right");
+/// A row of what a history has row by row, by blocks; nothing where it does not have it.
+std::span<const double> row_of(const History& history, const std::vector<double>& values,
+                               std::size_t sample) {
+  const auto blocks = static_cast<std::size_t>(history.blocks);
+  return values.size() < (sample + 1) * blocks ? std::span<const double>()
+                                               : std::span(values).subspan(sample * blocks, blocks);
 }
 
-std::string lifting(const std::vector<InterfaceSummary>& interfaces) {
+/// The first block that holds something, from 1.
+template <class Holds>
+std::optional<std::size_t> first_block(const History& history, const Holds& holds) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(history.blocks); ++k)
+    if (holds(k)) return k + 1;
+  return {};
+}
+
+/// The block that slides in the last sample.
+std::optional<std::size_t> sliding_at_end(const History& history) {
+  return first_block(
+      history, [&](std::size_t k) { return !history.patterns.empty() && history.patterns.back().slides[k]; });
+}
+
+/// What is still going on in the last sample, so that nothing can be said of standing: "block 1 is in
+/// flight".
+std::string unsettled(const Scene& scene, const History& history) {
+  if (history.times.empty()) return "";
+  const std::size_t last = history.size() - 1;
+  const auto gaps = row_of(history, history.gaps, last);
+  const auto angles = history.angles_at(last), velocities = history.velocities_at(last);
+  if (const auto block =
+          first_block(history, [&](std::size_t k) { return !gaps.empty() && gaps[k] > visible; }))
+    return fmt::format("block {} is in flight", *block);
+  if (const auto block = sliding_at_end(history)) return fmt::format("block {} slides", *block);
+  if (const auto block = first_block(history, [&](std::size_t k) {
+        return std::abs(angles[k]) > slenderness(scene, static_cast<int>(k)) && angles[k] * velocities[k] > 0;
+      }))
+    return fmt::format("block {} leans further than its slenderness angle, and on", *block);
+  return "";
+}
+
+/// The block that slips furthest, and where it is left.
+std::string slipping(const History& history, const std::vector<InterfaceSummary>& interfaces) {
+  const auto most = largest_of(interfaces, &InterfaceSummary::largest_slip);
+  if (most->largest_slip <= visible) return "";
+  const std::string far = fmt::format("; block {} slips by up to {}", most - interfaces.begin() + 1,
+                                      quantity_text(most->largest_slip, "m"));
+  if (sliding_at_end(history)) return far;
+  return far + fmt::format(" and is left {} to the {}", quantity_text(std::abs(most->final_slip), "m"),
+                           most->final_slip < 0 ? "left" : "right");
+}
+
+/// The block that rises furthest above where it starts.
+std::string lifting(const History& history, std::vector<InterfaceSummary> interfaces) {
+  const auto start = row_of(history, history.gaps, 0);
+  for (std::size_t k = 0; k < start.size(); ++k) interfaces[k].highest_lift -= start[k];
   const auto most = largest_of(interfaces, &InterfaceSummary::highest_lift);
   if (most->highest_lift <= visible) return "";
   return fmt::format("; block {} lifts by up to {}", most - interfaces.begin() + 1,
@@ -107,8 +150,17 @@ std::string alternative(const History& history) {
 std::string freedom(const History& history) {
   const std::vector<InterfaceSummary> interfaces = contact_summary(history);
   if (interfaces.empty()) return demand(history);
-  const std::string text = slipping(interfaces) + lifting(interfaces);
-  return (text.empty() ? "; nothing slips or lifts" : text) + alternative(history);
+  const std::string text = slipping(history, interfaces) + lifting(history, interfaces);
+  const auto start = row_of(history, history.gaps, 0);
+  const bool held = std::ranges::all_of(start, [](double gap) { return gap <= visible; });
+  return (text.empty() && held ? "; nothing slips or lifts" : text) + alternative(history);
+}
+
+/// What ends a motion, of a block from 1.
+std::string end_words(EventKind kind, int block) {
+  if (kind == EventKind::fall) return "falls off";
+  if (kind != EventKind::strike) return "topples";
+  return block < 3 ? "strikes the ground" : "strikes the ground or a block further down";
 }
 
 /// "sinks by 86 mm", or nothing.
@@ -210,15 +262,17 @@ std::string motion_verdict(const Scene& scene, const History& history, const Sup
   const bool reported = !history.events.empty() && ends_motion(history.events.back().kind);
   const std::string toppled = reported ? reported_toppling(history) : observed_toppling(scene, history);
   if (!toppled.empty())
-    return fmt::format("{} {} at {:.4g} s{}", toppled.substr(0, toppled.find(" at ")),
-                       ends_with(history, EventKind::fall) ? "falls off" : "topples",
-                       reported ? history.events.back().time : history.times.back(), freedom(history));
+    return fmt::format(
+        "{} {} at {:.4g} s{}", toppled.substr(0, toppled.find(" at ")),
+        reported ? end_words(history.events.back().kind, history.events.back().interface) : "topples",
+        reported ? history.events.back().time : history.times.back(), freedom(history));
   if (!support.fallen.empty())
     return fmt::format("{} has fallen off{}{}", support.fallen.substr(0, support.fallen.find(" at ")),
                        support.fallen.substr(support.fallen.find(" at ")), freedom(history));
   const Lean most = largest_lean(scene, peak_angles(history));
   const std::string sunk = sinking(scene, support);
-  if (history.events.empty() && most.ratio < 1e-3)
+  const std::string going_on = unsettled(scene, history);
+  if (history.events.empty() && most.ratio < 1e-3 && going_on.empty())
     return sunk.empty() ? "rests throughout" + freedom(history) : "rests, but " + sunk + freedom(history);
   const std::string rest =
       ends_at_rest(scene, history) ? fmt::format(", at rest from {:.4g} s", history.events.back().time) : "";
@@ -227,7 +281,9 @@ std::string motion_verdict(const Scene& scene, const History& history, const Sup
           ? "; nothing rocks"
           : fmt::format("; block {} peaks at {:.2f} of its slenderness angle at {:.4g} s", most.block + 1,
                         most.ratio, peak_time(history, most.block));
-  return "stands" + rest + lean + (sunk.empty() ? "" : "; " + sunk) + freedom(history);
+  const std::string state =
+      going_on.empty() ? "stands" : fmt::format("{} at the end, {:.4g} s", going_on, history.times.back());
+  return state + rest + lean + (sunk.empty() ? "" : "; " + sunk) + freedom(history);
 }
 
 }  // namespace rockstack

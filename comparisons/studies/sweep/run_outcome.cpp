@@ -121,7 +121,7 @@ MotionMode whole_mode(const Scene& scene, const History& history) {
   if (!history.events.empty()) {
     const EventKind last = history.events.back().kind;
     if (last == EventKind::topple) return MotionMode::topple;
-    if (last == EventKind::fall) return MotionMode::fall;
+    if (last == EventKind::fall || last == EventKind::strike) return MotionMode::fall;
   }
   Freedom ever = freedom(scene.initial);
   for (const Event& event : history.events) ever |= freedom(event.to);

@@ -40,7 +40,8 @@ const kinds = { opening: ["Opening", ", which starts to rock"], impact: ["Impact
   closure: ["Closure", ", which stays closed after ever smaller impacts"], rest: ["Rest", ", the last that was open"],
   "lift-off": ["Lift-off", ", where blocks part"],
   slip: ["Slip", ", which starts to slide"], stick: ["Stick", ", which stops to slide that way"],
-  corner: ["Corner", ", where the contact passes to another corner"], fall: ["Fall", ", where a block leaves the face below"],
+  corner: ["Corner", ", where the contact passes to another corner"], fall: ["Fall", ", where a block is beside the face below"],
+  strike: ["Strike", ", where a block meets the ground or one further down"],
   touch: ["Touch", ", where a corner starts to push"], part: ["Part", ", where a corner stops to push"] };
 
 const subscript = (number) => String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);

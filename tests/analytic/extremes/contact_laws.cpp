@@ -48,8 +48,7 @@ std::string broken(const Scene& scene, const ContactHistory<>& history) {
     time = event.time;
   }
   if (time > scene.duration * (1 + 1e-12)) return "an event lies after the end";
-  const bool ends = !history.events.empty() && (history.events.back().kind == EventKind::topple ||
-                                                history.events.back().kind == EventKind::fall);
+  const bool ends = !history.events.empty() && ends_motion(history.events.back().kind);
   if (!ends && history.end_time < scene.duration * (1 - 1e-12)) return "the motion ends before its duration";
   for (const auto& sample : history.samples) {
     if (!all_finite(sample.bodies.at) || !all_finite(sample.bodies.rate)) return "a sample is no number";

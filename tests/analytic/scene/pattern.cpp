@@ -70,7 +70,7 @@ TEST(Pattern, IsWhatItsNameSays) {
 }
 
 TEST(Events, AreWhatTheirNamesSay) {
-  for (const EventKind kind : {EventKind::opening, EventKind::fall, EventKind::part})
+  for (const EventKind kind : {EventKind::opening, EventKind::fall, EventKind::strike})
     EXPECT_EQ(named_event(name(kind)), kind);
   for (const Consistency one : {Consistency::consistent, Consistency::several})
     EXPECT_EQ(named_consistency(name(one)), one);

@@ -108,7 +108,7 @@ TEST(UnilateralLaws, FrictionWithoutBoundsLetsMotionsGoOn) {
       expect_no_event_to_add_energy(scene, history, seed);
       if (history.end_time == scene.duration) continue;
       const EventKind end = history.events.back().kind;
-      EXPECT_TRUE(end == EventKind::topple || end == EventKind::fall) << seed;
+      EXPECT_TRUE(ends_motion(end)) << seed;
     }
   }
 }

@@ -109,6 +109,27 @@ TEST(ContactSummary, OfABlockThatTheGroundLeaves) {
   EXPECT_TRUE(validity_warnings(scene, history).empty());
 }
 
+// What has no event need not rest, and what has not toppled need not stand.
+TEST(ContactSummary, SaysWhatStillGoesOnAtTheEnd) {
+  Scene scene = sliding();
+  scene.initial = {{0}, {0}};
+  scene.initial.gaps = {6};
+  EXPECT_EQ(motion_verdict(scene, sampled(scene)), "block 1 is in flight at the end, 1 s; nothing rocks");
+  scene.initial = {{0}, {0}};
+  scene.inclination = 0.5;  // steeper than its friction
+  EXPECT_EQ(motion_verdict(scene, sampled(scene))
+                .find("block 1 slides at the end, 1 s; nothing rocks; block 1 slips"),
+            0U);
+  scene = sliding();
+  scene.blocks = {make_block(0.4, 1.6, 2500)};
+  scene.friction = {5};
+  scene.initial = {{0.26}, {0}};  // its slenderness angle is 0.245
+  EXPECT_EQ(motion_verdict(scene, sampled(scene))
+                .find("block 1 leans further than its slenderness angle, and on at the "
+                      "end, 1 s"),
+            0U);
+}
+
 TEST(ContactSummary, OfABlockThatSwingsOnBothSpringsDoesNotCallItRest) {
   Scene scene;
   scene.law = Law::compliant;
