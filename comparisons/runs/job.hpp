@@ -104,26 +104,33 @@ std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, 
 /// True for a job that has more runs behind its numbers than the nominal one.
 bool is_replicated(const Job& job);
 
+/// What the replicates of a job come to.
+struct MadeReplicates {
+  std::vector<RunMetrics> rows;
+  /// band.csv: time,lower_1,upper_1,…: between what the middle half of their angles lie at 400 times, rad, up
+  /// to where the first of them ends. Empty where the suite keeps no histories.
+  std::string band = {};
+};
+
 /// Makes the replicates of a job but the nominal one, `threads` at a time: an engine's runs at nearby steps
 /// of scenes that hardly differ, each held against the exact solution of its own scene. None is timed. A
 /// replicate that fails has a row that says why; one that runs out of time or memory ends the set, and those
 /// after it fail likewise.
-std::vector<RunMetrics> make_replicates(const Job& job, std::size_t threads);
+MadeReplicates make_replicates(const Job& job, std::size_t threads);
 
 /// Between replicates and the text that a message or a file holds. @throws nlohmann::json::exception
-std::string pack_replicates(const std::vector<RunMetrics>& replicates, const std::string& identity);
+std::string pack_replicates(const MadeReplicates& replicates, const std::string& identity);
 
 /// The replicates in such a text, where they are of that identity.
 std::optional<std::vector<RunMetrics>> unpack_replicates(const std::string& text,
                                                          const std::string& identity);
 
-/// Writes draws.json and, for readers, draws.csv into a run's folder.
+/// Writes draws.json and, for readers, draws.csv and band.csv into a run's folder.
 void write_replicates(const std::string& packed, const RunMetrics& nominal,
                       const std::filesystem::path& folder);
 
 /// Puts medians over the nominal run and its replicates in the place of the nominal row's numbers, with
-/// quartiles, and says how many there were. A quantile is the value of a replicate: that of rank ⌈q n⌉ of
-/// those that are done and have one.
+/// quartiles, and says how many there were.
 void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal);
 
 /// A line a run and quantity: run,quantity,draws,least,lower_quartile,median,upper_quartile,greatest, of

@@ -188,7 +188,8 @@ Json run_engine(const Job& job, RunMetrics& row, const std::string& command, Run
 
 }  // namespace
 
-RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int repeats, RunFiles& files) {
+RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int repeats, RunFiles& files,
+                          History* motion) {
   const EngineSeries& series = *job.series;
   const WorkerRun made = run_in_worker(*series.engine, scene, dt, series.parameters, repeats,
                                        job.suite.limits, job.suite.wanted.bodies || job.suite.wanted.angles);
@@ -210,6 +211,7 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
                      horizon_of(job), row, files);
   if (repeats > 0) set_time(made.seconds, history.times.back(), row);
   if (made.cold) row.timed_cold = 1;
+  if (motion != nullptr) *motion = history;
   return row;
 }
 

@@ -64,9 +64,11 @@ void add_parts(const Scene& scene, const History& exact, const CandidateMotion& 
 RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at_a_time);
 
 /// Runs an engine once for a job and sets it beside the exact solution; `repeats`: how often its stepping is
-/// timed. The series' parameters and the suite's wishes are the job's, scene and step may be other ones.
+/// timed. The series' parameters and the suite's wishes are the job's, scene and step may be other ones. The
+/// motion is left in `motion` where that is asked for.
 /// @throws std::runtime_error where the scene cannot be solved or the worker not be started.
-RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int repeats, RunFiles& files);
+RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int repeats, RunFiles& files,
+                          History* motion = nullptr);
 
 /// Solves a scene and writes history.csv, events.csv, those of `histories` (results/histories.hpp) and
 /// summary.json into a folder. Where the motion could

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/tables.hpp"
@@ -31,13 +32,29 @@ Suite without_histories(const Suite& suite) {
   return lean;
 }
 
-RunMetrics make_replicate(const Job& job, int number) {
+/// The angles of a motion at rising times, row by row, up to where it ends.
+std::vector<double> angles_at_times(const History& motion, const std::vector<double>& times) {
+  std::vector<double> angles;
+  if (motion.size() < 2) return angles;
+  for (const double time : times) {
+    if (time > motion.times.back()) break;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(motion.blocks); ++k)
+      angles.push_back(angle_at(motion, k, time));
+  }
+  return angles;
+}
+
+/// One replicate; `angles` are those of angles_at_times().
+RunMetrics make_replicate(const Job& job, int number, const std::vector<double>& times,
+                          std::vector<double>& angles) {
   const Replicates& replicates = job.suite.replicates;
   RunMetrics row;
   try {
     RunFiles files;
+    History motion;
     row = engine_metrics(job, replicate_scene(job.scene.scene, replicates, number),
-                         replicate_step(job.dt, replicates, number), 0, files);
+                         replicate_step(job.dt, replicates, number), 0, files, &motion);
+    angles = angles_at_times(motion, times);
   } catch (const std::exception& failure) {
     row = describe(job);
     row.status = RunStatus::failed;
@@ -65,13 +82,35 @@ std::vector<double> values_of(const Column& column, const RunMetrics& nominal,
 
 constexpr double lower = 0.25, upper = 0.75;
 
+/// band.csv of motions at common times; those that failed have none.
+std::string band_csv(const std::vector<double>& times, std::size_t blocks,
+                     std::vector<std::vector<double>> motions) {
+  std::erase_if(motions, [](const auto& angles) { return angles.empty(); });
+  if (motions.empty()) return "";
+  CsvWriter csv;
+  csv.add("time");
+  for (std::size_t k = 1; k <= blocks; ++k) csv.add(fmt::format("lower_{}", k), fmt::format("upper_{}", k));
+  csv.end_line();
+  const auto shortest = std::ranges::min_element(motions, {}, &std::vector<double>::size);
+  for (std::size_t i = 0; i < shortest->size() / blocks; ++i) {
+    csv.add(fmt::format("{:.7g}", times[i]));
+    for (std::size_t k = 0; k < blocks; ++k) {
+      std::vector<double> values;
+      for (const auto& angles : motions) values.push_back(angles[i * blocks + k]);
+      for (const double share : {lower, upper}) csv.add(fmt::format("{:.7g}", quantile(values, share)));
+    }
+    csv.end_line();
+  }
+  return csv.text();
+}
+
 }  // namespace
 
 bool is_replicated(const Job& job) {
   return job.series != nullptr && replicates_of(job).runs > 1;
 }
 
-std::vector<RunMetrics> make_replicates(const Job& job, std::size_t threads) {
+MadeReplicates make_replicates(const Job& job, std::size_t threads) {
   Suite suite = without_histories(job.suite);
   suite.replicates = replicates_of(job);
   const Job lean{suite, job.scene, job.dt, job.series, nullptr, job.horizon};
@@ -79,8 +118,13 @@ std::vector<RunMetrics> make_replicates(const Job& job, std::size_t threads) {
   std::vector<std::size_t> parts(rows.size());
   std::iota(parts.begin(), parts.end(), 0);
   std::optional<RunMetrics> end;
+  constexpr int instants = 400;
+  const double duration = job.scene.scene.duration;
+  const std::vector<double> times =
+      job.suite.wanted.histories ? regular_times(duration / instants, duration) : std::vector<double>();
+  std::vector<std::vector<double>> angles(rows.size());
   const auto compute = [&](std::size_t i) {
-    rows[i] = make_replicate(lean, static_cast<int>(i) + 1);
+    rows[i] = make_replicate(lean, static_cast<int>(i) + 1, times, angles[i]);
     return std::string();
   };
   const auto deliver = [&](std::size_t i, const std::string& /*text*/) {
@@ -90,11 +134,11 @@ std::vector<RunMetrics> make_replicates(const Job& job, std::size_t threads) {
   for (RunMetrics& row : rows) {
     if (row.run.empty()) row = *end;
   }
-  return rows;
+  return {std::move(rows), band_csv(times, job.scene.scene.blocks.size(), std::move(angles))};
 }
 
-std::string pack_replicates(const std::vector<RunMetrics>& replicates, const std::string& identity) {
-  return Json{{"identity", identity}, {"draws", replicates}}.dump() + "\n";
+std::string pack_replicates(const MadeReplicates& replicates, const std::string& identity) {
+  return Json{{"identity", identity}, {"draws", replicates.rows}, {"band", replicates.band}}.dump() + "\n";
 }
 
 std::optional<std::vector<RunMetrics>> unpack_replicates(const std::string& text,
@@ -112,10 +156,13 @@ std::optional<std::vector<RunMetrics>> unpack_replicates(const std::string& text
 
 void write_replicates(const std::string& packed, const RunMetrics& nominal,
                       const std::filesystem::path& folder) {
-  auto rows = parse_json(packed, "draws: ").at("draws").get<std::vector<RunMetrics>>();
+  Json json = parse_json(packed, "draws: ");
+  auto rows = json.at("draws").get<std::vector<RunMetrics>>();
   rows.insert(rows.begin(), nominal);
   write_file(folder / "draws.csv", comparison_csv(rows));
-  write_file(folder / "draws.json", packed);
+  if (const std::string band = json.at("band"); !band.empty()) write_file(folder / "band.csv", band);
+  json.erase("band");
+  write_file(folder / "draws.json", json.dump() + "\n");
 }
 
 void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal) {

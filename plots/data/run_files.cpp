@@ -56,6 +56,14 @@ std::shared_ptr<const EnergyHistory> energies_of(const Run& run) {
   return kept(run, "energy.csv", read_energies);
 }
 
+Band band_of(const Run& run, int block) {
+  const auto file = run.folder / "band.csv";
+  if (!std::filesystem::exists(file)) return {};
+  auto columns =
+      read_columns(file, {"time", fmt::format("lower_{}", block + 1), fmt::format("upper_{}", block + 1)});
+  return {std::move(columns[0]), std::move(columns[1]), std::move(columns[2])};
+}
+
 std::shared_ptr<const std::vector<MotionTally>> tallies_of(const Run& run) {
   return kept_list<std::vector<MotionTally>>(run, "perturbed.csv", read_tallies);
 }

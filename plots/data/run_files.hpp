@@ -30,6 +30,13 @@ std::shared_ptr<const std::vector<AlignedImpact>> impacts_of(const Run& run);
 
 std::shared_ptr<const EnergyHistory> energies_of(const Run& run);
 
+/// Between what the middle half of a block's angles lie over a run's replicates, rad; empty where the run has
+/// none, or its files no histories.
+struct Band {
+  std::vector<double> times, lower, upper;
+};
+Band band_of(const Run& run, int block);
+
 /// What perturbed scenes came to; none where there are none.
 std::shared_ptr<const std::vector<MotionTally>> tallies_of(const Run& run);
 

@@ -35,7 +35,8 @@ std::vector<Figure> scene_figures() {
   return {
       {"histories", "Angles over time", "How do the blocks move?",
        "A small panel a solver and set, for each block in turn: its coarsest step dashed and its finest "
-       "one solid on the thick grey exact curve; tuned settings where there are some. Ticks along the "
+       "one solid on the thick grey exact curve; tuned settings where there are some. Shaded is what the "
+       "middle half of its replicates lie between. Ticks along the "
        "upper edge are the exact impacts at the interface under that block; the band at the bottom names "
        "the exact pattern. The time shown is that of the motion, without the rest after it; grey is what "
        "lies beyond the horizon of predictability. A curve that leaves its panel goes on beyond it.",

@@ -49,7 +49,7 @@ int count_within(const std::vector<RunMetrics>& replicates, double error) {
 void confirm(const Job& job, const AdviceRequest& request, Trial& trial) {
   Suite suite = job.suite;
   suite.replicates = request.confirming;
-  const auto replicates = make_replicates({suite, job.scene, job.dt, job.series}, all_cores());
+  const auto replicates = make_replicates({suite, job.scene, job.dt, job.series}, all_cores()).rows;
   trial.confirming = static_cast<int>(replicates.size());
   trial.confirmed = count_within(replicates, request.error);
 }
@@ -62,9 +62,9 @@ Trial try_out(const Job& job, const AdviceRequest& request, const std::filesyste
   if (trial.within == 0 || !is_replicated(job)) return trial;
   const auto replicates = make_replicates(job, all_cores());
   write_replicates(pack_replicates(replicates, replicates_identity(job)), trial.row, own);
-  trial.replicates += static_cast<int>(replicates.size());
-  trial.within += count_within(replicates, request.error);
-  summarise(replicates, trial.row);
+  trial.replicates += static_cast<int>(replicates.rows.size());
+  trial.within += count_within(replicates.rows, request.error);
+  summarise(replicates.rows, trial.row);
   if (trial.passes()) confirm(job, request, trial);
   return trial;
 }

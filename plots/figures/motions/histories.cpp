@@ -106,6 +106,16 @@ void add_angles(Sheet& sheet, const std::vector<Run>& runs, int blocks, int bloc
 }
 
 constexpr auto fine = "with lines lw 1.5", coarse = "with lines lw 1.5 dt (5,5)";
+constexpr auto band_style = "with filledcurves fs transparent solid 0.25 noborder";
+
+/// The band of a run's replicates up to where the axis ends; nothing where it has none.
+Numbers band_lines(const Run& run, int block, double end) {
+  const Band band = band_of(run, block);
+  Numbers lines;
+  for (std::size_t i = 0; i < band.times.size() && band.times[i] <= end; ++i)
+    lines.push_back({band.times[i], band.lower[i], band.upper[i]});
+  return lines;
+}
 
 /// With its step; a law of the exact solver has none.
 std::string words_of(const StepLine& line) {
@@ -134,6 +144,14 @@ void add_lines(Sheet& sheet, const std::vector<Run>& runs, const std::vector<Cur
   for (const StepLine& line : lines) {
     Multiple one{words_of(line), style_of(line.front()).colour, {}};
     const std::size_t last = at + ends_of(line).size() - 1;
+    for (std::size_t i = at; i <= last; ++i) {
+      const Numbers band = band_lines(runs[i], block, axis.end);
+      if (band.empty()) continue;
+      const std::string name = fmt::format("band_{}_{}", block + 1, i);
+      sheet.data(number_block(name, band));
+      one.plots.push_back(
+          fmt::format("${} using 1:2:3 {} fc rgb '{}' notitle", name, band_style, one.colour));
+    }
     for (; at <= last; ++at)
       if (curves[at].size() > 0)
         one.plots.push_back(plot(at, fmt::format("{} lc rgb '{}'", at < last ? coarse : fine, one.colour)));
@@ -174,6 +192,8 @@ Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
   };
   explain(fine, dashed ? "engine, finest step" : "engine");
   if (dashed) explain(coarse, "engine, coarsest step");
+  if (std::ranges::any_of(runs, [](const Run& run) { return !band_of(run, 0).times.empty(); }))
+    legend.emplace_back(fmt::format("{} fc rgb '#000000'", band_style), "middle half of its replicates");
   const TimeAxis axis = subject.time_axis(runs, legend);
   Sheet sheet = subject.sheet(legend, answer(runs, false));
   constexpr double first = 24, between = 24;

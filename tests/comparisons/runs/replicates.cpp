@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/runs/job.hpp"
 #include "tests/free_rocking.hpp"
@@ -102,6 +104,35 @@ TEST(Replicates, StandBehindARowAndAreNotMadeAgain) {
   suite.replicates.runs = 7;
   EXPECT_EQ(compare({suite}, folder.path(), {}).reused, 2U);
   EXPECT_EQ(read().at(0).size(), 7U);
+}
+
+// The band's edges are quartiles of the replicates' angles, each made by itself, to the digits of the file.
+TEST(Replicates, LeaveABandBetweenTheQuartilesOfTheirAngles) {
+  if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
+  const TemporaryFolder folder;
+  const WorkerEngine& engine = native_engines().front();
+  const Suite suite = suite_of(folder, engine);
+  const Job job{suite, suite.scenes[0], 1e-2, suite.series.data()};
+  folder.write("band.csv", make_replicates(job, 1).band);
+  const auto band = read_columns(folder.path() / "band.csv", {"time", "lower_1", "upper_1"});
+  std::vector<History> motions;
+  for (int i = 1; i < suite.replicates.runs; ++i)
+    motions.push_back(simulate(engine, replicate_scene(job.scene.scene, suite.replicates, i),
+                               replicate_step(job.dt, suite.replicates, i), suite.series[0].parameters)
+                          .history);
+  ASSERT_GT(band[0].size(), 380U) << "steps do not end where the scene does";
+  double widest = 0;
+  for (std::size_t i = 0; i < band[0].size(); ++i) {
+    std::vector<double> angles;
+    for (const History& motion : motions) angles.push_back(angle_at(motion, 0, band[0][i]));
+    EXPECT_NEAR(band[1][i], quantile(angles, 0.25), 1e-6);
+    EXPECT_NEAR(band[2][i], quantile(angles, 0.75), 1e-6);
+    widest = std::max(widest, band[2][i] - band[1][i]);
+  }
+  EXPECT_GT(widest, 1e-4) << "steps of 10 ms part";
+  Suite lean = suite;
+  lean.wanted.histories = false;
+  EXPECT_EQ(make_replicates({lean, suite.scenes[0], 1e-2, suite.series.data()}, 1).band, "");
 }
 
 TEST(Replicates, ThatFailAreCountedAndOneThatRunsOutOfTimeEndsTheSet) {
