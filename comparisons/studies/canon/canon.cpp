@@ -15,6 +15,7 @@
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
@@ -38,13 +39,24 @@ double largest_magnitude(const std::vector<double>& values) {
   return most;
 }
 
-/// Of each block's slip between samples, m/s.
-double largest_slip_speed(const History& history) {
+/// Of each block's slips or gaps between samples, m/s; over nothing there is no gap.
+double largest_speed(const History& history, const std::vector<double>& ways) {
   const auto blocks = static_cast<std::size_t>(history.blocks);
   double most = 0;
-  for (std::size_t i = blocks; i < history.slips.size(); ++i) {
+  for (std::size_t i = blocks; i < ways.size(); ++i) {
     const double interval = history.times[i / blocks] - history.times[i / blocks - 1];
-    most = std::max(most, std::abs(history.slips[i] - history.slips[i - blocks]) / interval);
+    const double speed = std::abs(ways[i] - ways[i - blocks]) / interval;
+    if (std::isfinite(speed)) most = std::max(most, speed);
+  }
+  return most;
+}
+
+/// How far gaps differ at most, m, negative where blocks overlap.
+double gap_difference(const History& exact, const History& engine) {
+  double most = 0;
+  for (std::size_t i = 0; i < std::min(exact.gaps.size(), engine.gaps.size()); ++i) {
+    const double differs = std::abs(engine.gaps[i] - exact.gaps[i]);
+    if (std::isfinite(differs)) most = std::max(most, differs);
   }
   return most;
 }
@@ -87,7 +99,7 @@ Deviation middle_of(std::vector<Deviation> replicates) {
 }
 
 std::string amount_text(double time, const Deviation& kind) {
-  return quantity_text(time * kind.speed, kind.slips ? "m" : "rad", 2);
+  return quantity_text(time * kind.speed, kind.is_length ? "m" : "rad", 2);
 }
 
 /// The least and the largest by time of the three finest steps, which differ by four: under any order from a
@@ -132,7 +144,7 @@ Json json_of(const CanonAnswer& answer) {
   Json json{{"scene", answer.scene}, {"verdict", answer.verdict}, {"reason", answer.reason}};
   for (const char* list : {"steps_off", "amounts"}) json[list] = Json::array();
   if (answer.deviations.empty()) return json;
-  json["unit"] = answer.deviations.back().slips ? "m" : "rad";
+  json["unit"] = answer.deviations.back().is_length ? "m" : "rad";
   for (std::size_t i = 0; i < answer.deviations.size(); ++i) {
     json["steps_off"].push_back(answer.deviations[i].time / canon_steps[i]);
     json["amounts"].push_back(answer.deviations[i].amount());
@@ -144,7 +156,7 @@ Json json_of(const CanonAnswer& answer) {
 Json whole_json_of(const CanonAnswer& answer, const std::string& identity) {
   Json json{{"identity", identity}, {"answer", json_of(answer)}, {"deviations", Json::array()}};
   for (const Deviation& one : answer.deviations)
-    json["deviations"].push_back({one.time, one.speed, one.slips});
+    json["deviations"].push_back({one.time, one.speed, one.is_length});
   return json;
 }
 
@@ -179,9 +191,14 @@ Deviation deviation(const Scene& scene, const History& exact, const History& eng
   const Deviation angles{largest(difference(exact, engine)) / turn, turn, false};
   const auto slips = slip_difference(exact, engine);
   if (!slips) return angles;
-  const double speed = std::max(largest_slip_speed(exact), scene.gravity * usual_step);
-  const Deviation slip{slips->largest / speed, speed, true};
-  return slip.time > angles.time ? slip : angles;
+  const auto deviation_of = [&](double way, const std::vector<double>& ways, double slowest) {
+    const double speed = std::max(largest_speed(exact, ways), slowest);
+    return Deviation{way / speed, speed, true};
+  };
+  const double sinking = told_sinking * least_height(scene.blocks) / canon_resolution;
+  return std::max({angles, deviation_of(slips->largest, exact.slips, scene.gravity * usual_step),
+                   deviation_of(gap_difference(exact, engine), exact.gaps, sinking)},
+                  sooner);
 }
 
 CanonAnswer judge_canon(const std::string& scene, const std::vector<CanonErrors>& errors) {
@@ -264,7 +281,7 @@ std::string canon_csv(const std::vector<CanonRow>& rows) {
     for (const CanonAnswer& answer : row.answers) {
       for (std::size_t i = 0; i < answer.deviations.size(); ++i) {
         const Deviation& one = answer.deviations[i];
-        line(answer, canon_steps[i], one.time / canon_steps[i], one.amount(), one.slips ? "m" : "rad");
+        line(answer, canon_steps[i], one.time / canon_steps[i], one.amount(), one.is_length ? "m" : "rad");
       }
       if (answer.deviations.empty()) line(answer, "", "", "", "");
     }

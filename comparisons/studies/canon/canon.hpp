@@ -23,11 +23,11 @@ inline constexpr double canon_agreement = 3;
 /// A deviation that is left at any step counts from here, s of the fastest motion: a tenth of a step of 1 ms.
 inline constexpr double canon_resolution = 1e-4;
 
-/// How far an engine is off at most: an angle or a slip, over the fastest motion of its kind.
+/// How far an engine is off at most: an angle, a slip or a gap, over the fastest motion of its kind.
 struct Deviation {
-  double time = 0;     ///< what it is off by, over the speed, s
-  double speed = 1;    ///< rad/s or m/s
-  bool slips = false;  ///< whether it is of a slip
+  double time = 0;         ///< what it is off by, over the speed, s
+  double speed = 1;        ///< rad/s or m/s
+  bool is_length = false;  ///< whether it is of a slip or a gap
 
   double amount() const { return time * speed; }  ///< rad or m
 };
@@ -47,9 +47,10 @@ struct CanonRow {
   std::vector<CanonAnswer> answers;
 };
 
-/// The larger of both, by time, over all samples: angles that differ, over the largest angular velocity;
-/// slips that differ where blocks touch, over the largest speed of a slip. A motion that is slower than what
-/// gravity gives a block in 1 ms counts as that fast. Both histories have the same times.
+/// The largest, by time, over all samples: angles that differ, over the largest angular velocity; slips that
+/// differ where blocks touch, over the largest speed of a slip; and gaps, over the largest of theirs. A
+/// motion that is slower than what gravity gives a block in 1 ms counts as that fast, and one of gaps as fast
+/// as makes the sinking that is told a canon_resolution. Both histories have the same times.
 Deviation deviation(const Scene& scene, const History& exact, const History& engine);
 
 /// Replicates at a step of canon_steps.

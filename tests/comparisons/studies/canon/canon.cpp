@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "comparisons/suites/shipped.hpp"
 #include "engines/worker/registry.hpp"
@@ -46,12 +47,12 @@ TEST(Canon, DeviationIsOverTheFastestMotionOfItsKind) {
   const Deviation turned = deviation(block(), exact, engine);
   EXPECT_DOUBLE_EQ(turned.time, 2.0 / 4);
   EXPECT_DOUBLE_EQ(turned.amount(), 2);
-  EXPECT_FALSE(turned.slips);
+  EXPECT_FALSE(turned.is_length);
   engine.slips[1] -= 32;
   const Deviation slid = deviation(block(), exact, engine);
   EXPECT_DOUBLE_EQ(slid.time, 32.0 / 16);
   EXPECT_DOUBLE_EQ(slid.amount(), 32);
-  EXPECT_TRUE(slid.slips);
+  EXPECT_TRUE(slid.is_length);
 }
 
 TEST(Canon, RestIsMeasuredByWhatGravityGivesInAMillisecond) {
@@ -62,6 +63,22 @@ TEST(Canon, RestIsMeasuredByWhatGravityGivesInAMillisecond) {
   engine.angles[2] = 0;
   engine.slips[2] = 1;
   EXPECT_DOUBLE_EQ(deviation(block(), exact, engine).time, 1 / (9.81 * 1e-3));
+}
+
+// Of a block that lies still: a thousandth of its height is a tenth of a step of 1 ms.
+TEST(Canon, BlocksThatSinkOrBounceAreOff) {
+  const History exact = motion(dt, 0, 0);
+  for (const double gap : {-0.25, 0.25}) {
+    History engine = exact;
+    engine.gaps[2] = gap;
+    const Deviation off = deviation(block(), exact, engine);
+    EXPECT_DOUBLE_EQ(off.amount(), 0.25);
+    EXPECT_TRUE(off.is_length);
+    engine.gaps[2] = std::copysign(1e-3, gap);
+    EXPECT_DOUBLE_EQ(deviation(block(), exact, engine).time, canon_resolution);
+    engine.gaps[2] = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(deviation(block(), exact, engine).time, 0);
+  }
 }
 
 /// Five replicates a step, within a tenth of left + factor · step^order, in s, at 2 rad/s.
