@@ -17,6 +17,13 @@ namespace rockstack {
 /// is.
 using Parameters = std::map<std::string, double>;
 
+/// What of a scene a setting is given the value of.
+enum class SettingRole {
+  own,                    ///< nothing
+  restitution,            ///< Newton's coefficient of contact points
+  restitution_threshold,  ///< the speed below which nothing bounces: the least that it takes, where points do
+};
+
 /// One setting of an engine: its own name for it, what the engine starts with, what suits rocking blocks
 /// best, and the range an adapter takes.
 struct Setting {
@@ -29,6 +36,7 @@ struct Setting {
   double most =
       choices.empty() ? std::numeric_limits<double>::infinity() : static_cast<double>(choices.size()) - 1;
   bool whole = !choices.empty();  ///< only whole numbers
+  SettingRole role = SettingRole::own;
 };
 
 /// A setting that is off, 0 or false, or on, 1 or true.

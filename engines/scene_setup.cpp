@@ -89,6 +89,22 @@ BodyAcceleration body_acceleration(const Scene& scene, double from, double to) {
           still.y - mean_acceleration(scene.vertical, from, to)};
 }
 
+Parameters with_restitution(const EngineDescription& engine, const Scene& scene, Parameters parameters) {
+  if (scene.point_restitution == 0) return parameters;
+  for (const Setting& setting : engine.settings) {
+    if (setting.role == SettingRole::restitution) parameters[setting.name] = scene.point_restitution;
+    if (setting.role == SettingRole::restitution_threshold) parameters[setting.name] = setting.least;
+  }
+  return parameters;
+}
+
+void require_restitution(const EngineDescription& engine, const Scene& scene) {
+  if (scene.point_restitution == 0) return;
+  if (std::ranges::find(engine.settings, SettingRole::restitution, &Setting::role) == engine.settings.end())
+    throw std::runtime_error(
+        fmt::format("contact.restitution: {} has no coefficient of restitution", engine.full_name()));
+}
+
 Setup set_up(const Scene& scene, double dt, const Parameters& parameters) {
   check_step(dt, scene.duration);
   Setup setup;

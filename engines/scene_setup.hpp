@@ -27,6 +27,13 @@ inline bool is_shaken(const Scene& scene) {
   return !scene.horizontal.empty() || !scene.vertical.empty();
 }
 
+/// The parameters of a run: those given, with the scene's coefficient of restitution in the place of the
+/// engine's own where points bounce, and the least threshold below which they do not.
+Parameters with_restitution(const EngineDescription& engine, const Scene& scene, Parameters parameters);
+
+/// @throws std::runtime_error where points bounce and the engine has no coefficient for it.
+void require_restitution(const EngineDescription& engine, const Scene& scene);
+
 /// A scene, shaken in the way that the setting `shaking` asks for, as an engine is told it; dt in s.
 /// @throws std::invalid_argument as check_step(); std::runtime_error as place().
 Setup set_up(const Scene& scene, double dt, const Parameters& parameters);

@@ -22,7 +22,7 @@ std::string name(EventKind kind) {
 }
 
 std::string name(Consistency consistency) {
-  static constexpr std::array names{"consistent", "other", "none", "several"};
+  static constexpr std::array names{"consistent", "other", "none", "several", "gains"};
   return names[static_cast<std::size_t>(consistency)];
 }
 
@@ -31,7 +31,7 @@ EventKind named_event(std::string_view text) {
 }
 
 Consistency named_consistency(std::string_view text) {
-  return named<Consistency>(text, static_cast<int>(Consistency::several) + 1);
+  return named<Consistency>(text, static_cast<int>(Consistency::gains) + 1);
 }
 
 }  // namespace rockstack

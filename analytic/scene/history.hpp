@@ -46,6 +46,7 @@ enum class Consistency {
   none,        ///< no pattern is: the blocks would have to lift off; or, of laws that leave pivots, no forces
                ///< let the motion go on, and an impulse does (Painlevé)
   several,     ///< of laws that leave pivots: more than one motion obeys all laws, and one of them follows
+  gains,       ///< of points that bounce: Newton's law of impact gains energy with this friction
 };
 
 std::string name(Consistency consistency);

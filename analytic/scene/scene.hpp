@@ -110,6 +110,9 @@ struct Scene {
   /// Coulomb's coefficient of each interface, from the ground up, 0 … largest_friction; none:
   /// engine.friction.
   std::vector<double> friction = {};
+  /// Newton's coefficient e of all contact points, 0 … 1; law `unilateral` alone. A point that meets a face
+  /// at a speed u leaves it at e u or more.
+  double point_restitution = 0;
   CornerSprings springs;
   InitialState initial;
   GroundMotion horizontal;  ///< ẍg, positive to the right

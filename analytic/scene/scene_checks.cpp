@@ -148,6 +148,18 @@ void validate_friction(const std::vector<double>& friction, std::size_t blocks) 
   }
 }
 
+void validate_point_restitution(const Scene& scene) {
+  const double given = scene.point_restitution;
+  const auto refuse = [&](const std::string& range) {
+    throw FieldError("contact.restitution", number_text(given), range);
+  };
+  if (!(given >= 0 && given <= 1)) refuse("a number from 0 to 1");
+  if (given == 0 || scene.law == Law::unilateral) return;
+  refuse(scene.law == Law::compliant
+             ? "0 under law compliant, where dashpots decide (contact.damping)"
+             : std::string("0 under law ") + name(scene.law) + ", whose impacts have the ratio restitution");
+}
+
 /// Of what is made for some laws alone.
 void validate_law(const Scene& scene) {
   if (!leaves_pivots(scene.law)) {
@@ -164,7 +176,8 @@ void validate_law(const Scene& scene) {
   if (!scene.restitution.empty())
     throw FieldError("restitution", "[" + number_text(scene.restitution.front()) + ", …]",
                      std::string("left out under law ") + name(scene.law) +
-                         (scene.law == Law::unilateral ? ", where friction decides" : ", where dashpots do"));
+                         (scene.law == Law::unilateral ? ", where contact.restitution is of points"
+                                                       : ", where dashpots decide"));
 }
 
 void validate_pulse(const Pulse& pulse, const std::string& key) {
@@ -223,6 +236,7 @@ void validate(const Scene& scene) {
   validate_law(scene);
   validate_initial(scene);
   validate_friction(scene.friction, scene.blocks.size());
+  validate_point_restitution(scene);
   validate_springs(scene);
   validate_inclination(scene);
   validate(scene.horizontal, "ground.horizontal");

@@ -5,9 +5,19 @@
 
 namespace rockstack {
 
+/// A joint as it is at one end, where it touches along all of it.
+template <class Real>
+Joint<Real> end_of(const ContactModel<Real>& stack, int interface, Joint<Real> joint, int side) {
+  if (joint.touch == Touch::flat)
+    joint.corner_below = corner_is_below(stack, interface, joint.offset, side, joint.slip);
+  joint.touch = static_cast<Touch>(side);
+  return joint;
+}
+
 /// Chatter ends as in analytic/events/chatter.hpp: where what an impact parts would part no further than the
 /// resolution ρ before it comes back, u²/(2a) ≤ ρ, or at 500 ε √(g/H), it stays together. Gaps count as what
-/// they would turn a block by across its width.
+/// they would turn a block by across its width. A joint that bounces alone, without a turn, does so to the
+/// latter: what is left of its series, 2u/(a (1 − e)) s, is rounding then.
 template <class Real>
 class ContactChatter {
  public:
@@ -40,11 +50,22 @@ class ContactChatter {
         respond<Real>({stack_, after, free, ContactLevel::accelerations}, mode).motion;
     const FreeVector<Real> rates = vector_of(after.rate);
     Joints<Real> result = mode;
+    const auto flies = [](const Joint<Real>& joint) { return !joint.touches(); };
+    const bool one_flies = std::count_if(mode.begin(), mode.end(), flies) == 1;
     for (int k = 0; k < stack_.size(); ++k) {
-      if (!parts_slowly(k, touching[k], mode[k], after, acceleration)) continue;
+      const auto slow = [&](const Joint<Real>& held) {
+        return parts_slowly(k, held, mode[k], after, acceleration, one_flies);
+      };
+      std::optional<Joint<Real>> held;
+      if (slow(touching[k])) held = touching[k];
+      if (stack_.restitution > 0 && !mode[k].touches() && touching[k].touch == Touch::flat) {
+        for (const int side : {-1, 1})
+          if (const Joint<Real> end = end_of(stack_, k, touching[k], side); !held && slow(end)) held = end;
+      }
+      if (!held) continue;
       Joint<Real>& joint = result[k];
       const int slip = joint.slip;
-      joint = touching[k];
+      joint = *held;
       joint.slip = slip;
       if (mode[k].touches()) continue;
       const Real speed = kinematics_of(stack_, after, stack_.held_point(k, joint)).slip_row.dot(rates);
@@ -57,10 +78,14 @@ class ContactChatter {
 
  private:
   bool parts_slowly(int interface, const Joint<Real>& touching, const Joint<Real>& mode,
-                    const Bodies<Real>& after, const FreeVector<Real>& acceleration) const {
+                    const Bodies<Real>& after, const FreeVector<Real>& acceleration, bool alone) const {
     using std::abs;
+    const bool bounces =
+        alone && !mode.touches() && stack_.restitution > 0 &&
+        (touching.pivots() ||
+         abs(relative_angle(after.rate, static_cast<std::size_t>(interface))) <= slow_speed_);
     const auto slow = [&](const Real& speed, const Real& back, const Real& unit) {
-      return speed <= slow_speed_ * unit || speed * speed <= -2 * resolution_ * unit * back;
+      return speed <= slow_speed_ * unit || (!bounces && speed * speed <= -2 * resolution_ * unit * back);
     };
     const auto lower = [&](const FreeVector<Real>& vector, int at) -> Real {
       return interface == 0 ? Real(0) : vector[Eigen::Index{3} * interface - 3 + at];
@@ -75,10 +100,7 @@ class ContactChatter {
     const Real width = 2 * stack_.half_width(interface);
     for (const int side : {-1, 1}) {
       if (touching.pivots() && side != touching.side()) continue;
-      Joint<Real> end = touching;
-      end.touch = static_cast<Touch>(side);
-      if (touching.touch == Touch::flat)
-        end.corner_below = corner_is_below(stack_, interface, touching.offset, side);
+      const Joint<Real> end = end_of(stack_, interface, touching, side);
       const ContactKinematics<Real> rows = kinematics_of(stack_, after, stack_.held_point(interface, end));
       if (!slow(rows.gap_row.dot(rates), rows.gap_row.dot(acceleration) + rows.gap_bias, width)) return false;
     }

@@ -16,6 +16,7 @@ struct ContactCollision {
   Poses<Real> rates;
   bool closes = false;   ///< something stays together as its chatter ends
   bool several = false;  ///< on other faces of pairs of corners another obeys as well
+  bool gains = false;    ///< kinetic energy, as Newton's law may with friction
 };
 
 template <class Real>
@@ -49,6 +50,36 @@ Joints<Real> with_slips(const ContactModel<Real>& stack, Joints<Real> mode, cons
   return mode;
 }
 
+/// A mode after impulses in which points that bounce have parted, as far as rounding tells.
+template <class Real>
+Joints<Real> bounced(const ContactModel<Real>& stack, Joints<Real> mode, const Bodies<Real>& after) {
+  if (stack.restitution == 0) return mode;
+  const FreeVector<Real> rates = vector_of(after.rate);
+  for (int k = 0; k < stack.size(); ++k) {
+    Joint<Real>& joint = mode[k];
+    if (!joint.touches()) continue;
+    Joints<Real> stay;
+    for (const int side : {-1, 1}) {
+      if (joint.pivots() && side != joint.side()) continue;
+      const Joint<Real> end = end_of(stack, k, joint, side);
+      const FreeRow<Real> row = kinematics_of(stack, after, stack.held_point(k, end)).gap_row;
+      if (row.dot(rates) <= tolerance<Real>(1e-13) * row.cwiseAbs().dot(rates.cwiseAbs()))
+        stay.push_back(end);
+    }
+    if (stay.empty())
+      joint = {Touch::apart, 0, joint.corner_below, joint.offset};
+    else if (joint.touch == Touch::flat && stay.size() == 1)
+      joint = stay[0];
+  }
+  return mode;
+}
+
+/// Twice the kinetic energy of a motion, J.
+template <class Real>
+Real twice_energy(const ContactModel<Real>& stack, const FreeVector<Real>& motion) {
+  return (motion.array().square() / stack.inverse_mass.array()).sum();
+}
+
 /// The impact of bodies that meet at `touching`; nothing where no impulses end it. `smooth` is the stack
 /// without friction, `free` the acceleration without contact.
 template <class Real>
@@ -58,13 +89,16 @@ std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
                                               const Joints<Real>& touching, Bodies<Real> bodies,
                                               const FreeVector<Real>& free) {
   const FreeVector<Real> before = vector_of(bodies.rate);
-  const ContactQuestion<Real> question{stack, bodies, before, ContactLevel::velocities};
+  const ContactQuestion<Real> question{stack, bodies, before, ContactLevel::impacts};
   const auto found = find_mode(question, touching);
   if (!found) return std::nullopt;
   const ModeResponse<Real> response = respond(question, *found);
   ContactCollision<Real> impact{*found, response.forces, *found, {}};
   impact.several = faces_differ(question, touching, *found);
   bodies.rate = poses_of(response.motion);
+  impact.mode = bounced(stack, *found, bodies);
+  impact.gains =
+      twice_energy(stack, response.motion) > (1 + tolerance<Real>(1e-12)) * twice_energy(stack, before);
   for (std::size_t rounds = 0; rounds <= 4 * touching.size(); ++rounds) {
     Joints<Real> held = with_slips(stack, impact.mode, bodies);
     if (same_modes(held, impact.mode)) {

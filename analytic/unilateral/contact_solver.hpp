@@ -40,6 +40,7 @@ class ContactSolver {
     look_ahead_ = LookAhead<Real>(options.look_ahead, unit_time_);
     shortest_step_ = tolerance<Real>(1e-13) * unit_time_;
     longest_ = unit_time_ / 8;
+    longest_burst_ = Real(10000) * stack_.size() / (1 - stack_.restitution);
   }
 
   /// @throws std::runtime_error where the motion cannot go on.
@@ -192,11 +193,15 @@ class ContactSolver {
     recorder_.note_impact(impact->found, state_.bodies, impact->impulses, time());
     state_ = {{state_.bodies.at, impact->rates}, impact->mode};
     place(stack_, state_.joints, state_.bodies);
+    if (stack_.restitution > 0) fresh_.mark_bounces(touching, impact->mode, time());
     const auto still = [](const Joint<Real>& joint) { return joint.touch == Touch::flat && joint.slip == 0; };
     note(!impact->closes                                                ? EventKind::impact
          : std::all_of(impact->mode.begin(), impact->mode.end(), still) ? EventKind::rest
                                                                         : EventKind::closure,
-         interface, before, rates, impact->several ? Consistency::several : Consistency::consistent);
+         interface, before, rates,
+         impact->gains     ? Consistency::gains
+         : impact->several ? Consistency::several
+                           : Consistency::consistent);
     decide(impact->mode, state_.bodies, 0);
   }
 
@@ -237,10 +242,7 @@ class ContactSolver {
     recorder_.note_impact(*mode, state_.bodies, response.forces, time());
     // The mode is that of the kicked velocities. Where its impulses on those without the kick would gain
     // energy, what joints do not leave is taken without friction.
-    const auto twice_energy = [&](const FreeVector<Real>& motion) -> Real {
-      return (motion.array().square() / stack_.inverse_mass.array()).sum();
-    };
-    state_.bodies.rate = twice_energy(response.motion) <= twice_energy(velocities)
+    state_.bodies.rate = twice_energy(stack_, response.motion) <= twice_energy(stack_, velocities)
                              ? poses_of(response.motion)
                              : held_rates(smooth_, *mode, state_.bodies);
     state_.joints = *mode;
@@ -276,7 +278,7 @@ class ContactSolver {
       burst_start_ = time();
       burst_ = 0;
     }
-    if (++burst_ > 10000 * stack_.size()) stop("events do not come to an end after", burst_start_);
+    if (++burst_ > longest_burst_) stop("events do not come to an end after", burst_start_);
   }
 
   /// The end of the motion that a change is, if it is one.
@@ -318,6 +320,7 @@ class ContactSolver {
   bool decided_ = false;  ///< the step starts at an event
   Real burst_start_ = 0;  ///< s
   int burst_ = 0;
+  Real longest_burst_;  ///< events; as many more as bounces take that fall more slowly
   bool ended_ = false;
   ContactRecorder<Real> recorder_;
   const std::function<bool()>* cancelled_;

@@ -11,7 +11,12 @@ template <class Real>
 class FreshJoints {
  public:
   explicit FreshJoints(std::size_t size)
-      : parted_(size, Real(-1)), slid_(parted_), parted_from_(size), parted_to_(size) {}
+      : parted_(size, Real(-1)),
+        slid_(parted_),
+        bounced_(parted_),
+        parted_from_(size),
+        bounced_from_(size),
+        parted_to_(size) {}
 
   /// A decision from `joined` joints, which were `before` it. What only comes back to what it was joined to
   /// has not parted.
@@ -27,6 +32,21 @@ class FreshJoints {
     }
   }
 
+  /// An impact of `touching`, after which points have bounced.
+  void mark_bounces(const Joints<Real>& touching, const Joints<Real>& after, const Real& time) {
+    for (std::size_t k = 0; k < after.size(); ++k)
+      if (touching[k].touches() && !after[k].touches()) {
+        bounced_[k] = time;
+        bounced_from_[k] = touching[k];
+      }
+  }
+
+  /// Whether a corner has just bounced, so that it starts on its face, whatever roundings put it at.
+  bool bounced(const Guard<Real>& guard, const Real& time) const {
+    const auto k = static_cast<std::size_t>(guard.interface);
+    return guard.change == Change::landing && bounced_[k] == time && may_be(guard, bounced_from_[k]);
+  }
+
   /// Whether a guard may start at zero because of what was decided at this time; `decided` tells whether the
   /// last event was there.
   bool starts(const Guard<Real>& guard, const Real& time, bool decided) const {
@@ -40,7 +60,7 @@ class FreshJoints {
       case Change::closing:
         return parted_[k] == time;
       case Change::landing:
-        return parted_[k] == time && (!parted_from_[k].pivots() || parted_from_[k].side() == guard.side);
+        return parted_[k] == time && may_be(guard, parted_from_[k]);
       default:
         return false;
     }
@@ -58,8 +78,13 @@ class FreshJoints {
   }
 
  private:
-  std::vector<Real> parted_, slid_;  ///< when, s
-  Joints<Real> parted_from_;         ///< what each joint was before
+  /// Whether the corner of a landing is one at which a joint has touched.
+  static bool may_be(const Guard<Real>& guard, const Joint<Real>& joint) {
+    return !joint.pivots() || joint.side() == guard.side;
+  }
+
+  std::vector<Real> parted_, slid_, bounced_;  ///< when, s
+  Joints<Real> parted_from_, bounced_from_;    ///< what each joint was before
   std::vector<Touch> parted_to_;
 };
 
@@ -140,7 +165,8 @@ FirstChange<Real> first_change(std::vector<Guard<Real>> guards, const ModeSeries
       const std::optional<Real> above = first_crossing(times(-1, whole));
       if (!above) continue;
       first = *above;
-    } else if (guard.change == Change::landing && whole[0] <= (starts ? guard.rounding : Real(0))) {
+    } else if (guard.change == Change::landing &&
+               whole[0] <= (starts || fresh.bounced(guard, time) ? guard.rounding : Real(0))) {
       // A corner that has not just parted may come down from within rounding above the face.
       whole[0] = 0;
     }

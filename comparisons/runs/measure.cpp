@@ -19,6 +19,7 @@
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
+#include "engines/scene_setup.hpp"
 
 namespace rockstack {
 namespace {
@@ -49,7 +50,7 @@ Json all_parameters(const EngineSeries& series, const Scene& scene) {
   const std::vector<double> friction = acting_friction(series, scene);
   const bool alike =
       std::adjacent_find(friction.begin(), friction.end(), std::not_equal_to<>()) == friction.end();
-  Json parameters = series.parameters;
+  Json parameters = with_restitution(*series.engine, scene, series.parameters);
   parameters["friction"] = alike ? Json(friction.front()) : Json(friction);
   return parameters;
 }

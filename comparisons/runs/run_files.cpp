@@ -77,8 +77,8 @@ Json fields_of(const GroundMotion& motion) {
 }
 
 Json fields_of(const Scene& scene) {
-  const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction, springs,
-               initial, horizontal, vertical, engine] = scene;
+  const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
+               point_restitution, springs, initial, horizontal, vertical, engine] = scene;
   const auto& [engine_friction, depth] = engine;
   Json list = Json::array();
   for (const Block& block : blocks) list.push_back(fields_of(block));
@@ -91,6 +91,7 @@ Json fields_of(const Scene& scene) {
           restitution,
           list,
           friction,
+          point_restitution,
           fields_of(springs),
           fields_of(initial),
           fields_of(horizontal),

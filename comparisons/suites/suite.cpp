@@ -171,6 +171,7 @@ Scene Variant::apply(Scene scene) const {
   if (choice == Choice::paper) scene.law = Law::paper;
   if (choice == Choice::consistent) scene.law = Law::consistent;
   if (choice == Choice::unilateral || choice == Choice::friction) scene.law = Law::unilateral;
+  if (scene.law != Law::unilateral) scene.point_restitution = 0;
   if (scene.law != Law::compliant) {
     scene.springs = {};
     scene.initial.preloaded = true;

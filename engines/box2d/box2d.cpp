@@ -212,8 +212,8 @@ std::vector<Engine> make_box2d() {
              switch_setting("warmStarting", true, true),
              switch_setting("continuousPhysics", true, false),
              {.name = "polygonRadius", .standard = b2_polygonRadius, .tuned = 0, .most = 1e3},
-             {.name = "restitution", .most = 1},
-             {.name = "restitutionThreshold", .standard = 1},
+             {.name = "restitution", .most = 1, .role = SettingRole::restitution},
+             {.name = "restitutionThreshold", .standard = 1, .role = SettingRole::restitution_threshold},
              {.name = "lengthUnit", .unit = "m", .standard = 1, .tuned = 0.02, .least = 1e-6, .most = 1e6},
              shaking_setting()}},
        [](const Setup& setup, const Parameters& parameters) {

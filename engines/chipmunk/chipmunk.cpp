@@ -199,7 +199,7 @@ std::vector<Engine> make_chipmunk() {
                          {.name = "collisionSlop", .unit = "m", .standard = 0.1F, .tuned = 1e-4},
                          {.name = "collisionBias", .standard = bias, .most = 1},
                          count_setting("collisionPersistence", 3, 3),
-                         {.name = "elasticity", .most = 1},
+                         {.name = "elasticity", .most = 1, .role = SettingRole::restitution},
                          shaking_setting()}},
            [](const Setup& setup, const Parameters& parameters) {
              return std::make_unique<ChipmunkSimulation>(setup, parameters);

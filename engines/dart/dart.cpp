@@ -224,7 +224,7 @@ std::vector<Setting> settings_of(DartSolver solver) {
       {.name = "ErrorReductionParameter", .standard = 0.01, .most = 1},
       {.name = "MaxErrorReductionVelocity", .unit = "m/s", .standard = 1e-3},
       {.name = "ConstraintForceMixing", .standard = 1e-5, .least = 1e-9, .most = 1},
-      {.name = "RestitutionCoeff", .most = 1},
+      {.name = "RestitutionCoeff", .most = 1, .role = SettingRole::restitution},
       {.name = "unitMass", .unit = "kg", .most = 1e12},
       shaking_setting(),
   };

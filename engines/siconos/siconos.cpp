@@ -29,7 +29,7 @@ std::vector<Engine> make_siconos() {
                           .most = 1e9,
                           .whole = true},
                          switch_setting("keepLambdaAndYState", true, true),
-                         {.name = "en", .most = 1},
+                         {.name = "en", .most = 1, .role = SettingRole::restitution},
                          {.name = "unitMass", .unit = "kg", .tuned = 1, .most = 1e12},
                          shaking_setting()}},
            start_siconos}};

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // cannon-es beside the exact model. README.md in this folder says what is set in both sets and why.
 
-import { angles, massFactor, serve, setting, turn, whole } from './worker.mjs';
+import { angles, massFactor, restitution, serve, setting, turn, whole } from './worker.mjs';
 
 const settings = [
   setting('iterations', 10, 50, 1, 1e6, whole),
@@ -11,7 +11,7 @@ const settings = [
   setting('frictionEquationStiffness', 1e7, 1e7, 1e-6, 1e18),
   setting('frictionEquationRelaxation', 3, 3, 1e-6, 1e6),
   setting('unitMass', 0, 0, 0, 1e12, { unit: 'kg' }),
-  setting('restitution', 0, 0, 0, 1),
+  restitution('restitution'),
 ];
 
 class Simulation {

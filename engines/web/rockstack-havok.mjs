@@ -2,9 +2,9 @@
 // Havok beside the exact model. README.md in this folder says what is set and why.
 
 import { readFileSync } from 'node:fs';
-import { angles, groundReach, serve, setting, turn } from './worker.mjs';
+import { angles, groundReach, restitution, serve, setting, turn } from './worker.mjs';
 
-const settings = [setting('restitution', 0, 0, 0, 1)];
+const settings = [restitution('restitution')];
 
 /** What the library answers with. @throws where a call fails. */
 function got([result, value], havok) {

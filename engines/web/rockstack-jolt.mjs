@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Jolt Physics beside the exact model. README.md in this folder says what is set in both sets and why.
 
-import { angles, groundReach, onOff, serve, setting, turn, whole } from './worker.mjs';
+import { angles, groundReach, onOff, restitution, serve, setting, threshold, turn, whole } from './worker.mjs';
 
 const metres = { unit: 'm' };
 
@@ -18,8 +18,8 @@ const settings = [
   onOff('mConstraintWarmStart', 1, 1),
   onOff('mUseBodyPairContactCache', 1, 0),
   onOff('mUseManifoldReduction', 1, 1),
-  setting('mMinVelocityForRestitution', 1, 1, 0, 1e3, { unit: 'm/s' }),
-  setting('restitution', 0, 0, 0, 1),
+  setting('mMinVelocityForRestitution', 1, 1, 0, 1e3, { unit: 'm/s', ...threshold }),
+  restitution('restitution'),
 ];
 
 const moving = 1;

@@ -2,7 +2,7 @@
 // PhysX 5 beside the exact model. README.md in this folder says what is set in both sets and why.
 
 import { readFileSync } from 'node:fs';
-import { angles, groundReach, neighbourMeans, onOff, serve, setting, turn, whole } from './worker.mjs';
+import { angles, groundReach, neighbourMeans, onOff, restitution, serve, setting, threshold, turn, whole } from './worker.mjs';
 
 const metres = { unit: 'm' };
 
@@ -19,8 +19,8 @@ const settings = (iterations) => [
   onOff('eENABLE_FRICTION_EVERY_ITERATION', 0, 0),
   onOff('eENABLE_STABILIZATION', 0, 0),
   setting('ground', 0, 0, 0, 1, { whole: true, choices: ['plane', 'box'] }),
-  setting('bounceThresholdVelocity', 2, 2, 1e-6, 1e3, { unit: 'm/s' }),
-  setting('restitution', 0, 0, 0, 1),
+  setting('bounceThresholdVelocity', 2, 2, 1e-6, 1e3, { unit: 'm/s', ...threshold }),
+  restitution('restitution'),
 ];
 
 const facingUp = turn(-Math.PI / 2);  // the library's plane has its normal along x

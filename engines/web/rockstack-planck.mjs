@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Planck, Box2D's port to JavaScript, beside the exact model. README.md in this folder says what is set in both sets and why.
 
-import { groundReach, onOff, serve, setting, whole } from './worker.mjs';
+import { groundReach, onOff, restitution, serve, setting, threshold, whole } from './worker.mjs';
 
 const settings = [
   setting('velocityIterations', 8, 50, 1, 1e6, whole),
@@ -9,8 +9,8 @@ const settings = [
   onOff('warmStarting', 1, 1),
   onOff('continuousPhysics', 1, 0),
   setting('polygonRadius', 0.01, 0, 0, 1e3, { unit: 'm' }),
-  setting('restitution', 0, 0, 0, 1),
-  setting('velocityThreshold', 1, 1, 0, 1e9),
+  restitution('restitution'),
+  setting('velocityThreshold', 1, 1, 0, 1e9, threshold),
   setting('lengthUnit', 1, 0.02, 1e-6, 1e6, { unit: 'm' }),
 ];
 

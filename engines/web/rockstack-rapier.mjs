@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Rapier in two dimensions beside the exact model. README.md in this folder says what is set in both sets and why.
 
-import { groundReach, neighbourMeans, serve, setting, whole } from './worker.mjs';
+import { groundReach, neighbourMeans, restitution, serve, setting, whole } from './worker.mjs';
 
 const settings = [
   setting('lengthUnit', 1, 0.05, 1e-6, 1e6, { unit: 'm' }),
@@ -12,7 +12,7 @@ const settings = [
   setting('normalizedPredictionDistance', 0.02, 0.02, 0, 1),
   setting('maxCcdSubsteps', 1, 1, 0, 100, whole),
   setting('contactSkin', 0, 0, 0, 1, { unit: 'm' }),
-  setting('restitution', 0, 0, 0, 1),
+  restitution('restitution'),
 ];
 
 class Simulation {

@@ -17,6 +17,10 @@ export function setting(name, standard, tuned, least, most, more = {}) {
   return { name, default: standard, tuned, least, most, ...more };
 }
 
+/** The setting that a scene's coefficient of restitution goes into, and of one below which speed nothing bounces. */
+export const restitution = (name) => setting(name, 0, 0, 0, 1, { role: 'restitution' });
+export const threshold = { role: 'restitution threshold' };
+
 export const whole = { whole: true };
 export const onOff = (name, standard, tuned) => setting(name, standard, tuned, 0, 1, { whole: true });
 

@@ -52,6 +52,15 @@ constexpr std::array<Named<Setting>, 4> setting_fields{{{"default", &Setting::st
                                                         {"least", &Setting::least},
                                                         {"most", &Setting::most}}};
 
+/// In the order of SettingRole.
+constexpr std::array role_names{"", "restitution", "restitution threshold"};
+
+SettingRole named_role(const std::string& name) {
+  const auto found = std::find(role_names.begin() + 1, role_names.end(), name);
+  if (found == role_names.end()) throw WrongField("role", "\"restitution\" or \"restitution threshold\"");
+  return static_cast<SettingRole>(found - role_names.begin());
+}
+
 /// Whole settings as whole numbers: some languages will not count to 400.0.
 json parameter_field(const RunRequest& run, const std::string& name, double value) {
   constexpr double most = 9007199254740992;  // 2^53: up to there all are told apart
@@ -124,6 +133,7 @@ json fields_of(const EngineDescription& engine) {
     one["whole"] = setting.whole;
     if (!setting.choices.empty()) one["choices"] = setting.choices;
     if (!setting.unit.empty()) one["unit"] = setting.unit;
+    if (setting.role != SettingRole::own) one["role"] = role_names[static_cast<std::size_t>(setting.role)];
     object["settings"].push_back(std::move(one));
   }
   return object;
@@ -134,6 +144,7 @@ Setting read_setting(const json& object) {
   setting.name = text_field(object, "name");
   if (has_field(object, "whole")) setting.whole = flag_field(object, "whole");
   if (has_field(object, "unit")) setting.unit = text_field(object, "unit");
+  if (has_field(object, "role")) setting.role = named_role(text_field(object, "role"));
   if (!has_field(object, "choices")) return setting;
   for (const json& choice : list_field(object, "choices")) {
     if (!choice.is_string()) throw WrongField("choices", "a text", true);

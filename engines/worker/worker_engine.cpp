@@ -126,9 +126,10 @@ std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, doubl
 WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double dt,
                         const Parameters& parameters, int repeats, const Limits& limits, bool bodies) {
   WorkerRun result;
-  RunRequest asked =
-      request(engine, parameters, static_cast<std::size_t>(repeats), needs_bodies(scene, bodies));
+  RunRequest asked = request(engine, with_restitution(engine, scene, parameters),
+                             static_cast<std::size_t>(repeats), needs_bodies(scene, bodies));
   try {
+    require_restitution(engine, scene);
     asked.setup = set_up(scene, dt, parameters);
   } catch (const std::exception& error) {
     result.status = "failed";

@@ -66,6 +66,7 @@ const std::vector<KeyCase> cases{
     {&initial_keys, "gap_velocities", "[0.5]", {unilateral, {&initial_keys, "gaps", "[0.1]"}}},
     {&initial_keys, "springs", "\"unloaded\"", {compliant, springs}},
     {&contact_keys, "friction", "0.1", {unilateral}},
+    {&contact_keys, "restitution", "0.5", {unilateral, {&initial_keys, "gaps", "[0.1]"}}},
     {&contact_keys, "stiffness", "1e7", {compliant}},
     {&contact_keys, "damping", "1e4", {compliant, springs}},
     {&contact_keys, "bed_stiffness", "1e7", {compliant}},

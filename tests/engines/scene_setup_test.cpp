@@ -110,6 +110,31 @@ TEST(Placement, GravityIsInTheAxesOfAnInclinedGround) {
   EXPECT_DOUBLE_EQ(acceleration.y, -scene.gravity * std::cos(0.1));
 }
 
+// An engine's own names for both; its threshold is the least that it takes.
+TEST(Restitution, GoesIntoTheSettingsThatAreForIt) {
+  EngineDescription engine;
+  engine.name = "some";
+  engine.solver = "one";
+  engine.settings = {
+      {.name = "bounce", .most = 1, .role = SettingRole::restitution},
+      {.name = "bounce_vel", .standard = 0.2, .least = 0.01, .role = SettingRole::restitution_threshold},
+      {.name = "other", .standard = 3}};
+  Scene scene = leaning_stack();
+  const Parameters standard = engine.default_parameters();
+  EXPECT_EQ(with_restitution(engine, scene, standard), standard);
+  scene.point_restitution = 0.8;
+  const Parameters expected{{"bounce", 0.8}, {"bounce_vel", 0.01}, {"other", 3}};
+  EXPECT_EQ(with_restitution(engine, scene, standard), expected);
+  EXPECT_NO_THROW(require_restitution(engine, scene));
+  engine.settings.erase(engine.settings.begin());
+  try {
+    require_restitution(engine, scene);
+    FAIL() << "an engine without a coefficient takes it";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "contact.restitution: some:one has no coefficient of restitution");
+  }
+}
+
 TEST(Placement, RefusesWhatEnginesAreNotTold) {
   const auto refusal = [](const Scene& scene) -> std::string {
     try {
@@ -121,7 +146,9 @@ TEST(Placement, RefusesWhatEnginesAreNotTold) {
   };
   Scene scene = leaning_stack();
   scene.restitution = {0.9, 0.9};
-  EXPECT_EQ(refusal(scene), "restitution: must be left out for engines, whose impacts have no such ratio");
+  EXPECT_EQ(refusal(scene),
+            "restitution: must be left out for engines, whose impacts have no such ratio; theirs is "
+            "contact.restitution");
   scene.restitution.clear();
   scene.blocks[1].offset_y = 0.1;
   EXPECT_EQ(refusal(scene),

@@ -107,6 +107,7 @@ void read_contact(const Node& root, Scene& scene) {
   require_table(*table, contact_keys);
   const std::size_t size = scene.blocks.size();
   scene.friction = read_each(*table, "friction", size);
+  scene.point_restitution = number_or(*table, "restitution", 0);
   scene.springs.stiffness = read_stiffness(*table, "stiffness", size);
   scene.springs.damping = read_each(*table, "damping", size);
   scene.springs.bed_stiffness = read_stiffness(*table, "bed_stiffness", size);

@@ -43,8 +43,8 @@ bool obeys(const ContactQuestion<Real>& question, const Joints<Real>& joints, co
     const auto index = static_cast<std::size_t>(contact.interface);
     const Joint<Real>& joint = mode[index];
     const ContactForce<Real>& force = response.forces[index];
-    for (const FreeRow<Real>& normal : contact.normals)
-      if (normal.dot(response.motion) + contact.normal_bias < -motion_rounding) return false;
+    for (std::size_t i = 0; i < contact.normals.size(); ++i)
+      if (contact.normals[i].dot(response.motion) + contact.normal_biases[i] < -motion_rounding) return false;
     if (force.normal < -force_rounding) return false;
     if (abs(force.tangential) > contact.friction * force.normal + force_rounding) return false;
     if (joint.touch == Touch::flat) {
@@ -119,7 +119,7 @@ std::vector<int> open_pairs(const ContactModel<Real>& stack, const Joints<Real>&
   std::vector<int> pairs;
   for (int k = 1; k < stack.size(); ++k) {
     const Joint<Real>& joint = joints[k];
-    const bool open = joint.slip == 0 || level == ContactLevel::velocities;
+    const bool open = joint.slip == 0 || level != ContactLevel::accelerations;
     if (open && is_corner_pair(stack, k, joint)) pairs.push_back(k);
   }
   return pairs;

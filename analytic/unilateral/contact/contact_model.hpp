@@ -134,6 +134,7 @@ template <class Real = double>
 struct ContactModel {
   std::vector<Block> blocks;
   std::vector<Real> friction;
+  Real restitution = 0;                  ///< Newton's, of all points
   std::vector<SpringLaw<Real>> springs;  ///< of each interface; empty where all are rigid
   FreeVector<Real> inverse_mass;         ///< three a block
 
@@ -190,6 +191,7 @@ struct ContactModel {
 template <class Real>
 ContactModel<Real> contact_model_of(const Scene& scene) {
   ContactModel<Real> stack(scene.blocks, friction_of(scene));
+  stack.restitution = Real(scene.point_restitution);
   const CornerSprings& springs = scene.springs;
   if (springs.stiffness.empty() && springs.bed_stiffness.empty()) return stack;
   const auto of = [](const std::vector<double>& values, std::size_t k, double standard) {

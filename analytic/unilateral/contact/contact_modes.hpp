@@ -24,8 +24,9 @@ void set_mode(const ContactModel<Real>& stack, const TouchingPoints<Real>& conta
 /// Adds the points of a contact that slides, or sticks, with what friction adds to their forces.
 template <class Real>
 void add_points(const TouchingPoints<Real>& contact, int slip, ContactProblem<Real>& problem) {
-  for (const FreeRow<Real>& normal : contact.normals)
-    problem.add(normal, normal - contact.friction * slip * contact.slip, contact.normal_bias);
+  for (std::size_t i = 0; i < contact.normals.size(); ++i)
+    problem.add(contact.normals[i], contact.normals[i] - contact.friction * slip * contact.slip,
+                contact.normal_biases[i]);
 }
 
 /// The mode in which all that sticks goes on to, if its forces allow that.

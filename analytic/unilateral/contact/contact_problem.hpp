@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <array>
 
 #include "analytic/unilateral/contact/contact_kinematics.hpp"
 
@@ -9,8 +10,9 @@ namespace rockstack {
 // Motion and impact are one rule for free bodies: M (v' − v) = Wᵀ λ, with v' the accelerations or the
 // velocities after, v those that there would be without contact, and W the Jacobian of gaps and slips.
 
-/// Whether velocities or accelerations are sought: the latter have a part that velocities alone make.
-enum class ContactLevel { velocities, accelerations };
+/// Whether velocities, those after an impact, which bounce, or accelerations are sought: the latter have a
+/// part that velocities alone make.
+enum class ContactLevel { velocities, impacts, accelerations };
 
 /// What is asked of the laws of contact at one instant: the motion that follows from the one without contact.
 template <class Real = double>
@@ -76,11 +78,27 @@ template <class Real>
 struct TouchingPoints {
   int interface;
   std::vector<FreeRow<Real>> normals;
-  Real normal_bias;
+  std::vector<Real> normal_biases;
   FreeRow<Real> slip;
   Real slip_bias;
   Real friction;
 };
+
+/// What an impact adds to the condition of a point: by Newton's law its speed across the face is 0 ≤ u + e u⁻
+/// ⟂ λ ≥ 0 where it met it, u⁻ < 0, so that e u⁻ is what a pushing point keeps, backwards.
+template <class Real>
+Real bounce_of(const ContactQuestion<Real>& question, const FreeRow<Real>& gap_row) {
+  if (question.level != ContactLevel::impacts || question.stack.restitution == 0) return 0;
+  return question.stack.restitution * std::min<Real>(gap_row.dot(question.free), 0);
+}
+
+/// Rows of gaps at both ends of a flat contact, left first.
+template <class Real>
+std::array<FreeRow<Real>, 2> end_rows(const ContactModel<Real>& stack, int interface,
+                                      const FreeRow<Real>& gap_row, const Overlap<Real>& ends) {
+  const FreeRow<Real> turn = angle_row(stack, interface);
+  return {gap_row - ends.left * turn, gap_row - ends.right * turn};
+}
 
 template <class Real>
 std::vector<TouchingPoints<Real>> touching_points(const ContactQuestion<Real>& question,
@@ -91,17 +109,15 @@ std::vector<TouchingPoints<Real>> touching_points(const ContactQuestion<Real>& q
     const Joint<Real>& joint = joints[k];
     if (!joint.touches()) continue;
     const ContactKinematics<Real> rows = question.kinematics(k, joint);
-    TouchingPoints<Real> contact{k,
-                                 {rows.gap_row},
-                                 bias * rows.gap_bias,
-                                 rows.slip_row,
-                                 bias * rows.slip_bias,
-                                 question.stack.friction[k]};
+    TouchingPoints<Real> contact{
+        k, {rows.gap_row}, {}, rows.slip_row, bias * rows.slip_bias, question.stack.friction[k]};
     if (joint.touch == Touch::flat) {
-      const Overlap<Real> ends = overlap(question.stack, k, joint.offset);
-      const FreeRow<Real> turn = angle_row(question.stack, k);
-      contact.normals = {rows.gap_row - ends.left * turn, rows.gap_row - ends.right * turn};
+      const auto [left, right] =
+          end_rows(question.stack, k, rows.gap_row, overlap(question.stack, k, joint.offset));
+      contact.normals = {left, right};
     }
+    for (const FreeRow<Real>& normal : contact.normals)
+      contact.normal_biases.push_back(bias * rows.gap_bias + bounce_of(question, normal));
     contacts.push_back(std::move(contact));
   }
   return contacts;
@@ -140,10 +156,20 @@ ContactProblem<Real> held_by(const ContactQuestion<Real>& question, const Joints
     if (!joint.touches()) continue;
     const ContactKinematics<Real> rows = question.kinematics(k, joint);
     // Turned by its half-width, all rows are of one unit.
-    const FreeRow<Real> turn = angle_row(question.stack, k, question.stack.half_width(k));
-    if (joint.touch == Touch::flat) problem.add(turn, turn, 0);
+    const Real half_width = question.stack.half_width(k);
+    const FreeRow<Real> turn = angle_row(question.stack, k, half_width);
+    Real gap_bounce = bounce_of(question, rows.gap_row), turn_bounce = 0;
+    if (joint.touch == Touch::flat && question.level == ContactLevel::impacts) {
+      // A line through what both ends keep.
+      const Overlap<Real> ends = overlap(question.stack, k, joint.offset);
+      const auto [left, right] = end_rows(question.stack, k, rows.gap_row, ends);
+      const Real at_left = bounce_of(question, left);
+      turn_bounce = (at_left - bounce_of(question, right)) / (ends.right - ends.left);
+      gap_bounce = at_left + ends.left * turn_bounce;
+    }
+    if (joint.touch == Touch::flat) problem.add(turn, turn, turn_bounce * half_width);
     problem.add(rows.gap_row, rows.gap_row - joint.slip * question.stack.friction[k] * rows.slip_row,
-                bias * rows.gap_bias);
+                bias * rows.gap_bias + gap_bounce);
     if (joint.slip == 0) problem.add(rows.slip_row, rows.slip_row, bias * rows.slip_bias);
   }
   return problem;

@@ -59,6 +59,11 @@ void add_open_questions(const History& history, std::vector<std::string>& lines)
           "at t = {:.6g} s no finite forces let the motion go on (Painlevé): an impulse stops interface {}, "
           "as in the limit of time steps",
           event.time, event.interface));
+    } else if (event.consistency == Consistency::gains) {
+      lines.push_back(fmt::format(
+          "at t = {:.6g} s an impact at interface {} gains energy: Newton's coefficient of restitution allows "
+          "that beside friction",
+          event.time, event.interface));
     }
   }
 }
@@ -180,6 +185,7 @@ Scene with_springs(Scene scene, const std::vector<double>& friction, const Corne
   const double tangential = scene.springs.tangential;
   scene = with_rigid_contacts(std::move(scene), friction);
   scene.law = Law::compliant;
+  scene.point_restitution = 0;
   scene.springs.stiffness.assign(scene.blocks.size(), spring.stiffness);
   scene.springs.damping.assign(scene.blocks.size(), spring.damping);
   scene.springs.tangential = tangential;

@@ -72,7 +72,7 @@ TEST(Pattern, IsWhatItsNameSays) {
 TEST(Events, AreWhatTheirNamesSay) {
   for (const EventKind kind : {EventKind::opening, EventKind::fall, EventKind::strike})
     EXPECT_EQ(named_event(name(kind)), kind);
-  for (const Consistency one : {Consistency::consistent, Consistency::several})
+  for (const Consistency one : {Consistency::consistent, Consistency::several, Consistency::gains})
     EXPECT_EQ(named_consistency(name(one)), one);
   EXPECT_THROW(named_event("consistent"), std::invalid_argument);
 }

@@ -40,6 +40,7 @@ struct Touching {
   double friction;
   int pair = 0;  ///< of a pair of corners: its side, −1 or 1; normal and tangent are those of the lower face
   double push = 0, rub = 0;  ///< impulses, N·s
+  double bounce = 0;         ///< velocity across the face that is left at least, m/s
 
   Vec relative_velocity() const {
     const auto of = [&](const Body& body) {
@@ -83,7 +84,7 @@ struct Touching {
       apply(normal, push);
       apply(tangent, rub);
     } else {
-      push = std::max(0.0, push - dot(relative_velocity(), normal) / mobility(normal, normal));
+      push = std::max(0.0, push + (bounce - dot(relative_velocity(), normal)) / mobility(normal, normal));
       apply(normal, push - push_before);
       const double limit = friction * push;
       rub = std::clamp(rub - dot(relative_velocity(), tangent) / mobility(tangent, tangent), -limit, limit);
@@ -192,13 +193,15 @@ Bodies<> time_stepped(const Scene& scene, double step, double stop) {
   for (int i = 0; i < steps; ++i) {
     move(length / 2);
     const double middle = (i + 0.5) * length;
+    touching.clear();
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      add_corners(scene, bodies, k, scene.friction[k], reach, touching);
+    for (Touching& point : touching)
+      point.bounce = scene.point_restitution * std::max(0.0, -dot(point.relative_velocity(), point.normal));
     for (Body& body : bodies) {
       body.velocity.x -= length * acceleration(scene.horizontal, middle);
       body.velocity.y -= length * (scene.gravity + acceleration(scene.vertical, middle));
     }
-    touching.clear();
-    for (std::size_t k = 0; k < bodies.size(); ++k)
-      add_corners(scene, bodies, k, scene.friction[k], reach, touching);
     double scale = 0;
     for (const Body& body : bodies) scale += body.mass * scene.gravity * length;
     for (int sweep = 0; sweep < 1000; ++sweep) {

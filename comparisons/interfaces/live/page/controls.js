@@ -189,6 +189,7 @@ function controlsOf(page) {
     if (law === "compliant" && !scene().contact?.bed_stiffness) table("contact")(true).stiffness ??= 1e8;
     if (law !== "compliant" && scene().contact)
       for (const name of ["stiffness", "damping", "tangential", "bed_stiffness", "bed_damping"]) delete scene().contact[name];
+    if (law !== "unilateral") delete scene().contact?.restitution;
     if (leavesPivots(law)) for (const name of ["restitution", "equations"]) delete scene()[name];
   };
 
@@ -216,9 +217,12 @@ function controlsOf(page) {
     const soft = law !== "compliant" ? [] : [
       slider({ label: "stiffness, N/m", hint: "of each corner; inf: rigid", limits: between(1e5, 1e11), log: true, ...everywhere("stiffness", "inf") }),
       slider({ label: "damping, N·s/m", limits: between(0, 1e6), ...everywhere("damping", 0) })];
+    const bouncing = law !== "unilateral" ? [] : [
+      slider({ label: "restitution of points", hint: "what a point that meets a face keeps of its speed; of engines too", limits: between(0, 1),
+        ...everywhere("restitution", 0) })];
     return group("Contact", true,
       choice({ label: "law", options: [["paper", "paper: pivots"], ["consistent", "consistent: pivots"], ["unilateral", "unilateral: slip, lift-off"], ["compliant", "compliant: springs"]],
-        get: key(scene, "law", "consistent").get, set: setLaw }), friction, ...soft, ...(leavesPivots(law) ? [] : ofPivots()));
+        get: key(scene, "law", "consistent").get, set: setLaw }), friction, ...bouncing, ...soft, ...(leavesPivots(law) ? [] : ofPivots()));
   };
 
   const wholeGroup = () => group("Scene", false,

@@ -61,13 +61,19 @@ TEST(SceneErrors, FrictionAndSlip) {
       {12, "[contact]\nfriction = [0.1]",
        "scene.toml:13: contact.friction = an array of 1: must be a number, or as many as there are blocks, 2"},
       {12, "[contact]\nfriction = \"high\"", "scene.toml:13: contact.friction = \"high\": must be a number"},
+      {12, "[contact]\nrestitution = 1.5",
+       "scene.toml:13: contact.restitution = 1.5: must be a number from 0 to 1"},
+      {12, "[contact]\nrestitution = 0.5",
+       "scene.toml:13: contact.restitution = 0.5: must be 0 under law consistent, whose impacts have the ratio "
+       "restitution"},
       {12, "slip_velocities = [0, 1]",
        "scene.toml:12: initial.slip_velocities = not all 0: must be all 0 under law consistent, where nothing "
        "slips or lifts"},
       {1, "duration = 1\nlaw = \"unilateral\"\nequations = \"linear\"",
        "scene.toml:3: equations = linear: must be nonlinear under law unilateral"},
       {1, "duration = 1\nlaw = \"unilateral\"\nrestitution = [1, 1]",
-       "scene.toml:3: restitution = [1, …]: must be left out under law unilateral, where friction decides"},
+       "scene.toml:3: restitution = [1, …]: must be left out under law unilateral, where contact.restitution is "
+       "of points"},
       {1, "duration = 1\nlaw = \"compliant\"\nequations = \"linear\"",
        "scene.toml:3: equations = linear: must be nonlinear under law compliant"},
       {12, "[contact]\nstiffness = 1e8",
@@ -86,6 +92,9 @@ TEST(SceneErrors, AnInterfaceHasCornerSpringsOrABed) {
   const auto contact = [](const std::string& lines) {
     return error_of("law = \"compliant\"\n" + with_line(12, "[contact]\n" + lines));
   };
+  EXPECT_EQ(contact("restitution = 0.5"),
+            "scene.toml:14: contact.restitution = 0.5: must be 0 under law compliant, where dashpots decide "
+            "(contact.damping)");
   EXPECT_EQ(contact("stiffness = [inf, 1e8]\nbed_stiffness = [1e7, 1e9]"),
             "scene.toml:15: contact.bed_stiffness.2 = 1e+09: must be inf where contact.stiffness is not: an "
             "interface has springs at corners or a bed");

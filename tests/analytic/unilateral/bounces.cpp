@@ -1,0 +1,294 @@
+// Points that bounce by Newton's law, against closed forms and against a program of their own.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "analytic/solve.hpp"
+#include "tests/analytic/unilateral/scenes.hpp"
+#include "tests/analytic/unilateral/time_stepping.hpp"
+
+namespace rockstack {
+namespace {
+
+using testing::released;
+using testing::single;
+using testing::with_friction;
+
+constexpr double close = 1e-10;
+
+Scene bouncing(Scene scene, double restitution, double friction) {
+  scene = with_friction(std::move(scene), friction);
+  scene.point_restitution = restitution;
+  return scene;
+}
+
+Scene dropped(double restitution, double height, double duration, double friction = 0.5) {
+  Scene scene = bouncing(single(0.5, 0.25, duration), restitution, friction);
+  scene.initial.gaps = {height};
+  return scene;
+}
+
+/// Rates after an impact, of a test that has found it.
+struct Rates {
+  double x, y, angle;
+};
+
+// Falls of t₀, 2 e t₀, 2 e² t₀, … and heights of h, e² h, e⁴ h, …: a geometric series that ends after
+// t₀ (1 + e)/(1 − e).
+TEST(Bounces, ADroppedBlockBouncesInAGeometricSeries) {
+  for (const double e : {0.2, 0.5, 0.8, 0.95, 0.99}) {
+    const double height = 0.3;
+    const double fall = std::sqrt(2 * height / dropped(e, height, 1).gravity);
+    const double end = fall * (1 + e) / (1 - e);
+    const Scene scene = dropped(e, height, end + 0.1);
+    const ContactHistory<> history = solve_unilateral(scene);
+    ASSERT_GT(history.events.size(), 4U);
+    double time = fall, speed = scene.gravity * fall;
+    for (std::size_t n = 0; n < 3; ++n) {
+      const ContactEvent<>& impact = history.events[n];
+      EXPECT_EQ(impact.kind, EventKind::impact);
+      EXPECT_EQ(name(impact.to), "-");
+      EXPECT_NEAR(impact.time, time, close);
+      EXPECT_NEAR(impact.before[0].y, -speed, close);
+      EXPECT_NEAR(impact.after[0].y, e * speed, close);
+      speed *= e;
+      time += 2 * speed / scene.gravity;
+    }
+    EXPECT_EQ(history.events.back().kind, EventKind::rest) << e;
+    EXPECT_EQ(name(history.events.back().to), "C");
+    EXPECT_NEAR(history.events.back().time, end, close) << e;
+    EXPECT_NEAR(history.last.at[0].y, 0.25, close);
+  }
+}
+
+TEST(Bounces, HeightsFallByTheSquareOfTheCoefficient) {
+  const double e = 0.8, height = 0.3;
+  Scene scene = dropped(e, height, 3);
+  const double fall = std::sqrt(2 * height / scene.gravity);
+  std::vector<double> tops;
+  double time = fall;
+  for (int n = 1; n <= 3; ++n) {
+    tops.push_back(time + std::pow(e, n) * fall);
+    time += 2 * std::pow(e, n) * fall;
+  }
+  const ContactHistory<> history = solve_unilateral(scene, {.sample_times = tops});
+  for (std::size_t n = 0; n < 3; ++n)
+    EXPECT_NEAR(history.samples[n].gaps[0], height * std::pow(e, 2 * (n + 1.0)), close);
+}
+
+TEST(Bounces, NothingIsLostWithACoefficientOfOne) {
+  Scene scene = dropped(1, 0.3, 20);
+  const double fall = std::sqrt(0.6 / scene.gravity);
+  const ContactHistory<> flat = solve_unilateral(scene);
+  ASSERT_EQ(flat.events.size(), static_cast<std::size_t>((20 / fall + 1) / 2));
+  EXPECT_NEAR(flat.events.back().time, fall * (2 * static_cast<double>(flat.events.size()) - 1), close);
+  scene.friction = {0};
+  scene.initial.angles = {0.3};
+  const ContactHistory<> tilted = solve_unilateral(scene);
+  EXPECT_GT(tilted.events.size(), 3U);
+  const double start = energy(scene, {tilted.events[0].at, tilted.events[0].before});
+  EXPECT_NEAR(energy(scene, tilted.last) / start, 1, close);
+}
+
+// Each impact takes μ times its impulse, (1 + e) e^n m u, from a block that slides: in the end, μ m u (1 +
+// e)/(1 − e).
+TEST(Bounces, ABlockThatSlidesLosesFrictionsShareOfEachImpact) {
+  for (const double e : {0.3, 0.8}) {
+    const double height = 0.05, friction = 0.1, along = 3;
+    Scene scene = dropped(e, height, 4, friction);
+    scene.initial.slip_velocities = {along};
+    const double g = scene.gravity, fall = std::sqrt(2 * height / g);
+    const ContactHistory<> history = solve_unilateral(scene);
+    EXPECT_NEAR(history.events[0].after[0].x, along - friction * (1 + e) * g * fall, close);
+    const double end = fall * (1 + e) / (1 - e);
+    const double left = along - friction * (1 + e) * g * fall / (1 - e);
+    EXPECT_EQ(history.events.back().kind, EventKind::stick);
+    EXPECT_NEAR(history.events.back().time, end + left / (friction * g), close);
+    const auto closure = std::find_if(history.events.begin(), history.events.end(),
+                                      [](const auto& event) { return event.kind == EventKind::closure; });
+    ASSERT_NE(closure, history.events.end());
+    EXPECT_NEAR(closure->time, end, close);
+    EXPECT_NEAR(closure->after[0].x, left, close);
+  }
+}
+
+/// One impact of a block's lower corner, at (x, y) from its centre, by Newton's and Coulomb's laws: what
+/// impulses leave is linear in them, and the one case of three holds that obeys.
+Rates corner_impact(const Block& block, double x, double y, double e, double friction, const Rates& before) {
+  // Of the corner: u along, v up; its angle is clockwise positive.
+  const double u = before.x + y * before.angle, v = before.y - x * before.angle;
+  const double uu = 1 / block.mass + y * y / block.inertia, vv = 1 / block.mass + x * x / block.inertia;
+  const double uv = -x * y / block.inertia;
+  // v + vv N + uv T = −e v, and u + uv N + uu T = 0 where it sticks.
+  const double determinant = vv * uu - uv * uv;
+  double normal = (-(1 + e) * v * uu + u * uv) / determinant;
+  double along = (-u * vv + (1 + e) * v * uv) / determinant;
+  if (std::abs(along) > friction * normal) {
+    const double sign = along > 0 ? 1 : -1;
+    normal = -(1 + e) * v / (vv + sign * friction * uv);
+    along = sign * friction * normal;
+  }
+  return {before.x + along / block.mass, before.y + normal / block.mass,
+          before.angle + (y * along - x * normal) / block.inertia};
+}
+
+TEST(Bounces, ATiltedBlockTurnsByTheImpulseOnItsCorner) {
+  for (const double angle : {0.2, -0.4, 0.9}) {
+    for (const double friction : {0.0, 0.05, 0.3, 10.0}) {
+      for (const double along : {0.0, -2.0, 2.0}) {
+        Scene scene = dropped(0.7, 0.2, 0.4, friction);
+        scene.initial.angles = {angle};
+        scene.initial.velocities = {0.5};
+        scene.initial.slip_velocities = {along};
+        const ContactEvent<> impact = solve_unilateral(scene).events.at(0);
+        const double turned = impact.at[0].angle, side = turned > 0 ? 1 : -1;
+        const double x = 0.5 * side * std::cos(turned) - 0.25 * std::sin(turned);
+        const double y = -0.25 * std::cos(turned) - 0.5 * side * std::sin(turned);
+        EXPECT_NEAR(impact.at[0].y, -y, close);
+        const Pose<>& before = impact.before[0];
+        const Rates expected =
+            corner_impact(scene.blocks[0], x, y, 0.7, friction, {before.x, before.y, before.angle});
+        EXPECT_NEAR(impact.after[0].x, expected.x, close) << angle << ' ' << friction << ' ' << along;
+        EXPECT_NEAR(impact.after[0].y, expected.y, close);
+        EXPECT_NEAR(impact.after[0].angle, expected.angle, close);
+      }
+    }
+  }
+}
+
+// Without friction only height and angle move: between impacts a parabola and a uniform turn, and the lowest
+// corner is the first to come down. Each impact multiplies what roundings are by some two.
+TEST(Bounces, ABlockBouncesFromCornerToCornerAsAProgramOfItsOwnHasIt) {
+  Scene scene = dropped(0.8, 0.5, 3, 0);
+  scene.initial.angles = {std::numbers::pi / 3};
+  const Block block = scene.blocks[0];
+  const ContactHistory<> history = solve_unilateral(scene);
+  const double g = scene.gravity;
+  const auto reach = [&](double angle) {  // of the centre over the lowest corner
+    return block.half_height * std::cos(angle) + block.half_width * std::abs(std::sin(angle));
+  };
+  double time = 0, height = 0.5 + reach(std::numbers::pi / 3), angle = std::numbers::pi / 3;
+  double rise = 0, turn = 0;
+  std::size_t impacts = 0;
+  for (const ContactEvent<>& impact : history.events) {
+    if (impact.kind != EventKind::impact) break;
+    const auto gap = [&](double t) { return height + rise * t - g * t * t / 2 - reach(angle + turn * t); };
+    double low = 1e-9, high = 1e-9;
+    while (gap(high) > 0) high += 1e-4;
+    low = high - 1e-4;
+    for (int i = 0; i < 60; ++i) (gap((low + high) / 2) > 0 ? low : high) = (low + high) / 2;
+    height += rise * low - g * low * low / 2;
+    angle += turn * low;
+    rise -= g * low;
+    time += low;
+    EXPECT_NEAR(impact.time, time, close) << impacts;
+    EXPECT_NEAR(impact.at[0].angle, angle, 100 * close) << impacts;
+    const double side = angle > 0 ? 1 : -1;
+    const double lever = block.half_width * side * std::cos(angle) - block.half_height * std::sin(angle);
+    const double impulse = -1.8 * (rise - lever * turn) / (1 / block.mass + lever * lever / block.inertia);
+    rise += impulse / block.mass;
+    turn -= lever * impulse / block.inertia;
+    ++impacts;
+  }
+  EXPECT_EQ(impacts, 7U);
+  EXPECT_EQ(history.events.back().kind, EventKind::topple);
+  EXPECT_EQ(history.last.rate[0].x, 0);
+}
+
+// Where an interface rests, it has no speed to give back: a block that falls on one leaves it at e u, and the
+// one on the ground stays. Two that fall as one leave the ground as one.
+TEST(Bounces, StacksKeepOfEachPointWhatItHad) {
+  Scene scene = bouncing(released({testing::block(1, 0.5), testing::block(0.6, 0.3)}, {0, 0}, 0.4), 0.6, 0.4);
+  scene.initial.gaps = {0, 0.2};
+  const double speed = std::sqrt(0.4 * scene.gravity);
+  const ContactEvent<> on_top = solve_unilateral(scene).events.at(0);
+  EXPECT_EQ(name(on_top.to), "C-");
+  EXPECT_NEAR(on_top.after[1].y, 0.6 * speed, close);
+  EXPECT_NEAR(on_top.after[0].y, 0, close);
+  scene.initial.gaps = {0.2, 0};
+  const ContactEvent<> as_one = solve_unilateral(scene).events.at(0);
+  EXPECT_EQ(name(as_one.to), "-C");
+  EXPECT_NEAR(as_one.after[1].y, 0.6 * speed, close);
+  EXPECT_NEAR(as_one.after[0].y, 0.6 * speed, close);
+}
+
+/// A stack of blocks of unlike widths that starts above the ground and turns, with coefficients drawn.
+Scene random_bounces(std::uint64_t seed, bool rubs) {
+  testing::Draw draw(seed);
+  const auto blocks = static_cast<std::size_t>(1 + draw.below(3));
+  std::vector<Block> stack;
+  for (std::size_t k = 0; k < blocks; ++k)
+    stack.push_back(testing::block(draw.between(0.6, 1.4), draw.between(0.3, 1.2)));
+  Scene scene = bouncing(released(stack, std::vector<double>(blocks, 0), 1), 0, 0);
+  scene.initial.gaps.assign(blocks, 0);
+  scene.point_restitution = draw.between(0, 0.9);
+  for (std::size_t k = 0; k < blocks; ++k) {
+    if (rubs) scene.friction[k] = draw.between(0.05, 1);
+    scene.initial.angles[k] = draw.between(-0.1, 0.1);
+    scene.initial.velocities[k] = draw.between(-0.5, 0.5);
+    scene.initial.gaps[k] = draw.between(0.05, 0.3);
+  }
+  return scene;
+}
+
+// Time steps meet a point a step late at most, so that a velocity is off for a step after each of a few
+// impacts. A coefficient that were off by a hundredth would show ten times as much.
+TEST(Bounces, StacksMoveAsMoreausTimeStepsDo) {
+  const double step = 1e-5;
+  std::size_t impacts = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    Scene scene = random_bounces(seed, true);
+    scene.duration = 0.35;
+    const ContactHistory<> exact = solve_unilateral(scene);
+    const Bodies<> stepped = testing::time_stepped(scene, step);
+    for (const ContactEvent<>& event : exact.events)
+      if (event.kind == EventKind::impact) ++impacts;
+    for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+      EXPECT_NEAR(exact.last.at[k].x, stepped.at[k].x, 100 * step) << seed;
+      EXPECT_NEAR(exact.last.at[k].y, stepped.at[k].y, 100 * step) << seed;
+      EXPECT_NEAR(exact.last.at[k].angle, stepped.at[k].angle, 300 * step) << seed;
+    }
+  }
+  EXPECT_GT(impacts, 30U);
+}
+
+/// Whether an event gains kinetic energy, beyond rounding.
+bool gains(const Scene& scene, const ContactEvent<>& event) {
+  const double before = energy(scene, {event.at, event.before});
+  return energy(scene, {event.at, event.after}) > before + 1e-10 * std::abs(before);
+}
+
+// A point that is just parting, and that another's impact takes with it, may gain some; of one block none
+// can.
+TEST(Bounces, EnergyNeverGrowsWithoutFriction) {
+  std::size_t impacts = 0;
+  for (std::uint64_t seed = 0; seed < 25; ++seed) {
+    const Scene scene = random_bounces(seed, false);
+    for (const ContactEvent<>& event : solve_unilateral(scene).events) {
+      if (event.kind == EventKind::impact) ++impacts;
+      EXPECT_FALSE(gains(scene, event)) << seed << ' ' << event.time;
+      EXPECT_FALSE(scene.blocks.size() == 1 && event.consistency == Consistency::gains) << seed;
+    }
+  }
+  EXPECT_GT(impacts, 1000U);
+}
+
+TEST(Bounces, WhereNewtonsLawGainsEnergyTheEventTellsSo) {
+  std::size_t told = 0;
+  for (const std::uint64_t seed : {137, 158, 175, 186, 189}) {
+    const Scene scene = random_bounces(seed, true);
+    for (const ContactEvent<>& event : solve_unilateral(scene).events) {
+      if (!gains(scene, event)) continue;
+      EXPECT_EQ(event.consistency, Consistency::gains) << seed << ' ' << event.time;
+      ++told;
+    }
+  }
+  EXPECT_GT(told, 0U);
+}
+
+}  // namespace
+}  // namespace rockstack
