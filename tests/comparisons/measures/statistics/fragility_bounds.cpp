@@ -39,8 +39,8 @@ TEST(FragilityBounds, TwoLevelsAtEqualDistancesFixTheMedianAlone) {
   const double apart = 0.3;
   const std::size_t n = 50;
   const FragilityBounds bounds(curve, {{middle * std::exp(apart), n}, {middle / std::exp(apart), n}});
-  const double z = apart / beta, p = probability(curve, middle * std::exp(apart));
-  const double density = std::exp(-z * z / 2) / std::sqrt(2 * std::acos(-1.0));
+  const double away = apart / beta, p = probability(curve, middle * std::exp(apart));
+  const double density = std::exp(-away * away / 2) / std::sqrt(2 * std::acos(-1.0));
   const double error = beta * std::sqrt(p * (1 - p) / (2.0 * n)) / density;
   EXPECT_NEAR(std::log(bounds.of_median().upper / middle), 1.959963984540054 * error, 1e-12);
 }
