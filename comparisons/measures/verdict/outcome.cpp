@@ -19,7 +19,8 @@ std::string with_verb(const std::string& block_and_time, const std::string& verb
 }
 
 std::string fall_of(const RunMetrics& row) {
-  if (row.toppling_verdict == TopplingVerdict::exact_alone) return "stands, though in the exact motion a block falls";
+  if (row.toppling_verdict == TopplingVerdict::exact_alone)
+    return "stands, though in the exact motion a block falls";
   if (row.toppling_verdict != TopplingVerdict::engine_alone) return "";
   return row.fallen.empty() ? with_verb(row.toppled, "topples") : with_verb(row.fallen, "has fallen off");
 }
