@@ -142,7 +142,7 @@ TEST(Replicates, ThatFailAreCountedAndOneThatRunsOutOfTimeEndsTheSet) {
     Suite suite = suite_of(folder, engine);
     suite.limits.time = 1;
     const Job job{suite, suite.scenes.front(), 1e-2, &suite.series.front()};
-    const auto replicates = make_replicates(job, 1);
+    const auto replicates = make_replicates(job, 1).rows;
     ASSERT_EQ(replicates.size(), 4U);
     for (const RunMetrics& row : replicates)
       EXPECT_EQ(row.status, engine.solver == "loop" ? RunStatus::time_limit : RunStatus::failed);

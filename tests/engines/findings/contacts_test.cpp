@@ -65,7 +65,7 @@ SoftRun soft_run(const Engine& engine, const Draw& draw, const Parameters& param
 
 std::vector<SoftRun> soft_runs(const Engine& engine, double dt, double erp, double cfm, bool fixed_spring) {
   std::vector<SoftRun> runs;
-  for (const Draw& draw : draws(slender_block(1.5), dt)) {
+  for (const Draw& draw : replicates(slender_block(1.5), dt)) {
     const Parameters as_spring = spring(erp, cfm, fixed_spring ? 1e-3 : draw.dt);
     const Parameters changes = fixed_spring ? as_spring : Parameters{{"erp", erp}, {"cfm", cfm}};
     runs.push_back(soft_run(engine, draw, with(gentle(engine), changes), as_spring.at("contactStiffness")));
@@ -118,7 +118,7 @@ double effect_of_restitution(const Engine& engine, const Scene& scene) {
   if (!ode) without["restitutionVelocityThreshold"] = 0;
   const Parameters half = with(without, {{ode ? "bounce" : "restitution", 0.5}});
   std::vector<double> list;
-  for (const Draw& draw : draws(scene, 1e-3)) {
+  for (const Draw& draw : replicates(scene, 1e-3)) {
     list.push_back(largest(difference(simulate(engine, draw.scene, draw.dt, without).history,
                                       simulate(engine, draw.scene, draw.dt, half).history)));
   }

@@ -126,7 +126,7 @@ TEST(Contacts, LemkesFrictionIsACoefficientInNewtonSeconds) {
     scene.engine.friction = friction;
     scene.horizontal.pulse = Pulse{PulseShape::rectangle, pull, 1, 0, 1, 0};
     std::vector<double> impulses;
-    for (const Draw& draw : draws(scene, dt)) {
+    for (const Draw& draw : replicates(scene, dt)) {
       const auto simulation = start(*engine, draw.scene, draw.dt, real_masses);
       for (int step = 0; step < 5; ++step) simulation->step();
       const double start = simulation->body(0).velocity_x;

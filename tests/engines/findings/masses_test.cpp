@@ -30,9 +30,9 @@ TEST(Masses, NncgFailsByKilogramsNotByTheirRatio) {
   if (engine == nullptr) GTEST_SKIP() << "built without Bullet";
   const Parameters parameters = gentle(*engine);
   for (const double ratio : {1.0, 0.01}) {
-    for (const double error : errors(*engine, draws(two_blocks(1e3, ratio * 1e3), 1e-3), parameters))
+    for (const double error : errors(*engine, replicates(two_blocks(1e3, ratio * 1e3), 1e-3), parameters))
       EXPECT_TRUE(holds(error)) << "tonnes, ratio " << ratio << ": " << error << " rad";
-    for (const double error : errors(*engine, draws(two_blocks(1e-3, ratio * 1e-3), 1e-3), parameters))
+    for (const double error : errors(*engine, replicates(two_blocks(1e-3, ratio * 1e-3), 1e-3), parameters))
       EXPECT_FALSE(holds(error)) << "grams, ratio " << ratio << ": " << error << " rad";
   }
 }
@@ -42,7 +42,7 @@ TEST(Masses, NncgFailsByKilogramsNotByTheirRatio) {
 TEST(Masses, NncgHoldsAtGramsOnceItsRowsReturnImpulses) {
   if (linked("bullet:nncg") == nullptr) GTEST_SKIP() << "built without Bullet";
   const WorkerEngine& engine = find_engine("bullet:nncg");
-  for (const Draw& draw : draws(two_blocks(1e-3, 1e-5), 1e-3)) {
+  for (const Draw& draw : replicates(two_blocks(1e-3, 1e-5), 1e-3)) {
     const std::string text = bare_question(engine, draw.scene, draw.dt, gentle(engine));
     EXPECT_FALSE(holds(error_of(draw, bare_angles("bullet", text))));
     const std::string solver = "solver nncg";
@@ -56,7 +56,7 @@ TEST(Masses, NncgHoldsAtGramsWithUnitMassOfAThousandTonnes) {
   const Engine* engine = linked("bullet:nncg");
   if (engine == nullptr) GTEST_SKIP() << "built without Bullet";
   const Parameters parameters = with(gentle(*engine), {{"unitMass", 1e6}});
-  for (const double error : errors(*engine, draws(two_blocks(1e-3, 1e-5), 1e-3), parameters))
+  for (const double error : errors(*engine, replicates(two_blocks(1e-3, 1e-5), 1e-3), parameters))
     EXPECT_TRUE(holds(error)) << error << " rad";
 }
 
@@ -65,7 +65,7 @@ TEST(Masses, SequentialImpulseKnowsNoKilograms) {
   const Engine* engine = linked("bullet:sequential-impulse");
   if (engine == nullptr) GTEST_SKIP() << "built without Bullet";
   const double factor = std::ldexp(1, -20);
-  for (const Draw& draw : draws(two_blocks(1e3, 10), 1e-3, 3)) {
+  for (const Draw& draw : replicates(two_blocks(1e3, 10), 1e-3, 3)) {
     Scene grams = draw.scene;
     for (Block& block : grams.blocks) scale_mass(block, factor);
     EXPECT_EQ(simulate(*engine, draw.scene, draw.dt, gentle(*engine)).history.angles,
@@ -80,7 +80,7 @@ TEST(Masses, OdesCfmIsANumberOfOneOverKilograms) {
   if (engine == nullptr) GTEST_SKIP() << "built without ODE";
   const Parameters parameters = with(gentle(*engine), {{"cfm", 1e-10}});
   const Parameters divided = with(parameters, {{"cfm", 1e-16}});
-  const auto light = draws(free_rocking(1.5), 1e-3);
+  const auto light = replicates(free_rocking(1.5), 1e-3);
   auto heavy = light;
   for (Draw& draw : heavy) {
     for (Block& block : draw.scene.blocks) scale_mass(block, 1e6);
@@ -99,7 +99,7 @@ TEST(Masses, OdesCfmIsANumberOfOneOverKilograms) {
 TEST(Masses, OdeCarriesAMillionTimesHeavierTopWithASmallerCfmAndForceLimits) {
   const Engine* engine = linked("ode:step");
   if (engine == nullptr) GTEST_SKIP() << "built without ODE";
-  const auto runs = draws(two_blocks(3906.25, 3906.25e6), 1e-2);
+  const auto runs = replicates(two_blocks(3906.25, 3906.25e6), 1e-2);
   const Parameters both = with(gentle(*engine), {{"cfm", 1e-14}, {"contactApprox1", 0}});
   for (const double error : errors(*engine, runs, both)) EXPECT_TRUE(holds(error)) << error;
   for (const double error : errors(*engine, runs, with(both, {{"cfm", 1e-10}}))) EXPECT_FALSE(holds(error));

@@ -59,7 +59,7 @@ TEST(Motion, LandsHalfAStepEarlyUnlessItStartsHalfAStepBack) {
     for (const Scene& scene : {slender_block(1.5), free_rocking(1)}) {
       for (const double lead : {-0.5, 0.0, 0.5}) {
         std::vector<double> found;
-        for (const Draw& draw : draws(scene, 1e-3)) found.push_back(landing_error(*engine, draw, lead));
+        for (const Draw& draw : replicates(scene, 1e-3)) found.push_back(landing_error(*engine, draw, lead));
         // Contacts of two blocks leave a few hundredths of a step.
         EXPECT_NEAR(quartiles(found).median, -0.5 - lead, 0.05)
             << name << ", " << scene.blocks.size() << " blocks";
@@ -78,7 +78,7 @@ TEST(Motion, SinglePrecisionSuffersFromWarmStartingOnABoxAlone) {
     const WorkerEngine& engine = find_engine(precision + ":sequential-impulse");
     const Parameters parameters = with(gentle(engine), {{"ground", ground}, {"warmstartingFactor", warm}});
     int count = 0;
-    for (const Draw& draw : draws(free_rocking(1.5), 1e-4)) {
+    for (const Draw& draw : replicates(free_rocking(1.5), 1e-4)) {
       const History history = simulate(engine, draw.scene, draw.dt, parameters).history;
       count += error_of(draw, history.angles) > 5e-3 ? 1 : 0;
     }

@@ -123,7 +123,7 @@ ErrorsByStep errors_by_step(const Engine& engine) {
   ErrorsByStep result;
   for (const double step : {4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4}) {
     std::vector<double> list;
-    for (const Draw& draw : draws(scene, step, 7)) {
+    for (const Draw& draw : replicates(scene, step, 7)) {
       const History history = simulate(engine, draw.scene, draw.dt, rigid(engine)).history;
       result.exact = solve(draw.scene, {.sample_times = {history.times.back()}}).angles.back();
       list.push_back(std::abs(history.angles.back() - result.exact));
