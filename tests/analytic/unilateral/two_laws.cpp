@@ -114,6 +114,9 @@ Parting reason(const Track& pivots, const Track& joints, std::size_t same, std::
   const bool all = same == pivots.events.size() && same == joints.events.size();
   const bool more = same < pivots.events.size() && same < joints.events.size();
   if (more && chatter_ends(pivots.events[same], joints.events[same])) return Parting::chatter;
+  // The ground, or a block further down, ends the motion that knows it.
+  if (same + 1 == joints.events.size() && joints.events.back().kind == name(EventKind::strike))
+    return Parting::none;
   if (all && pivots.end == joints.end) return pivots.reason;
   if (all && std::abs(pivots.end - joints.end) <= end) return pivots.reason;
   if (same == pivots.events.size() && pivots.opens && joints.end > pivots.end) return Parting::jump;

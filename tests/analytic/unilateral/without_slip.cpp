@@ -72,6 +72,8 @@ TEST(UnilateralWithoutSlip, DemandsAndPeaksAreThoseOfLawConsistent) {
     if (!stays_within(one.forces, friction) || !stays_within(one.impulses, friction)) continue;
     const ContactHistory<> other =
         solve_unilateral(testing::with_friction(scene, friction), {.validity = true, .peaks = true});
+    // Pivots know no ground but the lowest block's.
+    if (!other.events.empty() && other.events.back().kind == EventKind::strike) continue;
     ++scenes;
     expect_same_demands(one.forces, other.forces, seed);
     expect_same_demands(one.impulses, other.impulses, seed);
