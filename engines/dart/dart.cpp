@@ -112,7 +112,8 @@ class DartSimulation final : public ShakenSimulation {
         std::make_shared<dart::dynamics::BoxShape>(size));
     box->setRelativeTranslation({0, height, 0});
     box->getDynamicsAspect()->setFrictionCoeff(friction);
-    box->getDynamicsAspect()->setRestitutionCoeff(parameters_.at("RestitutionCoeff"));
+    // A pair has the product of both.
+    box->getDynamicsAspect()->setRestitutionCoeff(std::sqrt(parameters_.at("RestitutionCoeff")));
   }
 
   void add_ground(const Setup& setup) {

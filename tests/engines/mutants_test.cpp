@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <functional>
@@ -54,8 +53,7 @@ const std::vector<Mistake>& mistakes() {
                     {"en", 0.2},
                     // A velocity of about 1 m/s is lost by a third then.
                     {"dissipation", 1},
-                    // DART takes the product of both shapes' coefficients.
-                    {"RestitutionCoeff", std::sqrt(0.2)}}},
+                    {"RestitutionCoeff", 0.2}}},
       // A block placed as before that ends a tenth of a millimetre above what it stands on.
       {.name = "ContactsATenthOfAMillimetreLate",
        .seen_by = "StackKeepsItsHeight",
