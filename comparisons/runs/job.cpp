@@ -34,6 +34,10 @@ bool is_baseline(const Job& job) {
   return job.variant != nullptr && job.variant->choice == Variant::Choice::rk4;
 }
 
+bool is_measured(const Job& job) {
+  return job.variant != nullptr && job.variant->choice == Variant::Choice::measured;
+}
+
 double horizon_of(const Job& job) {
   return job.horizon.valid() ? job.horizon.get() : job.scene.scene.duration;
 }
@@ -66,7 +70,7 @@ RunMetrics describe(const Job& job) {
     row.run = fmt::format("{}.{}-{}", row.scene, row.engine, job.dt);
   } else {
     row.engine = job.variant != nullptr ? job.variant->name() : "exact";
-    row.solver = "taylor";
+    row.solver = is_measured(job) ? "" : "taylor";
     row.run = row.scene + "." + row.engine;
   }
   return row;
@@ -96,6 +100,7 @@ std::shared_future<double> horizon_of(const Suite& suite, const NamedScene& scen
 }
 
 std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
+  static const Variant measured{Variant::Choice::measured};
   std::vector<Job> jobs;
   for (const Suite& suite : suites) {
     for (const NamedScene& scene : suite.scenes) {
@@ -103,6 +108,8 @@ std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
       jobs.push_back({suite, scene, {}, nullptr, nullptr, horizon});
       for (const Variant& variant : suite.variants)
         jobs.push_back({suite, scene, variant.step, nullptr, &variant, horizon});
+      if (scene.measured && scene.measured->is_motion(scene.scene.blocks.size()))
+        jobs.push_back({suite, scene, {}, nullptr, &measured, horizon});
       for (const EngineSeries& series : suite.series) {
         for (const double dt : series.steps) jobs.push_back({suite, scene, dt, &series, nullptr, horizon});
       }

@@ -45,6 +45,9 @@ struct Job {
 /// True for the variant with Runge–Kutta steps, the one that has a time step.
 bool is_baseline(const Job& job);
 
+/// True for the variant that a test has measured.
+bool is_measured(const Job& job);
+
 /// Up to when the job's histories are compared, s.
 double horizon_of(const Job& job);
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <tuple>
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/solve.hpp"
@@ -166,6 +167,32 @@ Json run_solver(const Job& job, RunMetrics& row, const std::string& command, Run
   return json;
 }
 
+/// What a test has measured, with velocities from one reading to the next, in the place of a run.
+Json run_measured(const Job& job, RunMetrics& row, const std::string& command, RunFiles& files) {
+  const auto& [times, values] = std::tie(job.scene.measured->times, job.scene.measured->values);
+  const std::size_t blocks = job.scene.scene.blocks.size(), last = times.size() - 1;
+  History history;
+  history.blocks = static_cast<int>(blocks);
+  history.times = times;
+  history.angles = values;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, last);
+    for (std::size_t k = 0; k < blocks; ++k)
+      history.velocities.push_back((values[after * blocks + k] - values[before * blocks + k]) /
+                                   (times[after] - times[before]));
+  }
+  row.steps = static_cast<int>(last);
+  row.toppled = observed_toppling(job.scene.scene, history);
+  compare_with_exact(job.scene.scene, job.suite,
+                     {history,
+                      (times[last] - times[0]) / static_cast<double>(last),
+                      observed_impacts(history, chatter_speed(job.scene.scene)),
+                      !row.toppled.empty(),
+                      {}},
+                     horizon_of(job), row, files);
+  return summary(row, job.scene, Json::object(), {}, command);
+}
+
 Json run_engine(const Job& job, RunMetrics& row, const std::string& command, RunFiles& files) {
   const Scene& scene = job.scene.scene;
   const EngineSeries& series = *job.series;
@@ -219,7 +246,7 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
 RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at_a_time) {
   RunMetrics row = describe(job);
   row.runs_at_a_time = static_cast<int>(runs_at_a_time);
-  const auto make = job.series != nullptr ? run_engine : run_solver;
+  const auto make = job.series != nullptr ? run_engine : is_measured(job) ? run_measured : run_solver;
   RunFiles files;
   Json json;
   try {

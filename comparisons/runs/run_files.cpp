@@ -147,6 +147,7 @@ std::string identity(const Job& job) {
   Json run{fields_of(job.scene.scene), job.dt, job.suite.repeats, job.suite.wanted.bodies,
            job.suite.softness};
   std::string text = job.variant != nullptr ? job.variant->name() : "";
+  if (is_measured(job)) run.push_back({job.scene.measured->times, job.scene.measured->values});
   if (job.series != nullptr) {
     const WorkerEngine& engine = *job.series->engine;
     run.push_back({engine.solver, fields_of(job.series->parameters)});

@@ -182,7 +182,8 @@ Scene Variant::apply(Scene scene) const {
 
 std::string Variant::name() const {
   if (choice == Choice::friction) return fmt::format("{}{}", friction_key, friction);
-  constexpr std::array names{"linear", "nonlinear", "paper", "consistent", "unilateral", "", "rk4"};
+  constexpr std::array names{"linear",     "nonlinear", "paper", "consistent",
+                             "unilateral", "",          "rk4",   "measured"};
   return names.at(static_cast<std::size_t>(choice));
 }
 
@@ -203,8 +204,10 @@ NamedScene read_named_scene(const std::filesystem::path& file, const std::vector
   const SceneDocument document = read_document(file, overrides);
   MotionLibrary library;
   Scene scene = make_scene(document, library);
+  std::optional<Measurement> measured;
+  if (document.measured) measured = read_measurement(*document.measured, document.folder, scene);
   return {folder_name(file.stem().string()), file_text(file), std::move(scene),
-          nearest(document.root, "duration").place};
+          nearest(document.root, "duration").place, std::move(measured)};
 }
 
 InputKind kind_of(const std::filesystem::path& file) {

@@ -8,6 +8,7 @@
 
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/scene.hpp"
+#include "comparisons/suites/measurement.hpp"
 #include "engines/worker/registry.hpp"
 
 namespace rockstack {
@@ -88,14 +89,15 @@ struct NamedScene {
   std::string name;  ///< of the file, without folder and ending, as folder_name()
   std::string text;  ///< the file as it was read
   Scene scene;
-  std::string duration_place = {};  ///< where its duration is given: file and line, or the override
+  std::string duration_place = {};           ///< where its duration is given: file and line, or the override
+  std::optional<Measurement> measured = {};  ///< by a test
 };
 
 /// The exact solver with one choice changed, to be compared as if it were another engine: linear against
 /// nonlinear equations, one law of contact against another, friction, or Runge–Kutta steps in place of
-/// series.
+/// series; or, in its place, what a test of the scene has measured.
 struct Variant {
-  enum class Choice { linear, nonlinear, paper, consistent, unilateral, friction, rk4 };
+  enum class Choice { linear, nonlinear, paper, consistent, unilateral, friction, rk4, measured };
 
   Choice choice;
   double step = 0;      ///< of rk4, s

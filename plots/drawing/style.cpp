@@ -25,7 +25,7 @@ constexpr int plus = 1, cross = 2, star = 3, square = 4, circle = 6, triangle = 
 // Colours that keep apart under any form of colour blindness, after Okabe & Ito (2008) and Tol (2021), each
 // with a contrast of 4.5 on white at least. A solver in single precision has the colour of its double twin
 // and another mark. Gaps are wide because the line's round ends reach into them.
-constexpr std::array<NamedStyle, 27> named{{
+constexpr std::array<NamedStyle, 28> named{{
     {"exact", "#000000", circle, "solid"},
     {"linear:taylor", "#AA4499", diamond, "(12,9)"},
     {"nonlinear:taylor", "#AA4499", triangle, "(12,9)"},
@@ -53,6 +53,7 @@ constexpr std::array<NamedStyle, 27> named{{
     {"mujoco:pgs", "#B00020", triangle_down, "(5,8)"},
     {"siconos:nsgs", "#4B5320", diamond, "(8,7,1,7)"},
     {"simbody:compliant", "#00566B", pentagon, "(12,8,1,8)"},
+    {"measured", "#C2187A", cross, "(1,6)"},
 }};
 
 constexpr std::array<std::string_view, 9> tints{"#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0",
@@ -85,7 +86,7 @@ NamedStyle of_friction(const std::string& solver) {
 
 NamedStyle of_solver(const std::string& solver) {
   const auto found = std::ranges::find_if(named, [&](const NamedStyle& one) { return one.solver == solver; });
-  return found != named.end() ? *found : named.at(1 + number_of(solver) % (named.size() - 1));
+  return found != named.end() ? *found : named.at(1 + number_of(solver) % (named.size() - 2));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ DrawScene histories, slip, friction, differences, impact_times, impact_energy, r
 using DrawComparison = Drawings(const ComparisonSubject&);
 DrawComparison agreement, solver_scores;
 using DrawFolder = Drawings(const FolderSubject&);
-DrawFolder fragility, incremental, overturning, modes, law_maps, law_engines, stability, record, advice;
+DrawFolder fragility, incremental, overturning, modes, law_maps, law_engines, stability, record, advice, fit;
 
 namespace {
 
@@ -171,6 +171,10 @@ std::vector<Figure> study_figures() {
        "or of a centre as a share of the least block height. Under the dashed line nine of ten replicates "
        "must lie; trials where they do have a ring, and the cheapest of them has a second one.",
        OfFolder{"advice.json", advice}},
+      {"fit", "Fit", "How near does the model come to the test?",
+       "Marks: what was measured; line: the fitted motion; below, the one less the other. Up to the dashed line, "
+       "the horizon of predictability, they were held together.",
+       OfFolder{"fit.json", fit}},
       {"record", "Record", "How strong and how long is the record?",
        "Acceleration, velocity and displacement with their peaks; the shaded span is the significant "
        "duration. Below, the growth of the Arias intensity and the response spectrum.",

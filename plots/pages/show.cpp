@@ -14,8 +14,8 @@ namespace rockstack::plots {
 namespace fs = std::filesystem;
 
 using WritePage = void(const fs::path&);
-WritePage write_course, write_record_report, write_canon_report, write_advice_report, write_stability_report,
-    write_sweep_report, write_impact_law_report;
+WritePage write_course, write_record_report, write_canon_report, write_advice_report, write_fit_report,
+    write_stability_report, write_sweep_report, write_impact_law_report;
 /// Of one motion: its verdict, its player, its figures and everything that its summary says.
 void write_report(const fs::path& results, const Motion& motion);
 
@@ -28,13 +28,11 @@ struct Kind {
 };
 
 /// The first that is there holds: a study of stability has runs too.
-constexpr std::array kinds{Kind{"course.json", write_course},
-                           Kind{"record.json", write_record_report},
-                           Kind{"canon.json", write_canon_report},
-                           Kind{"advice.json", write_advice_report},
-                           Kind{"stability.json", write_stability_report},
-                           Kind{"sweep.json", write_sweep_report},
-                           Kind{"impact-laws.csv", write_impact_law_report}};
+constexpr std::array kinds{
+    Kind{"course.json", write_course},      Kind{"record.json", write_record_report},
+    Kind{"canon.json", write_canon_report}, Kind{"advice.json", write_advice_report},
+    Kind{"fit.json", write_fit_report},     Kind{"stability.json", write_stability_report},
+    Kind{"sweep.json", write_sweep_report}, Kind{"impact-laws.csv", write_impact_law_report}};
 
 const Kind* kind_of(const fs::path& results) {
   const auto* const kind =

@@ -208,6 +208,19 @@ void write_advice_report(const fs::path& results) {
   });
 }
 
+void write_fit_report(const fs::path& results) {
+  write_study(results, "fit.json", [](const Json& json) {
+    Sentences answers;
+    for (const Json& one : json.at("parameters"))
+      answers.push_back(fmt::format("{} = {:.6g} ± {:.2g}.", text_at(one, "key"),
+                                    one.at("value").get<double>(),
+                                    one.at("half_width").is_null() ? std::numeric_limits<double>::infinity()
+                                                                   : one.at("half_width").get<double>()));
+    for (const Json& sentence : json.at("meaning")) answers.push_back(sentence);
+    return Study{"Fit: " + text_at(json, "title"), answers};
+  });
+}
+
 void write_record_report(const fs::path& results) {
   write_study(results, "record.json", [](const Json& json) {
     const double gravity = json.at("gravity").get<double>();

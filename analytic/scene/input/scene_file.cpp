@@ -166,6 +166,10 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
 SceneDocument read_document(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   SceneDocument document{read_toml(file), file.parent_path(), file.stem().string()};
   for (const std::string& each : overrides) apply_override(document.root, each);
+  if (const Node* measured = find(document.root, "measured")) {
+    document.measured = *measured;
+    std::erase_if(document.root.children, [](const Node& child) { return child.name == "measured"; });
+  }
   return document;
 }
 

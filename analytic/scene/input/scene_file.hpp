@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "analytic/scene/ground/motion_library.hpp"
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/scene.hpp"
@@ -20,6 +22,8 @@ struct SceneDocument {
   Node root;
   std::filesystem::path folder;  ///< paths of records are relative to it
   std::string title;             ///< of scenes that say none
+  std::optional<Node> measured =
+      {};  ///< the table [measured]: what a test says of the scene, which is no part of it
 };
 
 /// Reads a scene file and applies overrides. @throws InputError where either is not of its form.

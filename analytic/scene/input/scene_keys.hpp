@@ -91,7 +91,7 @@ inline constexpr KeyTable record_keys{
     "[ground.horizontal]",
     "a record; [ground.vertical] likewise, up positive",
     {{"record", "\"motion.csv\"", "",
-      "a file beside the scene: AT2, COSMOS, ESM, K-NET, SMC, Volume 2, columns", required_key,
+      "a file beside the scene: AT2, COSMOS, ESM, GeoNet, K-NET, SMC, Volume 2, columns", required_key,
       "accelerogram; \"FILE:CHANNEL\" takes one of several channels"},
      {"scale", "1.0", "", "any number", "1", "factor on the accelerations"},
      {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled"}}};

@@ -82,6 +82,13 @@ struct AdviseArguments {
 };
 int advise_command(const AdviseArguments& arguments, const Common& common);
 
+struct FitArguments {
+  std::string scene;
+  std::filesystem::path out;
+  std::vector<std::string> vary;  ///< fit_parameter() of each
+};
+int fit_command(const FitArguments& arguments, const Common& common);
+
 struct DiffArguments {
   std::filesystem::path old_results, new_results;
   std::filesystem::path out;  ///< empty: nothing is written

@@ -176,7 +176,7 @@ void print_engine_rows(const std::vector<RunMetrics>& rows) {
 void print_exact_rows(const std::vector<RunMetrics>& rows) {
   for (const RunMetrics& row : rows) {
     if (row.engine != "exact") {
-      fmt::print("{:>9} {:<36} {:>19}\n", "", "exact, " + row.engine,
+      fmt::print("{:>9} {:<36} {:>19}\n", "", row.solver.empty() ? row.engine : "exact, " + row.engine,
                  shown_or_blank(row.rms_angle_difference));
       continue;
     }

@@ -16,6 +16,7 @@
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/stability/study.hpp"
 #include "comparisons/studies/sweep/ensemble_keys.hpp"
+#include "comparisons/suites/measurement.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 
@@ -30,11 +31,11 @@ struct FileKeys {
   std::initializer_list<const KeyTable*> tables;
 };
 
-constexpr std::initializer_list<FileKeys> files{{"scene", scene_tables},
-                                                {"suite", suite_tables},
-                                                {"suite", stability_tables},
-                                                {"suite", impact_law_tables},
-                                                {"ensemble", ensemble_tables}};
+constexpr std::initializer_list<const KeyTable*> measured_tables{&measured_keys};
+
+constexpr std::initializer_list<FileKeys> files{{"scene", scene_tables},      {"scene", measured_tables},
+                                                {"suite", suite_tables},      {"suite", stability_tables},
+                                                {"suite", impact_law_tables}, {"ensemble", ensemble_tables}};
 
 void print_table(const KeyTable& table) {
   const std::string_view header = table.header;

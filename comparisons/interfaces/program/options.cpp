@@ -124,6 +124,15 @@ void add_advise(CLI::App& command, AdviseArguments& arguments) {
   add_results(command, arguments.out, [&] { return arguments.scene; });
 }
 
+void add_fit(CLI::App& command, FitArguments& arguments) {
+  command.add_option("scene", arguments.scene, "scene file with a table [measured]")->required();
+  command
+      .add_option("--vary", arguments.vary, "key of the scene and its range, KEY=LOW:HIGH; may be repeated")
+      ->required()
+      ->allow_extra_args(false);
+  add_results(command, arguments.out, [&] { return arguments.scene; });
+}
+
 void add_sweep(CLI::App& command, SweepArguments& arguments) {
   command
       .add_option("ensemble", arguments.ensemble, "ensemble file, or a name from `rockstack list ensembles`")
@@ -258,6 +267,8 @@ std::vector<Command> add_commands(CLI::App& app, const Common& common) {
           compare_command);
   command("advise", "find the cheapest engine, solver and step for a scene within an error", add_advise,
           advise_command);
+  command("fit", "find what a test does not tell of its scene, such as a ratio of restitution", add_fit,
+          fit_command);
   command("sweep", "solve a scene many times with values varied", add_sweep, sweep_command);
   command("diff", "hold two results of `compare` against each other; exit code 1 where something got worse",
           add_diff, diff_command);

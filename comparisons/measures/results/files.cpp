@@ -93,6 +93,7 @@ const std::vector<Kind>& kinds() {
       {"a canon", {"canon.json", "canon.csv", "report.html"}},
       {"a course", {"index.html", "course.json"}},
       {"problem sheets", {}},
+      {"a fit", {"fit.json", "fit.csv", "figures", "report.html"}},
   };
   return list;
 }

@@ -67,7 +67,8 @@ enum class Results {
   diff,
   canon,
   course,
-  sheets
+  sheets,
+  fit
 };
 
 /// A folder that this process alone fills, with results of one kind. Runs that are there stay for the command

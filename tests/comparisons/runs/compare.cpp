@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/solve.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/runs/job.hpp"
@@ -49,6 +50,31 @@ TEST(Compare, AFailingRunCostsItsOwnRow) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs" / row.run / "summary.json"));
   }
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "comparison.csv"));
+}
+
+TEST(Compare, WhatATestHasMeasuredIsARowOfItsOwn) {
+  const TemporaryFolder folder;
+  const NamedScene exact = read_named_scene(folder.write("block.toml", block), {});
+  CsvWriter csv;
+  csv.line("time", "angle");
+  const History motion = solve(exact.scene, {.sample_times = regular_times(1e-2, 0.2)});
+  for (std::size_t i = 0; i < motion.size(); ++i) csv.line(motion.times[i], motion.angles[i] + 1e-3);
+  folder.write("test.csv", csv.text());
+  const std::string table = "[measured]\nfile = \"test.csv\"\ncolumn = \"angle\"\n";
+  Suite suite = suite_for(read_named_scene(folder.write("tested.toml", block + table), {}));
+  suite.series.clear();
+  suite.repeats = 1;
+  const auto rows = compare({suite}, folder.path(), {}).rows;
+  ASSERT_EQ(rows.size(), 2U);
+  const RunMetrics& row = rows.back();
+  EXPECT_EQ(row.run, "tested.measured");
+  EXPECT_EQ(row.status, RunStatus::done) << row.reason;
+  // Angles read back to the bit; a sum of 0.05 and 0.001 is rounded once.
+  EXPECT_NEAR(row.largest_angle_difference.value(), 1e-3, 1e-15);
+  EXPECT_NEAR(row.rms_angle_difference.value(), 1e-3, 1e-15);
+  EXPECT_EQ(row.steps, 20);
+  EXPECT_FALSE(row.stepping_time_minimum);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs/tested.measured/history.csv"));
 }
 
 /// Three blocks whose masses are so far apart that rounding would leave energies too few digits.

@@ -1,0 +1,232 @@
+#include "comparisons/studies/fit/fit.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <unsupported/Eigen/NonLinearOptimization>
+
+#include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/solve.hpp"
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/runs/job.hpp"
+
+namespace rockstack {
+namespace {
+
+using Values = std::vector<double>;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr double off = 10;  ///< residual of what has no motion, rad or m
+
+/// The residuals as Eigen's method takes them: of the parameters as shares of their ranges.
+struct Shares {
+  using Scalar = double;
+  using InputType = VectorXd;
+  using ValueType = VectorXd;
+  using JacobianType = MatrixXd;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+
+  const FittedScene& fitted;
+  const std::vector<FitParameter>& parameters;
+
+  int inputs() const { return static_cast<int>(parameters.size()); }
+  int values() const { return static_cast<int>(fitted.size()); }
+
+  /// Beyond a range its end counts.
+  Values at(const VectorXd& shares) const {
+    Values list;
+    for (const auto& [key, low, high] : parameters)
+      list.push_back(low + (high - low) * std::clamp(shares[static_cast<Index>(list.size())], 0.0, 1.0));
+    return list;
+  }
+  int operator()(const VectorXd& shares, VectorXd& residuals) const {
+    residuals = fitted.residuals(at(shares));
+    return 0;
+  }
+  int df(const VectorXd& shares, MatrixXd& jacobian) const {
+    jacobian = fitted.derivatives(at(shares));
+    for (Index k = 0; k < jacobian.cols(); ++k)
+      jacobian.col(k) *=
+          parameters[static_cast<std::size_t>(k)].high - parameters[static_cast<std::size_t>(k)].low;
+    return 0;
+  }
+};
+
+struct Place {
+  VectorXd shares;
+  double sum = 0;  ///< of the squares of the residuals
+
+  bool operator<(const Place& other) const { return sum < other.sum; }
+};
+
+/// The best places of a grid, the middles of equal parts of each range.
+std::vector<Place> best_places(const Shares& shares) {
+  constexpr double most_places = 200;
+  constexpr std::size_t kept = 3;
+  const double each = std::floor(std::pow(most_places, 1.0 / shares.inputs()) + 1e-9);
+  const auto parts = static_cast<std::size_t>(std::clamp(each, 3.0, 40.0));
+  std::size_t places = 1;
+  for (int k = 0; k < shares.inputs(); ++k) places *= parts;
+  std::vector<Place> best;
+  for (std::size_t number = 0; number < places; ++number) {
+    Place place{VectorXd(shares.inputs())};
+    std::size_t left = number;
+    for (double& share : place.shares) {
+      share = (static_cast<double>(left % parts) + 0.5) / static_cast<double>(parts);
+      left /= parts;
+    }
+    place.sum = shares.fitted.residuals(shares.at(place.shares)).squaredNorm();
+    best.insert(std::find_if(best.begin(), best.end(), [&](const Place& one) { return place.sum < one.sum; }),
+                place);
+    if (best.size() > kept) best.pop_back();
+  }
+  return best;
+}
+
+Place refined(Shares shares, Place place) {
+  Eigen::LevenbergMarquardt<Shares> method(shares);
+  method.parameters.xtol = method.parameters.ftol = 1e-12;
+  method.minimize(place.shares);
+  place.sum = shares.fitted.residuals(shares.at(place.shares)).squaredNorm();
+  return place;
+}
+
+/// The half-widths of the intervals of 95 %; infinite for what has a share in a direction that moves nothing.
+Values half_widths(const FittedScene& fitted, const std::vector<FitParameter>& parameters,
+                   const Values& values, double residual) {
+  constexpr double untold =
+      1e-8;  // rad or m over the whole range, and of directions; differences are as good
+  MatrixXd jacobian = fitted.derivatives(values);
+  const VectorXd scales = jacobian.colwise().norm();
+  for (Index k = 0; k < jacobian.cols(); ++k) {
+    const auto& [key, low, high] = parameters[static_cast<std::size_t>(k)];
+    const bool moves = scales[k] * (high - low) > untold * std::sqrt(static_cast<double>(jacobian.rows()));
+    jacobian.col(k) *= moves ? 1 / scales[k] : 0;
+  }
+  const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeThinV);
+  const boost::math::students_t distribution(static_cast<double>(jacobian.rows() - jacobian.cols()));
+  const double reach = residual * boost::math::quantile(distribution, 0.975);
+  Values list;
+  for (Index k = 0; k < jacobian.cols(); ++k) {
+    double sum = 0;
+    for (Index j = 0; j < jacobian.cols(); ++j) {
+      const double share = svd.matrixV()(k, j), moved = svd.singularValues()[j];
+      if (moved > untold)
+        sum += share * share / (moved * moved);
+      else if (std::abs(share) > 1e-3)
+        sum = std::numeric_limits<double>::infinity();
+    }
+    list.push_back(reach * std::sqrt(sum) / scales[k]);
+  }
+  return list;
+}
+
+}  // namespace
+
+FitParameter fit_parameter(const std::string& text) {
+  const std::size_t equals = text.find('='), colon = text.find(':', equals);
+  if (equals != std::string::npos && equals > 0 && colon != std::string::npos) {
+    const auto low = number_in(text.substr(equals + 1, colon - equals - 1));
+    const auto high = number_in(text.substr(colon + 1));
+    if (low && high && *low < *high) return {text.substr(0, equals), *low, *high};
+  }
+  throw InputError(fmt::format("--vary {}: must be KEY=LOW:HIGH with LOW below HIGH", one_line(text)));
+}
+
+FittedScene::FittedScene(const SceneDocument& document, const Measurement& measured,
+                         const std::vector<FitParameter>& parameters, double horizon)
+    : document_(document), measured_(measured), parameters_(parameters) {
+  const std::size_t width = measured.columns.size();
+  for (std::size_t i = 0; i < measured.times.size() && measured.times[i] <= horizon; ++i) {
+    times_.push_back(measured.times[i]);
+    for (std::size_t k = i * width; k < (i + 1) * width; ++k)
+      if (!std::isnan(measured.values[k])) places_.push_back(k);
+  }
+  if (size() <= parameters.size())
+    throw InputError(
+        fmt::format("{}: must hold more readings than there are parameters up to {:.4g} s, where the "
+                    "motion can be predicted",
+                    measured.file, horizon));
+}
+
+Scene FittedScene::scene(const std::vector<double>& values) const {
+  SceneDocument document = document_;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    apply_override(document.root, fmt::format("{}={}", parameters_[k].key, values[k]));
+  return make_scene(document, library_);
+}
+
+VectorXd FittedScene::residuals(const std::vector<double>& values) const {
+  VectorXd list = VectorXd::Constant(static_cast<Index>(size()), off);
+  Values motion;
+  try {
+    const Scene asked = scene(values);
+    motion = readings_of(measured_, asked, solve(asked, {.sample_times = times_}));
+  } catch (const std::exception&) {
+    return list;
+  }
+  const std::size_t width = measured_.columns.size();
+  if (motion.empty()) return list;
+  while (motion.size() < times_.size() * width) motion.push_back(motion[motion.size() - width]);
+  for (std::size_t i = 0; i < size(); ++i)
+    list[static_cast<Index>(i)] = motion[places_[i]] - measured_.values[places_[i]];
+  return list;
+}
+
+MatrixXd FittedScene::derivatives(const std::vector<double>& values) const {
+  constexpr double step = 1e-5;
+  MatrixXd matrix(static_cast<Index>(size()), static_cast<Index>(values.size()));
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const auto& [key, low, high] = parameters_[k];
+    Values below = values, above = values;
+    below[k] = std::max(low, values[k] - step * (high - low));
+    above[k] = std::min(high, values[k] + step * (high - low));
+    matrix.col(static_cast<Index>(k)) = (residuals(above) - residuals(below)) / (above[k] - below[k]);
+  }
+  return matrix;
+}
+
+bool FittedParameter::at_end() const {
+  const double margin = 1e-3 * (parameter.high - parameter.low);
+  return value < parameter.low + margin || value > parameter.high - margin;
+}
+
+Fit fit(const SceneDocument& document, const Measurement& measured,
+        const std::vector<FitParameter>& parameters) {
+  constexpr double tolerance = 0.01;  // rad, as that of a suite
+  const FittedScene whole(document, measured, parameters, measured.times.back());
+  const Shares over_all{whole, parameters};
+  const Place guess = best_places(over_all).front();
+  const Scene guessed =
+      whole.scene(over_all.at(guess.shares));  // tells what is wrong where no place has a motion
+  if (guess.sum >= off * off * static_cast<double>(whole.size()))
+    throw InputError("--vary: must leave a motion somewhere in the ranges");
+  Fit result;
+  result.horizon =
+      std::min(predictable_time(guessed, {.runs = horizon_scenes}, tolerance), measured.times.back());
+  const FittedScene fitted(document, measured, parameters, result.horizon);
+  const Shares shares{fitted, parameters};
+  std::vector<Place> places = best_places(shares);
+  for (Place& place : places) place = std::min(place, refined(shares, place));
+  const Place& best = *std::min_element(places.begin(), places.end());
+  const Values values = shares.at(best.shares);
+  const VectorXd residuals = fitted.residuals(values);
+  const Index count = residuals.size(), free = count - shares.inputs();
+  result.readings = fitted.size();
+  result.residual = residuals.norm() / std::sqrt(static_cast<double>(free));
+  if (best.sum > 0) result.correlation = residuals.head(count - 1).dot(residuals.tail(count - 1)) / best.sum;
+  const Values reach = half_widths(fitted, parameters, values, result.residual);
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    result.parameters.push_back({parameters[k], values[k], reach[k]});
+  const Scene scene = whole.scene(values);
+  const History history = solve(scene, {.sample_times = measured.times});
+  result.times = history.times;
+  result.motion = readings_of(measured, scene, history);
+  return result;
+}
+
+}  // namespace rockstack

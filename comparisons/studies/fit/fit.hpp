@@ -1,0 +1,92 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/input/scene_file.hpp"
+#include "comparisons/suites/measurement.hpp"
+
+namespace rockstack {
+
+/// A number of a scene that a test does not tell, and where it is looked for.
+struct FitParameter {
+  std::string key;  ///< of the scene, such as "restitution.1" or "blocks.1.width"
+  double low = 0, high = 0;
+};
+
+/// "KEY=LOW:HIGH". @throws InputError where a text is not of that form, or LOW < HIGH does not hold.
+FitParameter fit_parameter(const std::string& text);
+
+/// The motion of a scene as a function of some of its numbers, in the place of what was measured of it.
+class FittedScene {
+ public:
+  /// Up to `horizon`, s. @throws InputError where there are not more readings than parameters.
+  FittedScene(const SceneDocument& document, const Measurement& measured,
+              const std::vector<FitParameter>& parameters, double horizon);
+
+  /// Readings up to the horizon, those that are missing left out.
+  std::size_t size() const { return places_.size(); }
+  /// With which values of the parameters. @throws InputError where they are out of range.
+  Scene scene(const std::vector<double>& values) const;
+  /// The motion less what was measured, rad or m; after a motion that ends early its last reading stays. What
+  /// has no motion is off by 10.
+  Eigen::VectorXd residuals(const std::vector<double>& values) const;
+  /// Of the residuals by each parameter, a column each: central differences of the exact motion over a
+  /// hundred-thousandth of its range on either side, one-sided at its ends.
+  Eigen::MatrixXd derivatives(const std::vector<double>& values) const;
+
+  const std::vector<double>& times() const { return times_; }         ///< up to the horizon, s
+  const std::vector<std::size_t>& places() const { return places_; }  ///< of readings among all values
+
+ private:
+  const SceneDocument& document_;
+  const Measurement& measured_;
+  const std::vector<FitParameter>& parameters_;
+  mutable MotionLibrary library_;
+  std::vector<double> times_;
+  std::vector<std::size_t> places_;
+};
+
+/// A parameter as it was found.
+struct FittedParameter {
+  FitParameter parameter;
+  double value = 0;
+  /// Of the confidence interval of 95 %, by Student's distribution; infinite where the test does not tell.
+  double half_width = 0;
+
+  /// Whether it stands at an end of its range, to a thousandth of that.
+  bool at_end() const;
+};
+
+/// What was found.
+struct Fit {
+  std::vector<FittedParameter> parameters;
+  double horizon = 0;  ///< up to which motion and test were compared, s
+  std::size_t readings = 0;
+  double residual = 0;                ///< root of the mean square, over readings less parameters, rad or m
+  double correlation = 0;             ///< of neighbouring residuals
+  std::vector<double> times, motion;  ///< of the fitted scene at all measured times, as Measurement::values
+};
+
+/// Finds the parameters by least squares up to the horizon of predictability: a grid of their ranges, then
+/// Levenberg and Marquardt's method (Eigen's MINPACK) from its three best places. The horizon is that of the
+/// grid's best. Intervals are s² (JᵀJ)⁻¹ with s the residual and J the derivatives, which holds for readings
+/// with independent errors alike in size, small enough for the motion to be linear in the parameters.
+/// @throws InputError as FittedScene, or where no place of the grid has a motion, with the reason of one.
+Fit fit(const SceneDocument& document, const Measurement& measured,
+        const std::vector<FitParameter>& parameters);
+
+/// What the residual means, in sentences.
+std::vector<std::string> meaning(const Fit& fit, const Measurement& measured);
+
+nlohmann::ordered_json fit_json(const std::string& title, const Measurement& measured, const Fit& fit,
+                                const std::string& command);
+
+/// Writes FOLDER/fit.csv, what was measured beside the fitted motion, and FOLDER/fit.json.
+void write_fit(const std::string& title, const Measurement& measured, const Fit& fit,
+               const std::filesystem::path& folder, const std::string& command);
+
+}  // namespace rockstack

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/provenance.hpp"
+#include "comparisons/studies/fit/fit.hpp"
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// How far a residual may lie above the test's uncertainty, and a correlation from zero, before chance is no
+/// reason: three standard deviations.
+constexpr double chance = 3;
+
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+}  // namespace
+
+std::vector<std::string> meaning(const Fit& fit, const Measurement& measured) {
+  const auto count = static_cast<double>(fit.readings);
+  std::vector<std::string> list{fmt::format(
+      "The fitted motion is {:.3g} {} off in the root of the mean square, over {} readings up to {:.4g} s.",
+      fit.residual, measured.unit(), fit.readings, fit.horizon)};
+  if (measured.uncertainty) {
+    const double ratio = fit.residual / *measured.uncertainty;
+    const double freedom = count - static_cast<double>(fit.parameters.size());
+    list.push_back(
+        ratio > 1 + chance / std::sqrt(2 * freedom)
+            ? fmt::format("That is {:.3g} times the uncertainty of the test: the model leaves something "
+                          "out.",
+                          ratio)
+            : fmt::format("That is {:.3g} times the uncertainty of the test: the model tells all that "
+                          "the test does.",
+                          ratio));
+  }
+  list.push_back(
+      std::abs(fit.correlation) > chance / std::sqrt(count)
+          ? fmt::format(
+                "Neighbouring residuals go together, with a correlation of {:.2f}: they are of the model or "
+                "of the instrument rather than noise, and the intervals are too narrow.",
+                fit.correlation)
+          : fmt::format("Neighbouring residuals have a correlation of {:.2f}, as independent noise has: the "
+                        "intervals hold in 95 of 100 tests.",
+                        fit.correlation));
+  for (const FittedParameter& one : fit.parameters) {
+    if (std::isinf(one.half_width)) {
+      list.push_back(
+          fmt::format("The test does not tell {}: no value of it, or of others with it, changes the "
+                      "motion.",
+                      one.parameter.key));
+    } else if (one.at_end()) {
+      list.push_back(
+          fmt::format("{} stands at an end of its range: the best may lie beyond.", one.parameter.key));
+    }
+  }
+  return list;
+}
+
+Json fit_json(const std::string& title, const Measurement& measured, const Fit& fit,
+              const std::string& command) {
+  Json json{{"title", title},
+            {"file", measured.file},
+            {"columns", measured.columns},
+            {"unit", measured.unit()},
+            {"uncertainty", measured.uncertainty ? Json(*measured.uncertainty) : Json()},
+            {"horizon", fit.horizon},
+            {"readings", fit.readings},
+            {"residual", fit.residual},
+            {"correlation", fit.correlation},
+            {"parameters", Json::array()},
+            {"meaning", meaning(fit, measured)}};
+  for (const FittedParameter& one : fit.parameters)
+    json["parameters"].push_back({{"key", one.parameter.key},
+                                  {"low", one.parameter.low},
+                                  {"high", one.parameter.high},
+                                  {"value", one.value},
+                                  {"half_width", number_or_null(one.half_width)}});
+  json["environment"] = environment({});
+  json["command"] = command;
+  return json;
+}
+
+void write_fit(const std::string& title, const Measurement& measured, const Fit& fit,
+               const std::filesystem::path& folder, const std::string& command) {
+  CsvWriter csv;
+  csv.add("time");
+  for (const char* kind : {"measured", "fitted"})
+    for (const std::string& column : measured.columns) csv.add(fmt::format("{}_{}", kind, column));
+  csv.end_line();
+  const std::size_t width = measured.columns.size();
+  for (std::size_t i = 0; i < fit.times.size(); ++i) {
+    csv.add(fit.times[i]);
+    for (const auto* values : {&measured.values, &fit.motion})
+      for (std::size_t k = i * width; k < (i + 1) * width; ++k)
+        csv.add(std::isnan((*values)[k]) ? std::nullopt : std::optional((*values)[k]));
+    csv.end_line();
+  }
+  write_file(folder / "fit.csv", csv.text());
+  write_file(folder / "fit.json", fit_json(title, measured, fit, command).dump(2) + "\n");
+}
+
+}  // namespace rockstack

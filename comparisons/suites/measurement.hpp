@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analytic/scene/history.hpp"
+#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack {
+
+/// What a test of a scene has measured: the angles of blocks, or how far a point of one has moved along the
+/// ground from where it is when the stack stands upright.
+struct Measurement {
+  std::string file;                                 ///< as the scene names it
+  std::vector<std::string> columns;                 ///< of that file, one a block from the first on
+  std::size_t first_block = 0;                      ///< index of the block that the first column is of
+  std::optional<std::array<double, 2>> point = {};  ///< of that block, from its middle, m; none: angles
+  std::vector<double> times;                        ///< s from the start of the scene, ascending from ≥ 0
+  std::vector<double> values;  ///< rad or m, times.size() × columns.size(); missing: not a number
+  std::optional<double> uncertainty = {};  ///< standard deviation of a reading, rad or m
+  const char* unit() const { return point ? "m" : "rad"; }
+  /// Whether it tells the angles of so many blocks at all of several times, and so stands beside engines.
+  bool is_motion(std::size_t blocks) const;
+};
+
+/// Every key of the table [measured] of a scene file.
+inline constexpr KeyTable measured_keys{
+    "[measured]",
+    "what a test of a scene has measured, for `rockstack fit`, and for `compare` where it has angles of all blocks",
+    {{"file", "\"test.csv\"", "", "a CSV file beside the scene, names in its first line", required_key,
+      "the readings"},
+     {"column", "\"theta_1\"", "", "a name, or an array of one for each block from `block` up", required_key,
+      "of the readings: angles, or displacements of a point"},
+     {"time", "\"time\"", "", "a name", "\"time\"", "of the column of times, s, ascending"},
+     {"start", "0.0", "s", "any number", "0", "time of the file at which the scene starts"},
+     {"unit", "\"rad\"", "", "\"rad\", \"mrad\", \"deg\"; of a point \"m\", \"cm\" or \"mm\"",
+      "\"rad\", of a point \"m\"", "of the readings"},
+     {"block", "1", "", "the number of a block", "1", "that the first column is of"},
+     {"point", "[0.0, 0.5]", "m", "two numbers", "none: angles",
+      "of the block, from its middle to the right and up, whose way along the ground is measured"},
+     {"uncertainty", "0.001", "rad or m", "> 0", no_default, "standard deviation of a reading, in `unit`"}}};
+
+/// Reads the table [measured] of a scene; its file is seen from `folder`. Readings before the start or after
+/// the scene's duration are left out.
+/// @throws InputError with place, key, value and what is allowed; as read_columns() of the file; where times
+/// do not ascend, or no reading is left.
+Measurement read_measurement(const Node& table, const std::filesystem::path& folder, const Scene& scene);
+
+/// What a solver's motion has at its samples in the place of what was measured, row by row.
+std::vector<double> readings_of(const Measurement& measured, const Scene& scene, const History& history);
+
+}  // namespace rockstack

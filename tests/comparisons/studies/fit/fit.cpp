@@ -1,0 +1,239 @@
+#include "comparisons/studies/fit/fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "analytic/scene/messages/input_error.hpp"
+#include "analytic/solve.hpp"
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/statistics/draws.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr double half_width = 0.2, half_height = 0.8, start = 0.12, ratio = 0.9, gravity = 9.81;
+const double slope = std::atan(half_width / half_height);
+const double rate = std::sqrt(3 * gravity / (4 * std::hypot(half_width, half_height)));  // p of Housner 1963
+
+constexpr const char* block = R"(duration = 3.0
+equations = "small-angle"
+restitution = [0.9]
+[[blocks]]
+width = 0.4
+height = 1.6
+density = 2500
+[initial]
+angles = [0.12]
+[measured]
+file = "test.csv"
+column = "angle"
+)";
+
+/// Housner's block in closed form, 1963: cosh down from rest, then at each impact the velocity times the
+/// ratio, and up and down on the other side.
+double housner(double t) {
+  double fall = std::acosh(1 / (1 - start / slope)) / rate;  // a quarter of the period of that amplitude
+  if (t < fall) return slope - (slope - start) * std::cosh(rate * t);
+  double velocity = (slope - start) * rate * std::sinh(rate * fall), side = -1;
+  for (t -= fall;; t -= fall, side = -side) {
+    velocity *= ratio;
+    fall = 2 * std::atanh(velocity / (slope * rate)) / rate;  // half of it
+    if (t < fall) return side * (slope - slope * std::cosh(rate * t) + velocity / rate * std::sinh(rate * t));
+  }
+}
+
+std::vector<double> every(double interval, double end) {
+  return regular_times(interval, end);
+}
+
+std::string csv_of(const std::vector<double>& times, const std::vector<double>& values) {
+  CsvWriter csv;
+  csv.line("time", "angle");
+  for (std::size_t i = 0; i < times.size(); ++i) csv.line(times[i], values[i]);
+  return csv.text();
+}
+
+std::string closed_form() {
+  std::vector<double> values;
+  for (const double t : every(0.02, 3)) values.push_back(housner(t));
+  return csv_of(every(0.02, 3), values);
+}
+
+/// A scene in a file beside its readings.
+struct Tested {
+  Tested(const std::string& scene, const std::string& readings) {
+    folder.write("test.csv", readings);
+    document = read_document(folder.write("scene.toml", scene));
+    MotionLibrary library;
+    measured = read_measurement(*document.measured, folder.path(), make_scene(document, library));
+  }
+
+  TemporaryFolder folder;
+  SceneDocument document;
+  Measurement measured;
+};
+
+const std::vector<FitParameter> unknown{{"restitution.1", 0.7, 0.99}, {"blocks.1.width", 0.3, 0.5}};
+
+TEST(Fit, FindsHousnersBlockFromItsPeriodsAndAmplitudes) {
+  const Tested test(block, closed_form());
+  const Fit found = fit(test.document, test.measured, unknown);
+  EXPECT_EQ(found.readings, 151U);
+  EXPECT_EQ(found.horizon, 3);
+  // Numbers in the file read back to the bit: what is left is the method's tolerance, 1e-12 of the sum.
+  EXPECT_NEAR(found.parameters[0].value, ratio, 1e-6);
+  EXPECT_NEAR(found.parameters[1].value, 2 * half_width, 1e-6);
+  EXPECT_LT(found.residual, 1e-6);
+  ASSERT_EQ(found.motion.size(), 151U);
+  EXPECT_NEAR(found.motion[75], housner(1.5), 1e-5);
+}
+
+TEST(Fit, DerivativesAreThoseOfTheClosedForm) {
+  const Tested test(block, closed_form());
+  const std::vector<FitParameter> parameters{{"gravity", 9, 11}, {"initial.angles.1", 0.1, 0.15}};
+  const double fall = std::acosh(1 / (1 - start / slope)) / rate;
+  const FittedScene fitted(test.document, test.measured, parameters, fall);
+  const auto derivatives = fitted.derivatives({gravity, start});
+  ASSERT_GT(fitted.size(), 10U);
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    const double t = fitted.times()[i];
+    // Differences over 2e-5: h² θ'''/6 is below 1e-9, rounding 1e-14/1e-5.
+    EXPECT_NEAR(derivatives(static_cast<Eigen::Index>(i), 0),
+                -(slope - start) * std::sinh(rate * t) * t * rate / (2 * gravity), 1e-8);
+    EXPECT_NEAR(derivatives(static_cast<Eigen::Index>(i), 1), std::cosh(rate * t), 1e-8);
+  }
+}
+
+/// The least count of hits that a chance of 0.95 each falls below in less than one of ten thousand times.
+int least_hits(int trials) {
+  double probability = std::pow(0.05, trials), sum = 0;
+  for (int hits = 0;; ++hits) {
+    sum += probability;
+    if (sum > 1e-4) return hits;
+    probability *= static_cast<double>(trials - hits) / (hits + 1) * 0.95 / 0.05;
+  }
+}
+
+TEST(Fit, IntervalsHoldTheTruthInNinetyFiveOfAHundredTests) {
+  constexpr int tests = 100;
+  constexpr double sigma = 2e-3;
+  const std::vector<double> times = every(0.02, 2);
+  int hits[2] = {}, quiet = 0;
+  for (int i = 0; i < tests; ++i) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < times.size(); ++k)
+      values.push_back(housner(times[k]) +
+                       draw({Distribution::Kind::normal, 0, sigma},
+                            {1, static_cast<std::uint64_t>(i), static_cast<std::uint32_t>(k)}));
+    const Tested test(std::string(block) + "uncertainty = 0.002\n", csv_of(times, values));
+    const Fit found = fit(test.document, test.measured, unknown);
+    const double truth[] = {ratio, 2 * half_width};
+    for (std::size_t k = 0; k < 2; ++k)
+      hits[k] += std::abs(found.parameters[k].value - truth[k]) < found.parameters[k].half_width ? 1 : 0;
+    const auto said = meaning(found, test.measured);
+    if (said[1].find("tells all") != std::string::npos && said[2].find("intervals hold") != std::string::npos)
+      ++quiet;
+  }
+  EXPECT_EQ(least_hits(tests), 85);
+  for (const int count : hits) {
+    EXPECT_GE(count, least_hits(tests));
+    EXPECT_LT(count, tests) << "intervals of 95 % that never miss are too wide";
+  }
+  // Sentences warn beyond three standard deviations, which chance brings about in less than one of a hundred.
+  EXPECT_GE(quiet, 95);
+}
+
+TEST(Fit, SaysWhatTheModelLeavesOut) {
+  const Tested test(std::string(block) + "uncertainty = 0.1\nunit = \"mrad\"\n", [] {
+    std::vector<double> values;
+    for (const double t : every(0.02, 3)) values.push_back(1e3 * housner(t));
+    return csv_of(every(0.02, 3), values);
+  }());
+  std::string scene = block;
+  scene.replace(scene.find("[0.9]"), 5, "[0.8]");
+  const Tested other(scene, closed_form());
+  const std::vector<FitParameter> width{unknown[1]};
+  const Fit found = fit(other.document, test.measured, width);
+  const auto said = meaning(found, test.measured);
+  EXPECT_NE(said[1].find("the model leaves something out"), std::string::npos) << said[1];
+  EXPECT_NE(said[2].find("the intervals are too narrow"), std::string::npos) << said[2];
+}
+
+TEST(Fit, SaysWhatATestDoesNotTell) {
+  const Tested test(block, closed_form());
+  const Fit found = fit(test.document, test.measured, {{"blocks.1.density", 1000, 3000}, unknown[0]});
+  EXPECT_TRUE(std::isinf(found.parameters[0].half_width));
+  EXPECT_LT(found.parameters[1].half_width, 1e-5);
+  const Fit beside = fit(test.document, test.measured, {{"restitution.1", 0.5, 0.85}});
+  EXPECT_TRUE(beside.parameters[0].at_end());
+  EXPECT_NE(meaning(beside, test.measured).back().find("stands at an end"), std::string::npos);
+}
+
+TEST(Fit, TakesParametersOfOneForm) {
+  const FitParameter parameter = fit_parameter("blocks.1.width=0.3:5e-1");
+  EXPECT_EQ(parameter.key, "blocks.1.width");
+  EXPECT_EQ(parameter.low, 0.3);
+  EXPECT_EQ(parameter.high, 0.5);
+  for (const char* wrong : {"width", "width=1", "width=2:1", "=1:2", "width=a:2"})
+    EXPECT_THROW(fit_parameter(wrong), InputError) << wrong;
+}
+
+/// The error of a table [measured] with those lines, without its place.
+std::string error_of(const std::string& lines, const std::string& readings) {
+  std::string scene = block;
+  try {
+    Tested(scene.erase(scene.find("file =")) + lines, readings);
+  } catch (const InputError& error) {
+    const std::string line = error.what();
+    return line.substr(line.find("measured"));
+  }
+  return {};
+}
+
+TEST(Measured, IsOfItsColumnUnitAndStart) {
+  std::string scene = block;
+  scene.erase(scene.find("column"));
+  const Tested test(scene + "time = \"t\"\ncolumn = \"deg\"\nunit = \"deg\"\nstart = 10\n",
+                    "t,deg\n9.9,1\n10,180\n10.5,\n11,-90\n14,2\n");
+  EXPECT_EQ(test.measured.times, (std::vector<double>{0, 0.5, 1}));
+  EXPECT_DOUBLE_EQ(test.measured.values[0], std::acos(-1.0));
+  EXPECT_TRUE(std::isnan(test.measured.values[1]));
+  const std::vector<FitParameter> one{unknown[0]};
+  const FittedScene fitted(test.document, test.measured, one, 3);
+  EXPECT_EQ(fitted.places(), (std::vector<std::size_t>{0, 2}));
+}
+
+TEST(Measured, MistakesAreRefused) {
+  const std::string file = "file = \"test.csv\"\n", angle = "column = \"angle\"\n";
+  EXPECT_EQ(error_of(file, "time,angle\n0,1\n"), "measured.column: missing, must be the name of a column");
+  EXPECT_EQ(
+      error_of(file + "column = [\"angle\", \"b\"]\n", "time,angle,b\n0,1,1\n"),
+      "measured.column = an array of 2: must be as many names as there are blocks from `block` up, or fewer");
+  EXPECT_EQ(error_of(file + angle + "unit = \"mm\"\n", "time,angle\n0,1\n"),
+            "measured.unit = \"mm\": must be \"rad\" or \"mrad\" or \"deg\"");
+  EXPECT_EQ(
+      error_of(file + angle, "time,angle\n0,1\n0,2\n"),
+      "measured.file = \"test.csv\": must be a file with times that ascend, those of its reading 2 do not");
+  EXPECT_EQ(error_of(file + angle, "time,angle\n5,1\n"),
+            "measured.file = \"test.csv\": must be a file with readings within the scene's duration");
+}
+
+TEST(Measured, APointMovesWithItsBlock) {
+  std::string scene = block;
+  scene.replace(scene.find("\"small-angle\""), 13, "\"nonlinear\"");
+  const Tested test(scene + "unit = \"mm\"\npoint = [0.1, 0.7]\n", "time,angle\n0,1\n");
+  EXPECT_DOUBLE_EQ(test.measured.values[0], 1e-3);
+  MotionLibrary library;
+  const Scene made = make_scene(test.document, library);
+  const auto list = readings_of(test.measured, made, solve(made, {.sample_times = {0}}));
+  // About the lower right corner.
+  const double expected =
+      half_width + (0.1 - half_width) * std::cos(start) + (0.7 + half_height) * std::sin(start) - 0.1;
+  EXPECT_NEAR(list[0], expected, 1e-15);
+}
+
+}  // namespace
+}  // namespace rockstack
