@@ -14,6 +14,20 @@ Joint<Real> end_of(const ContactModel<Real>& stack, int interface, Joint<Real> j
   return joint;
 }
 
+/// The end of the motion that a change is, if it is one.
+inline std::optional<EventKind> ending(Change change) {
+  switch (change) {
+    case Change::topple:
+      return EventKind::topple;
+    case Change::fall:
+      return EventKind::fall;
+    case Change::strike:
+      return EventKind::strike;
+    default:
+      return {};
+  }
+}
+
 /// Chatter ends as in analytic/events/chatter.hpp: where what an impact parts would part no further than the
 /// resolution ρ before it comes back, u²/(2a) ≤ ρ, or at 500 ε √(g/H), it stays together. Gaps count as what
 /// they would turn a block by across its width. A joint that bounces alone, without a turn, does so to the

@@ -154,7 +154,7 @@ class ContactSolver {
     note_stall();
     const Joints<Real> before = state_.joints;
     for (const Guard<Real>& guard : found.guards) {
-      const auto end = end_of(guard.change);
+      const auto end = ending(guard.change);
       if (!end) continue;
       ended_ = true;
       return note(*end, guard.interface + 1, before, state_.bodies.rate);
@@ -279,20 +279,6 @@ class ContactSolver {
       burst_ = 0;
     }
     if (++burst_ > longest_burst_) stop("events do not come to an end after", burst_start_);
-  }
-
-  /// The end of the motion that a change is, if it is one.
-  static std::optional<EventKind> end_of(Change change) {
-    switch (change) {
-      case Change::topple:
-        return EventKind::topple;
-      case Change::fall:
-        return EventKind::fall;
-      case Change::strike:
-        return EventKind::strike;
-      default:
-        return {};
-    }
   }
 
   [[noreturn]] void stop(const char* what) const { stop(what, time()); }

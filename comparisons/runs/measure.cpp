@@ -7,7 +7,6 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <tuple>
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/solve.hpp"
@@ -167,25 +166,15 @@ Json run_solver(const Job& job, RunMetrics& row, const std::string& command, Run
   return json;
 }
 
-/// What a test has measured, with velocities from one reading to the next, in the place of a run.
+/// What a test has measured, in the place of a run.
 Json run_measured(const Job& job, RunMetrics& row, const std::string& command, RunFiles& files) {
-  const auto& [times, values] = std::tie(job.scene.measured->times, job.scene.measured->values);
-  const std::size_t blocks = job.scene.scene.blocks.size(), last = times.size() - 1;
-  History history;
-  history.blocks = static_cast<int>(blocks);
-  history.times = times;
-  history.angles = values;
-  for (std::size_t i = 0; i <= last; ++i) {
-    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, last);
-    for (std::size_t k = 0; k < blocks; ++k)
-      history.velocities.push_back((values[after * blocks + k] - values[before * blocks + k]) /
-                                   (times[after] - times[before]));
-  }
-  row.steps = static_cast<int>(last);
+  const History history = motion_of(*job.scene.measured);
+  const std::size_t steps = history.size() - 1;
+  row.steps = static_cast<int>(steps);
   row.toppled = observed_toppling(job.scene.scene, history);
   compare_with_exact(job.scene.scene, job.suite,
                      {history,
-                      (times[last] - times[0]) / static_cast<double>(last),
+                      (history.times.back() - history.times.front()) / static_cast<double>(steps),
                       observed_impacts(history, chatter_speed(job.scene.scene)),
                       !row.toppled.empty(),
                       {}},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/csv.hpp"
@@ -67,6 +68,22 @@ Measurement read_measurement(const Node& table, const std::filesystem::path& fol
 bool Measurement::is_motion(std::size_t blocks) const {
   return !point && columns.size() == blocks && times.size() > 1 &&
          std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+}
+
+History motion_of(const Measurement& measured) {
+  const auto& [times, values] = std::tie(measured.times, measured.values);
+  const std::size_t blocks = measured.columns.size(), last = times.size() - 1;
+  History history;
+  history.blocks = static_cast<int>(blocks);
+  history.times = times;
+  history.angles = values;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, last);
+    for (std::size_t k = 0; k < blocks; ++k)
+      history.velocities.push_back((values[after * blocks + k] - values[before * blocks + k]) /
+                                   (times[after] - times[before]));
+  }
+  return history;
 }
 
 std::vector<double> readings_of(const Measurement& measured, const Scene& scene, const History& history) {

@@ -50,6 +50,10 @@ inline constexpr KeyTable measured_keys{
 /// do not ascend, or no reading is left.
 Measurement read_measurement(const Node& table, const std::filesystem::path& folder, const Scene& scene);
 
+/// The angles that were measured as a motion, with velocities from the reading before to the one after.
+/// Precondition: measured.is_motion().
+History motion_of(const Measurement& measured);
+
 /// What a solver's motion has at its samples in the place of what was measured, row by row.
 std::vector<double> readings_of(const Measurement& measured, const Scene& scene, const History& history);
 
