@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "analytic/scene/history.hpp"
 #include "analytic/unilateral/contact/contact_modes.hpp"
 #include "analytic/unilateral/first_change.hpp"
 

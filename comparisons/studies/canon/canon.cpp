@@ -70,7 +70,8 @@ double slowest_turn(const Scene& scene) {
 
 /// Replicates use all cores. @throws whatever kept the engine from answering.
 CanonErrors errors_at(const Suite& suite, const NamedScene& scene, const EngineSeries& series, double dt) {
-  CanonErrors errors{dt, std::vector<Deviation>(static_cast<std::size_t>(suite.replicates.runs))};
+  CanonErrors errors{dt,
+                     std::vector<std::vector<Deviation>>(static_cast<std::size_t>(suite.replicates.runs))};
   std::vector<std::size_t> replicates(errors.replicates.size());
   std::iota(replicates.begin(), replicates.end(), 0);
   const auto compute = [&](std::size_t replicate) {
@@ -78,7 +79,7 @@ CanonErrors errors_at(const Suite& suite, const NamedScene& scene, const EngineS
     const Scene drawn = replicate_scene(scene.scene, suite.replicates, number);
     const double step = replicate_step(dt, suite.replicates, number);
     const History engine = simulate(*series.engine, drawn, step, series.parameters, suite.limits).history;
-    errors.replicates[replicate] = deviation(drawn, solve(drawn, {.sample_times = engine.times}), engine);
+    errors.replicates[replicate] = deviations(drawn, solve(drawn, {.sample_times = engine.times}), engine);
     return std::string();
   };
   const auto nothing = [](std::size_t /*replicate*/, const std::string& /*text*/) {};
@@ -91,15 +92,18 @@ bool sooner(const Deviation& one, const Deviation& other) {
   return one.time < other.time;
 }
 
-/// The replicate in the middle.
-Deviation middle_of(std::vector<Deviation> replicates) {
+/// Of a quantity, the replicate in the middle.
+Deviation middle_of(const CanonErrors& errors, std::size_t quantity) {
+  std::vector<Deviation> replicates;
+  for (const std::vector<Deviation>& replicate : errors.replicates)
+    replicates.push_back(replicate.at(quantity));
   const auto middle = replicates.begin() + static_cast<std::ptrdiff_t>((replicates.size() - 1) / 2);
   std::nth_element(replicates.begin(), middle, replicates.end(), sooner);
   return *middle;
 }
 
 std::string amount_text(double time, const Deviation& kind) {
-  return quantity_text(time * kind.speed, kind.is_length ? "m" : "rad", 2);
+  return quantity_text(time * kind.speed, kind.unit(), 2);
 }
 
 /// The least and the largest by time of the three finest steps, which differ by four: under any order from a
@@ -120,23 +124,25 @@ void judge(CanonAnswer& answer, const StepFit& fit) {
     answer.reason = "off by a tenth of a step of 1 ms at most at the three finest steps";
   } else if (least > canon_resolution && most <= std::sqrt(2) * least) {
     answer.verdict = "another law";
-    answer.reason =
-        fmt::format("{} to {} whatever the step", amount_text(least, finest), amount_text(most, finest));
+    answer.reason = fmt::format("{}: {} to {} whatever the step", finest.of, amount_text(least, finest),
+                                amount_text(most, finest));
   } else if (left.low > canon_resolution) {
     answer.verdict = "another law";
-    answer.reason = fmt::format("{} is left at any step ({} to {})", amount_text(left.value, finest),
-                                amount_text(left.low, finest), amount_text(left.high, finest));
+    answer.reason =
+        fmt::format("{}: {} is left at any step ({} to {})", finest.of, amount_text(left.value, finest),
+                    amount_text(left.low, finest), amount_text(left.high, finest));
   } else if (!falls || fit.points < answer.deviations.size() || fit.scatter > std::log(3)) {
     answer.verdict = "cannot tell";
-    answer.reason = falls ? fit.reason : "the errors do not fall with the step";
+    answer.reason = finest.of + ": " + (falls ? fit.reason : "the errors do not fall with the step");
   } else if (left.high > canon_agreement * usual_step) {
     answer.verdict = "cannot tell";
-    answer.reason = fmt::format("up to {} may be left at any step", amount_text(left.high, finest));
+    answer.reason =
+        fmt::format("{}: up to {} may be left at any step", finest.of, amount_text(left.high, finest));
   } else {
     const bool explained = finest.time <= canon_agreement * canon_steps.back();
     answer.verdict = explained ? "agrees" : "converges";
-    answer.reason = fmt::format("falls with order {:.2g} ({:.2g} to {:.2g})", fit.order.value, fit.order.low,
-                                fit.order.high);
+    answer.reason = finest.of + fmt::format(": fall with order {:.2g} ({:.2g} to {:.2g})", fit.order.value,
+                                            fit.order.low, fit.order.high);
   }
 }
 
@@ -144,7 +150,8 @@ Json json_of(const CanonAnswer& answer) {
   Json json{{"scene", answer.scene}, {"verdict", answer.verdict}, {"reason", answer.reason}};
   for (const char* list : {"steps_off", "amounts"}) json[list] = Json::array();
   if (answer.deviations.empty()) return json;
-  json["unit"] = answer.deviations.back().is_length ? "m" : "rad";
+  json["quantity"] = answer.deviations.back().of;
+  json["unit"] = answer.deviations.back().unit();
   for (std::size_t i = 0; i < answer.deviations.size(); ++i) {
     json["steps_off"].push_back(answer.deviations[i].time / canon_steps[i]);
     json["amounts"].push_back(answer.deviations[i].amount());
@@ -155,8 +162,7 @@ Json json_of(const CanonAnswer& answer) {
 /// What json_of() leaves out.
 Json whole_json_of(const CanonAnswer& answer, const std::string& identity) {
   Json json{{"identity", identity}, {"answer", json_of(answer)}, {"deviations", Json::array()}};
-  for (const Deviation& one : answer.deviations)
-    json["deviations"].push_back({one.time, one.speed, one.is_length});
+  for (const Deviation& one : answer.deviations) json["deviations"].push_back({one.time, one.speed, one.of});
   return json;
 }
 
@@ -186,30 +192,39 @@ std::string identity_of(const Suite& suite, const NamedScene& scene, const Engin
 
 }  // namespace
 
-Deviation deviation(const Scene& scene, const History& exact, const History& engine) {
+std::vector<Deviation> deviations(const Scene& scene, const History& exact, const History& engine) {
   const double turn = std::max(largest_magnitude(exact.velocities), slowest_turn(scene));
-  const Deviation angles{largest(difference(exact, engine)) / turn, turn, false};
+  std::vector<Deviation> all{{largest(difference(exact, engine)) / turn, turn, "angles"}};
   const auto slips = slip_difference(exact, engine);
-  if (!slips) return angles;
-  const auto deviation_of = [&](double way, const std::vector<double>& ways, double slowest) {
+  if (!slips) return all;
+  const auto add = [&](const char* quantity, double way, const std::vector<double>& ways, double slowest) {
     const double speed = std::max(largest_speed(exact, ways), slowest);
-    return Deviation{way / speed, speed, true};
+    all.push_back({way / speed, speed, quantity});
   };
-  const double sinking = told_sinking * least_height(scene.blocks) / canon_resolution;
-  return std::max({angles, deviation_of(slips->largest, exact.slips, scene.gravity * usual_step),
-                   deviation_of(gap_difference(exact, engine), exact.gaps, sinking)},
-                  sooner);
+  add("slips", slips->largest, exact.slips, scene.gravity * usual_step);
+  add("gaps", gap_difference(exact, engine), exact.gaps,
+      told_sinking * least_height(scene.blocks) / canon_resolution);
+  return all;
 }
 
 CanonAnswer judge_canon(const std::string& scene, const std::vector<CanonErrors>& errors) {
-  CanonAnswer answer{scene, {}, "", ""};
-  std::vector<StepError> medians;
-  for (const CanonErrors& at : errors) {
-    answer.deviations.push_back(middle_of(at.replicates));
-    medians.push_back({at.step, answer.deviations.back().time});
+  const std::vector<std::string> from_best{"agrees", "converges", "cannot tell", "another law"};
+  const auto off = [&](const CanonAnswer& answer) {
+    return std::pair(std::find(from_best.begin(), from_best.end(), answer.verdict),
+                     answer.deviations.back().time);
+  };
+  std::vector<CanonAnswer> answers;
+  for (std::size_t quantity = 0; quantity < errors.front().replicates.front().size(); ++quantity) {
+    answers.push_back({scene, {}, "", ""});
+    std::vector<StepError> medians;
+    for (const CanonErrors& at : errors) {
+      answers.back().deviations.push_back(middle_of(at, quantity));
+      medians.push_back({at.step, answers.back().deviations.back().time});
+    }
+    judge(answers.back(), fit_steps(medians));
   }
-  judge(answer, fit_steps(medians));
-  return answer;
+  return *std::max_element(answers.begin(), answers.end(),
+                           [&](const auto& one, const auto& other) { return off(one) < off(other); });
 }
 
 CanonAnswer answer_canon(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
@@ -272,7 +287,8 @@ std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, co
 
 std::string canon_csv(const std::vector<CanonRow>& rows) {
   CsvWriter csv;
-  csv.line("engine", "solver", "settings", "scene", "verdict", "reason", "dt", "steps_off", "amount", "unit");
+  csv.line("engine", "solver", "settings", "scene", "verdict", "reason", "quantity", "dt", "steps_off",
+           "amount", "unit");
   for (const CanonRow& row : rows) {
     const auto line = [&](const CanonAnswer& answer, const auto&... values) {
       csv.line(row.engine->name, row.engine->solver, row.settings, answer.scene, answer.verdict,
@@ -281,9 +297,9 @@ std::string canon_csv(const std::vector<CanonRow>& rows) {
     for (const CanonAnswer& answer : row.answers) {
       for (std::size_t i = 0; i < answer.deviations.size(); ++i) {
         const Deviation& one = answer.deviations[i];
-        line(answer, canon_steps[i], one.time / canon_steps[i], one.amount(), one.is_length ? "m" : "rad");
+        line(answer, one.of, canon_steps[i], one.time / canon_steps[i], one.amount(), one.unit());
       }
-      if (answer.deviations.empty()) line(answer, "", "", "", "");
+      if (answer.deviations.empty()) line(answer, "", "", "", "", "");
     }
   }
   return csv.text();

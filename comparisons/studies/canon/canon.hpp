@@ -23,21 +23,23 @@ inline constexpr double canon_agreement = 3;
 /// A deviation that is left at any step counts from here, s of the fastest motion: a tenth of a step of 1 ms.
 inline constexpr double canon_resolution = 1e-4;
 
-/// How far an engine is off at most: an angle, a slip or a gap, over the fastest motion of its kind.
+/// How far an engine is off at most in one quantity, over the fastest motion of it.
 struct Deviation {
-  double time = 0;         ///< what it is off by, over the speed, s
-  double speed = 1;        ///< rad/s or m/s
-  bool is_length = false;  ///< whether it is of a slip or a gap
+  double time = 0;            ///< what it is off by, over the speed, s
+  double speed = 1;           ///< rad/s or m/s
+  std::string of = "angles";  ///< or "slips", "gaps"
 
   double amount() const { return time * speed; }  ///< rad or m
+  const char* unit() const { return of == "angles" ? "rad" : "m"; }
 };
 
 /// What an engine makes of a scene of the canon.
 struct CanonAnswer {
-  std::string scene;                  ///< its name
-  std::vector<Deviation> deviations;  ///< at canon_steps, of the median replicate; none: no run
-  std::string verdict = "no run";     ///< or "agrees", "converges", "another law", "cannot tell"
-  std::string reason;                 ///< what the verdict rests on, or why there is no run
+  std::string scene;  ///< its name
+  std::vector<Deviation>
+      deviations;                  ///< at canon_steps, of the median replicate, in one quantity; none: no run
+  std::string verdict = "no run";  ///< or "agrees", "converges", "another law", "cannot tell"
+  std::string reason;              ///< what the verdict rests on, or why there is no run
 };
 
 /// An engine with one of its parameter sets on all scenes.
@@ -47,23 +49,25 @@ struct CanonRow {
   std::vector<CanonAnswer> answers;
 };
 
-/// The largest, by time, over all samples: angles that differ, over the largest angular velocity; slips that
-/// differ where blocks touch, over the largest speed of a slip; and gaps, over the largest of theirs. A
+/// The largest over all samples: of angles, over the largest angular velocity; where both tell of contact, of
+/// slips where blocks touch, over the largest speed of a slip, and of gaps, over the largest of theirs. A
 /// motion that is slower than what gravity gives a block in 1 ms counts as that fast, and one of gaps as fast
 /// as makes the sinking that is told a canon_resolution. Both histories have the same times.
-Deviation deviation(const Scene& scene, const History& exact, const History& engine);
+std::vector<Deviation> deviations(const Scene& scene, const History& exact, const History& engine);
 
 /// Replicates at a step of canon_steps.
 struct CanonErrors {
-  double step = 0;                    ///< s
-  std::vector<Deviation> replicates;  ///< one or more
+  double step = 0;                                 ///< s
+  std::vector<std::vector<Deviation>> replicates;  ///< one or more, each with the same quantities
 };
 
-/// Verdict and reason by a fit of the medians over the steps (fit_steps()), in this order: "agrees" where
-/// the median is within canon_resolution at the three finest steps; "another law" where it is above there and
-/// hardly changes, or where the fit leaves a deviation above canon_resolution at any step; "cannot tell"
-/// where errors scatter, do not fall, are none at some step, or leave room for one of canon_agreement steps
-/// of 1 ms; "agrees" where it is off by canon_agreement steps at most at the finest; else "converges".
+/// Verdict and reason of the quantity in which the engine is off most: by verdict, and among equal ones by
+/// time at the finest step. Each by a fit of its medians over the steps (fit_steps()), in this order:
+/// "agrees" where the median is within canon_resolution at the three finest steps; "another law" where it is
+/// above there and hardly changes, or where the fit leaves a deviation above canon_resolution at any step;
+/// "cannot tell" where errors scatter, do not fall, are none at some step, or leave room for one of
+/// canon_agreement steps of 1 ms; "agrees" where it is off by canon_agreement steps at most at the finest;
+/// else "converges".
 CanonAnswer judge_canon(const std::string& scene, const std::vector<CanonErrors>& errors);
 
 /// Runs a scene at all steps, each with the suite's replicates.

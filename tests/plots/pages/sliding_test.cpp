@@ -73,7 +73,7 @@ TEST_F(SlidingPage, EventsOfSlidingAndFlightAreStopsInWords) {
       "Impact at interface 1: pattern –C← becomes LC←.",
       "Stick at interface 2, which stops to slide that way: pattern LC← becomes 3b.",
       "Corner at interface 2, where the contact passes to another corner: pattern 3b becomes 2b.",
-      "Fall at interface 2, where a block leaves the face below: pattern 2b becomes L–."};
+      "Fall at interface 2, where a block is beside the face below: pattern 2b becomes L–."};
   for (std::size_t i = 0; i < said.size(); ++i) {
     EXPECT_EQ(answer.result["words"][i][0], 0.5 * static_cast<double>(i + 1));
     EXPECT_TRUE(answer.result["words"][i][1].get<std::string>().ends_with(said[i]))

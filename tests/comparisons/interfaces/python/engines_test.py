@@ -103,7 +103,9 @@ class WorkerTest(unittest.TestCase):
             rockstack.simulate(rocking(), Slow, 0.001, time_limit=0.3)
         while threading.active_count() > begin:
             time.sleep(0.01)  # the run that nobody waits for ends after its step
-        self.assertEqual(rockstack.canon(Ice, scenes=["throw"], draws=1)["verdict"].tolist(), ["agrees"])
+        answers = [rockstack.canon(engine, scenes=["throw"], draws=1) for engine in (Ice, self.worker)]
+        self.assertEqual(answers[0]["amounts"].tolist(), answers[1]["amounts"].tolist())
+        self.assertEqual(answers[0]["verdict"].tolist(), ["another law"])  # it has no ground to land on
         rows = rockstack.compare(scene, engines=[Ice], dt=[0.01], quick=True, draws=2, jobs=2)
         self.assertEqual(set(rows["engine"]), {"exact", "ice"})
         self.assertEqual(set(rows["status"]), {"done"})
