@@ -5,3 +5,5 @@ set(CMAKE_CXX_FLAGS_DEBUG -g1 CACHE STRING "")
 set(CMAKE_UNITY_BUILD ON CACHE BOOL "")
 set(ROCKSTACK_SANITIZE ON CACHE STRING "")
 set(ROCKSTACK_TIDY ON CACHE BOOL "")
+# Pages without a solver are tested here, those with one in the other build.
+set(ROCKSTACK_WASM OFF CACHE BOOL "")

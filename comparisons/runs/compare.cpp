@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
@@ -163,7 +164,8 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
                     {"perturbations", suite.perturbations.runs},
                     {"perturbation_size", suite.perturbations.size},
                     {"perturbation_seed", suite.perturbations.seed},
-                    {"toml", scene.text}});
+                    {"toml", scene.text},
+                    {"page", page_text(scene.document, scene.scene)}});
       json["scenes"].push_back(std::move(entry));
     }
   }

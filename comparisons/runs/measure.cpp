@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "analytic/scene/input/json_reader.hpp"
+#include "analytic/scene/input/page_scene.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
@@ -103,6 +104,7 @@ void write_motion(const NamedScene& scene, const History& history, const Support
   if (summary.at("status") == name(RunStatus::done))
     summary["verdict"] = motion_verdict(scene.scene, history, support);
   summary["scene_as_run"] = scene_json(scene.scene);
+  summary["page"] = page_text(scene.document, scene.scene);
   write_file(folder / summary_name, summary.dump(2) + "\n");
 }
 

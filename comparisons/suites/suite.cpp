@@ -201,13 +201,13 @@ std::vector<std::string> names_of(const Wanted& wanted) {
 }
 
 NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  const SceneDocument document = read_document(file, overrides);
+  SceneDocument document = read_document(file, overrides);
   MotionLibrary library;
   Scene scene = make_scene(document, library);
   std::optional<Measurement> measured;
   if (document.measured) measured = read_measurement(*document.measured, document.folder, scene);
-  return {folder_name(file.stem().string()), file_text(file), std::move(scene),
-          nearest(document.root, "duration").place, std::move(measured)};
+  return {folder_name(file.stem().string()),        file_text(file),     std::move(scene),
+          nearest(document.root, "duration").place, std::move(measured), std::move(document.root)};
 }
 
 InputKind kind_of(const std::filesystem::path& file) {

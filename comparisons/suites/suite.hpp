@@ -91,6 +91,7 @@ struct NamedScene {
   Scene scene;
   std::string duration_place = {};           ///< where its duration is given: file and line, or the override
   std::optional<Measurement> measured = {};  ///< by a test
+  Node document = {};                        ///< what the scene was made of; empty where no file says it
 };
 
 /// The exact solver with one choice changed, to be compared as if it were another engine: linear against

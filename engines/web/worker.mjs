@@ -9,87 +9,11 @@
 
 import { readFileSync, writeSync } from 'node:fs';
 
+import { NotFinite, pullOf, record } from './simulation.mjs';
+
+export * from './simulation.mjs';
+
 const replyDescriptor = 3;
-const largestNumber = 1e20;
-
-/** A setting of the description. */
-export function setting(name, standard, tuned, least, most, more = {}) {
-  return { name, default: standard, tuned, least, most, ...more };
-}
-
-/** The setting that a scene's coefficient of restitution goes into, and of one below which speed nothing bounces. */
-export const restitution = (name) => setting(name, 0, 0, 0, 1, { role: 'restitution' });
-export const threshold = { role: 'restitution threshold' };
-
-export const whole = { whole: true };
-export const onOff = (name, standard, tuned) => setting(name, standard, tuned, 0, 1, { whole: true });
-
-/** How far a ground that has edges goes to each side, m: ten times as far as all blocks in a row. */
-export function groundReach(blocks) {
-  return 10 * blocks.reduce((sum, block) => sum + block.width + block.height, blocks[0].depth);
-}
-
-/**
- * A coefficient of friction for each body, from the ground up, for libraries that take the mean of two: that of neighbours is
- * then their interface's. Some are negative.
- */
-export function neighbourMeans(friction) {
-  const own = [0];
-  for (const wanted of friction) own.push(2 * wanted - own.at(-1));
-  return own;
-}
-
-/** What masses are multiplied by, so that the whole stack has `wanted` kg; 0 leaves them. No angle depends on it. */
-export function massFactor(question) {
-  const wanted = question.parameters.unitMass;
-  return wanted === 0 ? 1 : wanted / question.blocks.reduce((sum, block) => sum + block.mass, 0);
-}
-
-/** The quaternion of a turn about the axis out of the plane: [x, y, z, w]. `angle` is clockwise. */
-export function turn(angle) {
-  return [0, 0, -Math.sin(angle / 2), Math.cos(angle / 2)];
-}
-
-/** The clockwise angle of a quaternion, within half a turn, and the sine of the tilt out of the plane. */
-export function angles(x, y, z, w) {
-  return { angle: -2 * Math.atan2(z, w) % (2 * Math.PI), tilt: 2 * Math.hypot(x, y) * Math.hypot(z, w) };
-}
-
-/** Of a motion whose numbers are none any more. */
-export class NotFinite extends Error {}
-
-function requireFinite(state, block, time) {
-  if (state.every((value) => Math.abs(value) <= largestNumber)) return;
-  throw new NotFinite(`a place or a velocity of block ${block + 1} is not finite at t = ${time} s`);
-}
-
-const columns = ['x', 'y', 'angles', 'velocity_x', 'velocity_y', 'velocities', 'z', 'tilt'];
-
-/** All samples, the first at the start. Ends with the first in which a block has toppled. */
-function record(simulation, question) {
-  const lists = columns.map(() => []);
-  let warnings = 0;
-  for (let step = 0; ; ++step) {
-    const states = question.blocks.map((_, k) => simulation.state(k));
-    states.forEach((state, k) => {
-      requireFinite(state, k, step * question.dt);
-      state.forEach((value, i) => lists[i].push(value));
-    });
-    const toppled = states.some((state, k) => Math.abs(state[2]) > question.toppling_angles[k]);
-    if (step === question.steps || toppled) break;
-    const before = simulation.warnings?.();
-    simulation.step(pullOf(question, step));
-    if (simulation.warnings?.() > before) ++warnings;
-  }
-  const filled = Object.fromEntries(columns.map((name, i) => [name, lists[i]]).filter(([, list]) => list.length > 0));
-  const { angles: turned, velocities, ...bodies } = filled;
-  return { angles: turned, velocities, warnings, bodies };
-}
-
-function pullOf(question, step) {
-  const pulls = question.accelerations;
-  return pulls ? { x: pulls.x[step], y: pulls.y[step] } : question.gravity;
-}
 
 /** Wall time of the steps alone, s. */
 function timeOf(simulation, question, steps) {

@@ -23,6 +23,7 @@ ComparedScene scene_of(const Json& json, const fs::path& results) {
   ComparedScene scene{recorded_scene(json)};
   scene.name = name_in(results, "name of a scene", json.at("name").get<std::string>());
   scene.toml = json.at("toml").get<std::string>();
+  scene.page = json.value("page", "");
   if (const Json& time = json.at("predictable_time"); !time.is_null())
     scene.predictable_time = time.get<double>();
   scene.results = json.at("results").get<std::vector<std::string>>();
@@ -90,6 +91,7 @@ ComparedScene scene_of(const Json& summary, const Run& run) {
   ComparedScene scene{recorded_scene(summary.at("scene_as_run"))};
   scene.name = run.scene;
   scene.toml = summary.at("scene_file").get<std::string>();
+  scene.page = summary.value("page", "");
   scene.results = {"histories"};
   scene.slips = tells_slips(run);
   scene.alone = true;
@@ -117,7 +119,7 @@ Motion motion_of(const Json& summary, const fs::path& results) {
   motion.verdict = summary.at("status") == "done" ? summary.at("verdict").get<std::string>()
                                                   : "given up: " + summary.at("reason").get<std::string>();
   Json rest = summary;
-  for (const char* shown : {"scene_file", "verdict", "command"}) rest.erase(shown);
+  for (const char* shown : {"scene_file", "page", "verdict", "command"}) rest.erase(shown);
   motion.summary = facts_of(rest);
   return motion;
 }

@@ -77,6 +77,7 @@ double value_of(const std::optional<Number>& cell) {
 struct ComparedScene : RecordedScene {
   std::string name = {};
   std::string toml = {};                     ///< the scene as text
+  std::string page = {};                     ///< the scene for pages that solve it, JSON; empty: none
   double predictable_time = std::nan("");    ///< until when histories can be compared, s; NaN: not known
   std::filesystem::path ground_motion = {};  ///< its file, empty where nothing moves it
   std::vector<std::string> results = {};     ///< what was computed, by the suite's names

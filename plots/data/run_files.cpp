@@ -80,31 +80,11 @@ std::vector<double> column_of(const History& history, std::vector<double> Histor
   return values;
 }
 
-std::vector<PatternSpan> pattern_spans(const History& history) {
-  if (history.times.empty() || (history.events.empty() && history.patterns.empty())) return {};
-  std::vector<PatternSpan> spans{
-      {0, 0, history.events.empty() ? history.patterns.front() : history.events.front().from}};
-  for (const Event& event : history.events) {
-    if (event.to == spans.back().pattern) continue;
-    spans.back().to = event.time;
-    spans.push_back({event.time, event.time, event.to});
-  }
-  spans.back().to = std::max(history.times.back(), spans.back().from);
-  return spans;
-}
-
 std::vector<double> impact_times(const History& history, int interface) {
   std::vector<double> times;
   for (const Event& event : history.events)
     if (event.kind == EventKind::impact && event.interface == interface) times.push_back(event.time);
   return times;
-}
-
-std::string shown_pattern(const Pattern& pattern) {
-  std::string text;
-  for (const char letter : name(pattern))
-    text += letter == '<' ? "←" : letter == '>' ? "→" : letter == '-' ? "–" : std::string(1, letter);
-  return text;
 }
 
 ContactSummary read_contact_summary(const Run& run) {

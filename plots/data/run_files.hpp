@@ -43,20 +43,8 @@ std::shared_ptr<const std::vector<MotionTally>> tallies_of(const Run& run);
 /// What a history has row by row of one block, from 0. @throws InputError where it has no such block.
 std::vector<double> column_of(const History& history, std::vector<double> History::*rows, int block);
 
-/// A stretch of time in one pattern.
-struct PatternSpan {
-  double from = 0, to = 0;  ///< s
-  Pattern pattern;
-};
-
-/// From the first time to the last without gaps; none where a history knows no patterns.
-std::vector<PatternSpan> pattern_spans(const History& history);
-
 /// The times of the impacts at an interface, s.
 std::vector<double> impact_times(const History& history, int interface);
-
-/// A pattern's name for people: an arrow the way an interface slides, a dash where it is apart.
-std::string shown_pattern(const Pattern& pattern);
 
 /// What a run's summary.json says of its contacts.
 struct ContactSummary {

@@ -8,6 +8,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/csv.hpp"
+#include "plots/pages/page_solver.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -53,6 +54,21 @@ std::string elements(const std::string& name, const std::vector<std::string>& se
 
 std::string class_attribute(const std::string& classes) {
   return classes.empty() ? "" : fmt::format(" class=\"{}\"", classes);
+}
+
+/// What lets a page's players and pictures solve; nothing where none has a scene, or there is no solver.
+std::string solver_of(const std::string& content) {
+  const bool solves = content.find("\"scene\":{") != std::string::npos ||
+                      content.find("class=\"moving\"") != std::string::npos;
+  if (solver_wasm.empty() || !solves) return "";
+  std::string scripts;
+  for (const auto& [id, package] : {std::pair{"solver", solver_wasm}, std::pair{"engine", engine_package}})
+    scripts +=
+        element("script", std::string(package), fmt::format(" type=\"application/gzip\" id=\"{}\"", id)) +
+        "\n";
+  for (const std::string_view script : {solver_js, engine_js, charts_js, drag_js, try_js})
+    scripts += element("script", "\n" + std::string(script)) + "\n";
+  return scripts;
 }
 
 }  // namespace
@@ -110,13 +126,17 @@ std::string code_block(const std::string& text) {
 }
 
 std::string page(const std::string& title, const std::string& kind, const std::string& content) {
-  return filled_in(page_html,
-                   {{"title", escaped(title)},
-                    {"kind", kind},
-                    {"css", std::string(page_css) + std::string(player_css) + std::string(lesson_css)},
-                    {"js", std::string(page_js)},
-                    {"player_js", std::string(player_js)},
-                    {"content", content}});
+  return filled_in(
+      page_html, {{"title", escaped(title)},
+                  {"kind", kind},
+                  {"css", std::string(page_css) + std::string(player_css) + std::string(lesson_css)},
+                  {"js", std::string(page_js)},
+                  {"player_js", std::string(player_js)},
+                  {"solver", solver_of(content)},
+                  {"content", content},
+                  {"words", kind == "report"
+                                ? details("What the words mean", std::string(glossary_html), " id=\"words\"")
+                                : ""}});
 }
 
 std::string answer_box(const std::vector<std::string>& sentences) {

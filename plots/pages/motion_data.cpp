@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/measures/results/histories.hpp"
+#include "comparisons/measures/results/reactions.hpp"
 
 namespace rockstack::plots {
 

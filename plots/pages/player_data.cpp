@@ -1,21 +1,21 @@
 #include "plots/pages/player_data.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/measures/results/csv.hpp"
-#include "plots/data/run_files.hpp"
-#include "plots/drawing/style.hpp"
-#include "plots/pages/sections.hpp"
+#include "plots/data/patterns.hpp"
 
 namespace rockstack::plots {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using Rows = std::vector<double>;
 
 constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -27,13 +27,14 @@ std::string base64(const std::vector<float>& numbers) {
   for (const float number : numbers)
     for (unsigned shift = 0; shift < 32; shift += 8)
       bytes.push_back(static_cast<unsigned char>((std::bit_cast<std::uint32_t>(number) >> shift) & 0xFFU));
-  std::string text;
+  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  auto letter = text.begin();
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
     std::uint32_t group = 0;
     for (std::size_t j = 0; j < 3; ++j) group = group << 8U | (j < count ? bytes[i + j] : 0U);
-    for (std::size_t j = 0; j < 4; ++j)
-      text += j <= count ? digits[(group >> (18U - 6U * static_cast<unsigned>(j))) & 63U] : '=';
+    for (std::size_t j = 0; j < 4; ++j, ++letter)
+      if (j <= count) *letter = digits[(group >> (18U - 6U * static_cast<unsigned>(j))) & 63U];
   }
   return text;
 }
@@ -110,6 +111,11 @@ std::string packed(const std::vector<double>& rows, std::size_t width, std::size
   return base64(numbers);
 }
 
+void make_room(Json& object) {
+  constexpr std::size_t most = 16;
+  object.get_ref<Json::object_t&>().reserve(most);
+}
+
 Json player_track(const History& history, std::size_t stride) {
   const auto blocks = static_cast<std::size_t>(history.blocks);
   Json track{{"times", packed(history.times, 1, stride)}, {"angles", packed(history.angles, blocks, stride)}};
@@ -124,7 +130,9 @@ Json player_track(const History& history, std::size_t stride, const TrackLook& l
              {"dash", look.dash},
              {"shown", look.shown},
              {"exact", look.exact}};
-  track.update(player_track(history, stride));
+  make_room(track);
+  Json motion = player_track(history, stride);
+  for (auto& [name, values] : motion.get_ref<Json::object_t&>()) track[name] = std::move(values);
   return track;
 }
 
@@ -159,7 +167,7 @@ Json player_events(const History& history, double chatter_speed) {
   return {{"spans", spans_of(history)}, {"stops", stops_of(history, chatter_speed)}};
 }
 
-Json player_scene(const PlayerScene& scene, const Json& events) {
+Json player_scene(const PlayerScene& scene, Json events) {
   double mass = 0;
   Json blocks = Json::array();
   for (const Block& block : scene.blocks) {
@@ -168,10 +176,9 @@ Json player_scene(const PlayerScene& scene, const Json& events) {
                       {"height", 2 * block.half_height},
                       {"offset", {block.offset_x, block.offset_y}}});
   }
-  Json json{{"title", scene.title},
-            {"blocks", std::move(blocks)},
-            {"weight", mass * scene.gravity},
-            {"events", events}};
+  Json json{{"title", scene.title}, {"blocks", std::move(blocks)}, {"weight", mass * scene.gravity}};
+  make_room(json);
+  json["events"] = std::move(events);
   if (!scene.friction.empty()) json["friction"] = scene.friction;
   constexpr std::size_t most = 5000;
   const std::size_t stride = stride_for(scene.ground_times.size(), most);
@@ -185,109 +192,6 @@ std::string for_script(const Json& data) {
   std::string text;
   for (const char c : data.dump()) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return text;
-}
-
-namespace {
-
-/// Times of an engine's own impacts, matched or extra, s.
-Json own_impacts(const Run& run) {
-  Json times = Json::array();
-  for (const AlignedImpact& impact : *impacts_of(run))
-    if (impact.engine) times.push_back(*impact.engine);
-  return times;
-}
-
-/// The exact motion's impacts above the chatter speed are its row in the strip.
-Json exact_impacts(const Json& events) {
-  Json times = Json::array();
-  for (const Json& stop : events["stops"])
-    if (stop[4] == 0 && stop[5] == "impact") times.push_back(stop[0]);
-  return times;
-}
-
-InterfaceForces read_forces(const std::filesystem::path& file, int blocks) {
-  std::vector<std::string> names{"time"};
-  for (const char* stem : {"normal_", "tangential_", "centre_"})
-    for (const std::string& name : numbered(stem, blocks)) names.push_back(name);
-  const auto columns = read_columns(file, names);
-  InterfaceForces forces{columns.front(), {}};
-  for (std::size_t i = 0; i < forces.times.size(); ++i)
-    for (std::size_t c = 1; c < columns.size(); ++c) forces.rows.push_back(columns[c][i]);
-  return forces;
-}
-
-/// `coarse`: another step of the same line has a track too.
-Json track_of(const Run& run, const Json& events, std::size_t samples, bool shown, bool coarse) {
-  const auto history = history_of(run);
-  const History merged = run.exact() ? with_events(*history) : History{};
-  const History& motion = run.exact() ? merged : *history;
-  const Style style = style_of(run);
-  Json track =
-      player_track(motion, stride_for(motion.size(), samples),
-                   {run_label(run), style.colour, coarse ? "(5,5)" : style.dash, shown, run.exact()});
-  track["impacts"] = run.exact() ? exact_impacts(events) : own_impacts(run);
-  if (const auto file = run.folder / "reactions.csv"; run.exact() && std::filesystem::exists(file)) {
-    const InterfaceForces forces = read_forces(file, history->blocks);
-    add_forces(forces, history->blocks, stride_for(forces.times.size(), samples), track);
-  }
-  return track;
-}
-
-/// The exact run, and two engines that differ from it and from each other, at their coarsest steps.
-std::set<std::string> shown_at_first(const std::vector<Run>& runs) {
-  std::set<std::string> engines, names;
-  for (const Run& run : runs)
-    if (run.exact() || (run.dt && engines.size() < 2 && engines.insert(run.engine).second))
-      names.insert(run.run);
-  if (engines.empty() && runs.size() > 1) names.insert(runs[1].run);
-  return names;
-}
-
-std::size_t samples_for(std::size_t tracks, int blocks, bool slips, std::size_t players) {
-  constexpr std::size_t numbers = 400'000, most = 20'000, fewest = 500;  // 400,000 numbers are 2.1 MB
-  const std::size_t columns = tracks * (1 + (slips ? 4 : 1) * static_cast<std::size_t>(blocks)) + 1 +
-                              3 * static_cast<std::size_t>(blocks);
-  return std::clamp(numbers / (players * columns), fewest, most);
-}
-
-Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size_t players) {
-  std::vector<Run> runs = shown_runs(comparison, scene.name).exact;
-  std::set<std::string> coarse;
-  for (const StepLine& line : shown_lines(comparison, scene.name)) {
-    for (const Run& run : ends_of(line)) runs.push_back(run);
-    if (line.size() > 1) coarse.insert(line.back().run);
-  }
-  const Run& first = runs.front();
-  const Json events = player_events(first.exact() ? *history_of(first) : History{}, scene.chatter_speed);
-  PlayerScene stage{scene.title, scene.stack, scene.gravity, {}, {}, {}};
-  if (tells_slips(first)) stage.friction = scene.friction;
-  if (!scene.ground_motion.empty()) {
-    auto columns = read_columns(scene.ground_motion, {"time", "horizontal"});
-    stage.ground_times = std::move(columns[0]), stage.ground = std::move(columns[1]);
-  }
-  Json data = player_scene(stage, events);
-  const std::set<std::string> seen = shown_at_first(runs);
-  const std::size_t samples = samples_for(runs.size(), scene.blocks(), scene.slips, players);
-  data["tracks"] = Json::array();
-  for (const Run& run : runs)
-    data["tracks"].push_back(
-        track_of(run, events, samples, seen.contains(run.run), coarse.contains(run.run)));
-  return data;
-}
-
-}  // namespace
-
-std::string player_anchor(std::size_t scene) {
-  return fmt::format("player-{}-stage", scene + 1);
-}
-
-std::string player_section(const Comparison& comparison, std::size_t scene, const Json& start) {
-  const ComparedScene& shown = comparison.scenes[scene];
-  Json data = data_of(comparison, shown, comparison.scenes.size());
-  if (!start.is_null()) data["start"] = start;
-  return filled_in(player_html, {{"id", fmt::format("player-{}", scene + 1)},
-                                 {"title", escaped(shown.title)},
-                                 {"data", for_script(data)}});
 }
 
 }  // namespace rockstack::plots

@@ -28,6 +28,9 @@ struct TrackLook {
   bool exact = false;
 };
 
+/// For as many keys as any object of a page has: one that grows copies all that it holds.
+void make_room(nlohmann::ordered_json& object);
+
 /// Times, angles, and slips and places where the history has them, of every `stride`-th sample.
 nlohmann::ordered_json player_track(const History& history, std::size_t stride);
 
@@ -59,7 +62,7 @@ struct PlayerScene {
   std::vector<double> ground_times, ground;  ///< s and m/s², to the right; none where it does not move
 };
 
-nlohmann::ordered_json player_scene(const PlayerScene& scene, const nlohmann::ordered_json& events);
+nlohmann::ordered_json player_scene(const PlayerScene& scene, nlohmann::ordered_json events);
 
 /// Text that ends no element, whatever it holds.
 std::string for_script(const nlohmann::ordered_json& data);

@@ -1,6 +1,8 @@
 #include "analytic/scene/ground/synthetic.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 #include <random>
 

@@ -18,7 +18,7 @@ std::string shown(const Node& node) {
     case Node::Kind::number:
       return number_text(node.number);
     case Node::Kind::text:
-      return quoted(node.text);
+      return rockstack::quoted(node.text);
     case Node::Kind::other:
       return node.text;
     case Node::Kind::array:

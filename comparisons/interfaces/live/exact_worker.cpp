@@ -7,27 +7,12 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "analytic/scene/input/json_reader.hpp"
-#include "analytic/scene/input/scene_file.hpp"
-#include "comparisons/interfaces/live/live_state.hpp"
-#include "comparisons/suites/suite.hpp"
+#include "analytic/scene/messages/one_line.hpp"
+#include "comparisons/interfaces/live/exact_answers.hpp"
 
 namespace {
-
-using namespace rockstack;
-using Json = nlohmann::ordered_json;
-
-Json answer_to(const Json& asked) {
-  MotionLibrary library;
-  const Scene scene = make_scene({live::scene_document(asked.at("scene")), {}, "Live scene"}, library);
-  const double interval = asked.at("interval");
-  const int member = asked.at("member");
-  if (member == 0) return live::exact_answer(scene, interval);
-  return live::exact_member(perturbed(scene, {member, asked.at("spread")}, member), interval);
-}
 
 void write_all(const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
@@ -42,10 +27,10 @@ void write_all(const std::string& text) {
 int main() {
   try {
     const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-    write_all(answer_to(parse_json(text, "the question ")).dump());
+    write_all(rockstack::live::exact_answer(text));
     return 0;
   } catch (const std::exception& error) {
-    std::fputs((one_line(error.what()) + "\n").c_str(), stderr);
+    std::fputs((rockstack::one_line(error.what()) + "\n").c_str(), stderr);
     return 1;
   }
 }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/interfaces/live/live_state.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
@@ -135,7 +136,7 @@ LivePage make_live_page(const PageStart& start) {
        {"setup", plots::for_script(setup)},
        {"player_js", std::string(plots::player_js)},
        {"controls_js", std::string(controls_js)},
-       {"charts_js", std::string(charts_js)},
+       {"charts_js", std::string(plots::charts_js) + std::string(plots::drag_js)},
        {"js", std::string(live_js)}});
   return page;
 }

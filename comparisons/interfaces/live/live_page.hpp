@@ -43,6 +43,6 @@ struct LivePage {
 LivePage make_live_page(const PageStart& start);
 
 // The files of comparisons/interfaces/live/page/, with {{places}} to fill.
-extern const std::string_view live_html, live_css, live_js, controls_js, charts_js;
+extern const std::string_view live_html, live_css, live_js, controls_js;
 
 }  // namespace rockstack::live

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "engines/scene_setup.hpp"
@@ -19,28 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* infinite = "inf";
-
-/// As a value's place in messages.
-constexpr const char* place = "the page";
-
-void fill(Node& node, const Json& value) {
-  if (value.is_structured()) {
-    node.kind = value.is_object() ? Node::Kind::table : Node::Kind::array;
-    node.children.reserve(value.size());
-    for (const auto& [name, entry] : value.items()) {
-      const std::string number = std::to_string(node.children.size() + 1);
-      Node child = make_child(node, value.is_object() ? name : number, place);
-      fill(child, entry);
-      node.children.push_back(std::move(child));
-    }
-  } else if (value.is_number() || (value == infinite && node.name != "title")) {
-    node.kind = Node::Kind::number;
-    node.number = value.is_number() ? value.get<double>() : std::numeric_limits<double>::infinity();
-  } else {
-    node.kind = value.is_string() ? Node::Kind::text : Node::Kind::other;
-    node.text = value.is_string() ? value.get<std::string>() : value.dump();
-  }
-}
 
 /// A text, a number or an array of them as TOML.
 std::string toml_value(const Json& value) {
@@ -144,22 +122,6 @@ double read_spread(const Node& root) {
 }
 
 }  // namespace
-
-Json page_scene(const Node& node) {
-  if (node.kind == Node::Kind::number) return std::isfinite(node.number) ? Json(node.number) : Json(infinite);
-  if (node.kind == Node::Kind::text || node.kind == Node::Kind::other) return node.text;
-  Json list = Json::array(), table = Json::object();
-  for (const Node& child : node.children)
-    (node.kind == Node::Kind::array ? list.emplace_back() : table[child.name]) = page_scene(child);
-  return node.kind == Node::Kind::array ? list : table;
-}
-
-Node scene_document(const Json& scene) {
-  Node root;
-  root.place = place;
-  fill(root, scene);
-  return root;
-}
 
 LiveState read_state(const Json& json, const std::set<std::string>& records, MotionLibrary& library) {
   const Node root = scene_document(json);

@@ -34,15 +34,6 @@ struct LiveState {
 LiveState read_state(const nlohmann::ordered_json& json, const std::set<std::string>& records,
                      MotionLibrary& library);
 
-// A scene on a page is JSON with the keys and values of a scene file; the text "inf" stands for that number,
-// which JSON does not have.
-
-/// A scene file's document, or a part of it, as a page has it.
-nlohmann::ordered_json page_scene(const Node& document);
-
-/// And back; every value's place is "the page". @throws InputError for what is nested too deeply.
-Node scene_document(const nlohmann::ordered_json& scene);
-
 /// Of how many steps an answer keeps one.
 std::size_t kept_stride(const LiveState& state);
 
@@ -52,19 +43,10 @@ std::string state_scene_text(const nlohmann::ordered_json& json);
 std::string state_suite_text(const nlohmann::ordered_json& json, const LiveState& state,
                              const std::string& name, int runs);
 
-// What a page is told of a motion: a track as the player's script reads it, energies as parts of
-// energy_scale() at "energy_times", impacts as [time, interface, side], a verdict. Lists of numbers are as
-// plots::packed().
-
-/// The exact motion at multiples of `interval`, s, with what the player draws it by. A motion that cannot be
-/// followed to its end is told up to there, with "failure".
-nlohmann::ordered_json exact_answer(const Scene& scene, double interval);
+/// An engine's run as exact_answers.hpp has a motion, of `stride` samples one.
+nlohmann::ordered_json engine_answer(const LiveState& state, const WorkerRun& run, std::size_t stride);
 
 /// Times and angles alone.
-nlohmann::ordered_json exact_member(const Scene& scene, double interval);
-
-/// An engine's run, of `stride` samples one.
-nlohmann::ordered_json engine_answer(const LiveState& state, const WorkerRun& run, std::size_t stride);
 nlohmann::ordered_json engine_member(const WorkerRun& run, std::size_t stride);
 
 }  // namespace rockstack::live

@@ -8,7 +8,7 @@
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/interfaces/python/module.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/measures/results/histories.hpp"
+#include "comparisons/measures/results/reactions.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack::python {

@@ -84,7 +84,7 @@ std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& alon
       }
     }
     scenes.push_back(read_named_scene(scene, changes));
-    if (blocks > 0) scenes.back().scene = stacked(scenes.back().scene, blocks);
+    if (blocks > 0) scenes.back().scene = stacked(scenes.back().scene, blocks), scenes.back().document = {};
     scenes.back().name += fmt::format("-{}", along.values[i]);
   }
   return scenes;

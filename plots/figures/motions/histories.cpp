@@ -1,3 +1,4 @@
+#include "plots/data/patterns.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/figures/figure.hpp"
 

@@ -1,5 +1,6 @@
 #include <ranges>
 
+#include "plots/data/patterns.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/figures/figure.hpp"
 

@@ -81,6 +81,12 @@ std::string sheet_page(const Json& sheet, bool with_answers) {
 void write_course(const std::filesystem::path& results) {
   read_json(results / "course.json",
             [&](const Json& course) { write_file(results / "index.html", course_page(course)); });
+  const std::string player =
+      filled_in(player_html, {{"id", "player"}, {"title", "a word"}, {"data", "null"}});
+  write_file(results / "glossary.html",
+             page("Glossary", "course",
+                  element("h1", "Glossary") + element("main", std::string(glossary_html)) +
+                      element("div", player, " hidden")));
 }
 
 SheetPages write_sheet(const std::filesystem::path& answers) {

@@ -1,13 +1,14 @@
 "use strict";
 // Plays the motions of one scene: reads the data that stands beside the canvas, draws blocks to scale, and keeps
 // controls, picture and words at the same time.
-(() => {
+const startPlayer = (() => {
 const touching = 2e-4; // rad: engines have no patterns; a smaller relative angle counts as closed
 const clear = 5e-4; // of the stack's height: blocks that are further from each other do not touch
 const steepest = 1.45; // rad: angles are not exaggerated beyond
 const tints = ["#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0", "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"];
 
 const unpack = (text) => {
+  if (text instanceof Float32Array) return text;
   const letters = atob(text), bytes = new Uint8Array(letters.length);
   for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
   return new Float32Array(bytes.buffer);
@@ -139,6 +140,9 @@ class Part {
 
   under(x) { return plus(this.base, turned(x, 0, this.angle)); }
 
+  // A point as seen from the middle of the base: along it, and up.
+  local(point) { return seenFrom(this.base, this.angle, point); }
+
   // Where the faces that meet end on a side, along the base from its middle: at its own corner or at that below.
   end(side) {
     if (!this.below) return side * this.b;
@@ -166,6 +170,31 @@ class Part {
   }
 }
 
+// A pattern as a small stack: which way each block leans on the one below, with its pivots; apart: above it.
+const iconOf = (svg, sides) => {
+  const lean = 0.2, apart = 0.25, size = sides.length, stack = new Stack(sides.map(() => ({ width: 1, height: 1, offset: [0, 0] })));
+  const angles = [];
+  sides.forEach((side) => angles.push((angles.at(-1) ?? 0) + (Math.abs(side) === 1 ? side * lean : 0)));
+  let lift = 0;
+  const name = (tag, attributes) => {
+    const element = document.createElementNS(svg.namespaceURI, tag);
+    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+    return element;
+  };
+  const blocks = [];
+  stack.stand(angles, sides.map(() => 0)).forEach(([x, y], k) => {
+    if (sides[k] === 2) lift += apart;
+    const part = new Part([x, y + lift], angles[k], [0.5, 0.5], blocks.at(-1)?.part ?? null);
+    const pivot = Math.abs(sides[k]) === 1 ? part.under(sides[k] * 0.5) : null;
+    blocks.push({ part, pivot });
+  });
+  svg.setAttribute("viewBox", `${-0.55 - 0.25 * size} ${-size - 0.35} ${1.1 + 0.5 * size} ${size + 0.5}`);
+  svg.replaceChildren(name("line", { x1: -1, y1: 0, x2: 1, y2: 0 }),
+    ...blocks.map(({ part }) => name("polygon", { points: part.corners.map(([x, y]) => `${x.toFixed(3)},${(-y).toFixed(3)}`).join(" ") })),
+    ...blocks.filter(({ pivot }) => pivot).map(({ pivot: [x, y] }) => name("circle", { cx: x, cy: -y, r: 0.09 })));
+  return svg;
+};
+
 class Player {
   constructor(root, data) {
     this.find = (name) => root.querySelector("." + name);
@@ -174,6 +203,7 @@ class Player {
     this.frames = 0;
     this.tint = new Map();
     this.tracks = [];
+    this.views = new Map(); // of tracks, as they were drawn
     this.load(data);
     this.makeControls();
     if (data.start) this.start(data.start);
@@ -194,7 +224,7 @@ class Player {
     this.friction = data.friction;
     this.title = data.title;
     this.end = Math.max(...this.tracks.map((track) => track.end));
-    this.most = this.far = undefined;
+    this.most = this.far = this.ways = this.pictured = undefined;
     for (const span of this.events.spans)
       if (!this.tint.has(span[1])) this.tint.set(span[1], tints[this.tint.size % tints.length]);
     this.starts = this.events.spans.map((span) => span[0]);
@@ -206,6 +236,7 @@ class Player {
   // Another motion in the place of this one; time and settings stay.
   show(data) {
     const rows = this.shown().length;
+    this.held = null;
     this.load(data);
     this.time = Math.min(this.time, this.end);
     if (rows === this.shown().length) this.repaint();
@@ -222,8 +253,8 @@ class Player {
     this.find("next").addEventListener("click", () => this.step(1));
     this.find("previous").addEventListener("click", () => this.step(-1));
     this.find("scrub").addEventListener("input", (event) => this.goTo(event.target.value / 1000));
-    this.find("chatter").addEventListener("input", () => this.makeList());
-    for (const name of ["view", "forces"]) this.find(name).addEventListener("input", () => this.draw());
+    for (const [name, kind] of [["chatter", "input"], ["events", "toggle"]]) this.find(name).addEventListener(kind, () => this.makeList());
+    for (const name of ["view", "forces", "frame", "trace"]) this.find(name).addEventListener("input", () => this.draw());
     this.find("gain").addEventListener("input", () => this.draw());
     this.find("stage").addEventListener("keydown", (event) => this.key(event));
     const drag = (event) => {
@@ -236,13 +267,13 @@ class Player {
   // What controls offer of this motion; they are made anew where that has changed.
   fitControls() {
     const forces = this.tracks.some((track) => track.forces), slips = this.tracks.some((track) => track.slipped);
-    const offered = JSON.stringify([forces, slips, Boolean(this.friction), this.end,
+    const offered = JSON.stringify([forces, slips, Boolean(this.friction), Boolean(this.ground), this.end,
       this.tracks.map((track) => track.label)]);
     const swatches = this.find("tracks").querySelectorAll(".swatch");
     if (offered === this.offered)
       return swatches.forEach((swatch, i) => { swatch.style.borderTopColor = this.tracks[i].colour; });
     this.offered = offered;
-    for (const [name, there] of [["force-option", forces], ["force-hint", forces], ["cone-hint", forces && this.friction],
+    for (const [name, there] of [["frame-option", this.ground], ["force-option", forces], ["force-hint", forces], ["cone-hint", forces && this.friction],
       ["slip-hint", slips]]) this.find(name).hidden = !there;
     this.find("view").parentElement.hidden = this.tracks.length === 1;
     this.find("scrub").max = this.end * 1000;
@@ -299,24 +330,23 @@ class Player {
 
   // The events that N and P stop at, each a button that goes there.
   makeList() {
-    const items = this.stops().map((stop) => {
+    const stops = this.stops();
+    this.find("events").hidden = !stops.length;
+    if (!this.find("events").open) return; // until somebody reads them
+    const items = stops.map((stop) => {
       const item = document.createElement("li"), button = document.createElement("button");
       button.type = "button";
       button.textContent = stop[0].toFixed(4) + " s";
       button.addEventListener("click", () => this.goTo(stop[0]));
-      item.append(button, " " + this.told(stop));
+      item.append(button, iconOf(this.find("icon").cloneNode(false), this.sidesAt(stop[0])[2]), " " + this.told(stop));
       return item;
     });
-    this.find("events").hidden = !items.length;
     this.find("event-list").replaceChildren(...items);
   }
 
   shown() { return this.tracks.filter((track) => track.shown); }
   gain() { return Math.round(10 ** (this.find("gain").value / 50) * 10) / 10; }
-  pattern() {
-    const at = Math.max(0, lastBefore(this.starts, this.time));
-    return this.events.spans.length ? this.events.spans[at][1] : "";
-  }
+  pattern() { return this.sides()?.[1] ?? ""; }
 
   key(event) {
     const actions = { " ": () => this.toggle(), n: () => this.step(1), p: () => this.step(-1),
@@ -339,16 +369,28 @@ class Player {
 
   frame(now) {
     if (!this.playing) return;
-    if (this.clock !== undefined) this.time += Math.max(0, now - this.clock) / 1000 * this.find("speed").value;
+    const from = this.time;
+    if (this.clock !== undefined) this.time += Math.max(0, now - this.clock) / 1000 * this.find("speed").value * this.slowness();
     this.clock = now;
     ++this.frames;
-    if (this.time >= this.end) {
+    const halt = this.find("halt").checked ? this.stops().find(([time]) => time > from && time <= this.time) : null;
+    if (halt) {
+      this.toggle();
+      this.stopAt(halt[0]);
+    } else if (this.time >= this.end) {
       this.time = this.end;
       this.toggle();
     } else {
       requestAnimationFrame((next) => this.frame(next));
     }
     this.draw();
+  }
+
+  // A tenth of the speed at an event, all of it some way from there.
+  slowness() {
+    if (!this.find("slow").checked) return 1;
+    const near = this.end / 50, off = Math.min(near, ...this.stops().map(([time]) => Math.abs(time - this.time)));
+    return 0.1 + 0.9 * off / near;
   }
 
   goTo(time) {
@@ -375,9 +417,13 @@ class Player {
     const next = direction > 0 ? list.find((stop) => stop[0] > this.time + still)
       : list.findLast((stop) => stop[0] < this.time - still);
     if (!next) return this.say(`No event ${direction > 0 ? "after" : "before"} this time.`);
-    this.time = next[0];
+    this.stopAt(next[0]);
+  }
+
+  stopAt(time) {
+    this.time = time;
     this.draw();
-    this.say(list.filter((stop) => stop[0] === next[0]).map((stop) => this.told(stop)).join(" "));
+    this.say(this.stops().filter((stop) => stop[0] === time).map((stop) => this.told(stop)).join(" "));
   }
 
   // Words for all, spoken only while nothing moves.
@@ -417,6 +463,8 @@ class Player {
     this.find("scrub").value = this.time * 1000;
     this.find("scrub").setAttribute("aria-valuetext", this.words());
     if (this.playing) this.find("now").textContent = this.words();
+    const sides = this.sides();
+    if (sides && sides !== this.pictured) iconOf(this.find("icon"), (this.pictured = sides)[2]);
     const rows = this.find("values").tBodies[0].rows;
     this.shown().forEach((track, i) => this.fillRow(rows[i], track));
     this.drawStage();
@@ -435,7 +483,8 @@ class Player {
   }
 
   // The span of the exact pattern.
-  sides() { return this.events.spans[Math.max(0, lastBefore(this.starts, this.time))] ?? null; }
+  sides() { return this.sidesAt(this.time); }
+  sidesAt(time) { return this.events.spans[Math.max(0, lastBefore(this.starts, time))] ?? null; }
 
   fillRow(row, track) {
     const angles = track.angles(this.time);
@@ -460,12 +509,16 @@ class Player {
     const [across, up] = this.reach();
     const side = Math.max(across, this.stack.width / 2 + Math.max(this.stack.height * this.lean(), 0.35 * this.stack.width));
     const scale = Math.min((width / columns - 12) / (2 * side), (height - 62) / Math.max(up, this.stack.height * 1.03));
+    this.views.clear();
     shown.forEach((track, i) => {
       const column = over ? 0 : i;
       const middle = (column + 0.5) * width / columns;
-      const view = { pen, x: (m) => middle + m * scale, y: (m) => height - 34 - m * scale, scale, over };
+      const shift = this.displacement(this.time) * scale;
+      const view = { pen, x: (m) => middle + shift + m * scale, y: (m) => height - 34 - m * scale, scale, over };
+      this.views.set(track, view);
       if (!over || i === 0) this.drawGround(view, middle, width / columns);
       this.drawTrack(view, track, i);
+      if (this.find("trace").checked) this.drawTrace(view, track);
       this.caption(pen, track, over ? 12 : column * width / columns + 8, over ? 18 + 17 * i : 18, width / columns);
     });
   }
@@ -509,6 +562,14 @@ class Player {
     pen.lineTo(middle + room / 2 - 4, y(0));
     pen.stroke();
     if (!this.ground) return;
+    pen.beginPath();
+    for (let mark = -20; mark <= 20; ++mark) {
+      const place = x(mark * this.stack.width / 2);
+      if (Math.abs(place - middle) > room / 2 - 4) continue;
+      pen.moveTo(place, y(0));
+      pen.lineTo(place - 5, y(0) + 9);
+    }
+    pen.stroke();
     const at = Math.max(0, lastBefore(this.ground.times, this.time));
     const push = this.ground.values[at] / 9.81;
     arrow(pen, x(0), y(0) + 21, x(0) + push * room * 0.4, y(0) + 21, "#6b4e00", 2);
@@ -518,11 +579,16 @@ class Player {
     pen.fillText(`ground ${signed(push, 2)} g`, middle - room / 2 + 8, y(0) + 25);
   }
 
+  // Those that a hand holds, before the motion from there is known.
+  anglesNow(track) { return track.exact && this.held || track.angles(this.time); }
+
+  drawnAngles(track) {
+    const gain = this.gain(), angles = this.anglesNow(track);
+    return gain === 1 ? angles : angles.map((angle) => Math.max(-steepest, Math.min(steepest, angle * gain)));
+  }
+
   drawTrack({ pen, x, y, scale, over }, track, order) {
-    const gain = this.gain();
-    const real = track.angles(this.time);
-    const angles = real.map((angle) => Math.max(-steepest, Math.min(steepest, angle * gain)));
-    if (gain === 1) real.forEach((angle, k) => { angles[k] = angle; });
+    const real = this.anglesNow(track), angles = this.drawnAngles(track);
     const parts = this.stack.place(track, this.time, angles);
     const contacts = this.contacts(track, parts, real);
     pen.lineJoin = "round";
@@ -542,6 +608,38 @@ class Player {
     }
     parts.forEach((part, k) => this.drawContact({ pen, x, y }, part, contacts[k].side, track.colour));
     if (track.forces && this.find("forces").checked) this.drawForces({ pen, x, y, scale }, track, parts, contacts);
+  }
+
+  // How far the ground has come in the room, m: straight lines between its accelerations, integrated twice.
+  displacement(time) {
+    if (!this.ground || this.find("frame").value === "ground") return 0;
+    const { times, values } = this.ground;
+    this.ways ??= (() => {
+      let velocity = 0, way = 0;
+      return Array.from(times, (time, i) => {
+        if (i === 0) return 0;
+        const dt = time - times[i - 1], [a, b] = [values[i - 1], values[i]];
+        way += velocity * dt + (2 * a + b) / 6 * dt * dt;
+        velocity += (a + b) / 2 * dt;
+        return way;
+      });
+    })();
+    return this.ways[Math.max(0, lastBefore(times, time))];
+  }
+
+  // The way of the top block's upper left corner up to now.
+  drawTrace({ pen, x, y }, track) {
+    const steps = 400, from = Math.max(0, this.time - this.end / 4), now = this.time, shift = this.displacement(now);
+    pen.strokeStyle = track.colour;
+    pen.lineWidth = 1;
+    pen.beginPath();
+    for (let i = 0; i <= steps; ++i) {
+      this.time = from + (now - from) * i / steps;
+      const [a, c] = this.stack.place(track, this.time, this.drawnAngles(track)).at(-1).corners[3];
+      pen.lineTo(x(a + this.displacement(this.time) - shift), y(c));
+    }
+    this.time = now;
+    pen.stroke();
   }
 
   drawContact({ pen, x, y }, part, side, colour) {
@@ -660,10 +758,16 @@ function arrow(pen, fromX, fromY, toX, toY, colour, width) {
   pen.fill();
 }
 
+return (root, data) => new Player(root, data);
+})();
+
+// The first, as it was before it was started.
+const blankPlayer = document.querySelector(".player")?.cloneNode(true);
+blankPlayer?.querySelector(".player-data").remove();
+
 // A player without data waits for its page to start it.
 for (const root of document.querySelectorAll(".player")) {
   const data = JSON.parse(root.querySelector(".player-data").textContent);
-  if (data) new Player(root, data);
-  else root.start = (first) => new Player(root, first);
+  if (data) startPlayer(root, data);
+  else root.start = (first) => startPlayer(root, first);
 }
-})();

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "plots/data/patterns.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
 #include "tests/plots/sample.hpp"

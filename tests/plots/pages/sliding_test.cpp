@@ -65,6 +65,8 @@ TEST_F(SlidingPage, EventsOfSlidingAndFlightAreStopsInWords) {
   const Answer answer = ask_browser(page_, R"(
     const words = [];
     for (let i = 0; i < 6; ++i) { player.step(1); words.push([player.time, player.find("now").textContent]); }
+    player.find("events").open = true;
+    await wait(50);
     return { words, listed: player.find("event-list").children.length, button: player.find("next").textContent };)");
   EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
   const std::vector<std::string> said{

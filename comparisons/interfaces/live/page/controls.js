@@ -251,7 +251,7 @@ function controlsOf(page) {
     return group("Engine", true, pick,
       choice({ label: "settings", options: [["tuned", "tuned"], ["default", "default"]], get: () => state.settings, set: (name) => { state.settings = name; state.parameters = {}; } }),
       slider({ label: "step, s", limits: between(1e-4, 2e-2), log: true, get: () => state.dt, set: (value) => { state.dt = value; } }),
-      ...engine.settings.map(parameter));
+      group("More: parameters of the engine", false, ...engine.settings.map(parameter)));
   };
 
   const cloudGroup = () => {

@@ -90,6 +90,8 @@ const note = (kind, answer, question) => {
   latest[kind] = { sequence: question.sequence, server: answer.milliseconds, total: performance.now() - question.asked };
 };
 
+const waiting = []; // for the next exact motion
+
 const lines = {
   exact: new Line("exact", 150, (answer, question) => {
     shown.exact = opened(answer, question);
@@ -98,6 +100,7 @@ const lines = {
     draw();
     note("exact", answer, question);
     say();
+    for (const told of waiting.splice(0)) told();
   }),
   engine: new Line("engine", 300, (answer, question) => {
     shown.engine = opened(answer, question);
@@ -157,7 +160,8 @@ const draw = () => {
   const tracks = [exact.track];
   if (engine?.track) tracks.push(isStale() ? { ...engine.track, colour: "#999999" } : engine.track);
   const root = document.querySelector(".player"), data = { ...exact.stage, tracks };
-  if (root.player) root.player.show(data); else root.start(data);
+  if (root.player) root.player.show(data);
+  else letDrag(root.start(data), (edit) => new Promise((told) => { edit(state.scene); rebuild(); waiting.push(told); changed(); }));
   find("heading").textContent = exact.stage.title;
   drawFigures();
   fillImpacts();

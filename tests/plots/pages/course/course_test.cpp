@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "tests/plots/browser.hpp"
 #include "tests/plots/sample.hpp"
 
 namespace rockstack::plots {
@@ -26,6 +27,18 @@ TEST(Course, ItsIndexLinksEachLessonWithAimsAndTime) {
   for (const char* part : {"href=\"a/lesson.html\">First &lt; all</a>", "href=\"b/slides.html\"",
                            "75 minutes", "<li>do</li>", "After: <a href=\"#a\">", "2 lessons, 2 hours"})
     EXPECT_TRUE(has_part(page, part)) << part;
+}
+
+TEST(Course, ItsGlossaryIsAPageWithAPictureForNineWordsOfTen) {
+  const fs::path folder = testing::fresh_folder();
+  std::ofstream(folder / "course.json") << R"({"lessons": []})";
+  show(folder);
+  if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const testing::Answer answer = testing::ask_browser(
+      testing::bytes_of(folder / "glossary.html"),
+      "return ['dt', 'figure.moving[data-scene]'].map((one) => document.querySelectorAll(one).length);");
+  EXPECT_EQ(answer.complaints.size(), 0U) << answer.complaints;
+  EXPECT_EQ(answer.result, nlohmann::json({10, 9}));
 }
 
 TEST(Sheet, ThePageHasRoomWhereTheKeyHasAnswers) {

@@ -37,7 +37,8 @@ const lookOf = (canvas) => {
   return looks.get(canvas);
 };
 
-// lines: [{ x, y, colour, width, dash }], drawn in this order; `log`: y are powers of ten. `mark`: a dotted level.
+// lines: [{ x, y, colour, width, dash }], drawn in this order; `log`: y are powers of ten. `mark`: a dotted level. Returns what tells time and
+// value at a place in the canvas.
 function drawChart(canvas, { lines, end, log, mark }) {
   const sharp = window.devicePixelRatio || 1, pen = canvas.getContext("2d"), { width, height, type } = lookOf(canvas);
   const size = [Math.round(width * sharp), Math.round(height * sharp)];
@@ -88,4 +89,5 @@ function drawChart(canvas, { lines, end, log, mark }) {
     pen.stroke();
   }
   pen.restore();
+  return (px, py) => [(px - left) / (width - left - type) * end, low + (bottom - py) / (bottom - top) * (high - low)];
 }

@@ -1,0 +1,67 @@
+#include "analytic/scene/input/page_scene.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "analytic/scene/input/document.hpp"
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* infinite = "inf";
+
+/// As a value's place in messages.
+constexpr const char* page_place = "the page";
+
+void fill(Node& node, const Json& value) {
+  if (value.is_structured()) {
+    node.kind = value.is_object() ? Node::Kind::table : Node::Kind::array;
+    node.children.reserve(value.size());
+    for (const auto& [name, entry] : value.items()) {
+      const std::string number = std::to_string(node.children.size() + 1);
+      Node child = make_child(node, value.is_object() ? name : number, page_place);
+      fill(child, entry);
+      node.children.push_back(std::move(child));
+    }
+  } else if (value.is_number() || (value == infinite && node.name != "title")) {
+    node.kind = Node::Kind::number;
+    node.number = value.is_number() ? value.get<double>() : std::numeric_limits<double>::infinity();
+  } else {
+    node.kind = value.is_string() ? Node::Kind::text : Node::Kind::other;
+    node.text = value.is_string() ? value.get<std::string>() : value.dump();
+  }
+}
+
+}  // namespace
+
+Json page_scene(const Node& node) {
+  if (node.kind == Node::Kind::number) return std::isfinite(node.number) ? Json(node.number) : Json(infinite);
+  if (node.kind == Node::Kind::text || node.kind == Node::Kind::other) return node.text;
+  Json list = Json::array(), table = Json::object();
+  for (const Node& child : node.children)
+    (node.kind == Node::Kind::array ? list.emplace_back() : table[child.name]) = page_scene(child);
+  return node.kind == Node::Kind::array ? list : table;
+}
+
+Node scene_document(const Json& scene) {
+  Node root;
+  root.place = page_place;
+  fill(root, scene);
+  return root;
+}
+
+std::string page_text(const Node& document, const Scene& scene) {
+  if (document.children.empty()) return "";
+  Json page = page_scene(document);
+  page["title"] = scene.title;
+  for (const auto& [axis, motion] :
+       {std::pair{"horizontal", &scene.horizontal}, std::pair{"vertical", &scene.vertical}})
+    if (!motion->samples.empty())
+      page["ground"][axis] = {{"samples", motion->samples}, {"interval", motion->interval}};
+  return page.dump();
+}
+
+}  // namespace rockstack

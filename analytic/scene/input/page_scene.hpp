@@ -1,0 +1,24 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "analytic/scene/input/document.hpp"
+#include "analytic/scene/scene.hpp"
+
+namespace rockstack {
+
+// A scene on a page is JSON with the keys and values of a scene file; the text "inf" stands for that number,
+// which JSON does not have.
+
+/// A scene file's document, or a part of it, as a page has it.
+nlohmann::ordered_json page_scene(const Node& document);
+
+/// And back; every value's place is "the page". @throws InputError for what is nested too deeply.
+Node scene_document(const nlohmann::ordered_json& scene);
+
+/// The text of a scene made of a document, for a page that can read no file: sampled ground motions are there
+/// as samples, as they act. Empty for a document that is.
+std::string page_text(const Node& document, const Scene& scene);
+
+}  // namespace rockstack

@@ -1,0 +1,108 @@
+#include "comparisons/interfaces/live/exact_answers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
+
+#include "analytic/scene/input/json_reader.hpp"
+#include "analytic/scene/input/page_scene.hpp"
+#include "analytic/scene/input/scene_file.hpp"
+#include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
+#include "comparisons/measures/metrics/impacts.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
+#include "comparisons/suites/suite.hpp"
+#include "plots/pages/motion_data.hpp"
+
+namespace rockstack::live {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using plots::packed;
+
+/// Of the bodies, with what springs of law `compliant` hold.
+std::vector<double> exact_energies(const Scene& scene, const History& history) {
+  std::vector<double> values = energies(scene, history);
+  const auto blocks = static_cast<std::size_t>(history.blocks);
+  for (std::size_t i = 0; i < history.spring_energies.size(); ++i)
+    values[i / blocks] += history.spring_energies[i].elastic;
+  return values;
+}
+
+/// The motion as far as it can be followed, and why no further.
+std::pair<History, std::string> followed(const Scene& scene, const SolveOptions& options) {
+  try {
+    return {solve(scene, options), ""};
+  } catch (const Unfinished& error) {
+    return {error.history, error.what()};
+  }
+}
+
+SolveOptions options_for(const Scene& scene, double interval) {
+  SolveOptions options;
+  options.sample_times = regular_times(interval, scene.duration);
+  return options;
+}
+
+Json whole_answer(const Scene& scene, double interval) {
+  SolveOptions options = options_for(scene, interval);
+  options.validity = options.peaks = true;
+  const auto [history, failure] = followed(scene, options);
+  Json answer = Json::object();
+  plots::make_room(answer);
+  if (!failure.empty()) answer["failure"] = failure;
+  if (history.size() == 0) return answer;
+  answer["stage"] = plots::stage_of(scene, history);
+  add_track(answer,
+            plots::player_track(plots::with_events(history), 1, {"exact", "#1a1a1a", "solid", true, true}),
+            reported_impacts(history, chatter_speed(scene)));
+  plots::add_forces(plots::forces_of(scene, history), history.blocks, 1, answer["track"]);
+  add_energies(answer, scene, history.times, exact_energies(scene, history), 1);
+  answer["verdict"] = motion_verdict(scene, history);
+  answer["end"] = {{"angles", history.angles_at(history.size() - 1)},
+                   {"velocities", history.velocities_at(history.size() - 1)}};
+  return answer;
+}
+
+/// Times and angles alone.
+Json member_answer(const Scene& scene, double interval) {
+  SolveOptions options = options_for(scene, interval);
+  options.events = EventsKept::summed;
+  return {{"track", plots::player_track(followed(scene, options).first, 1)}};
+}
+
+}  // namespace
+
+void add_track(Json& answer, Json track, const std::vector<ImpactTime>& impacts) {
+  constexpr std::size_t most = 400;
+  answer["impacts"] = track["impacts"] = Json::array();
+  for (const ImpactTime& impact : std::span(impacts).first(std::min(most, impacts.size()))) {
+    answer["impacts"].push_back({impact.time, impact.interface, sign(impact.side)});
+    track["impacts"].push_back(impact.time);
+  }
+  answer["track"] = std::move(track);
+}
+
+void add_energies(Json& answer, const Scene& scene, const std::vector<double>& times,
+                  std::vector<double> values, std::size_t stride) {
+  const double scale = energy_scale(scene);
+  for (double& value : values) value /= scale;
+  answer["energy_times"] = packed(times, 1, stride);
+  answer["energy"] = packed(values, 1, stride);
+}
+
+std::string exact_answer(const std::string& question) {
+  const Json asked = parse_json(question, "the question ");
+  MotionLibrary library;
+  const Scene scene = make_scene({scene_document(asked.at("scene")), {}, "Live scene"}, library);
+  const double interval = asked.at("interval");
+  const int member = asked.value("member", 0);
+  const Json answer = member == 0
+                          ? whole_answer(scene, interval)
+                          : member_answer(perturbed(scene, {member, asked.at("spread")}, member), interval);
+  return answer.dump();
+}
+
+}  // namespace rockstack::live

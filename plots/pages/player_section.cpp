@@ -1,0 +1,116 @@
+#include <nlohmann/json.hpp>
+
+#include "analytic/scene/input/json_reader.hpp"
+#include "comparisons/measures/results/csv.hpp"
+#include "plots/data/patterns.hpp"
+#include "plots/data/run_files.hpp"
+#include "plots/drawing/style.hpp"
+#include "plots/pages/player_data.hpp"
+#include "plots/pages/sections.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+/// Times of an engine's own impacts, matched or extra, s.
+Json own_impacts(const Run& run) {
+  Json times = Json::array();
+  for (const AlignedImpact& impact : *impacts_of(run))
+    if (impact.engine) times.push_back(*impact.engine);
+  return times;
+}
+
+/// The exact motion's impacts above the chatter speed are its row in the strip.
+Json exact_impacts(const Json& events) {
+  Json times = Json::array();
+  for (const Json& stop : events["stops"])
+    if (stop[4] == 0 && stop[5] == "impact") times.push_back(stop[0]);
+  return times;
+}
+
+InterfaceForces read_forces(const std::filesystem::path& file, int blocks) {
+  std::vector<std::string> names{"time"};
+  for (const char* stem : {"normal_", "tangential_", "centre_"})
+    for (const std::string& name : numbered(stem, blocks)) names.push_back(name);
+  const auto columns = read_columns(file, names);
+  InterfaceForces forces{columns.front(), {}};
+  for (std::size_t i = 0; i < forces.times.size(); ++i)
+    for (std::size_t c = 1; c < columns.size(); ++c) forces.rows.push_back(columns[c][i]);
+  return forces;
+}
+
+/// `coarse`: another step of the same line has a track too.
+Json track_of(const Run& run, const Json& events, std::size_t samples, bool shown, bool coarse) {
+  const auto history = history_of(run);
+  const History merged = run.exact() ? with_events(*history) : History{};
+  const History& motion = run.exact() ? merged : *history;
+  const Style style = style_of(run);
+  Json track =
+      player_track(motion, stride_for(motion.size(), samples),
+                   {run_label(run), style.colour, coarse ? "(5,5)" : style.dash, shown, run.exact()});
+  track["impacts"] = run.exact() ? exact_impacts(events) : own_impacts(run);
+  if (const auto file = run.folder / "reactions.csv"; run.exact() && std::filesystem::exists(file)) {
+    const InterfaceForces forces = read_forces(file, history->blocks);
+    add_forces(forces, history->blocks, stride_for(forces.times.size(), samples), track);
+  }
+  return track;
+}
+
+/// The exact run, and two engines that differ from it and from each other, at their coarsest steps.
+std::set<std::string> shown_at_first(const std::vector<Run>& runs) {
+  std::set<std::string> engines, names;
+  for (const Run& run : runs)
+    if (run.exact() || (run.dt && engines.size() < 2 && engines.insert(run.engine).second))
+      names.insert(run.run);
+  if (engines.empty() && runs.size() > 1) names.insert(runs[1].run);
+  return names;
+}
+
+std::size_t samples_for(std::size_t tracks, int blocks, bool slips, std::size_t players) {
+  constexpr std::size_t numbers = 400'000, most = 20'000, fewest = 500;  // 400,000 numbers are 2.1 MB
+  const std::size_t columns = tracks * (1 + (slips ? 4 : 1) * static_cast<std::size_t>(blocks)) + 1 +
+                              3 * static_cast<std::size_t>(blocks);
+  return std::clamp(numbers / (players * columns), fewest, most);
+}
+
+Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size_t players) {
+  std::vector<Run> runs = shown_runs(comparison, scene.name).exact;
+  std::set<std::string> coarse;
+  for (const StepLine& line : shown_lines(comparison, scene.name)) {
+    for (const Run& run : ends_of(line)) runs.push_back(run);
+    if (line.size() > 1) coarse.insert(line.back().run);
+  }
+  const Run& first = runs.front();
+  const Json events = player_events(first.exact() ? *history_of(first) : History{}, scene.chatter_speed);
+  PlayerScene stage{scene.title, scene.stack, scene.gravity, {}, {}, {}};
+  if (tells_slips(first)) stage.friction = scene.friction;
+  if (!scene.ground_motion.empty()) {
+    auto columns = read_columns(scene.ground_motion, {"time", "horizontal"});
+    stage.ground_times = std::move(columns[0]), stage.ground = std::move(columns[1]);
+  }
+  Json data = player_scene(stage, events);
+  const std::set<std::string> seen = shown_at_first(runs);
+  const std::size_t samples = samples_for(runs.size(), scene.blocks(), scene.slips, players);
+  data["tracks"] = Json::array();
+  for (const Run& run : runs)
+    data["tracks"].push_back(
+        track_of(run, events, samples, seen.contains(run.run), coarse.contains(run.run)));
+  return data;
+}
+
+}  // namespace
+
+std::string player_anchor(std::size_t scene) {
+  return fmt::format("player-{}-stage", scene + 1);
+}
+
+std::string player_section(const Comparison& comparison, std::size_t scene, const Json& start) {
+  const ComparedScene& shown = comparison.scenes[scene];
+  Json data = data_of(comparison, shown, comparison.scenes.size());
+  if (!start.is_null()) data["start"] = start;
+  if (!shown.page.empty()) data["scene"] = parse_json(shown.page, "the scene of a page ");
+  return filled_in(player_html, {{"id", fmt::format("player-{}", scene + 1)},
+                                 {"title", escaped(shown.title)},
+                                 {"data", for_script(data)}});
+}
+
+}  // namespace rockstack::plots

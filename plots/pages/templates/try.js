@@ -1,0 +1,325 @@
+"use strict";
+// What readers may change of a scene: blocks of a player, dragged and let go, and sliders in the text. Each change is solved again.
+(() => {
+if (!pageSolver) return;
+
+const samples = 1000; // of a motion, after the first
+const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+const copy = (value) => JSON.parse(JSON.stringify(value));
+
+const made = (tag, properties = {}, ...children) => {
+  const element = Object.assign(document.createElement(tag), properties);
+  element.append(...children);
+  return element;
+};
+
+// Of a key such as "blocks.2.height"; undefined where the scene does not have it.
+const entryOf = (table, part) => Array.isArray(table) ? part - 1 : part;
+const valueAt = (scene, key) => key.split(".").reduce((table, part) => table?.[entryOf(table, part)], scene);
+
+// Tables that are missing are made. A block keeps its material when its size changes.
+const setValue = (scene, key, value) => {
+  const parts = key.split("."), last = parts.pop();
+  const home = parts.reduce((table, part) => table[entryOf(table, part)] ??= part === "angles" ? scene.blocks.map(() => 0) : {}, scene);
+  const entry = entryOf(home, last);
+  if (["width", "height"].includes(entry) && home.mass !== undefined) home.mass *= value / home[entry];
+  home[entry] = value;
+};
+
+const slenderness = ({ width, height }) => Math.atan2(width, height);
+
+// An engine's run as the player reads it.
+const trackOf = async ({ blocks, dt, angles, x, y }) => {
+  const { name } = await pageEngine.about(), count = angles.length / blocks, stride = Math.ceil(count / samples), kept = [];
+  for (let i = 0; i < count; i += stride) kept.push(i);
+  if (kept.at(-1) !== count - 1) kept.push(count - 1);
+  const rows = (...lists) => Float32Array.from(kept.flatMap((i) => Array.from({ length: blocks }, (_, k) => lists.map((list) => list[i * blocks + k])).flat()));
+  return { label: `${name}, ${Number((1000 * dt).toPrecision(3))} ms`, colour: "#0072b2", dash: "(8,3)", shown: true, exact: false, impacts: [],
+    times: Float32Array.from(kept, (i) => i * dt), angles: rows(angles), places: rows(x, y) };
+};
+
+// How an engine starts: its tuned settings, by the roles that some of them have.
+const engineAsked = async () => {
+  const { settings } = await pageEngine.about();
+  return { dt: 1e-3, answers: 0, settings, parameters: Object.fromEntries(settings.map(({ name, tuned }) => [name, tuned])) };
+};
+
+// Its parameters, with the coefficient of restitution of a scene that gives one.
+const parametersFor = ({ settings, parameters }, { contact }) => !contact?.restitution ? parameters
+  : { ...parameters, ...Object.fromEntries(settings.filter(({ role }) => role)
+    .map(({ name, role, least }) => [name, role === "restitution" ? contact.restitution : least])) };
+
+// A scene that changes, and the player that shows what comes of it.
+class Trial {
+  constructor(player, data) {
+    Object.assign(this, { player, data, scene: copy(data.scene), shows: [], answers: 0, taken: 0 });
+  }
+
+  change(edit) {
+    edit(this.scene);
+    return this.solve();
+  }
+
+  async solve() {
+    const asked = performance.now(), { duration } = this.scene;
+    const answer = await pageSolver.ask(this, { scene: this.scene, interval: duration / samples });
+    if (!answer) return;
+    if (!answer.track) return this.player.say(answer.error ?? answer.failure);
+    this.showWith(answer, this.engine ? this.beside : null);
+    this.taken = performance.now() - asked; // ms
+    ++this.answers;
+    if (this.engine) await this.simulate(answer);
+  }
+
+  // The engine's motion comes once it is there; until then the last one stands.
+  async simulate(answer) {
+    const { dt } = this.engine, parameters = parametersFor(this.engine, this.scene);
+    const question = await pageSolver.ask(this.engine, { scene: this.scene, dt, parameters });
+    const run = question?.run && await pageEngine.run(question);
+    if (!run) return question?.error && this.player.say(question.error);
+    if (run.error) return this.player.say(run.error);
+    this.beside = await trackOf(run);
+    this.showWith(answer, this.beside);
+    ++this.engine.answers;
+  }
+
+  showWith(answer, beside) {
+    const before = this.data.tracks.filter((track) => track.exact)
+      .map((track) => ({ ...track, label: "as on the page", colour: "#8a8a8a", shown: false, exact: false }));
+    this.show({ ...answer.stage, tracks: [answer.track, ...beside ? [beside] : [], ...before] }, answer);
+  }
+
+  show(data, answer) {
+    this.player.show(data);
+    for (const show of this.shows) show(answer);
+  }
+
+  // The page's own motions.
+  reset() {
+    this.scene = copy(this.data.scene);
+    if (this.engine) return this.solve();
+    this.show(this.data, null);
+  }
+}
+
+// A slider with its value beside it, in a label. With a power, as data-power="10", it gives the exponent. Returns what reads it anew.
+const wire = (input, get, set) => {
+  const output = input.parentElement.appendChild(made("output")), base = Number(input.dataset.power);
+  const tell = (value) => {
+    output.textContent = Number(Number(value).toPrecision(3)).toLocaleString("en", { maximumSignificantDigits: 3 }).replace("-", "−");
+    input.setAttribute("aria-valuetext", output.textContent);
+  };
+  input.addEventListener("input", () => {
+    const value = base ? Number((base ** input.value).toPrecision(3)) : Number(input.value);
+    set(value);
+    tell(value);
+  });
+  const fit = () => {
+    const value = get() ?? input.defaultValue;
+    input.value = base ? Math.log(value) / Math.log(base) : value;
+    tell(value);
+  };
+  fit();
+  return fit;
+};
+
+// What a player offers beside its blocks --------------------------------------------------------------------------
+
+// The ground's push, drawn by hand: acceleration over time, m/s².
+const groundControls = (trial) => {
+  const canvas = made("canvas", { className: "push" }), most = 6, count = 100;
+  let pushed = null, read = null, last = null;
+  canvas.setAttribute("role", "img");
+  canvas.setAttribute("aria-label", `Acceleration of the ground over time, up to ${most} m/s²; the slider beside it gives a pulse.`);
+  const paint = () => {
+    const x = pushed ? pushed.map((_, i) => i * trial.scene.duration / count) : [0, trial.scene.duration];
+    looks.delete(canvas);
+    read = drawChart(canvas, { lines: [{ x, y: pushed ?? [0, 0], colour: "#6b4e00", width: 2 }, { x: [0, 0], y: [-most, most], colour: "#0000" }], end: trial.scene.duration });
+  };
+  const draw = (event) => {
+    if (!event.buttons) return;
+    if (event.type === "pointerdown") {
+      canvas.setPointerCapture(event.pointerId);
+      last = null;
+    }
+    pushed ??= Array(count + 1).fill(0);
+    const [time, value] = read(event.offsetX, event.offsetY), at = [time / trial.scene.duration * count, Math.max(-most, Math.min(most, value))];
+    const [from, to] = [last ?? at, at].sort((a, b) => a[0] - b[0]);
+    for (let i = Math.max(0, Math.round(from[0])); i <= Math.min(count, Math.round(to[0])); ++i)
+      pushed[i] = to[0] > from[0] ? from[1] + (to[1] - from[1]) * (i - from[0]) / (to[0] - from[0]) : at[1];
+    last = at;
+    paint();
+    trial.change((scene) => {
+      scene.ground ??= {};
+      scene.ground.horizontal = { samples: [...pushed], interval: scene.duration / count };
+    });
+  };
+  for (const kind of ["pointerdown", "pointermove"]) canvas.addEventListener(kind, draw);
+  new ResizeObserver(() => { if (canvas.clientWidth) paint(); }).observe(canvas);
+  trial.shows.push(() => {
+    if (trial.scene.ground?.horizontal?.samples?.length !== count + 1) pushed = null;
+    paint();
+  });
+  const pulse = made("input", { type: "range", min: -8, max: 8, step: 0.1 }), key = "ground.horizontal.amplitude";
+  const fit = wire(made("label", {}, "ground's pulse, m/s² ", pulse).lastChild, () => trial.scene.ground?.horizontal?.amplitude ?? 0,
+    (value) => trial.change((scene) => {
+      const { horizontal } = scene.ground ??= {};
+      if (horizontal?.pulse) setValue(scene, key, value);
+      else scene.ground.horizontal = { pulse: "sine", amplitude: value, period: 0.5 };
+    }));
+  trial.shows.push(fit);
+  return made("details", {}, made("summary", { textContent: "Push the ground: draw, or slide" }), pulse.parentElement, canvas);
+};
+
+// What an engine's sliders change; lengthUnit scales Planck's slop, which is 0.005 of it.
+const knobs = [["dt", "step, s", -4, -1.7, 0.02, 10], ["velocityIterations", "velocity iterations", 1, 60, 1],
+  ["positionIterations", "position iterations", 0, 20, 1], ["lengthUnit", "length unit, m", -3, 0.5, 0.05, 10]];
+
+const wireKnob = (input, trial) => {
+  const name = input.dataset.setting, home = () => name === "dt" ? trial.engine : trial.engine.parameters;
+  wire(input, () => home()[name], (value) => { home()[name] = value; trial.solve(); });
+};
+
+const engineControls = (trial) => {
+  const box = made("details", {}, made("summary", { textContent: "An engine in this page, beside the exact motion" }));
+  const tick = made("input", { type: "checkbox" }), sliders = made("div", { className: "knobs", hidden: true });
+  box.append(made("label", {}, tick, " Planck, Box2D's port to JavaScript"), sliders);
+  tick.addEventListener("input", async () => {
+    trial.engine = tick.checked ? trial.engineKept ??= await engineAsked() : null;
+    if (!sliders.children.length) for (const [name, label, min, max, step, power] of knobs) {
+      const input = made("input", { type: "range", min, max, step });
+      input.dataset.setting = name;
+      if (power) input.dataset.power = power;
+      sliders.append(made("label", {}, label + " ", input));
+      wireKnob(input, trial);
+    }
+    sliders.hidden = !tick.checked;
+    trial.solve();
+  });
+  return box;
+};
+
+// The same by keys: a slider for each block's angle.
+const releaseControls = (player, trial) => {
+  const box = made("fieldset", { className: "release" }, made("legend", { textContent: "Release: drag a block and let go, or slide" }));
+  const fits = trial.scene.blocks.map((block, k) => {
+    const most = Math.round(98 * slenderness(block)) / 100, key = `initial.angles.${k + 1}`;
+    const input = made("input", { type: "range", min: -most, max: most, step: most / 200 });
+    box.append(made("label", {}, `block ${k + 1} starts at, rad `, input));
+    return wire(input, () => valueAt(trial.scene, key), (value) => trial.change((scene) => {
+      setValue(scene, key, value);
+      player.time = 0;
+    }));
+  });
+  const back = made("button", { type: "button", textContent: "Back to the page's scene", disabled: true });
+  back.addEventListener("click", () => trial.reset());
+  box.append(back, groundControls(trial), ...pageEngine ? [engineControls(trial)] : []);
+  trial.shows.push((answer) => {
+    back.disabled = !answer;
+    for (const fit of fits) fit();
+  });
+  player.find("transport").after(box);
+};
+
+// Sliders in the text --------------------------------------------------------------------------------------------
+
+const unpacked = (track) => {
+  const { times, values, blocks } = track;
+  return Array.from({ length: blocks }, (_, k) => Array.from(times, (_, i) => values[i * blocks + k]));
+};
+
+// The angles of all blocks over time, those of the page in grey.
+const drawAngles = (canvas, trial, first) => {
+  const track = trial.player.tracks[0], lines = [];
+  for (const y of unpacked(first)) lines.push({ x: first.times, y, colour: "#b0b0b0", width: 3 });
+  const beside = trial.engine && trial.player.tracks.find((one) => one.label === trial.beside?.label);
+  if (beside) for (const y of unpacked(beside)) lines.push({ x: beside.times, y, colour: "#1a1a1a", width: 1.5, dash: [6, 3] });
+  if (track !== first) unpacked(track).forEach((y, k) => lines.push({ x: track.times, y, colour: colours[k % colours.length], width: 1.5 }));
+  looks.delete(canvas);
+  drawChart(canvas, { lines, end: Math.max(first.end, track.end) });
+};
+
+const firstEvents = (player) => {
+  const seen = new Set(), told = player.events.stops.filter((stop) => !stop[4] && !seen.has(stop[5]) && seen.add(stop[5])).slice(0, 3);
+  return told.map((stop) => `${stop[0].toFixed(4)} s: ${player.told(stop)}`).join(" ");
+};
+
+const makeTrial = async (home, page) => {
+  const withEngine = home.dataset.engine !== undefined;
+  if (withEngine && !pageEngine) return;
+  const data = { ...page, tracks: page.tracks.filter((track) => track.exact).slice(0, 1), scene: { ...page.scene, ...JSON.parse(home.dataset.scene ?? "{}") } };
+  const root = blankPlayer.cloneNode(true), id = `try-${document.querySelectorAll(".try .player").length + 1}`;
+  root.id = id;
+  root.classList.add("compact");
+  root.querySelector(".stage").id = id + "-stage";
+  const sliders = made("div", { className: "sliders" }, ...home.children), canvas = made("canvas", { className: "curves" });
+  const told = made("p", { className: "told" });
+  canvas.setAttribute("role", "img");
+  told.setAttribute("role", "status");
+  home.append(made("div", {}, sliders, made("figure", {}, canvas, made("figcaption",
+    { textContent: `Angles of ${data.blocks.map((_, k) => `block ${k + 1}`).join(", ")} over time, rad. Grey: as in the text.${withEngine ? " Dashed: the engine." : ""}` })), told), root);
+  home.hidden = false;
+  const player = startPlayer(root, data), trial = new Trial(player, data), first = player.tracks[0];
+  const asInText = `Grey is the motion of the text. ${firstEvents(player)}`;
+  told.textContent = asInText;
+  const draw = () => { if (canvas.clientWidth) drawAngles(canvas, trial, first); };
+  letDrag(player, (edit) => trial.change(edit));
+  if (withEngine) {
+    trial.engine = await engineAsked();
+    for (const input of sliders.querySelectorAll("[data-setting]")) wireKnob(input, trial);
+  }
+  const fits = Array.from(sliders.querySelectorAll("[data-keys]"), (input) => {
+    const keys = input.dataset.keys.split(" ");
+    return wire(input, () => valueAt(trial.scene, keys[0]), (value) => trial.change((scene) => { for (const key of keys) setValue(scene, key, value); }));
+  });
+  const back = made("button", { type: "button", textContent: "As in the text" });
+  back.addEventListener("click", () => trial.reset());
+  sliders.append(back);
+  trial.shows.push((answer) => {
+    for (const fit of fits) fit();
+    told.textContent = answer ? `It ${answer.verdict}. ${firstEvents(player)}` : asInText;
+    canvas.setAttribute("aria-label", "Angles over time. " + told.textContent);
+    draw();
+  });
+  new ResizeObserver(draw).observe(canvas);
+  home.trial = trial;
+  if (withEngine || home.dataset.scene) trial.solve();
+};
+
+for (const root of document.querySelectorAll(".player")) {
+  const data = JSON.parse(root.querySelector(".player-data").textContent);
+  if (!data?.scene || !data.tracks.some((track) => track.exact)) continue;
+  root.trial = new Trial(root.player, data);
+  letDrag(root.player, (edit) => root.trial.change(edit));
+  releaseControls(root.player, root.trial);
+}
+// Pictures that move -------------------------------------------------------------------------------------------
+
+// Of a word: the exact motion of its own scene, and some whose sizes hardly differ.
+const makeMoving = async (home, place) => {
+  const { scene: text, speed, gain = 1, members = 0, spread = 0 } = home.dataset, scene = JSON.parse(text), interval = scene.duration / samples;
+  const answer = await pageSolver.ask(home, { scene, interval }), tracks = [answer.track];
+  for (let member = 1; member <= members; ++member) {
+    const { track } = await pageSolver.ask(home, { scene, interval, member, spread: Number(spread) });
+    tracks.push({ ...track, label: `replicate ${member}`, colour: colours[member % colours.length], dash: "solid", shown: true, exact: false, impacts: [] });
+  }
+  const root = blankPlayer.cloneNode(true);
+  Object.assign(root, { id: `moving-${place}`, hidden: false });
+  root.classList.add("compact");
+  root.querySelector(".stage").id = root.id + "-stage";
+  home.append(root, made("figcaption", { textContent: scene.title + "." }));
+  startPlayer(root, { ...answer.stage, tracks, start: { time: 0, speed, gain, overlaid: true, chatter: false } });
+};
+
+document.querySelectorAll(".moving").forEach((home, place) => {
+  const watch = new IntersectionObserver(([{ isIntersecting }]) => {
+    if (!isIntersecting) return;
+    watch.disconnect();
+    makeMoving(home, place);
+  });
+  watch.observe(home);
+});
+
+const shown = Array.from(document.querySelectorAll(".player")).find((root) => root.trial);
+if (shown) for (const home of document.querySelectorAll(".try")) makeTrial(home, shown.trial.data);
+})();
