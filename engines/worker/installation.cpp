@@ -35,7 +35,7 @@ fs::path own_file() {
 }
 
 fs::path own_folder() {
-  const fs::path folder = resolved().parent_path();
+  fs::path folder = resolved().parent_path();
   if (own_module().empty()) return folder;
   for (fs::path prefix = folder; prefix.has_relative_path(); prefix = prefix.parent_path())
     if (fs::exists(prefix / ROCKSTACK_BINDIR / "rockstack")) return prefix / ROCKSTACK_BINDIR;

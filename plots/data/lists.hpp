@@ -16,6 +16,7 @@ namespace rockstack::plots {
 template <class List, class Make>
 auto each_of(const List& list, Make make) {
   std::vector<std::decay_t<decltype(std::invoke(make, *list.begin()))>> made;
+  made.reserve(list.size());
   for (const auto& part : list) made.push_back(std::invoke(make, part));
   return made;
 }

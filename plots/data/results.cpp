@@ -180,7 +180,7 @@ std::vector<Run> done_runs(const Comparison& comparison, const std::string& scen
   std::vector<Run> runs;
   for (const Run& run : comparison.runs)
     if (run.done() && run.scene == scene) runs.push_back(run);
-  std::ranges::stable_partition(runs, [](const Run& run) { return run.exact(); });
+  std::stable_partition(runs.begin(), runs.end(), [](const Run& run) { return run.exact(); });
   return runs;
 }
 

@@ -196,7 +196,8 @@ std::string contact_section(const Comparison& comparison) {
                          fmt::format("{}", one.largest_slip), fmt::format("{}", one.slips),
                          fmt::format("{}", one.highest_lift), fmt::format("{}", one.lift_offs)},
                         run.exact() ? " class=\"exact\"" : "");
-    for (const std::string& warning : summary.warnings) warnings.push_back(label + ": " + warning);
+    for (const std::string& warning : summary.warnings)
+      warnings.push_back(fmt::format("{}: {}", label, warning));
   }
   if (rows.empty()) return "";
   std::string text = wide_table(columns, rows, "Slip and lift-off");

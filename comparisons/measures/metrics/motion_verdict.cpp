@@ -121,8 +121,8 @@ std::string unsettled(const Scene& scene, const History& history) {
 std::string slipping(const History& history, const std::vector<InterfaceSummary>& interfaces) {
   const auto most = largest_of(interfaces, &InterfaceSummary::largest_slip);
   if (most->largest_slip <= visible) return "";
-  const std::string far = fmt::format("; block {} slips by up to {}", most - interfaces.begin() + 1,
-                                      quantity_text(most->largest_slip, "m"));
+  std::string far = fmt::format("; block {} slips by up to {}", most - interfaces.begin() + 1,
+                                quantity_text(most->largest_slip, "m"));
   if (sliding_at_end(history)) return far;
   return far + fmt::format(" and is left {} to the {}", quantity_text(std::abs(most->final_slip), "m"),
                            most->final_slip < 0 ? "left" : "right");

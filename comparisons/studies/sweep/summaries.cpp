@@ -61,6 +61,7 @@ std::vector<Run> read_runs(const std::filesystem::path& file, const SummaryKeys&
 std::map<double, double> levels_of(const std::vector<Run>& runs) {
   constexpr std::size_t most_levels = 100, bins = 20;
   std::vector<double> all;
+  all.reserve(runs.size());
   for (const Run& run : runs) all.push_back(run.intensity);
   std::ranges::sort(all);
   std::map<double, double> levels;
@@ -84,6 +85,7 @@ std::vector<Level> tallied(const std::vector<Run>& runs, const std::map<double, 
     if (run.toppled) ++level.toppled;
   }
   std::vector<Level> list;
+  list.reserve(tallies.size());
   for (const auto& [intensity, level] : tallies) list.push_back(level);
   return list;
 }
