@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -17,7 +18,8 @@ template <class List, class Make>
 auto each_of(const List& list, Make make) {
   std::vector<std::decay_t<decltype(std::invoke(make, *list.begin()))>> made;
   made.reserve(list.size());
-  for (const auto& part : list) made.push_back(std::invoke(make, part));
+  std::transform(list.begin(), list.end(), std::back_inserter(made),
+                 [&](const auto& part) { return std::invoke(make, part); });
   return made;
 }
 

@@ -71,8 +71,10 @@ void add_unmatched(Sheet& sheet, const std::vector<Verdicts>& all, double last) 
   Plots plots(sheet, "unmatched");
   double row = 2 * runs;
   for (const Verdicts& one : all) {
-    for (const auto& [numbers, height] : {std::pair{&one.missed, row}, {&one.extra, row - runs}}) {
-      const Numbers marks = each_of(*numbers, [&](double number) { return std::vector{number, height}; });
+    for (const auto& numbers_at : {std::pair{&one.missed, row}, {&one.extra, row - runs}}) {
+      const Numbers marks = each_of(*numbers_at.first, [&](double number) {
+        return std::vector{number, numbers_at.second};
+      });
       if (!marks.empty()) plots.add(marks, {"using 1:2 " + mark_style(one.run, 1.1)});
     }
     --row;

@@ -1,4 +1,3 @@
-#include <ranges>
 
 #include "plots/data/patterns.hpp"
 #include "plots/data/run_files.hpp"
@@ -32,9 +31,12 @@ Quantity read_quantity(const std::vector<Run>& runs, std::vector<double> History
 }
 
 std::vector<Quantity> read_slips(const std::vector<Run>& runs, int blocks, std::size_t bins) {
-  return each_of(std::views::iota(0, blocks), [&](int k) {
-    return read_quantity(runs, &History::slips, k, fmt::format("slip {} (mm)", k + 1), millimetres, bins);
-  });
+  std::vector<Quantity> slips;
+  slips.reserve(static_cast<std::size_t>(blocks));
+  for (int k = 0; k < blocks; ++k)
+    slips.push_back(
+        read_quantity(runs, &History::slips, k, fmt::format("slip {} (mm)", k + 1), millimetres, bins));
+  return slips;
 }
 
 double last_time(const std::vector<Quantity>& quantities) {
