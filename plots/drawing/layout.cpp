@@ -10,19 +10,25 @@ namespace rockstack::plots {
 namespace {
 
 constexpr double between = 0.03;
-constexpr double title_height = 56, legend_row = 23, legend_gap = 14, axis_height = 80;
-constexpr std::size_t half_a_figure = 46;  // letters of a legend
+constexpr double legend_row = 23, legend_gap = 14, axis_height = 80;
 
 /// In two columns, or in one where some words are too long for half of the figure.
-std::size_t legend_rows(const Legend& legend) {
-  const bool wide =
-      std::ranges::any_of(legend, [](const auto& entry) { return entry.second.size() > half_a_figure; });
+std::size_t legend_rows(const Legend& legend, double width) {
+  constexpr double letter = 13;  // pixels, with what stands before the words
+  const bool wide = std::ranges::any_of(legend, [&](const auto& entry) {
+    return letter * static_cast<double>(entry.second.size()) > width / 2;
+  });
   return wide ? legend.size() : (legend.size() + 1) / 2;
 }
 
 /// Without a legend there is room for the words above a panel.
-double legend_height(const Legend& legend) {
-  return legend.empty() ? legend_row : static_cast<double>(legend_rows(legend)) * legend_row + legend_gap;
+double legend_height(const Legend& legend, double width) {
+  return legend.empty() ? legend_row
+                        : static_cast<double>(legend_rows(legend, width)) * legend_row + legend_gap;
+}
+
+double title_height(const std::string& title) {
+  return title.empty() ? 10 : 56;
 }
 
 /// Nothing that one panel sets holds for the next.
@@ -54,10 +60,10 @@ std::string legend_column(const Legend& legend, std::size_t from, std::size_t to
 }
 
 /// `top` is its upper edge, a share of the figure's height from below.
-std::string legend_plots(const Legend& legend, double top) {
+std::string legend_plots(const Legend& legend, double top, double width) {
   if (legend.empty()) return "";
   constexpr double first = left_edge - 0.01, second = 0.54;
-  const std::size_t half = legend_rows(legend);
+  const std::size_t half = legend_rows(legend, width);
   std::string text = "unset border\nunset tics\nset margins screen 0, screen 1, screen 0, screen 1\n";
   text += legend_column(legend, 0, half, first, top);
   if (half < legend.size()) text += legend_column(legend, half, legend.size(), second, top);
@@ -163,8 +169,9 @@ std::string data_block(const std::string& name, const Curve& curve) {
   return text + "END\n";
 }
 
-Sheet::Sheet(const std::string& title, const Legend& legend, const std::string& question)
-    : below_(title_height + question_height(question) + legend_height(legend)),
+Sheet::Sheet(const std::string& title, const Legend& legend, const std::string& question, double width)
+    : below_(title_height(title) + question_height(question) + legend_height(legend, width)),
+      width_(width),
       title_(title),
       question_(question),
       legend_(legend) {}
@@ -197,17 +204,17 @@ Drawing Sheet::finish() const {
   const double height = std::ceil(words_top + static_cast<double>(notes_.size()) * word_row);
   std::string text = fmt::format(
       "set multiplot\nunset key\nset label 1 {} noenhanced at screen 0.5, screen {} center font ',{}'\n",
-      in_quotes(title_), plain(1 - title_height / 2 / height), words_size(title_, 17, 88));
-  const double head = title_height - 4 + question_height(question_);
+      in_quotes(title_), plain(1 - title_height(title_) / 2 / height), words_size(title_, 17, 88));
+  const double head = title_height(title_) - 4 + question_height(question_);
   const std::vector<std::string> answer = answer_lines(question_);
   constexpr double half_row = answer_row / 2;
   text += question_line(answer.empty() ? question_ : question_.substr(0, question_.find("? ") + 1),
-                        1 - (title_height - 4 + half_row) / height);
+                        1 - (title_height(title_) - 4 + half_row) / height);
   for (std::size_t i = 0; i < answer.size(); ++i)
     text += question_line(
         answer[i],
         1 - (head - half_row - 2 - answer_row * static_cast<double>(answer.size() - 1 - i)) / height);
-  text += legend_plots(legend_, 1 - head / height);
+  text += legend_plots(legend_, 1 - head / height, width_);
   for (const Panel& panel : panels_) {
     text += fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", plain(panel.left),
                         plain(panel.right), plain(1 - panel.bottom / height), plain(1 - panel.top / height));
@@ -220,7 +227,10 @@ Drawing Sheet::finish() const {
     text += fresh_panel;
     text += panel.settings + fmt::format("plot {}\nunset label\nunset arrow\n", panel.plots);
   }
-  return {.height = static_cast<int>(height), .data = blocks_, .commands = text + "unset multiplot"};
+  return {.width = static_cast<int>(width_),
+          .height = static_cast<int>(height),
+          .data = blocks_,
+          .commands = text + "unset multiplot"};
 }
 
 std::string without_horizontal_labels() {

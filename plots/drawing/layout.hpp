@@ -22,6 +22,9 @@ std::string data_block(const std::string& name, const Curve& curve);
 /// One entry of a legend: a gnuplot style ("with lines …") and its words.
 using Legend = std::vector<std::pair<std::string, std::string>>;
 
+/// How wide a figure is, pixels: on a page as wide as a desk's screen, and on one as wide as a phone's.
+inline constexpr double full_width = 1200, narrow_width = 480;
+
 /// Where panels begin and end, shares of the figure's width, unless a row or second axes say otherwise.
 inline constexpr double left_edge = 0.105, right_edge = 0.975;
 
@@ -35,8 +38,11 @@ struct SidePanel {
 /// share their left and right edges.
 class Sheet {
  public:
-  /// Question and answer, "How …? …", have a line each.
-  Sheet(const std::string& title, const Legend& legend, const std::string& question = "");
+  /// Question and answer, "How …? …", have a line each; without title or question there is no room for them.
+  Sheet(const std::string& title, const Legend& legend, const std::string& question = "",
+        double width = full_width);
+
+  double width() const { return width_; }  ///< pixels
 
   /// Adds a panel of that many pixels, `gap` pixels under the last; `settings` are gnuplot commands, each on
   /// a line of its own, `plots` the plot command's elements. An empty list of elements draws the bare frame.
@@ -69,7 +75,7 @@ class Sheet {
   };
 
   double below_ = 0;  ///< pixels used so far
-  double right_ = right_edge;
+  double right_ = right_edge, width_;
   std::string title_, question_, blocks_;
   Legend legend_;
   std::vector<Panel> panels_;

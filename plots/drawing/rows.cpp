@@ -9,19 +9,18 @@
 namespace rockstack::plots {
 namespace {
 
-constexpr double figure_width = 1200;  // pixels
-constexpr double letter = 0.0070;      // width of one, a share of the figure's
-constexpr double margin = 0.025;
-constexpr double widest = 0.6;  // that words may take
+constexpr double letter = 8.4, margin = 30;  // pixels
+constexpr double widest = 0.6;               // that words may take, a share of the figure's width
 
-/// Words in as many lines as they need, each but the first beginning after a comma or at a plus.
-std::vector<std::string> row_lines(const std::string& words) {
-  const auto most = static_cast<std::size_t>((widest - margin) / letter);
+/// Words in as many lines as a figure of that width needs, each but the first beginning after a comma or a
+/// blank, or at a plus.
+std::vector<std::string> row_lines(const std::string& words, double width) {
+  const auto most = static_cast<std::size_t>((widest * width - margin) / letter);
   std::vector<std::string> lines;
   std::size_t start = 0;
   while (words.size() - start > most) {
     std::size_t end = start + most;
-    while (end > start && words[end] != '+' && words[end - 1] != ',') --end;
+    while (end > start && words[end] != '+' && words[end - 1] != ',' && words[end - 1] != ' ') --end;
     if (end == start) end = start + most;
     lines.push_back(words.substr(start, end - start));
     start = end;
@@ -38,15 +37,15 @@ struct RowWords {
   std::size_t lines = 1;  ///< of the row that has most
 };
 
-RowWords row_words(const std::vector<std::string>& rows) {
+RowWords row_words(const std::vector<std::string>& rows, double width) {
   RowWords result{"", "", left_edge, 1};
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::vector<std::string> lines = row_lines(rows[i]);
+    const std::vector<std::string> lines = row_lines(rows[i], width);
     result.lines = std::max(result.lines, lines.size());
     result.tics += i > 0 ? ", " : "";
     for (std::size_t j = 0; j < lines.size(); ++j) {
       result.tics += fmt::format("{}{}", j > 0 ? R"(."\n".)" : "", in_quotes(lines[j]));
-      result.left = std::max(result.left, letter * static_cast<double>(lines[j].size()) + margin);
+      result.left = std::max(result.left, (letter * static_cast<double>(lines[j].size()) + margin) / width);
     }
     result.tics += fmt::format(" {}", i);
     result.blank += fmt::format("{}'' {}", i > 0 ? ", " : "", i);
@@ -66,10 +65,10 @@ std::string title_above(const std::string& title) {
 
 void add_rows(Sheet& sheet, const RowPanel& panel, const std::vector<RowColumn>& columns) {
   constexpr double edge = 30;
-  const RowWords words = row_words(panel.words);
+  const RowWords words = row_words(panel.words, sheet.width());
   const auto rows = static_cast<double>(panel.words.size());
   const double height = panel.row_height > 0 ? panel.row_height : 10 + 16 * static_cast<double>(words.lines);
-  const double width = (right_edge - words.left) * figure_width / static_cast<double>(columns.size());
+  const double width = (right_edge - words.left) * sheet.width() / static_cast<double>(columns.size());
   std::vector<SidePanel> cells;
   cells.reserve(columns.size());
   for (const RowColumn& column : columns)

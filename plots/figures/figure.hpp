@@ -56,6 +56,9 @@ struct FolderSubject {
 /// By what stands behind the figure's name in that of its file; a single drawing has nothing there.
 using Drawings = std::map<std::string, Drawing>;
 
+/// The part that stands in the place of the single drawing on a narrow screen.
+inline constexpr auto narrow_part = "narrow";
+
 struct OfScene {
   bool (*needs)(const ComparedScene&);  ///< whether a scene's results have what it shows
   Drawing (*draw)(const SceneSubject&);

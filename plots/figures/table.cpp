@@ -187,7 +187,7 @@ std::vector<Figure> all_figures() {
       {"agreement", "Until when engines agree", "Until when does each engine agree, and how far off is it?",
        "A row a solver and set, a line a time step, the coarser the paler; a column a scene. Above, the "
        "time until which angles and centres stay within the tolerance, with quartiles over replicates in "
-       "black; grey is what lies beyond the scene's horizon of predictability, where nothing is compared. "
+       "black; a line to the right edge agrees to the end; grey is what lies beyond the scene's horizon of predictability, where nothing is compared. "
        "Below, the largest difference up to there: of an angle in rad, or of a centre as a share of the "
        "least block height, whichever is larger; on the left edge stands what is smaller.",
        OfComparison{agreement}}};

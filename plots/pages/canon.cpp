@@ -23,14 +23,9 @@ std::string cell_of(const Json& answer) {
   return element("td", text, fmt::format(" class=\"{}\" title=\"{}\"", name, reason));
 }
 
-/// "bullet:nncg".
-std::string solver_of(const Json& row) {
-  return text_at(row, "engine") + ":" + text_at(row, "solver");
-}
-
 std::string rows_of(const Json& canon) {
   return text_of_each(canon.at("rows"), [](const Json& row) {
-    const std::string name = escaped(solver_of(row) + ", " + text_at(row, "settings"));
+    const std::string name = escaped(solver_named(row) + ", " + text_at(row, "settings"));
     return element("tr", element("th", name, " scope=\"row\"") + text_of_each(row.at("answers"), cell_of)) +
            "\n";
   });
@@ -50,7 +45,7 @@ std::string answer_of(const Json& canon) {
     if (std::ranges::all_of(row.at("answers"), [](const Json& answer) {
           return answer.at("verdict") == "agrees" || answer.at("verdict") == "converges";
         }))
-      whole.push_back(fmt::format("{} ({})", solver_of(row), text_at(row, "settings")));
+      whole.push_back(fmt::format("{} ({})", solver_named(row), text_at(row, "settings")));
   return fmt::format("{} of {} rows agree with the exact solution or converge to it on every scene{}{}.",
                      whole.size(), canon.at("rows").size(), whole.empty() ? "" : ": ",
                      text_of_each(whole, std::identity(), ", "));

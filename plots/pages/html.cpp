@@ -109,6 +109,10 @@ std::string escaped_at(const Json& json, const char* key) {
   return escaped(text_at(json, key));
 }
 
+std::string solver_named(const Json& row) {
+  return text_at(row, "engine") + ":" + text_at(row, "solver");
+}
+
 std::string link(const std::string& to, const std::string& words) {
   return element("a", words, fmt::format(" href=\"{}\"", to));
 }
@@ -199,15 +203,22 @@ std::string drawn_figure(const fs::path& results, const std::string& stem, const
                          const std::string& label) {
   const Figure* figure = figure_in(stem);
   const std::string words = figure == nullptr ? "" : figure->question + " " + figure->explanation;
-  return element("figure", inline_svg(contents_of(results / "figures" / (stem + ".svg")), prefix, label) +
-                               element("figcaption", escaped(words)));
+  const auto drawing = [&](const std::string& part, const std::string& before) {
+    return inline_svg(contents_of(results / "figures" / (stem + part + ".svg")), before + prefix, label);
+  };
+  const std::string narrow = std::string(".") + narrow_part;
+  const std::string drawings = fs::exists(results / "figures" / (stem + narrow + ".svg"))
+                                   ? element("div", drawing("", ""), class_attribute("wide")) +
+                                         element("div", drawing(narrow, "n-"), class_attribute(narrow_part))
+                                   : drawing("", "");
+  return element("figure", drawings + element("figcaption", escaped(words)));
 }
 
 std::string drawn_figures(const fs::path& results, const std::set<std::string>& known) {
   std::string text;
   for (const std::string& name : names_in(results / "figures", {".svg"})) {
     const std::string stem = fs::path(name).stem();
-    if (known.contains(stem)) continue;
+    if (known.contains(stem) || stem.ends_with(narrow_part)) continue;
     const Figure* figure = figure_in(stem);
     std::string title = stem;
     std::ranges::replace_if(

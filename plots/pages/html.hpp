@@ -32,6 +32,9 @@ using rockstack::filled_in;
 std::string text_at(const Json& json, const char* key);
 std::string escaped_at(const Json& json, const char* key);
 
+/// The solver that a row or trial names, "bullet:nncg".
+std::string solver_named(const Json& row);
+
 /// A link; "#id" leads to a place of the page itself. `words` are markup.
 std::string link(const std::string& to, const std::string& words);
 

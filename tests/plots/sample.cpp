@@ -71,10 +71,10 @@ void write_history(const fs::path& folder, const Sample& sample, double dt, doub
   }
   history << "\n";
   for (int i = 0; i <= std::lround(duration / dt); ++i) {
-    const double t = i * dt;
+    const double t = i * dt, moved = std::min(t, sample.rests_from) * (1 - lag);
     fmt::print(history, "{}", t);
-    for (int k = 1; k <= sample.blocks; ++k) fmt::print(history, ",{}", swing(t * (1 - lag), k));
-    for (int k = 1; k <= sample.blocks; ++k) fmt::print(history, ",{}", swing_rate(t * (1 - lag), k));
+    for (int k = 1; k <= sample.blocks; ++k) fmt::print(history, ",{}", swing(moved, k));
+    for (int k = 1; k <= sample.blocks; ++k) fmt::print(history, ",{}", swing_rate(moved, k));
     if (exact)
       history << "," + (sample.slides ? "R>C" : leaning(sample, t < period ? Contact::right : Contact::left));
     if (sample.slides) write_slide(history, sample, t);

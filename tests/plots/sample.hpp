@@ -24,6 +24,7 @@ struct Sample {
   std::vector<double> steps{1e-2, 1e-3};  ///< s
   bool failed_row = false;
   double predictable_time = 5;  ///< s, of 5
+  double rests_from = 5;        ///< s; angles stay what they are there
   bool shaken = false;          ///< whether the ground moves, along both axes
   bool slides = false;          ///< whether blocks slip, fly and land
   Law law = Law::unilateral;    ///< of blocks that slide, or `compliant`

@@ -7,7 +7,7 @@
 namespace rockstack::plots {
 namespace {
 
-/// Scenes beside each other, and in how many rows of them at most.
+/// Scenes beside each other, and how many of them at most.
 constexpr std::size_t scenes_in_a_row = 3, most_scenes = 12;
 
 /// What all scenes show: a row a solver and set, of each a line a time step.
@@ -71,17 +71,18 @@ constexpr auto failure_style = "with points pt 2 ps 0.9*mark lw 2 lc rgb '#B0002
 constexpr auto tolerance_style = "lw 2 dt (5,8) lc rgb '#666666'";
 constexpr auto quartiles_style = "lw 1.5 lc rgb '#000000'";
 
-/// From nought to when it stops to agree, with the quartiles over replicates.
-void add_times(Plots& plots, const Place& place, const SceneScale& scale) {
+/// From nought to when it stops to agree, or to the edge, with the quartiles over replicates.
+void add_times(Plots& plots, const Place& place, const SceneScale& scale, double edge) {
   const Run& run = *place.run;
   if (!run.done()) return plots.add({{0, place.height}}, {fmt::format("using 1:2 {}", failure_style)});
   const double end = agreement_end(run, scale);
-  plots.add({{0, place.height, end}},
+  plots.add({{0, place.height, std::min(end, edge)}},
             {fmt::format("using 1:2:3:(0) with vectors nohead lw 6 lc rgb '{}'", place.colour)});
-  if (run.agreement_time_lower && run.agreement_time_upper && run.agreement_time <= end)
-    plots.add(
-        {{*run.agreement_time_lower, place.height, *run.agreement_time_upper - *run.agreement_time_lower}},
-        {fmt::format("using 1:2:3:(0) with vectors nohead {}", quartiles_style)});
+  if (!run.agreement_time_lower || !run.agreement_time_upper || run.agreement_time > end) return;
+  const double low = std::min(*run.agreement_time_lower, edge),
+               high = std::min(*run.agreement_time_upper, edge);
+  plots.add({{low, place.height, high - low}},
+            {fmt::format("using 1:2:3:(0) with vectors nohead {}", quartiles_style)});
 }
 
 /// The largest difference before the horizon: of an angle in rad, or of a centre as a share of the least
@@ -109,14 +110,21 @@ void add_size(Plots& plots, const Place& place, double least) {
                          style_of(*place.run).mark)});
 }
 
-/// A scene's axis ends behind its horizon, or where it ends.
-TimeAxis axis_of(const ComparedScene& scene) {
+/// A scene's axis ends behind its horizon, or with the motion where rows that agree so long do so to the end.
+TimeAxis axis_of(const Comparison& comparison, const ComparedScene& scene) {
   constexpr double beyond = 1.15;
-  if (scene.horizon() >= scene.duration) return {.end = scene.duration};
-  return {std::min(scene.duration, beyond * scene.horizon()), scene.horizon()};
+  const double whole = std::min(scene.duration, beyond * scene.horizon());
+  const std::vector<Run> exact = shown_runs(comparison, scene.name).exact;
+  double end = scene.has("histories") && !exact.empty() ? time_axis(scene, exact).end : whole;
+  const SceneScale scale = scale_of(comparison, scene);
+  for (const Run& run : comparison.runs)
+    if (run.scene == scene.name && is_shown(run) && run.done() && !agrees(run, scale))
+      end = std::max(end, agreement_end(run, scale));
+  end = std::min(end, whole);
+  return scene.horizon() < end ? TimeAxis{end, scene.horizon()} : TimeAxis{.end = end};
 }
 
-/// Scenes side by side: until when, and under that by how much.
+/// Scenes side by side, from one to another: until when, and under that by how much.
 void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& frame, std::size_t from,
                 std::size_t to) {
   const Reach sizes = size_axis(comparison);
@@ -126,11 +134,11 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& fr
     Plots until(sheet, fmt::format("until_{}", s)), off(sheet, fmt::format("off_{}", s));
     off.add({{comparison.tolerance, -0.7, static_cast<double>(frame.sets.size())}},
             {fmt::format("using 1:2:(0):3 with vectors nohead {}", tolerance_style)});
+    const TimeAxis axis = axis_of(comparison, scene);
     for (const Place& place : places_of(comparison, scene, frame)) {
-      add_times(until, place, scale_of(comparison, scene));
+      add_times(until, place, scale_of(comparison, scene), axis.end);
       add_size(off, place, sizes.low);
     }
-    const TimeAxis axis = axis_of(scene);
     times.push_back({"agrees until (s)", until.list(), scene.name, [axis](double width) {
                        return time_range(axis) + linear_tics("x", 0, axis.end, width);
                      }});
@@ -154,9 +162,11 @@ Legend legend_of(const Comparison& comparison, const CommonAxes& frame) {
   legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
   if (any([](const Run& run) { return run.replicates.value_or(1) > 1; }))
     legend.emplace_back(fmt::format("with lines {}", quartiles_style), "quartiles of replicates");
-  const auto shaded = std::ranges::find_if(
-      comparison.scenes, [](const ComparedScene& scene) { return axis_of(scene).is_shaded(); });
-  if (shaded != comparison.scenes.end()) explain_shade(axis_of(*shaded), legend);
+  for (const ComparedScene& scene : comparison.scenes) {
+    const TimeAxis axis = axis_of(comparison, scene);
+    explain_shade(axis, legend);
+    if (axis.is_shaded()) break;
+  }
   if (any([](const Run& run) { return !run.done(); })) legend.emplace_back(failure_style, "failed");
   return legend;
 }
@@ -173,6 +183,16 @@ std::string answer(const Comparison& comparison) {
                      all, quantity_text(comparison.tolerance, "rad"), 100 * comparison.tolerance);
 }
 
+/// `beside`: so many scenes beside each other.
+Drawing drawn(Sheet sheet, const Comparison& comparison, const CommonAxes& frame, std::size_t beside) {
+  const std::size_t scenes = std::min(comparison.scenes.size(), most_scenes);
+  for (std::size_t from = 0; from < scenes; from += beside)
+    add_scenes(sheet, comparison, frame, from, std::min(from + beside, scenes));
+  if (scenes < comparison.scenes.size())
+    sheet.note(fmt::format("the first {} of {} scenes", scenes, comparison.scenes.size()));
+  return sheet.finish();
+}
+
 }  // namespace
 
 Drawings agreement(const ComparisonSubject& subject) {
@@ -181,13 +201,10 @@ Drawings agreement(const ComparisonSubject& subject) {
   const bool any =
       std::ranges::any_of(comparison.runs, [](const Run& run) { return is_shown(run) && run.error; });
   if (!any) return {};
-  Sheet sheet = subject.figure.sheet(comparison.title, legend_of(comparison, frame), answer(comparison));
-  const std::size_t scenes = std::min(comparison.scenes.size(), most_scenes);
-  for (std::size_t from = 0; from < scenes; from += scenes_in_a_row)
-    add_scenes(sheet, comparison, frame, from, std::min(from + scenes_in_a_row, scenes));
-  if (scenes < comparison.scenes.size())
-    sheet.note(fmt::format("the first {} of {} scenes", scenes, comparison.scenes.size()));
-  return {{"", sheet.finish()}};
+  const Legend legend = legend_of(comparison, frame);
+  return {{"", drawn(subject.figure.sheet(comparison.title, legend, answer(comparison)), comparison, frame,
+                     scenes_in_a_row)},
+          {narrow_part, drawn(Sheet("", legend, "", narrow_width), comparison, frame, 1)}};
 }
 
 }  // namespace rockstack::plots

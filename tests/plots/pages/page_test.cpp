@@ -35,6 +35,28 @@ TEST_F(Page, LoadsWithoutComplaint) {
   EXPECT_EQ(answer.result, 1);
 }
 
+// On a screen as wide as a phone's the first figure is whole, and its letters are ten pixels high at least.
+TEST_F(Page, TheFirstFigureIsReadOnANarrowScreen) {
+  const Answer answer = ask_browser(page_, R"(
+    const frame = document.createElement("iframe");
+    frame.style.width = "400px";
+    frame.srcdoc = document.head.querySelector("style").outerHTML + document.querySelector("header").outerHTML;
+    document.body.append(frame);
+    await new Promise((done) => frame.addEventListener("load", done));
+    const inner = frame.contentDocument;
+    const boxes = Array.from(inner.querySelectorAll("figure text"), (text) => text.getBoundingClientRect())
+      .filter((box) => box.width > 0);
+    return { texts: boxes.length, least: Math.min(...boxes.map((box) => box.height)),
+      left: Math.min(...boxes.map((box) => box.left)), right: Math.max(...boxes.map((box) => box.right)),
+      page: inner.documentElement.scrollWidth };)");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_GT(answer.result["texts"].get<int>(), 10);
+  EXPECT_GT(answer.result["least"].get<double>(), 10.0);
+  EXPECT_GE(answer.result["left"].get<double>(), 0.0);
+  EXPECT_LE(answer.result["right"].get<double>(), 400.0);
+  EXPECT_LE(answer.result["page"].get<double>(), 400.0);
+}
+
 TEST_F(Page, ThePlayerMovesUntilItIsPaused) {
   const Answer answer = ask_browser(page_, R"(
     const stage = player.find("stage"), before = stage.toDataURL();

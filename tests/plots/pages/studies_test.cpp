@@ -77,8 +77,8 @@ TEST(StudyPage, AStudyOfStabilityCountsVerdictsAndNamesStableSteps) {
   EXPECT_TRUE(tells(page, "rockstack compare x"));
 }
 
-/// Three trials of two solvers, of which the cheapest that passes is picked, as advise writes them.
-std::string made_up_advice() {
+/// Three trials of two solvers, of which the cheapest that passes is picked, or none, as advise writes them.
+std::string made_up_advice(bool picks = true) {
   const auto trial = [](const std::string& solver, double dt, double off, double seconds, bool passes) {
     RunMetrics row;
     row.run = fmt::format("{}-{}", solver, dt);
@@ -103,7 +103,7 @@ std::string made_up_advice() {
               {"within", 60},
               {"duration", 5.0},
               {"predictable_time", 2.5},
-              {"pick", trials[1]},
+              {"pick", picks ? trials[1] : Json()},
               {"untried", untried},
               {"beyond", Json::array()},
               {"trials", trials},
@@ -128,6 +128,15 @@ TEST(StudyPage, AdviceSaysWhatToTakeAndUntilWhenItHolds) {
   EXPECT_TRUE(testing::collisions(picture).empty());
   // A ring for each of two that pass, one more about the pick, and one in the legend.
   EXPECT_EQ(picture.marks_of(testing::shown_colour("#000000")).size(), 4U);
+}
+
+TEST(StudyPage, AdviceNamesTheNearestWhereNoneHolds) {
+  const fs::path folder = testing::fresh_folder();
+  put(folder / "advice.json", made_up_advice(false));
+  put(folder / "advice.csv", "run\none-0.01\n");
+  draw_figures(folder);
+  write_study_page(folder);
+  EXPECT_TRUE(tells(study_page(folder), "The nearest is own:two at 1 ms, off by 0.001."));
 }
 
 TEST(StudyPage, AFitSaysItsParametersAndWhatTheResidualMeans) {
