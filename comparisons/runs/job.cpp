@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 #include "analytic/solve.hpp"
@@ -12,20 +13,40 @@
 namespace rockstack {
 namespace {
 
+/// How many samples files keep: of those that lie between, none.
 double samples_of(const Job& job) {
   const double interval = job.series != nullptr ? job.dt : sample_interval;
-  return job.scene.scene.duration / std::max(interval, job.suite.history_interval);
+  const double kept = interval * std::max(1.0, std::ceil(job.suite.history_interval / interval - 1e-9));
+  return 1 + job.scene.scene.duration / kept;
 }
 
-/// Of all files with a line a sample.
-double columns_of(const Job& job) {
-  const auto blocks = static_cast<double>(job.scene.scene.blocks.size());
-  const double history = 1 + 2 * blocks, difference = 1 + blocks, energy = 7, reactions = 1 + 3 * blocks;
-  if (job.series == nullptr && job.variant == nullptr) return history + reactions;
+/// Of all files with a line a sample: what a line of each takes together, bytes. Numbers of engines have all
+/// their digits; those of exact motions are nought now and then.
+double line_bytes(const Job& job) {
+  constexpr double time = 9, pattern = 4.5, number = 21, exact_number = 14.5, force = 8, nought = 2;
+  const Scene& scene = job.scene.scene;
+  const auto blocks = static_cast<double>(scene.blocks.size());
+  const double angle = job.series != nullptr ? number : exact_number, history = time + 2 * blocks * angle;
+  if (job.series == nullptr && job.variant == nullptr) return history + pattern + time + 3 * blocks * force;
   if (!job.suite.wanted.histories) return 0;
-  const bool engine = job.series != nullptr;
-  return history + difference + (engine && job.suite.wanted.bodies ? energy : 0) +
-         (engine && job.suite.softness ? 1 + 3 * blocks : 0);
+  double bytes = history + time + blocks * angle;
+  if (job.series == nullptr) return bytes;
+  const bool shaken = !scene.horizontal.empty() || !scene.vertical.empty();
+  if (job.suite.wanted.bodies)
+    bytes += time + exact_number + 3 * number + (shaken ? number : nought) + nought;
+  if (job.suite.softness) bytes += time + 3 * blocks * number;
+  return bytes;
+}
+
+/// Of files with a line an event, a replicate or an instant of the band, and of what a run is described by.
+double record_bytes(const Job& job) {
+  constexpr double events_a_second = 13e3, description = 8e3, replicate = 4.1e3, band = 4600;
+  if (job.series == nullptr) return events_a_second * job.scene.scene.duration;
+  const Replicates replicates = replicates_of(job);
+  if (replicates.runs < 2) return description;
+  const auto blocks = static_cast<double>(job.scene.scene.blocks.size());
+  return description + replicate * (replicates.runs - 1) +
+         (job.suite.wanted.histories ? band * (1 + 2 * blocks) : 0);
 }
 
 }  // namespace
@@ -44,10 +65,9 @@ double horizon_of(const Job& job) {
 
 Replicates replicates_of(const Job& job) {
   Replicates replicates = job.suite.replicates;
-  if (job.series == nullptr || replicates.finest == 0) return replicates;
-  const std::vector<double>& steps = job.series->steps;
-  const bool finest = steps.size() > 1 && job.dt == *std::min_element(steps.begin(), steps.end());
-  if (finest) replicates.runs = replicates.finest;
+  if (job.series == nullptr || replicates.most_steps == 0) return replicates;
+  const double affordable = replicates.most_steps * job.dt / job.scene.scene.duration;
+  replicates.runs = static_cast<int>(std::clamp<double>(affordable, 1, replicates.runs));
   return replicates;
 }
 
@@ -118,10 +138,9 @@ std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
   return jobs;
 }
 
-double history_bytes(const std::vector<Suite>& suites) {
-  constexpr double number_length = 14;  // on average: 20 of an angle, few of a time or a zero
+double result_bytes(const std::vector<Suite>& suites) {
   double bytes = 0;
-  for (const Job& job : jobs_of(suites)) bytes += number_length * samples_of(job) * columns_of(job);
+  for (const Job& job : jobs_of(suites)) bytes += samples_of(job) * line_bytes(job) + record_bytes(job);
   return bytes;
 }
 

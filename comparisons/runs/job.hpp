@@ -51,7 +51,7 @@ bool is_measured(const Job& job);
 /// Up to when the job's histories are compared, s.
 double horizon_of(const Job& job);
 
-/// The replicates behind the job's numbers: those of its suite, or as many as it has at the finest step.
+/// The replicates behind the job's numbers: as many of its suite's as may be made at its step.
 Replicates replicates_of(const Job& job);
 
 /// The row of a run before it is made: what is run, without results.
@@ -61,9 +61,9 @@ RunMetrics describe(const Job& job);
 /// suites.
 std::vector<Job> jobs_of(const std::vector<Suite>& suites);
 
-/// About how large the histories of a comparison are, bytes: samples × columns × runs. An upper bound where
-/// blocks topple.
-double history_bytes(const std::vector<Suite>& suites);
+/// About how large the files of a comparison's runs are, bytes, by the mean lengths of what stands in them.
+/// An upper bound where blocks topple.
+double result_bytes(const std::vector<Suite>& suites);
 
 /// The files of one run by their names, before they are written: so a run can be made in another process, or
 /// on another machine, than the one that keeps the results.

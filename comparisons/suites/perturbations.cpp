@@ -76,13 +76,12 @@ Replicates read_replicates(const Node& table) {
   Replicates replicates;
   replicates.runs =
       static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 1"), 1, most_replicates));
-  for (const char* key : {"finest", "steps"}) {  // the horizon takes the others
+  for (const char* key : {"most_steps", "steps"}) {  // the horizon takes the others
     const Node* node = find(table, key);
     if (node != nullptr && replicates.runs == 1)
-      throw wrong_value(*node, "left out where `runs` is 1: no other step is");
+      throw wrong_value(*node, "left out where `runs` is 1: there are no others");
   }
-  if (const Node* node = find(table, "finest"))
-    replicates.finest = static_cast<int>(whole_number(*node, 1, replicates.runs));
+  if (const Node* node = find(table, "most_steps")) replicates.most_steps = number_above_zero(*node);
   share("steps", replicates.steps, 0.5);
   share("scene", replicates.scene, 0.1);
   if (const Node* node = find(table, "seed"))

@@ -49,8 +49,9 @@ struct Perturbations {
 /// The runs that an engine's number is drawn from: one run is chance, since the phase between impacts and
 /// time steps and the last digits of a scene each change it by factors.
 struct Replicates {
-  int runs = 1;         ///< with the one at the nominal step and scene; ≥ 1
-  int finest = 0;       ///< the same at the finest of several steps, 1 to `runs`; 0: as many
+  int runs = 1;  ///< with the one at the nominal step and scene; ≥ 1
+  /// That they may take together: fewer runs are made where steps are many, one at least. 0: any number.
+  double most_steps = 0;
   double steps = 0.03;  ///< the largest relative change of the time step, 0 to 0.5
   double scene = 1e-6;  ///< likewise of the scene, as Perturbations::size
   std::uint64_t seed = 1;
@@ -61,10 +62,10 @@ struct Replicates {
 inline constexpr int usual_replicates = 5;
 inline constexpr int most_replicates = 10'000;  ///< that may be asked for
 
-/// As many at every step.
+/// As many however many steps they take.
 inline void set_runs(Replicates& replicates, int runs) {
   replicates.runs = runs;
-  replicates.finest = 0;
+  replicates.most_steps = 0;
 }
 
 /// The scene of one run (from 0): each block's width and height, all initial angles and velocities together,

@@ -52,8 +52,8 @@ inline constexpr KeyTable replicates_keys{
     "runs behind each number of an engine, which is their median",
     {{"runs", "5", "", "a whole number from 1 to 10000", required_key,
       "with the one at the nominal step and scene"},
-     {"finest", "3", "", "a whole number from 1, up to `runs`", "as many",
-      "the same at the finest of several steps, whose runs take longest"},
+     {"most_steps", "3e5", "", "a number > 0", "any number",
+      "that these runs may take together: fewer are made where steps are many, one at least"},
      {"steps", "0.03", "", "0 to 0.5", "0.03", "largest relative change of the time step"},
      {"scene", "1e-6", "", "0 to 0.1", "1e-6", "largest relative change of the scene"},
      {"seed", "1", "", "a whole number from 0 to 2⁵³", "1", "of the changes of the scene"}}};

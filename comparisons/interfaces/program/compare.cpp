@@ -67,13 +67,11 @@ std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& 
 void announce_disk_use(const std::vector<Suite>& suites, const std::filesystem::path& out,
                        const Common& common) {
   constexpr double megabyte = 1e6, much = 200 * megabyte;
-  const double bytes = history_bytes(suites);
+  const double bytes = result_bytes(suites);
   if (bytes < much || common.quiet) return;
-  fmt::print(
-      stderr,
-      "about {:.0f} MB of histories will be written to {}; --history-interval 0.01 keeps a sample every "
-      "10 ms\n",
-      bytes / megabyte, out.string());
+  fmt::print(stderr,
+             "about {:.0f} MB will be written to {}; --history-interval 0.01 keeps a sample every 10 ms\n",
+             bytes / megabyte, out.string());
 }
 
 #ifdef ROCKSTACK_WITH_PLOTS
@@ -198,12 +196,14 @@ void print_exact_rows(const std::vector<RunMetrics>& rows) {
 /// What the columns mean, and how many runs there will be; nothing where rows are not wanted.
 void print_legend(const std::vector<Suite>& suites, const Common& common) {
   if (!common.talks()) return;
-  int replicates = 1, finest = 0;
+  int replicates = 1;
+  double most_steps = 0;
   for (const Suite& suite : suites) {
     replicates = std::max(replicates, suite.replicates.runs);
-    finest = std::max(finest, suite.replicates.finest);
+    most_steps = std::max(most_steps, suite.replicates.most_steps);
   }
-  const std::string fewer = finest > 0 ? fmt::format(", {} at the finest step", finest) : "";
+  const std::string fewer =
+      most_steps > 0 ? fmt::format(", fewer where they take {:.0f} steps together", most_steps) : "";
   fmt::print(
       "angles, centres: RMS differences from the exact motion up to the horizon{}\n"
       "impact: the first one, engine less exact; time: the shortest wall time of stepping (cold: before the "

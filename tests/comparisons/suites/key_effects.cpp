@@ -133,7 +133,7 @@ const std::vector<KeyCase> suite_cases{
     {&engine_keys, "dt", "[2e-3]"},
     {&engine_keys, "parameters", "{ erp = 0.3 }"},
     {&replicates_keys, "runs", "3"},
-    {&replicates_keys, "finest", "2", {three_draws, {&engine_keys, "dt", "[1e-2, 5e-3]"}}},
+    {&replicates_keys, "most_steps", "1", {three_draws}},
     {&replicates_keys, "steps", "0.3", {three_draws}},
     {&replicates_keys, "scene", "0.01", {three_draws}},
     {&replicates_keys, "seed", "2", {three_draws}},
