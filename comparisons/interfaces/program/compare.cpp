@@ -197,13 +197,13 @@ void print_exact_rows(const std::vector<RunMetrics>& rows) {
 void print_legend(const std::vector<Suite>& suites, const Common& common) {
   if (!common.talks()) return;
   int replicates = 1;
-  double most_steps = 0;
+  double bound = 0;
   for (const Suite& suite : suites) {
     replicates = std::max(replicates, suite.replicates.runs);
-    most_steps = std::max(most_steps, suite.replicates.most_steps);
+    bound = std::max(bound, suite.replicates.most_steps);
   }
   const std::string fewer =
-      most_steps > 0 ? fmt::format(", fewer where they take {:.0f} steps together", most_steps) : "";
+      bound > 0 ? fmt::format(", fewer where they take {:.0f} steps together", bound) : "";
   fmt::print(
       "angles, centres: RMS differences from the exact motion up to the horizon{}\n"
       "impact: the first one, engine less exact; time: the shortest wall time of stepping (cold: before the "

@@ -35,8 +35,8 @@ TEST(DiskUse, IsToldBeforeAndFallsWithTheSamplesThatAreKept) {
   const RunMetrics all = compare({suite}, folder.path() / "all", {}).rows.back();
   const double bytes = bytes_in(folder.path() / "all");
   // How long numbers are depends on the motion.
-  EXPECT_GT(history_bytes({suite}), 0.7 * bytes);
-  EXPECT_LT(history_bytes({suite}), 1.5 * bytes);
+  EXPECT_GT(result_bytes({suite}), 0.7 * bytes);
+  EXPECT_LT(result_bytes({suite}), 1.5 * bytes);
 
   for (EngineSeries& series : suite.series) series.steps = {1e-4};
   const RunMetrics fine = compare({suite}, folder.path() / "fine", {}).rows.back();
