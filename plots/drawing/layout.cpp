@@ -172,6 +172,7 @@ std::string data_block(const std::string& name, const Curve& curve) {
 Sheet::Sheet(const std::string& title, const Legend& legend, const std::string& question, double width)
     : below_(title_height(title) + question_height(question) + legend_height(legend, width)),
       width_(width),
+      right_(1 - (1 - right_edge) * full_width / width),
       title_(title),
       question_(question),
       legend_(legend) {}
@@ -195,7 +196,7 @@ void Sheet::row(double height, double gap, const std::vector<SidePanel>& cells, 
 
 void Sheet::leave_room_beside() {
   constexpr double beside = 0.07;
-  right_ = right_edge - beside;
+  right_ -= beside;
 }
 
 Drawing Sheet::finish() const {

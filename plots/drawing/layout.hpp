@@ -43,6 +43,9 @@ class Sheet {
         double width = full_width);
 
   double width() const { return width_; }  ///< pixels
+  double right() const {
+    return right_;
+  }  ///< where panels end, a share of the width: as many pixels from the edge in any
 
   /// Adds a panel of that many pixels, `gap` pixels under the last; `settings` are gnuplot commands, each on
   /// a line of its own, `plots` the plot command's elements. An empty list of elements draws the bare frame.
@@ -75,7 +78,7 @@ class Sheet {
   };
 
   double below_ = 0;  ///< pixels used so far
-  double right_ = right_edge, width_;
+  double width_, right_;
   std::string title_, question_, blocks_;
   Legend legend_;
   std::vector<Panel> panels_;

@@ -68,7 +68,7 @@ void add_rows(Sheet& sheet, const RowPanel& panel, const std::vector<RowColumn>&
   const RowWords words = row_words(panel.words, sheet.width());
   const auto rows = static_cast<double>(panel.words.size());
   const double height = panel.row_height > 0 ? panel.row_height : 10 + 16 * static_cast<double>(words.lines);
-  const double width = (right_edge - words.left) * sheet.width() / static_cast<double>(columns.size());
+  const double width = (sheet.right() - words.left) * sheet.width() / static_cast<double>(columns.size());
   std::vector<SidePanel> cells;
   cells.reserve(columns.size());
   for (const RowColumn& column : columns)

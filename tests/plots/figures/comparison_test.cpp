@@ -64,7 +64,7 @@ fs::path draw_sample(const testing::Sample& sample) {
   fs::path folder = testing::fresh_folder();
   testing::write_sample(folder, sample);
   expect_figures(folder);
-  const std::size_t of_all_scenes = sample.engines.empty() ? 0 : 1;
+  const std::size_t of_all_scenes = sample.engines.empty() ? 0 : 2;  // wide and narrow
   EXPECT_EQ(files_in(folder / "figures"),
             3 * (of_all_scenes + figures_of(read_comparison(folder).scenes.at(0)).size()));
   return folder;
