@@ -144,6 +144,7 @@ Drawing friction(const SceneSubject& subject) {
     if (run.exact() || has_own_friction(run)) runs.push_back(run);
   const std::size_t bins = bins_of(runs, scene.blocks());
   std::vector<Quantity> panels;
+  panels.reserve(2 * static_cast<std::size_t>(scene.blocks()));
   for (int k = 0; k < scene.blocks(); ++k)
     panels.push_back(read_quantity(runs, &History::angles, k, angle_name(k + 1) + " (rad)", 1, bins));
   const std::vector<Quantity> slips = read_slips(runs, scene.blocks(), bins);
