@@ -219,7 +219,7 @@ TEST(Bounces, StacksKeepOfEachPointWhatItHad) {
 /// A stack of blocks of unlike widths that starts above the ground and turns, with coefficients drawn.
 Scene random_bounces(std::uint64_t seed, bool rubs) {
   testing::Draw draw(seed);
-  const auto blocks = static_cast<std::size_t>(1 + draw.below(3));
+  const auto blocks = 1 + static_cast<std::size_t>(draw.below(3));
   std::vector<Block> stack;
   for (std::size_t k = 0; k < blocks; ++k)
     stack.push_back(testing::block(draw.between(0.6, 1.4), draw.between(0.3, 1.2)));
