@@ -178,8 +178,9 @@ class LiveServer : public httplib::Server {
          {"X-Content-Type-Options", "nosniff"},
          {"Referrer-Policy", "no-referrer"},
          {"Cross-Origin-Resource-Policy", "same-origin"},
+         // A course's pages have the solver in them, which they compile and run in workers of their own.
          {"Content-Security-Policy",
-          "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; "
+          "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:; style-src 'unsafe-inline'; img-src data:; "
           "connect-src 'self'; frame-src 'self'; frame-ancestors 'self'; base-uri 'none'; form-action "
           "'none'"}});
     set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
