@@ -1,6 +1,7 @@
 #include "analytic/solve.hpp"
 
 #include "analytic/scene/messages/number_text.hpp"
+#include "analytic/solve_led.hpp"
 #include "analytic/solver/solver.hpp"
 #include "analytic/solver/to_double.hpp"
 #include "analytic/unilateral/solve_contacts.hpp"
@@ -13,8 +14,8 @@ namespace {
 constexpr double most_steps = 1e8;
 
 template <class Real, int N, template <class, int> class Steps>
-BasicHistory<Real> run(const Scene& scene, const SolveOptions& options) {
-  Solver<Real, N, Steps> solver(scene, options);
+BasicHistory<Real> run(const Scene& scene, const SolveOptions& options, Branching* branching) {
+  Solver<Real, N, Steps> solver(scene, options, branching);
   try {
     return solver.run();
   } catch (const std::runtime_error& failure) {
@@ -23,53 +24,58 @@ BasicHistory<Real> run(const Scene& scene, const SolveOptions& options) {
 }
 
 template <class Real, int N>
-BasicHistory<Real> solve_stack_of(const Scene& scene, const SolveOptions& options) {
-  return options.integrator == Integrator::rk4 ? run<Real, N, Rk4Steps>(scene, options)
-                                               : run<Real, N, TaylorSteps>(scene, options);
+BasicHistory<Real> solve_stack_of(const Scene& scene, const SolveOptions& options, Branching* branching) {
+  return options.integrator == Integrator::rk4 ? run<Real, N, Rk4Steps>(scene, options, branching)
+                                               : run<Real, N, TaylorSteps>(scene, options, branching);
 }
 
-History solve_in_double(const Scene& scene, const SolveOptions& options) {
+History solve_in_double(const Scene& scene, const SolveOptions& options, Branching* branching) {
   switch (scene.blocks.size()) {
     case 1:
-      return solve_stack_of<double, 1>(scene, options);
+      return solve_stack_of<double, 1>(scene, options, branching);
     case 2:
-      return solve_stack_of<double, 2>(scene, options);
+      return solve_stack_of<double, 2>(scene, options, branching);
     case 3:
-      return solve_stack_of<double, 3>(scene, options);
+      return solve_stack_of<double, 3>(scene, options, branching);
     default:
-      return solve_stack_of<double, Eigen::Dynamic>(scene, options);
+      return solve_stack_of<double, Eigen::Dynamic>(scene, options, branching);
   }
 }
 
 template <class Real>
-History contacts_in(const Scene& scene, const SolveOptions& options) {
+History contacts_in(const Scene& scene, const SolveOptions& options, Branching* branching) {
   try {
-    return to_double(history_of(scene, solve_contacts<Real>(scene, options)));
+    return to_double(history_of(scene, solve_contacts<Real>(scene, options, branching)));
   } catch (const UnfinishedContacts<Real>& unfinished) {
     throw Unfinished(unfinished.what(), to_double(history_of(scene, unfinished.history)));
   }
 }
 
-History solve_with_contacts(const Scene& scene, const SolveOptions& options) {
+History solve_with_contacts(const Scene& scene, const SolveOptions& options, Branching* branching) {
   validate(options);
   if (options.integrator != Integrator::taylor)
     throw std::invalid_argument("integrator = rk4: must be taylor under law " + std::string(name(scene.law)));
-  return double_does(scene) ? contacts_in<double>(scene, options) : contacts_in<long double>(scene, options);
+  return double_does(scene) ? contacts_in<double>(scene, options, branching)
+                            : contacts_in<long double>(scene, options, branching);
 }
 
 }  // namespace
 
-History solve(const Scene& scene, const SolveOptions& options) {
+History solve_led(const Scene& scene, const SolveOptions& options, Branching* branching) {
   validate(scene);
   if (options.integrator == Integrator::rk4 && scene.duration / options.step > most_steps)
     throw std::invalid_argument("step = " + number_text(options.step) + ": must be at least " +
                                 number_text(scene.duration / most_steps) + " s, or there are too many");
-  if (leaves_pivots(scene.law)) return solve_with_contacts(scene, options);
+  if (leaves_pivots(scene.law)) return solve_with_contacts(scene, options, branching);
   try {
-    return solve_in_double(scene, options);
+    return solve_in_double(scene, options, branching);
   } catch (const IllConditioned&) {
-    return to_double(solve_stack_of<long double, Eigen::Dynamic>(scene, options));
+    return to_double(solve_stack_of<long double, Eigen::Dynamic>(scene, options, branching));
   }
+}
+
+History solve(const Scene& scene, const SolveOptions& options) {
+  return solve_led(scene, options, nullptr);
 }
 
 std::vector<double> regular_times(double interval, double duration) {

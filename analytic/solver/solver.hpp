@@ -2,6 +2,7 @@
 
 #include "analytic/events/first_event.hpp"
 #include "analytic/events/tie_breaker.hpp"
+#include "analytic/scene/branching.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solver/collisions.hpp"
 #include "analytic/steps/rk4.hpp"
@@ -14,9 +15,9 @@ namespace rockstack {
 template <class Real, int N = Eigen::Dynamic, template <class, int> class Steps = TaylorSteps>
 class Solver {
  public:
-  /// Keeps references to `scene` and `options`.
+  /// Keeps references to all.
   /// @throws std::invalid_argument for options out of range.
-  Solver(const Scene& scene, const SolveOptions& options)
+  Solver(const Scene& scene, const SolveOptions& options, Branching* branching = nullptr)
       : scene_(scene),
         model_(make_model<Real, N>(scene)),
         pieces_(scene),
@@ -26,6 +27,7 @@ class Solver {
         ties_(model_),
         resting_(model_),
         cancelled_(options.cancelled),
+        branching_(branching),
         collisions_(scene, model_, options) {
     validate(options);
     const auto vector = [](const std::vector<double>& values) -> Vector<Real, N> {
@@ -230,7 +232,7 @@ class Solver {
       }
       ties_.note_opening(event.opening);
       if (event.either.any()) recorder_.note_choices(event.either, time());
-      make_admissible(from);
+      make_admissible(from, event.either);
     }
   }
 
@@ -254,8 +256,9 @@ class Solver {
     record_event(kind, first, impact.before.pattern, impact.before.velocities, outcome.consistency);
   }
 
-  /// Rule 2 at an instant: opens the closed interfaces whose centre of pressure would lie outside.
-  void make_admissible(Pattern from) {
+  /// Rule 2 at an instant: opens the closed interfaces whose centre of pressure would lie outside. `either`:
+  /// have just opened to a side that the other would do for as well.
+  void make_admissible(Pattern from, const Interfaces& either = {}) {
     const Interfaces touching = ties_.touching(state_);
     const Point<Real> ground = pieces_.current().at(offset_);
     Interfaces pulled;
@@ -279,8 +282,29 @@ class Solver {
     for (int k = 0; k < state_.size(); ++k) changed.set(k, from[k] != state_.pattern[k]);
     if (changed.none()) return;
     if (pulled.any()) recorder_.note_choices(pulled & changed, time());
+    if (branching_ != nullptr)
+      take_sides((pulled | either) & changed, [&](const Pattern& pattern) {
+        return !first_violation(model_.stack, evaluate(pattern), touching, ties_.slack());
+      });
     ties_.note_opening(changed);
     record_event(EventKind::opening, lowest(changed), from, state_.velocities, Consistency::consistent);
+  }
+
+  /// Opens interfaces for which both sides would do, as far as these are admissible, as a branch takes them.
+  template <class Admissible>
+  void take_sides(const Interfaces& either, const Admissible& admissible) {
+    constexpr std::size_t most = 64;
+    std::vector<Pattern> ways{state_.pattern};
+    for (int k = 0; k < state_.size(); ++k) {
+      const std::size_t known = either.test(k) && ways.size() < most ? ways.size() : 0;
+      for (std::size_t i = 0; i < known; ++i) {
+        ways.push_back(ways[i]);
+        ways.back()[k] = opposite(ways.back()[k]);
+      }
+    }
+    const auto others = ways.begin() + 1;
+    ways.erase(std::remove_if(others, ways.end(), std::not_fn(admissible)), ways.end());
+    state_.pattern = ways[branching_->take(static_cast<double>(time()), ways)];
   }
 
   static int lowest(const Interfaces& interfaces) {
@@ -304,6 +328,7 @@ class Solver {
   TieBreaker<Real> ties_;
   RestingStack<Real, N> resting_;
   const std::function<bool()>* cancelled_;
+  Branching* branching_;
   Collisions<Real, N> collisions_;
   Linkage<Real, N> linkage_;
   State<Real, N> state_;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "analytic/scene/branching.hpp"
 #include "analytic/unilateral/contact/contact_modes.hpp"
 #include "analytic/unilateral/contact_changes.hpp"
 #include "analytic/unilateral/contact_history.hpp"
 #include "analytic/unilateral/springs/spring_contacts.hpp"
+#include "analytic/unilateral/unilateral_history.hpp"
 
 namespace rockstack {
 
@@ -15,7 +17,7 @@ struct ContactCollision {
   Joints<Real> mode;  ///< without what slides or parts too slowly
   Poses<Real> rates;
   bool closes = false;   ///< something stays together as its chatter ends
-  bool several = false;  ///< on other faces of pairs of corners another obeys as well
+  bool several = false;  ///< others obey as well
   bool gains = false;    ///< kinetic energy, as Newton's law may with friction
 };
 
@@ -67,11 +69,24 @@ Joints<Real> bounced(const ContactModel<Real>& stack, Joints<Real> mode, const B
         stay.push_back(end);
     }
     if (stay.empty())
-      joint = {Touch::apart, 0, joint.corner_below, joint.offset};
+      joint = {.touch = Touch::apart, .corner_below = joint.corner_below, .offset = joint.offset};
     else if (joint.touch == Touch::flat && stay.size() == 1)
       joint = stay[0];
   }
   return mode;
+}
+
+/// Lets pairs of corners that slide off their faces by impulses go on to the others, which `touching` tells.
+template <class Real>
+void pass_faces(const ContactModel<Real>& stack, const Bodies<Real>& after, Joints<Real>& mode,
+                Joints<Real>& touching) {
+  for (int k = 0; k < stack.size(); ++k) {
+    Joint<Real>& joint = mode[k];
+    joint.settled = joint.settled && joint.sticks();
+    if (!slides_off(joint) || !is_corner_pair(stack, k, joint)) continue;
+    touching[k].corner_below = !joint.corner_below;
+    pass_corner(stack, after, k, mode);
+  }
 }
 
 /// Twice the kinetic energy of a motion, J.
@@ -81,28 +96,31 @@ Real twice_energy(const ContactModel<Real>& stack, const FreeVector<Real>& motio
 }
 
 /// The impact of bodies that meet at `touching`; nothing where no impulses end it. `smooth` is the stack
-/// without friction, `free` the acceleration without contact.
-template <class Real>
+/// without friction, `free` the acceleration without contact. `turn` is as turn() below.
+template <class Real, class Turn>
 std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
                                               const ContactModel<Real>& smooth,
                                               const ContactChatter<Real>& chatter,
                                               const Joints<Real>& touching, Bodies<Real> bodies,
-                                              const FreeVector<Real>& free) {
+                                              const FreeVector<Real>& free, const Turn& turn) {
   const FreeVector<Real> before = vector_of(bodies.rate);
   const ContactQuestion<Real> question{stack, bodies, before, ContactLevel::impacts};
-  const auto found = find_mode(question, touching);
+  auto found = find_mode(question, touching);
   if (!found) return std::nullopt;
+  const bool several = turn(question, touching, *found);
   const ModeResponse<Real> response = respond(question, *found);
   ContactCollision<Real> impact{*found, response.forces, *found, {}};
-  impact.several = faces_differ(question, touching, *found);
+  impact.several = several;
   bodies.rate = poses_of(response.motion);
-  impact.mode = bounced(stack, *found, bodies);
+  Joints<Real> met = touching;
+  pass_faces(stack, bodies, impact.mode, met);
+  impact.mode = bounced(stack, impact.mode, bodies);
   impact.gains =
       twice_energy(stack, response.motion) > (1 + tolerance<Real>(1e-12)) * twice_energy(stack, before);
   for (std::size_t rounds = 0; rounds <= 4 * touching.size(); ++rounds) {
     Joints<Real> held = with_slips(stack, impact.mode, bodies);
     if (same_modes(held, impact.mode)) {
-      held = chatter.without_slow(touching, impact.mode, bodies, free);
+      held = chatter.without_slow(met, impact.mode, bodies, free);
       if (same_modes(held, impact.mode)) break;
       impact.closes = true;
     }
@@ -160,19 +178,45 @@ bool couples(const ContactQuestion<Real>& question, const Joints<Real>& joints, 
          stack.friction[interface] * abs(stack.effect(rows.gap_row, rows.slip_row));
 }
 
-/// Whether accelerations other than those of a mode obey as well, where there are few to try.
+/// Up to `most` modes besides one that obey as well, where there are few to try.
 template <class Real>
-bool has_others(const ContactQuestion<Real>& question, const Joints<Real>& joints, const Joints<Real>& mode) {
-  if (faces_differ(question, joints, mode)) return true;
+std::vector<Joints<Real>> other_modes(const ContactQuestion<Real>& question, const Joints<Real>& joints,
+                                      const Joints<Real>& mode, std::size_t most) {
+  OtherModes<Real> others(question, mode, most);
+  add_on_other_faces(question, joints, mode, others);
   bool any = false;
-  for (std::size_t k = 0; k < joints.size(); ++k) any = any || couples(question, joints, k);
-  if (!any) return false;
-  constexpr std::size_t most = 200;
-  const FreeVector<Real> motion = respond(question, mode).motion;
-  const Real same = Real(1e-6) * question.free.template lpNorm<Eigen::Infinity>();
-  for (const auto& other : modes_that_obey(question, joints, most))
-    if ((respond(question, other).motion - motion).template lpNorm<Eigen::Infinity>() > same) return true;
-  return false;
+  for (std::size_t k = 0; k < joints.size() && question.of_accelerations(); ++k)
+    any = any || couples(question, joints, k);
+  constexpr std::size_t most_tried = 200;
+  if (any && !others.full()) {
+    for (const auto& other : modes_that_obey(question, joints, most_tried))
+      if (!others.full()) others.add(other);
+  }
+  return std::move(others).take();
+}
+
+/// Whether modes besides one obey as well; where branches are followed, it becomes the one that is taken.
+template <class Real>
+bool turn(const ContactQuestion<Real>& question, const Joints<Real>& joints,
+          const SpringContacts<Real>& springs, const Real& time, Branching* branching, Joints<Real>& mode) {
+  constexpr std::size_t most = 32;
+  std::vector<Joints<Real>> ways = other_modes(question, joints, mode, branching != nullptr ? most : 1);
+  if (branching == nullptr || ways.empty()) return !ways.empty();
+  const std::vector<int> pairs = open_pairs(question.stack, joints, question.level);
+  std::erase_if(ways, [&](const Joints<Real>& way) {
+    return question.of_accelerations() &&
+           std::any_of(pairs.begin(), pairs.end(), [&](int k) { return slides_off(way[k]); });
+  });
+  for (Joints<Real>& way : ways) settle(question, pairs, way);
+  ways.insert(ways.begin(), mode);
+  std::vector<Pattern> patterns;
+  for (Joints<Real> way : ways) {
+    for (const int k : pairs)
+      if (slides_off(way[k])) way[k] = {.touch = Touch::apart};
+    patterns.push_back(pattern_of(springs.shown(std::move(way))));
+  }
+  mode = ways[branching->take(static_cast<double>(time), std::move(patterns))];
+  return true;
 }
 
 /// By how much later an event decides, s.

@@ -19,8 +19,8 @@ namespace rockstack {
 template <class Real>
 class ContactSolver {
  public:
-  /// Keeps references to `scene` and `options`. @throws std::domain_error as require_digits().
-  ContactSolver(const Scene& scene, const SolveOptions& options)
+  /// Keeps references to all. @throws std::domain_error as require_digits().
+  ContactSolver(const Scene& scene, const SolveOptions& options, Branching* branching = nullptr)
       : scene_(scene),
         stack_(contact_model_of<Real>(scene)),
         smooth_(scene.blocks, std::vector<double>(scene.blocks.size(), 0)),
@@ -30,7 +30,8 @@ class ContactSolver {
         state_(initial_contacts(stack_, scene.initial)),
         springs_(scene, stack_, state_),
         recorder_(scene, stack_, options),
-        cancelled_(options.cancelled) {
+        cancelled_(options.cancelled),
+        branching_(branching) {
     using std::cos;
     using std::sqrt;
     require_digits(stack_);
@@ -187,8 +188,9 @@ class ContactSolver {
     close_negligible(stack_, chatter_, state_.bodies, touching);
     place(stack_, touching, state_.bodies);
     state_.bodies.rate = rates;
-    const auto impact =
-        collide(stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies));
+    const auto impact = collide(
+        stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies),
+        [&](const auto& question, const auto& joints, auto& mode) { return turn(question, joints, mode); });
     if (!impact) stop("no impulses end an impact at");
     recorder_.note_impact(impact->found, state_.bodies, impact->impulses, time());
     state_ = {{state_.bodies.at, impact->rates}, impact->mode};
@@ -220,7 +222,7 @@ class ContactSolver {
       mode = find_mode(question, joints);
       if (!mode) stop("no forces let the motion go on at");
     }
-    const bool others = has_others(question, joints, *mode);
+    const bool others = turn(question, joints, *mode);
     const Poses<Real> rates = state_.bodies.rate;
     state_.joints = *mode;
     fresh_.mark(touching, joined, state_.joints, time());
@@ -228,6 +230,12 @@ class ContactSolver {
     if (!same_modes(before, state_.joints))
       note(kind_of(before, state_.joints), lowest_change(before, state_.joints), before, rates,
            others ? Consistency::several : Consistency::consistent);
+  }
+
+  /// As turn() of contact_decision.hpp, which chatter does not come to.
+  bool turn(const ContactQuestion<Real>& question, const Joints<Real>& joints, Joints<Real>& mode) {
+    const bool follows = branching_ != nullptr && burst_ <= longest_followed_burst;
+    return rockstack::turn(question, joints, springs_, time(), follows ? branching_ : nullptr, mode);
   }
 
   /// The impulse that lets the motion go on where no forces do: that of a vanishing step of Moreau's.
@@ -288,6 +296,9 @@ class ContactSolver {
 
   Real time() const { return pieces_.current().start + offset_; }
 
+  /// In chatter, where more events follow each other, no more branches leave the motion.
+  static constexpr int longest_followed_burst = 8;
+
   const Scene& scene_;
   ContactModel<Real> stack_;
   ContactModel<Real> smooth_;  ///< the stack without friction
@@ -310,6 +321,7 @@ class ContactSolver {
   bool ended_ = false;
   ContactRecorder<Real> recorder_;
   const std::function<bool()>* cancelled_;
+  Branching* branching_;
 };
 
 }  // namespace rockstack

@@ -5,10 +5,10 @@
 namespace rockstack {
 
 template <class Real>
-ContactHistory<Real> solve_contacts(const Scene& scene, const SolveOptions& options) {
+ContactHistory<Real> solve_contacts(const Scene& scene, const SolveOptions& options, Branching* branching) {
   validate(scene);
   validate(options);
-  ContactSolver<Real> solver(scene, options);
+  ContactSolver<Real> solver(scene, options, branching);
   try {
     solver.run();
   } catch (const std::runtime_error& failure) {
@@ -17,8 +17,8 @@ ContactHistory<Real> solve_contacts(const Scene& scene, const SolveOptions& opti
   return std::move(solver).history();
 }
 
-template ContactHistory<double> solve_contacts(const Scene&, const SolveOptions&);
-template ContactHistory<long double> solve_contacts(const Scene&, const SolveOptions&);
+template ContactHistory<double> solve_contacts(const Scene&, const SolveOptions&, Branching*);
+template ContactHistory<long double> solve_contacts(const Scene&, const SolveOptions&, Branching*);
 
 bool double_does(const Scene& scene) {
   validate(scene);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analytic/scene/branching.hpp"
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/unilateral/contact_history.hpp"
 
@@ -17,12 +18,13 @@ class UnfinishedContacts : public std::runtime_error {
 /// The exact motion of rigid blocks that push, rub by Coulomb's law, lift off, fly and land without bounce,
 /// in one number type, double or long double. The law and the equations of the scene are not asked for:
 /// blocks rub, and their equations are nonlinear; springs of the scene act. Other number types:
-/// ContactSolver<Real> in contact_solver.hpp.
+/// ContactSolver<Real> in contact_solver.hpp. `branching` leads it where contact leaves several motions.
 /// @throws FieldError for a scene out of range; std::invalid_argument for options out of range;
 /// UnfinishedContacts<> where events do not come to an end; std::domain_error where masses or sizes are so
 /// far apart that contact forces keep fewer than six digits.
 template <class Real>
-ContactHistory<Real> solve_contacts(const Scene& scene, const SolveOptions& options);
+ContactHistory<Real> solve_contacts(const Scene& scene, const SolveOptions& options,
+                                    Branching* branching = nullptr);
 
 /// Whether contact forces and sizes keep ten digits in double. Where they do not, the energy that events make
 /// is more than a thousand roundings.

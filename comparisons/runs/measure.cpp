@@ -11,6 +11,7 @@
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/input/page_scene.hpp"
 #include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/branches.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
@@ -106,6 +107,31 @@ void write_motion(const NamedScene& scene, const History& history, const Support
   summary["scene_as_run"] = scene_json(scene.scene);
   summary["page"] = page_text(scene.document, scene.scene);
   write_file(folder / summary_name, summary.dump(2) + "\n");
+}
+
+/// What the exact solver was asked for by itself.
+struct Asked {
+  const NamedScene& scene;
+  const SolveOptions& options;
+  const std::vector<std::string>& histories;
+  const std::string& command;
+};
+
+/// `failure`: why the motion was not followed to its end, or nothing.
+void write_solved(const Asked& asked, const History& history, const std::string& failure,
+                  const std::filesystem::path& folder) {
+  const bool baseline = asked.options.integrator == Integrator::rk4;
+  RunMetrics row = describe({{}, asked.scene, {}});
+  row.solver = baseline ? "rk4" : "taylor";
+  if (!failure.empty()) row.status = RunStatus::failed;
+  row.reason = failure;
+  row.toppled = reported_toppling(history);
+  for (const auto& [name, text] : histories_csv(asked.scene.scene, history, asked.histories))
+    write_file(folder / name, text);
+  Json json = summary(row, asked.scene, baseline ? Parameters{{"step", asked.options.step}} : Parameters{},
+                      {}, asked.command);
+  add_validity(asked.scene.scene, history, json);
+  write_motion(asked.scene, history, {}, std::move(json), folder);
 }
 
 /// Where the motion is not followed to its end, what is known of it is kept.
@@ -258,29 +284,29 @@ RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at
 History solve_into(const NamedScene& scene, const SolveOptions& options,
                    const std::vector<std::string>& histories, const std::filesystem::path& folder,
                    const std::string& command) {
-  const bool baseline = options.integrator == Integrator::rk4;
-  RunMetrics row = describe({{}, scene, {}});
-  row.solver = baseline ? "rk4" : "taylor";
-  const auto write = [&](const History& history) {
-    row.toppled = reported_toppling(history);
-    for (const auto& [name, text] : histories_csv(scene.scene, history, histories))
-      write_file(folder / name, text);
-    Json json =
-        summary(row, scene, baseline ? Parameters{{"step", options.step}} : Parameters{}, {}, command);
-    add_validity(scene.scene, history, json);
-    write_motion(scene, history, {}, std::move(json), folder);
-  };
   try {
     History history = solve(scene.scene, options);
-    write(history);
+    write_solved({scene, options, histories, command}, history, "", folder);
     return history;
   } catch (const Unfinished& unfinished) {
-    row.status = RunStatus::failed;
-    row.reason = unfinished.what();
-    write(unfinished.history);
+    write_solved({scene, options, histories, command}, unfinished.history, unfinished.what(), folder);
     throw std::runtime_error(
         fmt::format("{}; the motion up to there is in {}", unfinished.what(), folder.string()));
   }
+}
+
+BranchTree solve_branches_into(const NamedScene& scene, const SolveOptions& options, std::size_t most,
+                               const std::vector<std::string>& histories, const std::filesystem::path& folder,
+                               const std::string& command) {
+  BranchTree tree = solve_branches(scene.scene, options, most);
+  for (std::size_t i = 0; i < tree.branches.size(); ++i) {
+    const auto own = i == 0 ? folder : folder / "branches" / std::to_string(i + 1);
+    std::filesystem::create_directories(own);
+    write_solved({scene, options, histories, command}, tree.branches[i].history, tree.branches[i].unfinished,
+                 own);
+  }
+  write_file(folder / "branches.csv", csv_of(branches_json(scene.scene, tree)));
+  return tree;
 }
 
 SimulatedMotion simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analytic/branches.hpp"
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/solve_options.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
@@ -77,6 +78,12 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
 History solve_into(const NamedScene& scene, const SolveOptions& options,
                    const std::vector<std::string>& histories, const std::filesystem::path& folder,
                    const std::string& command);
+
+/// The same of all branches: the first into the folder, others into folder/branches/2 and so on; and
+/// branches.csv, branches_json() as a table. @throws as solve_branches().
+BranchTree solve_branches_into(const NamedScene& scene, const SolveOptions& options, std::size_t most,
+                               const std::vector<std::string>& histories, const std::filesystem::path& folder,
+                               const std::string& command);
 
 /// An engine's motion, and how its blocks end on what they stand on.
 struct SimulatedMotion {

@@ -10,7 +10,8 @@ DrawScene histories, slip, friction, differences, impact_times, impact_energy, r
 using DrawComparison = Drawings(const ComparisonSubject&);
 DrawComparison agreement, solver_scores;
 using DrawFolder = Drawings(const FolderSubject&);
-DrawFolder fragility, incremental, overturning, modes, law_maps, law_engines, stability, record, advice, fit;
+DrawFolder fragility, incremental, overturning, modes, law_maps, law_engines, stability, record, advice, fit,
+    branches;
 
 namespace {
 
@@ -171,6 +172,11 @@ std::vector<Figure> study_figures() {
        "or of a centre as a share of the least block height. Under the dashed line nine of ten replicates "
        "must lie; trials where they do have a ring, and the cheapest of them has a second one.",
        OfFolder{"advice.json", advice}},
+      {"branches", "Branches", "Which motions obey?",
+       "Angles of all motions that obey the laws of contact; below, when each leaves which other one, what its "
+       "contacts take there, and how it ends. A line is broken where its motion is that of an earlier branch "
+       "again, or its mirror image.",
+       OfFolder{"branches.csv", branches}},
       {"fit", "Fit", "How near does the model come to the test?",
        "Marks: what was measured; line: the fitted motion; below, the one less the other. Up to the dashed line, "
        "the horizon of predictability, they were held together.",

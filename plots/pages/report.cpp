@@ -153,6 +153,7 @@ std::string content(const fs::path& results, const Motion& motion) {
       answer_box({fmt::format("{}: {}.", run_label(comparison.runs.front()), motion.verdict)});
   std::string drawn;
   for (const Figure* figure : figures_of(scene)) drawn += scene_figure(results, comparison, 0, *figure);
+  drawn += further_figures(results, comparison);
   const std::string again = code_block(comparison.command) +
                             details("The scene file", code_block(scene.toml)) +
                             details("The summary", definition_list(motion.summary)) +

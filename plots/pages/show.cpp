@@ -59,6 +59,7 @@ void show(const fs::path& results) {
   } else if (has_one_motion(results)) {
     const Motion motion = read_motion(results);
     draw_figures(results, motion.comparison);
+    draw_figures(results);
     write_report(results, motion);
   } else if (has_runs(results)) {
     const Comparison comparison = read_comparison(results);  // whose files are read once for all

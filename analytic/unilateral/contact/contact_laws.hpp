@@ -98,7 +98,8 @@ std::vector<Joints<Real>> modes_that_obey(const ContactQuestion<Real>& question,
 // The rule: a slip is judged by the face that it meets. A pair of corners slides inward where T > μN, and
 // outward where −T' > μN'; else it sticks. So it is the limit wherever both agree, and sticks where nothing
 // can part it. Where friction is so small that both ways are open, φ > 2 arctan μ, it slides inward. Impulses
-// are judged alike. Between the limits, an event tells that there are several motions.
+// are judged alike. Between the limits, an event tells that there are several motions. Where the other one is
+// followed, the pair is settled on the face on which it sticks, as wider or narrower blocks would.
 
 /// Whether the corners of both blocks at a pivot are at one place.
 template <class Real>
@@ -113,13 +114,14 @@ void meet_face(const ContactModel<Real>& stack, int interface, Joint<Real>& join
     joint.corner_below = corner_is_below(stack, interface, joint.offset, joint.side(), joint.slip);
 }
 
-/// The pairs of corners that do not slide, by their interfaces; of velocities any whose face is to be found.
+/// The pairs of corners that are not settled and do not slide, by their interfaces; of velocities those
+/// that do as well.
 template <class Real>
 std::vector<int> open_pairs(const ContactModel<Real>& stack, const Joints<Real>& joints, ContactLevel level) {
   std::vector<int> pairs;
   for (int k = 1; k < stack.size(); ++k) {
     const Joint<Real>& joint = joints[k];
-    const bool open = joint.slip == 0 || level != ContactLevel::accelerations;
+    const bool open = !joint.settled && (joint.slip == 0 || level != ContactLevel::accelerations);
     if (open && is_corner_pair(stack, k, joint)) pairs.push_back(k);
   }
   return pairs;
@@ -163,6 +165,28 @@ int first_to_change(const ContactQuestion<Real>& question, const std::vector<int
       return k;
   }
   return -1;
+}
+
+/// Settles those of `pairs` that stick in a mode, and would slide along their other faces.
+template <class Real>
+void settle(const ContactQuestion<Real>& question, const std::vector<int>& pairs, Joints<Real>& mode) {
+  const ModeResponse<Real> response = respond(question, mode);
+  for (const int k : pairs)
+    mode[k].settled =
+        mode[k].sticks() && changes_face(mode[k], response.forces[k], relative_angle(question.bodies.at, k),
+                                         question.stack.friction[k], Real(0));
+}
+
+/// Opens settled pairs again that do not go on to stick in a mode; true where there are any.
+template <class Real>
+bool unsettle(const Joints<Real>& mode, Joints<Real>& joints) {
+  bool any = false;
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    if (!joints[k].settled || mode[k].sticks()) continue;
+    joints[k].settled = joints[k].corner_below = false;
+    any = true;
+  }
+  return any;
 }
 
 /// Where blocks are, how fast they move, and what they touch.

@@ -36,6 +36,7 @@ struct Joint {
   Touch touch = Touch::flat;
   int slip = 0;               ///< the way the upper block slides: −1 left, 1 right; 0: it sticks
   bool corner_below = false;  ///< the pivot is a corner of the block below
+  bool settled = false;       ///< of a pair of corners that sticks: on this face, whatever the other would do
   Real offset = 0;            ///< s, m, while it touches
 
   bool touches() const { return touch != Touch::apart; }

@@ -172,7 +172,10 @@ std::optional<Joints<Real>> mode_on_faces(const ContactQuestion<Real>& question,
 /// as Murty's least-index method finds what is active: the first pair that changes its face does.
 template <class Real>
 std::optional<Joints<Real>> find_mode(const ContactQuestion<Real>& question, Joints<Real> joints) {
+  for (Joint<Real>& joint : joints) joint.settled = joint.settled && joint.pivots();
   auto first = mode_on_faces(question, joints);
+  const bool goes_on = question.level != ContactLevel::impacts;  // else the slip passes the corner
+  while (first && goes_on && unsettle(*first, joints)) first = mode_on_faces(question, joints);
   const std::vector<int> pairs = open_pairs(question.stack, joints, question.level);
   if (pairs.empty() || !first) return first;
   auto mode = first;
@@ -190,31 +193,63 @@ std::optional<Joints<Real>> find_mode(const ContactQuestion<Real>& question, Joi
   return mode;
 }
 
-/// Whether other faces of the pairs of corners lead to another motion that obeys as well, of accelerations
-/// one that goes on along its faces, where there are few to try. Where a force has just left its cone,
-/// motions are yet alike, and modes tell them apart.
+/// Modes that obey besides one, up to a number of them, none of which moves as another.
 template <class Real>
-bool faces_differ(const ContactQuestion<Real>& question, Joints<Real> joints, const Joints<Real>& mode) {
+class OtherModes {
+ public:
+  /// Keeps references to `question` and `mode`.
+  OtherModes(const ContactQuestion<Real>& question, const Joints<Real>& mode, std::size_t most)
+      : question_(question),
+        mode_(mode),
+        most_(most),
+        same_(Real(1e-6) * question.free.template lpNorm<Eigen::Infinity>()) {}
+
+  bool full() const { return modes_.size() == most_; }
+  /// Where a force has just left its cone, motions are yet alike, and which of `pairs` stick tells them
+  /// apart.
+  void add(const Joints<Real>& other, const std::vector<int>& pairs = {}) {
+    if (motions_.empty()) motions_.push_back(respond(question_, mode_).motion);
+    const FreeVector<Real> motion = respond(question_, other).motion;
+    for (std::size_t i = 0; i < motions_.size(); ++i) {
+      const Joints<Real>& known = i == 0 ? mode_ : modes_[i - 1];
+      const auto parts = [&](int k) { return known[k].sticks() != other[k].sticks(); };
+      if (!((motion - motions_[i]).template lpNorm<Eigen::Infinity>() > same_) &&
+          std::none_of(pairs.begin(), pairs.end(), parts))
+        return;
+    }
+    modes_.push_back(other);
+    motions_.push_back(motion);
+  }
+  std::vector<Joints<Real>> take() && { return std::move(modes_); }
+
+ private:
+  const ContactQuestion<Real>& question_;
+  const Joints<Real>& mode_;
+  std::size_t most_;
+  Real same_;
+  std::vector<Joints<Real>> modes_;
+  std::vector<FreeVector<Real>> motions_;  ///< of the first mode, then of these
+};
+
+/// Adds what other faces of the pairs of corners lead to, where it obeys, of accelerations one that goes on
+/// along its faces, where there are few to try.
+template <class Real>
+void add_on_other_faces(const ContactQuestion<Real>& question, Joints<Real> joints, const Joints<Real>& mode,
+                        OtherModes<Real>& others) {
   const std::vector<int> pairs = open_pairs(question.stack, joints, question.level);
   const auto any_pair = [&](const auto& is) {
     return std::any_of(pairs.begin(), pairs.end(), [&](int k) { return is(static_cast<std::size_t>(k)); });
   };
   constexpr std::size_t most = 7;  // 128 ways
-  if (pairs.size() > most || !any_pair([&](std::size_t k) { return !mode[k].sticks(); })) return false;
-  const FreeVector<Real> motion = respond(question, mode).motion;
-  const Real same = Real(1e-6) * question.free.template lpNorm<Eigen::Infinity>();
-  for (unsigned faces = 0; faces < 1U << pairs.size(); ++faces) {
+  if (pairs.size() > most || !any_pair([&](std::size_t k) { return !mode[k].sticks(); })) return;
+  for (unsigned faces = 0; faces < 1U << pairs.size() && !others.full(); ++faces) {
     for (std::size_t i = 0; i < pairs.size(); ++i) joints[pairs[i]].corner_below = (faces >> i & 1U) != 0;
     const auto other = mode_on_faces(question, joints);
     if (!other || !obeys(question, joints, *other)) continue;
     if (question.of_accelerations() && any_pair([&](std::size_t k) { return slides_off((*other)[k]); }))
       continue;
-    const FreeVector<Real> moves = respond(question, *other).motion;
-    if ((moves - motion).template lpNorm<Eigen::Infinity>() > same ||
-        any_pair([&](std::size_t k) { return mode[k].sticks() != (*other)[k].sticks(); }))
-      return true;
+    others.add(*other, pairs);
   }
-  return false;
 }
 
 }  // namespace rockstack

@@ -43,7 +43,7 @@ void lift(const ContactModel<Real>& stack, int block, const Real& gap, const Poi
                              turned<Real>(velocity, below.angle);
   rate.x = below_rate.x + change.x();
   rate.y = below_rate.y + change.y();
-  state.joints[index] = {Touch::apart, 0, false, state.joints[index].offset};
+  state.joints[index] = {.touch = Touch::apart, .offset = state.joints[index].offset};
 }
 
 /// The initial state of a scene: blocks touch as they lean, or as they are about to, or start above.

@@ -57,7 +57,7 @@ class GuardCollector {
     }
     if (!joint.touches()) return;
     if (joint.slip == 0) {
-      if (is_corner_pair(stack_, k, joint)) {
+      if (!joint.settled && is_corner_pair(stack_, k, joint)) {
         push_cone_side(force(k), -joint.side(), k);
         push_cone_side(on_upper_face(series_, k, force(k)), joint.side(), k);
       } else {

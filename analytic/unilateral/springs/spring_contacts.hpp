@@ -20,7 +20,7 @@ class SpringContacts {
     points_ = initial_points(stack, state);
     if (scene.initial.preloaded) preload(scene, stack, state, points_);
     for (std::size_t k = 0; k < state.joints.size(); ++k)
-      if (stack.soft(k)) state.joints[k] = {Touch::apart, 0, false, 0};
+      if (stack.soft(k)) state.joints[k] = {.touch = Touch::apart};
     show();
   }
 
@@ -119,7 +119,7 @@ class SpringContacts {
       Joint<Real>& joint = shown_[k];
       if (point.is_bed()) {
         ends[k] = 2;
-        joint = {touch_of(point.bed), point.slide, point.corner_below, point.slider};
+        joint = {touch_of(point.bed), point.slide, point.corner_below, false, point.slider};
         continue;
       }
       const bool first = ends[k]++ == 0;
@@ -131,7 +131,7 @@ class SpringContacts {
       if (!first) joint.touch = Touch::flat;
     }
     for (std::size_t k = 0; k < shown_.size(); ++k)
-      if (stack_.soft(k) && ends[k] == 0) shown_[k] = {Touch::apart, 0, false, shown_[k].offset};
+      if (stack_.soft(k) && ends[k] == 0) shown_[k] = {.touch = Touch::apart, .offset = shown_[k].offset};
   }
 
   /// What the springs of each interface do.

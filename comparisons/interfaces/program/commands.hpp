@@ -41,6 +41,8 @@ struct SolveArguments {
   bool plots = true;                  ///< figures and a page
   double tolerance = 0;  ///< of taylor: share of the velocity that a step may leave out; 0: rounding
   std::vector<std::string> histories;  ///< kinds_of_histories() to write
+  bool branches = false;               ///< follow all motions where contact leaves several
+  std::size_t most_branches = 16;
 };
 int solve_command(const SolveArguments& arguments, const Common& common);
 

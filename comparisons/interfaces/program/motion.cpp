@@ -7,6 +7,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/measures/metrics/branches.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/runs/measure.hpp"
@@ -22,29 +23,50 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What is said of other motions that obey.
+struct Branches {
+  std::vector<std::string> lines = {};
+  Json json = {};  ///< added to that of the motion
+};
+
 /// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are.
 void print_history(const Scene& scene, const History& history, const Support& support,
-                   const std::filesystem::path& folder, const Common& common) {
+                   const std::filesystem::path& folder, const Common& common, const Branches& branches = {}) {
   std::map<std::string, int> events;
   for (const Event& event : history.events) ++events[name(event.kind)];
   const std::string verdict = motion_verdict(scene, history, support);
   const std::vector<double> peaks = peak_angles(history);
   const std::vector<std::string> warnings = validity_warnings(scene, history);
   if (common.json) {
-    fmt::print("{}\n", Json{{"verdict", verdict},
-                            {"events", events},
-                            {"peak_angles", peaks},
-                            {"warnings", warnings},
-                            {"folder", folder.string()}}
-                           .dump(2));
+    Json json{{"verdict", verdict},
+              {"events", events},
+              {"peak_angles", peaks},
+              {"warnings", warnings},
+              {"folder", folder.string()}};
+    json.update(branches.json);
+    fmt::print("{}\n", json.dump(2));
   } else if (!common.quiet) {
     fmt::print("{}\n", verdict);
     for (const auto& [kind, number] : events) fmt::print("{}: {}\n", kind, number);
     for (std::size_t k = 0; const double peak : peaks)
       fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak);
     for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+    for (const std::string& line : branches.lines) fmt::print("{}\n", line);
     fmt::print("results: {}\n", folder.string());
   }
+}
+
+/// Follows all motions; returns 1 where one was given up.
+int solve_all(const SolveArguments& arguments, const NamedScene& scene, const SolveOptions& options,
+              const Common& common) {
+  const std::size_t most = arguments.most_branches;
+  const BranchTree tree =
+      solve_branches_into(scene, options, most, arguments.histories, arguments.out, common.command);
+  print_history(scene.scene, tree.branches.front().history, {}, arguments.out, common,
+                {branch_lines(scene.scene, tree, most),
+                 {{"branches", branches_json(scene.scene, tree)}, {"branches_left_out", tree.left_out}}});
+  const auto given_up = [](const Branch& branch) { return !branch.unfinished.empty(); };
+  return std::any_of(tree.branches.begin(), tree.branches.end(), given_up) ? 1 : 0;
 }
 
 /// Which one it was where a name stands for several.
@@ -71,10 +93,15 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
       .tolerance = arguments.tolerance,
       .step = arguments.step};
   const ResultsFolder folder(arguments.out, Results::motion);
-  const History history = solve_into(scene, options, arguments.histories, arguments.out, common.command);
-  print_history(scene.scene, history, {}, arguments.out, common);
+  int code = 0;
+  if (arguments.branches) {
+    code = solve_all(arguments, scene, options, common);
+  } else {
+    const History history = solve_into(scene, options, arguments.histories, arguments.out, common.command);
+    print_history(scene.scene, history, {}, arguments.out, common);
+  }
   if (arguments.plots) show_report(arguments.out, common);
-  return 0;
+  return code;
 }
 
 int simulate_command(const SimulateArguments& arguments, const Common& common) {

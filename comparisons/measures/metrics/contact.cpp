@@ -101,6 +101,11 @@ std::vector<InterfaceSummary> contact_summary(const History& history) {
   return list;
 }
 
+bool ends_at_rest(const Scene& scene, const History& history) {
+  return scene.law != Law::compliant && !history.events.empty() &&
+         history.events.back().to == closed_pattern(history.blocks);
+}
+
 nlohmann::ordered_json contact_json(const History& history) {
   auto json = nlohmann::ordered_json::array();
   int interface = 0;

@@ -21,6 +21,10 @@ struct InterfaceSummary {
 /// One an interface, from the ground up; none under laws of pivots.
 std::vector<InterfaceSummary> contact_summary(const History& history);
 
+/// Whether its last event leaves all contacts closed, and nothing slides. On springs a stack moves on where
+/// all its corners push.
+bool ends_at_rest(const Scene& scene, const History& history);
+
 /// An array of objects with the names above.
 nlohmann::ordered_json contact_json(const History& history);
 

@@ -44,12 +44,6 @@ double peak_time(const History& history, std::size_t block) {
   return history.times[furthest];
 }
 
-/// On springs a stack moves on where all its corners push.
-bool ends_at_rest(const Scene& scene, const History& history) {
-  return scene.law != Law::compliant && !history.events.empty() &&
-         history.events.back().to == closed_pattern(history.blocks);
-}
-
 /// When an interface would have to pull, from `demands` of forces or impulses; empty where none does.
 std::string pull(const std::vector<Demand>& demands) {
   for (std::size_t k = 0; k < demands.size(); ++k) {

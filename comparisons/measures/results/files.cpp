@@ -72,7 +72,9 @@ struct Kind {
 /// In the order of Results.
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> list{
-      {"one motion", {"summary.json", "history.csv", "events.csv", "ground.csv", "figures", "report.html"}},
+      {"one motion",
+       {"summary.json", "history.csv", "events.csv", "ground.csv", "branches.csv", "branches", "figures",
+        "report.html"}},
       {"a comparison",
        {"comparison.json", "comparison.csv", "fits.csv", "distributions.csv", "ground", "figures",
         "report.html"}},

@@ -37,7 +37,8 @@ Joints<double> in_double(const Joints<Real>& joints) {
   Joints<double> result;
   result.reserve(joints.size());
   for (const Joint<Real>& joint : joints)
-    result.push_back({joint.touch, joint.slip, joint.corner_below, static_cast<double>(joint.offset)});
+    result.push_back(
+        {joint.touch, joint.slip, joint.corner_below, joint.settled, static_cast<double>(joint.offset)});
   return result;
 }
 

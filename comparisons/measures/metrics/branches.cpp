@@ -1,0 +1,91 @@
+#include "comparisons/measures/metrics/branches.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
+
+namespace rockstack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Ending {
+  std::string word;
+  double time;  ///< s
+};
+
+Ending ending_of(const Scene& scene, const Branch& branch) {
+  const History& history = branch.history;
+  if (!branch.unfinished.empty())
+    return {"given up", history.events.empty() ? 0.0 : history.events.back().time};
+  if (!reported_toppling(history).empty())
+    return {name(history.events.back().kind), history.events.back().time};
+  if (ends_at_rest(scene, history)) return {"rest", history.events.back().time};
+  return {"end of scene", scene.duration};
+}
+
+std::string verdict_of(const Scene& scene, const Branch& branch) {
+  return branch.unfinished.empty() ? motion_verdict(scene, branch.history) : "given up: " + branch.unfinished;
+}
+
+Json row_of(const Scene& scene, const BranchTree& tree, std::size_t index) {
+  const Branch& branch = tree.branches[index];
+  Json row{{"branch", index + 1}};
+  for (const char* key : {"parent", "time", "takes", "instead_of", "like", "like_from", "mirrored"})
+    row[key] = {};
+  if (const auto& start = branch.start) {
+    row["parent"] = branch.parent + 1;
+    row["time"] = start->time;
+    row["takes"] = name(start->ways[start->taken]);
+    row["instead_of"] = name(start->ways.front());
+  }
+  if (const auto& like = branch.like) {
+    row["like"] = like->branch + 1;
+    row["like_from"] = like->from;
+    row["mirrored"] = like->mirrored;
+  }
+  const Ending end = ending_of(scene, branch);
+  row["ends"] = end.word;
+  row["end_time"] = end.time;
+  row["verdict"] = verdict_of(scene, branch);
+  return row;
+}
+
+/// "; from 1.2 s on the mirror image of branch 2", or nothing.
+std::string likeness_of(const Branch& branch) {
+  if (!branch.like) return "";
+  return fmt::format("; from {:.4g} s on {} branch {}", branch.like->from,
+                     branch.like->mirrored ? "the mirror image of" : "the same as", branch.like->branch + 1);
+}
+
+}  // namespace
+
+Json branches_json(const Scene& scene, const BranchTree& tree) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < tree.branches.size(); ++i) list.push_back(row_of(scene, tree, i));
+  return list;
+}
+
+std::vector<std::string> branch_lines(const Scene& scene, const BranchTree& tree, std::size_t most) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < tree.branches.size(); ++i) {
+    const Branch& branch = tree.branches[i];
+    const std::string start =
+        branch.start ? fmt::format("leaves branch {} at {:.6g} s, with {} instead of {}: ", branch.parent + 1,
+                                   branch.start->time, name(branch.start->ways[branch.start->taken]),
+                                   name(branch.start->ways.front()))
+                     : "";
+    lines.push_back(
+        fmt::format("branch {}: {}{}{}", i + 1, start, verdict_of(scene, branch), likeness_of(branch)));
+  }
+  if (tree.branches.size() == 1 && tree.left_out == 0) lines.push_back("no event leaves another motion");
+  if (tree.left_out > 0)
+    lines.push_back(fmt::format("--most-branches {} leaves out {} more that {}, the first at {:.6g} s", most,
+                                tree.left_out, tree.left_out == 1 ? "starts" : "start", tree.first_left_out));
+  return lines;
+}
+
+}  // namespace rockstack

@@ -1,0 +1,314 @@
+#include "analytic/branches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/analytic/unilateral/equal_widths.hpp"
+#include "tests/analytic/unilateral/scenes.hpp"
+#include "tests/stride.hpp"
+
+namespace rockstack {
+namespace {
+
+constexpr std::size_t plenty = 64;
+
+SolveOptions sampled(const Scene& scene, double samples = 200) {
+  return {.sample_times = regular_times(scene.duration / samples, scene.duration)};
+}
+
+BranchTree branches_of(const Scene& scene, std::size_t most = plenty) {
+  return solve_branches(scene, sampled(scene), most);
+}
+
+void expect_same_bits(const History& one, const History& other) {
+  EXPECT_EQ(one.angles, other.angles);
+  EXPECT_EQ(one.velocities, other.velocities);
+  EXPECT_EQ(one.centres, other.centres);
+  EXPECT_EQ(one.centre_velocities, other.centre_velocities);
+  ASSERT_EQ(one.events.size(), other.events.size());
+  for (std::size_t i = 0; i < one.events.size(); ++i) {
+    EXPECT_EQ(one.events[i].time, other.events[i].time);
+    EXPECT_EQ(one.events[i].to, other.events[i].to);
+    EXPECT_EQ(one.events[i].after, other.events[i].after);
+  }
+}
+
+bool tells_several(const History& history) {
+  return std::ranges::any_of(history.events,
+                             [](const Event& event) { return event.consistency == Consistency::several; });
+}
+
+/// The largest difference of places and angles at any sample, in m or rad; `side` −1: from the mirror image.
+double largest_difference(const History& one, const History& other, double side = 1) {
+  if (one.size() != other.size()) return std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (std::size_t i = 0; i < one.angles.size(); ++i)
+    largest = std::max({largest, std::abs(one.angles[i] - side * other.angles[i]),
+                        std::abs(one.centres[2 * i] - side * other.centres[2 * i]),
+                        std::abs(one.centres[2 * i + 1] - other.centres[2 * i + 1])});
+  return largest;
+}
+
+TEST(Branches, TheFirstIsTheMotionOfSolveAndTheOnlyOneWhereNothingForks) {
+  int single = 0, forked = 0;
+  for (std::uint64_t seed = 0; seed < 60; seed += testing::stride) {
+    for (const Scene& scene :
+         {testing::equal_widths(seed), testing::rubbing_scene(seed), testing::seeded_scene(seed)}) {
+      const History history = solve(scene, sampled(scene));
+      const BranchTree tree = branches_of(scene, 2);
+      expect_same_bits(tree.branches.front().history, history);
+      const bool forks = !tree.branches.front().forks.empty();
+      ++(forks ? forked : single);
+      EXPECT_EQ(tree.branches.size() + tree.left_out > 1, forks);
+      if (tells_several(history)) {
+        EXPECT_TRUE(forks) << seed;
+      }
+    }
+  }
+  EXPECT_GT(testing::stride * single, 60);
+  EXPECT_GT(testing::stride * forked, 5);
+}
+
+// p, critical friction and the force as in painleve.cpp: N = m (c ω² − g)/−p.
+TEST(Branches, APainleveCornerPartsOrPresses) {
+  const double angle = 0.2, lift = 1.05;
+  const double a = 0.5 * std::cos(angle) - std::sin(angle);
+  const double c = std::cos(angle) + 0.5 * std::sin(angle);
+  const double friction = 1.05 * (1 + 3 * a * a / 1.25) / (3 * a * c / 1.25);
+  Scene scene = testing::with_friction(testing::single(0.5, 1, 1e-3), friction);
+  scene.initial = {{angle}, {std::sqrt(lift * scene.gravity / c)}, {1.0}};
+  const BranchTree tree = branches_of(scene);
+  ASSERT_EQ(tree.branches.size(), 2U);
+  EXPECT_EQ(tree.left_out, 0U);
+  const Branch& parts = tree.branches[0];
+  const Branch& presses = tree.branches[1];
+  ASSERT_EQ(parts.forks.size(), 1U);
+  EXPECT_EQ(parts.forks[0].time, 0);
+  EXPECT_EQ(name(parts.history.patterns[0]), "-");
+  EXPECT_EQ(name(presses.history.patterns[0]), "R>");
+  EXPECT_FALSE(presses.like);
+  const double p = 1 + 3 * a * a / 1.25 - friction * 3 * a * c / 1.25;
+  const double normal = (lift - 1) * scene.gravity / -p;  // over the mass
+  const double interval =
+      parts.history.times[1];  // over which forces change by a few of its shares of a second
+  const auto acceleration = [&](const Branch& branch, std::size_t axis) {
+    return (branch.history.centre_velocities[2 + axis] - branch.history.centre_velocities[axis]) / interval;
+  };
+  EXPECT_NEAR(acceleration(parts, 0), 0, 1e-9);
+  EXPECT_NEAR(acceleration(parts, 1), -scene.gravity, 1e-9);
+  EXPECT_NEAR(acceleration(presses, 1), normal - scene.gravity, 0.01 * normal);
+  EXPECT_NEAR(acceleration(presses, 0), -friction * normal, 0.01 * friction * normal);
+}
+
+// Ground that falls faster than blocks do pulls at what pivots close: the block opens to either side.
+TEST(Branches, ASymmetricOpeningHasTwoThatAreMirrorImages) {
+  for (const Law law : {Law::consistent, Law::paper}) {
+    Scene scene = testing::single(0.2, 0.6, 0.5);
+    scene.law = law;
+    scene.vertical = testing::pulse_of(PulseShape::half_sine, -1.5 * scene.gravity, 0.2);
+    const BranchTree tree = branches_of(scene);
+    ASSERT_EQ(tree.branches.size(), 2U);
+    const Branch& other = tree.branches[1];
+    ASSERT_TRUE(other.like);
+    EXPECT_EQ(other.like->branch, 0U);
+    EXPECT_EQ(other.like->from, 0);
+    EXPECT_TRUE(other.like->mirrored);
+    EXPECT_GT(*std::ranges::max_element(other.history.angles), 1e-3);
+    for (std::size_t i = 0; i < other.history.size(); ++i)
+      EXPECT_EQ(other.history.angles[i], -tree.branches[0].history.angles[i]);
+  }
+}
+
+/// The scene seen from behind.
+Scene mirrored(Scene scene) {
+  const auto turn = [](std::vector<double>& values) {
+    for (double& value : values) value = -value;
+  };
+  turn(scene.initial.angles);
+  turn(scene.initial.velocities);
+  turn(scene.initial.slip_velocities);
+  if (scene.horizontal.pulse) scene.horizontal.pulse->amplitude *= -1;
+  return scene;
+}
+
+// Corner on corner: what widths a little apart from each other come to is what branches follow.
+TEST(Branches, HaveTheLimitsOfWiderAndOfNarrowerBlocksAmongThem) {
+  constexpr double share = 1e-10;
+  int limits = 0;
+  for (std::uint64_t seed = 0; seed < 200; seed += testing::stride) {
+    const Scene scene = testing::equal_widths(seed);
+    if (!tells_several(solve(scene))) continue;
+    const BranchTree tree = branches_of(scene);
+    ASSERT_EQ(tree.left_out, 0U) << seed;
+    for (unsigned wider = 0; wider < 1U << (scene.blocks.size() - 1); ++wider) {
+      const History limit = solve(testing::widened(scene, wider, share), sampled(scene));
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Branch& branch : tree.branches)
+        nearest = std::min(nearest, largest_difference(limit, branch.history));
+      EXPECT_LT(nearest, 30 * std::sqrt(share)) << seed << ' ' << wider;  // as in LimitTally
+      ++limits;
+    }
+  }
+  EXPECT_GT(testing::stride * limits, 60);
+}
+
+/// A change of velocities, by impulses or by forces over a short time, and what there would be of it without
+/// contact, of each block alike.
+struct Change {
+  Poses<> at;          ///< where
+  Poses<> rate;        ///< of what slides, after it
+  Poses<> of_rates;    ///< the change
+  Point<double> free;  ///< m/s
+  double scale;        ///< of impulses, N·s
+};
+
+/// Coulomb's and Signorini's laws of one interface on one face: its angle, the middle of it, half its width.
+bool obeys_on_face(const Change& change, int k, double friction, const Point<double>& impulse, double torque,
+                   double angle, const Point<double>& middle, double half_width) {
+  const double rounding = 1e-6 * change.scale;
+  const Point<double> along(std::cos(angle), -std::sin(angle)), across(std::sin(angle), std::cos(angle));
+  const double normal = impulse.dot(across), tangential = impulse.dot(along);
+  if (normal < -rounding || std::abs(tangential) > friction * normal + rounding) return false;
+  if (normal < 100 * rounding) return true;
+  // The torque about the origin tells the line that the impulse acts along.
+  const double place = -(torque - (middle.y() * impulse.x() - middle.x() * impulse.y())) / normal;
+  if (std::abs(place) > half_width + 1e-4) return false;
+  const Point<double> point = middle + place * along;
+  const auto speed = [&](int body) -> Point<double> {
+    if (body < 0) return {0, 0};
+    const Pose<>&at = change.at[body], &rate = change.rate[body];
+    return {rate.x + rate.angle * (point.y() - at.y), rate.y - rate.angle * (point.x() - at.x)};
+  };
+  const double slip = (speed(k) - speed(k - 1)).dot(along);
+  if (std::abs(slip) < 1e-4) return true;
+  return std::abs(tangential + std::copysign(friction * normal, slip)) <= 10 * rounding;
+}
+
+/// Whether all interfaces obey, as blocks' momenta alone tell; which face a pair of corners is on may be
+/// either.
+bool obeys_laws(const Scene& scene, const Change& change) {
+  Point<double> impulse(0, 0);
+  double torque = 0;
+  for (int k = static_cast<int>(scene.blocks.size()) - 1; k >= 0; --k) {
+    const Block& block = scene.blocks[k];
+    const Pose<>&at = change.at[k], &turn = change.of_rates[k];
+    const Point<double> momentum = block.mass * (Point<double>(turn.x, turn.y) - change.free);
+    impulse += momentum;
+    torque += block.inertia * turn.angle + at.y * momentum.x() - at.x * momentum.y();
+    const auto face = [&](int body, double height) {
+      const Pose<> pose = pose_of(change.at, body);
+      const Point<double> middle(pose.x + height * std::sin(pose.angle),
+                                 pose.y + height * std::cos(pose.angle));
+      const double half_width =
+          body < 0 ? std::numeric_limits<double>::infinity() : scene.blocks[body].half_width;
+      return obeys_on_face(change, k, scene.friction[k], impulse, torque, pose.angle, middle, half_width);
+    };
+    const bool on_lower = face(k - 1, k == 0 ? 0 : scene.blocks[k - 1].half_height);
+    if (!on_lower && (k == 0 || !face(k, -block.half_height))) return false;
+  }
+  return true;
+}
+
+Poses<> difference(const Poses<>& one, const Poses<>& other) {
+  return poses_of<double>(vector_of(one) - vector_of(other));
+}
+
+/// How deep corners of neighbours are in each other, m.
+double overlap_of(const Scene& scene, const Poses<>& at) {
+  double deepest = 0;
+  const auto corner_in_face = [&](int owner, double corner_y, int other, double face_y) {
+    for (const int side : {-1, 1}) {
+      const Pose<> own = pose_of(at, owner), face = pose_of(at, other);
+      const Point<double> corner =
+          Point<double>(own.x, own.y) +
+          turned<double>({side * scene.blocks[owner].half_width, corner_y}, own.angle);
+      const Point<double> seen = turned<double>(corner - Point<double>(face.x, face.y), -face.angle);
+      if (other >= 0 && std::abs(seen.x()) > scene.blocks[other].half_width) continue;
+      deepest = std::max(deepest, face_y > 0 || other < 0 ? face_y - seen.y() : seen.y() - face_y);
+    }
+  };
+  for (int k = 0; k < static_cast<int>(at.size()); ++k) {
+    const double below = k == 0 ? 0 : scene.blocks[k - 1].half_height;
+    corner_in_face(k, -scene.blocks[k].half_height, k - 1, below);
+    if (k > 0) corner_in_face(k - 1, below, k, -scene.blocks[k].half_height);
+  }
+  return deepest;
+}
+
+// Of every branch: momenta tell impulses, and forces between samples 10⁻⁷ s apart, with no part of the
+// solver.
+TEST(Branches, ObeyTheLawsOfContactAllOfThem) {
+  constexpr double moment = 1e-7;
+  int impacts = 0, forces = 0;
+  for (std::uint64_t seed = 0; seed < 120; seed += testing::stride) {
+    const Scene scene = testing::equal_widths(seed);
+    const BranchTree tree = branches_of(scene, 8);
+    if (tree.branches.size() == 1) continue;
+    double mass = 0, height = 0;
+    for (const Block& block : scene.blocks) mass += block.mass, height += 2 * block.half_height;
+    SolveOptions options;
+    for (const double time : regular_times(scene.duration / 200, scene.duration * 0.99))
+      options.sample_times.insert(options.sample_times.end(), {time, time + moment});
+    for (const Branch& branch : tree.branches) {
+      Branching branching;
+      for (const Fork& fork : branch.forks) branching.list.push_back(fork.taken);
+      const ContactHistory<> history = solve_contacts<double>(scene, options, &branching);
+      for (const ContactEvent<>& event : history.events) {
+        const Poses<> change = difference(event.after, event.before);
+        double scale = 0;
+        for (std::size_t k = 0; k < change.size(); ++k)
+          scale += scene.blocks[k].mass * std::hypot(change[k].x, change[k].y);
+        if (scale < 1e-3 * mass * std::sqrt(scene.gravity * height)) continue;
+        ++impacts;
+        EXPECT_TRUE(obeys_laws(scene, {event.at, event.after, change, {0, 0}, scale}))
+            << seed << ' ' << event.time;
+      }
+      for (std::size_t i = 0; i + 1 < history.samples.size(); i += 2) {
+        const auto& first = history.samples[i];
+        const auto& second = history.samples[i + 1];
+        EXPECT_LT(overlap_of(scene, first.bodies.at), 1e-9) << seed << ' ' << first.time;
+        const auto between = [&](const ContactEvent<>& event) {
+          return event.time >= first.time - moment && event.time <= second.time + moment;
+        };
+        if (std::ranges::any_of(history.events, between)) continue;
+        const double middle = (first.time + second.time) / 2, time = second.time - first.time;
+        const Point<double> free(-acceleration(scene.horizontal, middle) * time,
+                                 -(scene.gravity + acceleration(scene.vertical, middle)) * time);
+        ++forces;
+        EXPECT_TRUE(obeys_laws(
+            scene, {second.bodies.at, second.bodies.rate, difference(second.bodies.rate, first.bodies.rate),
+                    free, mass * scene.gravity * time}))
+            << seed << ' ' << first.time;
+      }
+    }
+  }
+  EXPECT_GT(testing::stride * impacts, 20);
+  EXPECT_GT(testing::stride * forces, 1000);
+}
+
+TEST(Branches, OfAMirroredSceneAreMirrored) {
+  for (std::uint64_t seed = 0; seed < 100; seed += testing::stride) {
+    const Scene scene = testing::equal_widths(seed);
+    const BranchTree tree = branches_of(scene, 8), other = branches_of(mirrored(scene), 8);
+    ASSERT_EQ(tree.branches.size(), other.branches.size()) << seed;
+    for (std::size_t i = 0; i < tree.branches.size(); ++i)
+      EXPECT_LT(largest_difference(tree.branches[i].history, other.branches[i].history, -1), 1e-9)
+          << seed << ' ' << i;
+  }
+}
+
+TEST(Branches, ABoundIsTold) {
+  const Scene scene = testing::equal_widths(17);  // one fork
+  const BranchTree all = branches_of(scene), one = branches_of(scene, 1);
+  EXPECT_EQ(all.left_out, 0U);
+  ASSERT_EQ(one.branches.size(), 1U);
+  ASSERT_FALSE(one.branches[0].forks.empty());
+  EXPECT_EQ(one.left_out, one.branches[0].forks.size());
+  EXPECT_EQ(one.first_left_out, one.branches[0].forks[0].time);
+}
+
+}  // namespace
+}  // namespace rockstack
