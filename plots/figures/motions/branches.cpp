@@ -70,10 +70,10 @@ void add_tree(Sheet& sheet, const std::vector<BranchRow>& rows, const std::strin
     const auto level = static_cast<double>(i + 1);
     const double start = std::isnan(row.start) ? 0 : row.start;
     const double own_end = std::isnan(row.like_from) ? row.end : std::clamp(row.like_from, start, row.end);
-    const std::string line = fmt::format("using 1:2 with lines lw 3 lc rgb '{}'", colour_of(i));
-    if (!std::isnan(row.parent)) tree.add({{start, row.parent}, {start, level}}, {line + " lw 1.5"});
-    if (own_end > start) tree.add({{start, level}, {own_end, level}}, {line});
-    if (row.end > own_end) tree.add({{own_end, level}, {row.end, level}}, {line + " dt (4,4)"});
+    const std::string line = fmt::format("using 1:2 with lines lc rgb '{}' lw ", colour_of(i));
+    if (!std::isnan(row.parent)) tree.add({{start, row.parent}, {start, level}}, {line + "1.5"});
+    if (own_end > start) tree.add({{start, level}, {own_end, level}}, {line + "3"});
+    if (row.end > own_end) tree.add({{own_end, level}, {row.end, level}}, {line + "3 dt (4,4)"});
     label(row.words, row.end, level, "left offset 0.6,0");
     if (!row.takes.empty()) label(row.takes, start, level, "left offset 0.4,0.55");
     numbers.push_back(std::to_string(i + 1));

@@ -30,7 +30,7 @@ TEST(BranchesFigure, TellsWhatEachTakesAndHowItEnds) {
   write_lean(folder / "branches" / "3", -0.2);
   draw_figures(folder);
   const std::string svg = testing::bytes_of(folder / "figures" / "branches.svg");
-  for (const char* words : {"A fork", "3 branches, 2 of them unlike", "rest", "R&gt;", "L&lt;", "topple",
+  for (const char* words : {"A fork", "3 branches, 2 of them unlike", "rest", "R>", "L&lt;", "topple",
                             "topple, mirror image of 2", "</svg>"})
     EXPECT_NE(svg.find(words), std::string::npos) << words;
 }
