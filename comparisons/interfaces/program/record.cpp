@@ -80,7 +80,7 @@ void print_text(const MeasuredRecord& record, const std::string& base_line) {
   line("file", record.file);
   line("format", record.format);
   line("channel", record.channel);
-  line("points", fmt::format("{}, {} s apart, {:.6g} s in all", m.points, m.interval, m.duration));
+  line("points", fmt::format("{}, {:.12g} s apart, {:.6g} s in all", m.points, m.interval, m.duration));
   line("base line taken off",
        base_line == "none"
            ? base_line

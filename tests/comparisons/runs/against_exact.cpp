@@ -150,5 +150,27 @@ TEST(AgainstExact, WhatLiesBeyondTheHorizonSaysNothing) {
     EXPECT_EQ(row.*field, cut.*field);
 }
 
+// A block that lands leaning turns through upright in flight, which is no impact.
+TEST(AgainstExact, AnglesTellNoImpactsOfABlockThatBouncesOnItsCorners) {
+  Scene scene;
+  scene.law = Law::unilateral;
+  scene.duration = 1;
+  scene.blocks = {make_block(1, 0.5, 2500)};
+  scene.initial = {{1.0}, {0}};
+  scene.initial.gaps = {0.5};
+  scene.friction = {0};
+  scene.point_restitution = 0.8;
+  const History exact = solve(scene, {.sample_times = regular_times(1e-3, scene.duration)});
+  const auto read = observed_impacts(exact, chatter_speed(scene));
+  ASSERT_FALSE(read.empty());
+  Suite suite;
+  RunMetrics row;
+  RunFiles files;
+  compare_with_exact(scene, suite, {exact, 1e-3, read, false, {}}, scene.duration, row, files);
+  EXPECT_EQ(row.largest_angle_difference, 0);
+  EXPECT_FALSE(row.first_impact_time_difference);
+  EXPECT_FALSE(row.impacts_matched);
+}
+
 }  // namespace
 }  // namespace rockstack
