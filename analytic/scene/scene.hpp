@@ -48,6 +48,12 @@ enum class Law {
 /// As scene files have it.
 const char* name(Law law);
 
+/// What a coefficient of restitution e multiplies at contact points.
+enum class RestitutionLaw {
+  newton,   ///< speeds: a point that meets a face at a speed u leaves it at e u or more
+  poisson,  ///< impulses: expansion gives back e of what compression took, or more where points would meet
+};
+
 /// The equations of motion between events. Impacts are the same in all, but that geometry is upright in the
 /// last two.
 enum class Equations {
@@ -110,9 +116,8 @@ struct Scene {
   /// Coulomb's coefficient of each interface, from the ground up, 0 … largest_friction; none:
   /// engine.friction.
   std::vector<double> friction = {};
-  /// Newton's coefficient e of all contact points, 0 … 1; law `unilateral` alone. A point that meets a face
-  /// at a speed u leaves it at e u or more.
-  double point_restitution = 0;
+  double point_restitution = 0;  ///< coefficient e of all contact points, 0 … 1; law `unilateral` alone
+  RestitutionLaw restitution_law = RestitutionLaw::newton;  ///< of that coefficient
   CornerSprings springs;
   InitialState initial;
   GroundMotion horizontal;  ///< ẍg, positive to the right

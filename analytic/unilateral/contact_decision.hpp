@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analytic/scene/branching.hpp"
-#include "analytic/unilateral/contact/contact_modes.hpp"
+#include "analytic/unilateral/contact/expansion.hpp"
 #include "analytic/unilateral/contact_changes.hpp"
 #include "analytic/unilateral/contact_history.hpp"
 #include "analytic/unilateral/springs/spring_contacts.hpp"
@@ -12,7 +12,7 @@ namespace rockstack {
 /// What an impact leads to.
 template <class Real>
 struct ContactCollision {
-  Joints<Real> found;  ///< what the impulses bring about
+  Joints<Real> found;  ///< what the impulses bring about, by Poisson's law those of compression
   std::vector<ContactForce<Real>> impulses;
   Joints<Real> mode;  ///< without what slides or parts too slowly
   Poses<Real> rates;
@@ -108,8 +108,11 @@ std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
   auto found = find_mode(question, touching);
   if (!found) return std::nullopt;
   const bool several = turn(question, touching, *found);
-  const ModeResponse<Real> response = respond(question, *found);
-  ContactCollision<Real> impact{*found, response.forces, *found, {}};
+  ModeResponse<Real> response = respond(question, *found);
+  std::optional<Joints<Real>> mode = found;
+  if (stack.bounces_by(RestitutionLaw::poisson)) mode = expand(question, touching, *found, response);
+  if (!mode) return std::nullopt;
+  ContactCollision<Real> impact{*found, response.forces, *std::move(mode), {}};
   impact.several = several;
   bodies.rate = poses_of(response.motion);
   Joints<Real> met = touching;

@@ -78,7 +78,7 @@ Json fields_of(const GroundMotion& motion) {
 
 Json fields_of(const Scene& scene) {
   const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
-               point_restitution, springs, initial, horizontal, vertical, engine] = scene;
+               point_restitution, restitution_law, springs, initial, horizontal, vertical, engine] = scene;
   const auto& [engine_friction, depth] = engine;
   Json list = Json::array();
   for (const Block& block : blocks) list.push_back(fields_of(block));
@@ -92,6 +92,7 @@ Json fields_of(const Scene& scene) {
           list,
           friction,
           point_restitution,
+          restitution_law,
           fields_of(springs),
           fields_of(initial),
           fields_of(horizontal),

@@ -108,6 +108,12 @@ void read_contact(const Node& root, Scene& scene) {
   const std::size_t size = scene.blocks.size();
   scene.friction = read_each(*table, "friction", size);
   scene.point_restitution = number_or(*table, "restitution", 0);
+  if (const Node* law = find(*table, "restitution_law")) {
+    scene.restitution_law = choice<RestitutionLaw>(
+        *law, {{"newton", RestitutionLaw::newton}, {"poisson", RestitutionLaw::poisson}});
+    if (scene.restitution_law != RestitutionLaw::newton && find(*table, "restitution") == nullptr)
+      throw wrong_value(*law, "left out where contact.restitution is, whose law it is");
+  }
   scene.springs.stiffness = read_stiffness(*table, "stiffness", size);
   scene.springs.damping = read_each(*table, "damping", size);
   scene.springs.bed_stiffness = read_stiffness(*table, "bed_stiffness", size);

@@ -65,8 +65,11 @@ inline constexpr KeyTable contact_keys{
       "Coulomb's coefficient of the interface under each block, in laws \"unilateral\" and "
       "\"compliant\" and in engines; laws of pivots never slip, and warn where they would have to"},
      {"restitution", "0.0", "", "a number from 0 to 1; law \"unilateral\"", "0",
-      "Newton's coefficient of contact points, which engines take too: what a point that meets a face keeps of "
+      "coefficient of contact points, which engines take too: what a point that meets a face keeps of "
       "its speed across it, backwards; of rocking under laws of pivots see restitution outside this table"},
+     {"restitution_law", "\"newton\"", "", "\"newton\" or \"poisson\", beside restitution", "\"newton\"",
+      "what restitution multiplies: speeds of points, or, by Poisson's, impulses of compression, which expansion "
+      "gives back; engines have their own"},
      {"stiffness", "inf", "N/m", "> 0 or inf, or one for each block; law \"compliant\"", "inf",
       "of a spring at each corner of the interface under each block, across the face; inf: rigid"},
      {"damping", "0.0", "N·s/m", "≥ 0, or one for each block; law \"compliant\"", "0",

@@ -135,7 +135,8 @@ template <class Real = double>
 struct ContactModel {
   std::vector<Block> blocks;
   std::vector<Real> friction;
-  Real restitution = 0;                  ///< Newton's, of all points
+  Real restitution = 0;  ///< of all points
+  RestitutionLaw restitution_law = RestitutionLaw::newton;
   std::vector<SpringLaw<Real>> springs;  ///< of each interface; empty where all are rigid
   FreeVector<Real> inverse_mass;         ///< three a block
 
@@ -151,6 +152,7 @@ struct ContactModel {
   }
 
   int size() const { return static_cast<int>(blocks.size()); }
+  bool bounces_by(RestitutionLaw law) const { return restitution > 0 && restitution_law == law; }
   /// Whether springs hold an interface. Its joint is `apart`, as rigid contacts see it.
   bool soft(std::size_t interface) const { return !springs.empty() && springs[interface].soft(); }
 
@@ -193,6 +195,7 @@ template <class Real>
 ContactModel<Real> contact_model_of(const Scene& scene) {
   ContactModel<Real> stack(scene.blocks, friction_of(scene));
   stack.restitution = Real(scene.point_restitution);
+  stack.restitution_law = scene.restitution_law;
   const CornerSprings& springs = scene.springs;
   if (springs.stiffness.empty() && springs.bed_stiffness.empty()) return stack;
   const auto of = [](const std::vector<double>& values, std::size_t k, double standard) {

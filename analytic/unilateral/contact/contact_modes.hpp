@@ -87,25 +87,40 @@ std::optional<Joints<Real>> sticking_mode(const ContactQuestion<Real>& question,
   return mode;
 }
 
-/// A mode by Lemke's method, for each interface points, friction to the right and to the left, and slip.
+/// What Lemke's method finds: a mode, and what each row of a problem takes. For each contact its rows are
+/// those of its points, and where friction is sought, to the right and to the left, and of slip.
 template <class Real>
-std::optional<Joints<Real>> rubbing_mode(const ContactQuestion<Real>& question, const Joints<Real>& joints,
-                                         const std::vector<TouchingPoints<Real>>& contacts) {
+struct RubbingSolution {
+  Joints<Real> mode;
   ContactProblem<Real> problem;
-  std::vector<Eigen::Index> cones;  // of each contact: where its friction stands, or −1
+  FreeVector<Real> forces;
+  std::vector<Eigen::Index> cones;  ///< of each contact: where its friction stands, or −1
+};
+
+/// By Lemke's method. Beside what is sought, each contact bears a normal impulse `borne`, where any is given;
+/// then no slips are sought of contacts without friction.
+template <class Real>
+std::optional<RubbingSolution<Real>> rub(const ContactQuestion<Real>& question, const Joints<Real>& joints,
+                                         const std::vector<TouchingPoints<Real>>& contacts,
+                                         const std::vector<Real>& borne = {}) {
+  ContactProblem<Real> problem;
+  std::vector<Eigen::Index> cones;
   const FreeRow<Real> none = FreeRow<Real>::Zero(Eigen::Index{3} * question.stack.size());
   for (const TouchingPoints<Real>& contact : contacts) {
     const int slip = question.slip_before(joints[contact.interface]);
     add_points(contact, slip, problem);
-    cones.push_back(slip == 0 ? problem.size() : -1);
-    if (slip != 0) continue;
+    const bool rubs = slip == 0 && (borne.empty() || contact.friction > 0);
+    cones.push_back(rubs ? problem.size() : -1);
+    if (!rubs) continue;
     problem.add(contact.slip, contact.slip, contact.slip_bias);
     problem.add(-contact.slip, -contact.slip, -contact.slip_bias);
     problem.add(none, none, 0);
   }
   SquareMatrix<Real> matrix = problem.matrix(question.stack);
-  matrix /= matrix.diagonal().cwiseAbs().maxCoeff();
-  const FreeVector<Real> vector = problem.free(question.free);
+  const Real scale = matrix.diagonal().cwiseAbs().maxCoeff();
+  matrix /= scale;
+  FreeVector<Real> vector = problem.free(question.free);
+  const Real parting = tolerance<Real>(1e-12) * vector.template lpNorm<Eigen::Infinity>();
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (cones[c] < 0) continue;
     const Eigen::Index slack = cones[c] + 2;
@@ -113,10 +128,10 @@ std::optional<Joints<Real>> rubbing_mode(const ContactQuestion<Real>& question, 
     matrix(cones[c], slack) = matrix(cones[c] + 1, slack) = 1;
     matrix(slack, cones[c]) = matrix(slack, cones[c] + 1) = -1;
     for (Eigen::Index i = 1; i <= points; ++i) matrix(slack, cones[c] - i) = contacts[c].friction;
+    if (!borne.empty()) vector[slack] = scale * contacts[c].friction * borne[c];
   }
   const auto solution = solve_complementarity(matrix, vector);
   if (!solution) return std::nullopt;
-  const Real parting = tolerance<Real>(1e-12) * vector.template lpNorm<Eigen::Infinity>();
   Joints<Real> mode = joints;
   Eigen::Index at = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -132,7 +147,7 @@ std::optional<Joints<Real>> rubbing_mode(const ContactQuestion<Real>& question, 
     }
     set_mode(question.stack, contacts[c], pushes, slip, joint);
   }
-  return mode;
+  return RubbingSolution<Real>{std::move(mode), std::move(problem), solution->z / scale, std::move(cones)};
 }
 
 /// Of all modes that obey, the one whose forces change the motion least.
@@ -157,10 +172,11 @@ std::optional<Joints<Real>> mode_on_faces(const ContactQuestion<Real>& question,
   const std::vector<TouchingPoints<Real>> contacts = touching_points(question, joints);
   if (contacts.empty()) return joints;
   if (auto mode = sticking_mode(question, joints, contacts)) return mode;
-  auto mode = rubbing_mode(question, joints, contacts);
-  if (mode && obeys(question, joints, *mode)) return mode;
+  auto rubbing = rub(question, joints, contacts);
+  if (rubbing && obeys(question, joints, rubbing->mode)) return std::move(rubbing->mode);
   auto other = nearest_mode(question, joints);
-  return other ? other : mode;
+  if (!other && rubbing) other = std::move(rubbing->mode);
+  return other;
 }
 
 /// The mode that obeys all laws of contact among those in which what touches may stay, part or pivot, and

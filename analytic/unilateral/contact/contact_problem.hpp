@@ -88,7 +88,7 @@ struct TouchingPoints {
 /// ⟂ λ ≥ 0 where it met it, u⁻ < 0, so that e u⁻ is what a pushing point keeps, backwards.
 template <class Real>
 Real bounce_of(const ContactQuestion<Real>& question, const FreeRow<Real>& gap_row) {
-  if (question.level != ContactLevel::impacts || question.stack.restitution == 0) return 0;
+  if (question.level != ContactLevel::impacts || !question.stack.bounces_by(RestitutionLaw::newton)) return 0;
   return question.stack.restitution * std::min<Real>(gap_row.dot(question.free), 0);
 }
 

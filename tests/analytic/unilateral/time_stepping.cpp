@@ -41,6 +41,7 @@ struct Touching {
   int pair = 0;  ///< of a pair of corners: its side, −1 or 1; normal and tangent are those of the lower face
   double push = 0, rub = 0;  ///< impulses, N·s
   double bounce = 0;         ///< velocity across the face that is left at least, m/s
+  double given = 0;          ///< by Poisson's law: normal impulse that expansion gives back, N·s
 
   Vec relative_velocity() const {
     const auto of = [&](const Body& body) {
@@ -86,7 +87,7 @@ struct Touching {
     } else {
       push = std::max(0.0, push + (bounce - dot(relative_velocity(), normal)) / mobility(normal, normal));
       apply(normal, push - push_before);
-      const double limit = friction * push;
+      const double limit = friction * (given + push);
       rub = std::clamp(rub - dot(relative_velocity(), tangent) / mobility(tangent, tangent), -limit, limit);
       apply(tangent, rub - rub_before);
     }
@@ -196,18 +197,32 @@ Bodies<> time_stepped(const Scene& scene, double step, double stop) {
     touching.clear();
     for (std::size_t k = 0; k < bodies.size(); ++k)
       add_corners(scene, bodies, k, scene.friction[k], reach, touching);
+    const bool expands = scene.restitution_law == RestitutionLaw::poisson;
     for (Touching& point : touching)
-      point.bounce = scene.point_restitution * std::max(0.0, -dot(point.relative_velocity(), point.normal));
+      if (!expands)
+        point.bounce = scene.point_restitution * std::max(0.0, -dot(point.relative_velocity(), point.normal));
     for (Body& body : bodies) {
       body.velocity.x -= length * acceleration(scene.horizontal, middle);
       body.velocity.y -= length * (scene.gravity + acceleration(scene.vertical, middle));
     }
     double scale = 0;
     for (const Body& body : bodies) scale += body.mass * scene.gravity * length;
-    for (int sweep = 0; sweep < 1000; ++sweep) {
-      double change = 0;
-      for (Touching& point : touching) change += point.relax();
-      if (change <= stop * scale) break;
+    const auto relax = [&] {
+      for (int sweep = 0; sweep < 1000; ++sweep) {
+        double change = 0;
+        for (Touching& point : touching) change += point.relax();
+        if (change <= stop * scale) break;
+      }
+    };
+    relax();
+    if (expands) {
+      for (Touching& point : touching) {
+        if (point.pair != 0) continue;
+        point.given = scene.point_restitution * point.push;
+        point.push = point.rub = 0;
+        point.apply(point.normal, point.given);
+      }
+      relax();
     }
     move(length / 2);
   }

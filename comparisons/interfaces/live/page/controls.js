@@ -189,7 +189,7 @@ function controlsOf(page) {
     if (law === "compliant" && !scene().contact?.bed_stiffness) table("contact")(true).stiffness ??= 1e8;
     if (law !== "compliant" && scene().contact)
       for (const name of ["stiffness", "damping", "tangential", "bed_stiffness", "bed_damping"]) delete scene().contact[name];
-    if (law !== "unilateral") delete scene().contact?.restitution;
+    if (law !== "unilateral") for (const name of ["restitution", "restitution_law"]) delete scene().contact?.[name];
     if (leavesPivots(law)) for (const name of ["restitution", "equations"]) delete scene()[name];
   };
 
@@ -219,7 +219,9 @@ function controlsOf(page) {
       slider({ label: "damping, N·s/m", limits: between(0, 1e6), ...everywhere("damping", 0) })];
     const bouncing = law !== "unilateral" ? [] : [
       slider({ label: "restitution of points", hint: "what a point that meets a face keeps of its speed; of engines too", limits: between(0, 1),
-        ...everywhere("restitution", 0) })];
+        ...everywhere("restitution", 0) }),
+      choice({ label: "law of restitution", hint: "what that is a share of; engines have their own", options: [["newton", "Newton's: speeds"], ["poisson", "Poisson's: impulses"]],
+        get: key(contact, "restitution_law", "newton").get, set: (law) => Object.assign(contact(true), { restitution: contact(true).restitution ?? 0, restitution_law: law }) })];
     return group("Contact", true,
       choice({ label: "law", options: [["paper", "paper: pivots"], ["consistent", "consistent: pivots"], ["unilateral", "unilateral: slip, lift-off"], ["compliant", "compliant: springs"]],
         get: key(scene, "law", "consistent").get, set: setLaw }), friction, ...bouncing, ...soft, ...(leavesPivots(law) ? [] : ofPivots()));

@@ -66,6 +66,11 @@ TEST(SceneErrors, FrictionAndSlip) {
       {12, "[contact]\nrestitution = 0.5",
        "scene.toml:13: contact.restitution = 0.5: must be 0 under law consistent, whose impacts have the ratio "
        "restitution"},
+      {12, "[contact]\nrestitution = 0.5\nrestitution_law = \"stronge\"",
+       "scene.toml:14: contact.restitution_law = \"stronge\": must be \"newton\" or \"poisson\""},
+      {12, "[contact]\nrestitution_law = \"poisson\"",
+       "scene.toml:13: contact.restitution_law = \"poisson\": must be left out where contact.restitution is, "
+       "whose law it is"},
       {12, "slip_velocities = [0, 1]",
        "scene.toml:12: initial.slip_velocities = not all 0: must be all 0 under law consistent, where nothing "
        "slips or lifts"},

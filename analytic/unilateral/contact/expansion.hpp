@@ -1,0 +1,77 @@
+#pragma once
+
+#include "analytic/unilateral/contact/contact_modes.hpp"
+
+namespace rockstack {
+
+// Poisson's law. An impact has two phases. Compression is the impact without bounce, whose points take normal
+// impulses Λ_C. Expansion gives e Λ_C back, and more where a point would go through its face: 0 ≤ Λ_E − e Λ_C
+// ⟂ u_N ≥ 0. Each phase rubs by Coulomb's law, |Λ_T| ≤ μ Λ_N (Glocker & Pfeiffer 1995, Nonlinear Dynamics 7,
+// 471–497; Anitescu & Potra 1997, Nonlinear Dynamics 14, 231–247).
+//
+// Energy never grows. With a·b for aᵀ W M⁻¹ Wᵀ b of impulses, T their parts along faces, and slips s_C and
+// s_E after the phases, twice the change is
+//   −Λ_C·Λ_C + 2e Λ_C·Λ_E − Λ_E·Λ_E + 2(1 + e) s_CᵀT_C + 2 s_Eᵀ(T_E − e T_C).
+// No part is positive: the first three are at most −(|Λ_C| − |Λ_E|)², and at each point friction takes |s_E|
+// μ Λ_E, while e T_C gives no more than |s_E| μ e Λ_C.
+
+/// Normal impulses of the points of an interface that touched, left first, in the mode that followed.
+template <class Real>
+std::vector<Real> point_impulses(const ContactModel<Real>& stack, int interface, const Joint<Real>& touching,
+                                 const Joint<Real>& joint, const ContactForce<Real>& impulse) {
+  if (touching.touch != Touch::flat) return {impulse.normal};
+  if (joint.touch != Touch::flat)
+    return {joint.side() < 0 ? impulse.normal : Real(0), joint.side() > 0 ? impulse.normal : Real(0)};
+  const auto [left, right] = overlap(stack, interface, joint.offset);
+  return {(impulse.normal * right + impulse.moment) / (right - left),
+          (-impulse.normal * left - impulse.moment) / (right - left)};
+}
+
+/// The expansion after a compression of `touching` to `compressed`, whose response, but for moments, becomes
+/// that of both. The mode after it; nothing where no impulses end it. Corners stay on the faces on which
+/// they are compressed; of several solutions, the one of Lemke's method. What slides by rounding alone is
+/// said to slide.
+template <class Real>
+std::optional<Joints<Real>> expand(const ContactQuestion<Real>& question, Joints<Real> touching,
+                                   const Joints<Real>& compressed, ModeResponse<Real>& response) {
+  const ContactModel<Real>& stack = question.stack;
+  for (std::size_t k = 0; k < touching.size(); ++k)
+    if (touching[k].pivots() && compressed[k].pivots()) touching[k] = compressed[k];
+  const std::vector<TouchingPoints<Real>> contacts = touching_points(question, touching);
+  const auto act = [&](const FreeRow<Real>& direction, const Real& impulse) {
+    response.motion += impulse * stack.inverse_mass.cwiseProduct(direction.transpose());
+  };
+  std::vector<Real> given;
+  for (const TouchingPoints<Real>& contact : contacts) {
+    const int k = contact.interface;
+    const std::vector<Real> points = point_impulses(stack, k, touching[k], compressed[k], response.forces[k]);
+    given.push_back(0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Real back = stack.restitution * std::max<Real>(points[i], 0);
+      act(contact.normals[i], back);
+      given.back() += back;
+    }
+  }
+  const FreeVector<Real> free = response.motion;
+  auto found = rub<Real>({stack, question.bodies, free, question.level}, touching, contacts, given);
+  if (!found) return std::nullopt;
+  for (Eigen::Index i = 0; i < found->problem.size(); ++i)
+    act(found->problem.directions[i], found->forces[i]);
+  Eigen::Index at = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const TouchingPoints<Real>& contact = contacts[c];
+    ContactForce<Real>& impulse = response.forces[contact.interface];
+    impulse.normal += given[c];
+    for (std::size_t i = 0; i < contact.normals.size(); ++i) impulse.normal += found->forces[at++];
+    Joint<Real>& joint = found->mode[contact.interface];
+    if (found->cones[c] >= 0) {
+      impulse.tangential += found->forces[at] - found->forces[at + 1];
+      at += 3;
+    } else if (joint.touches()) {
+      joint.slip = contact.slip.dot(response.motion) > 0 ? 1 : -1;
+    }
+  }
+  return std::move(found->mode);
+}
+
+}  // namespace rockstack
