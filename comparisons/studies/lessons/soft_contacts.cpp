@@ -6,11 +6,13 @@
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
+#include "engines/worker/registry.hpp"
 
 namespace rockstack {
 namespace {
 
 constexpr double contact_step = 1e-3;  // s
+constexpr double points = 4;           // of a block's bottom face
 constexpr int heights = 15;
 constexpr double lowest = 0.16, highest = 0.44;  // tilts, rad
 
@@ -82,8 +84,66 @@ Table springs(double weight) {
     for (const double cfm : {1e-10, 1e-5}) {
       const double stiffness = erp / (contact_step * cfm);
       table.rows.push_back({cell(erp), cell(cfm), cell(contact_step), power(stiffness, 1),
-                            power((1 - erp) / cfm, 1), power(weight / 2 / stiffness, 1)});
+                            power((1 - erp) / cfm, 1), power(weight / points / stiffness, 1)});
     }
+  return table;
+}
+
+/// One contact parameter of an engine as the spring and the dashpot of a point.
+struct Meaning {
+  const char *engine, *words;
+  Parameters changes;
+  double stiffness, damping;  ///< N/m and N·s/m
+  double free;                ///< depth at which nothing pushes yet, m
+};
+
+Meaning of_erp(const char* words, double erp, double cfm) {
+  return {"ode", words, {{"erp", erp}, {"cfm", cfm}}, erp / (contact_step * cfm), (1 - erp) / cfm, 0};
+}
+
+/// MuJoCo's, at the depth at which four points bear the block: solimp makes the impedance d of the depth (up
+/// to half its width here), d and the time constant of solref the spring. Formulas:
+/// engines/mujoco/mujoco.cpp.
+Meaning of_solref(const char* words, double time, const Block& block, double gravity) {
+  constexpr double d0 = 0.9, d1 = 0.95, width = 1e-3;  // solimp; m
+  Meaning meaning{"mujoco", words, {{"solref_timeconst", time}}, 0, 0, 0};
+  double depth = 0;
+  for (int i = 0; i < 50; ++i) {  // each time a hundredth of the error or less is left
+    const double d = d0 + (d1 - d0) * 2 * depth * depth / (width * width);
+    const double softness = (1 - d) / d * 2 / (3 * block.mass);
+    meaning.stiffness = d / (d1 * time * d1 * time * softness);
+    meaning.damping = 2 / (d1 * time * softness);
+    depth = block.mass * gravity / (points * meaning.stiffness);
+  }
+  return meaning;
+}
+
+/// How deep a block at rest is in the ground, by springs that are its parameters, and in the engines
+/// themselves.
+Table at_rest(Scene scene) {
+  Table table{{"engine", "parameters", "stiffness of a point (N/m)", "damping of a point (N·s/m)",
+               "sinks, computed (m)", "sinks, in the engine (m)"},
+              {}};
+  scene.law = Law::unilateral;  // by which engines tell gaps
+  scene.friction = {1};
+  scene.initial.angles = {0};
+  scene.duration = 2;
+  const Block& block = scene.blocks.front();
+  constexpr double slop = 1e-3;  // m
+  for (const Meaning& one :
+       {of_erp("erp 0.2, cfm 1e-5", 0.2, 1e-5), of_erp("erp 0.8, cfm 1e-5", 0.8, 1e-5),
+        of_erp("erp 0.2, cfm 1e-6", 0.2, 1e-6),
+        Meaning{"bullet", "linearSlop 1 mm", {{"linearSlop", slop}}, 0, 0, slop},
+        of_solref("solref 0.02 s and 1, solimp 0.9 to 0.95", 0.02, block, scene.gravity),
+        of_solref("solref 0.005 s and 1, solimp 0.9 to 0.95", 0.005, block, scene.gravity)}) {
+    const bool rigid = one.stiffness == 0, there = !engines_called(one.engine).empty();
+    const double depth = one.free + (rigid ? 0 : block.mass * scene.gravity / (points * one.stiffness));
+    table.rows.push_back(
+        {one.engine, one.words, rigid ? "rigid" : power(one.stiffness, 2), rigid ? "" : power(one.damping, 2),
+         power(depth, 3),
+         there ? power(-answer(one.engine, "default", scene, contact_step, one.changes).gaps.back(), 3)
+               : "not in this build"});
+  }
   return table;
 }
 
@@ -177,6 +237,7 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
                       {"stiffness", power(lesson_stiffness, 0)}},
           .tables = {{"rebounds", table},
                      {"springs", springs(block.mass * scene.gravity)},
+                     {"at_rest", at_rest(scene)},
                      {"damped_landings", damped_landings(scene, landing)},
                      {"parts", parts(rows)}},
           .player = {.time = landing.time - 0.01, .speed = 0.01, .gain = 10},

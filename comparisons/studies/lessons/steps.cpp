@@ -1,6 +1,8 @@
 #include <cmath>
 
+#include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
+#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -28,6 +30,85 @@ Table over_iterations(const Scene& scene) {
                                                       {{"quickStepNumIterations", count}}))),
                           cell(error_of(scene, answer("bullet", "tuned", scene, iteration_step,
                                                       {{"numIterations", count}})))});
+  return table;
+}
+
+/// A block on its corner, let go: θ̈ = −p² sin(α − θ).
+struct Swing {
+  double rate2, slenderness;  ///< p², 1/s², and α, rad
+  double acceleration(double angle) const { return -rate2 * std::sin(slenderness - angle); }
+};
+
+struct SwingState {
+  double angle, velocity;
+};
+
+SwingState euler_step(const Swing& swing, SwingState from, double dt) {
+  const double velocity = from.velocity + dt * swing.acceleration(from.angle);
+  return {from.angle + dt * velocity, velocity};
+}
+
+/// Classical Runge–Kutta.
+SwingState fourth_order_step(const Swing& swing, SwingState from, double dt) {
+  const auto rate = [&](double share, SwingState slope) {
+    return SwingState{from.velocity + share * dt * slope.velocity,
+                      swing.acceleration(from.angle + share * dt * slope.angle)};
+  };
+  const SwingState a = rate(0, {0, 0}), b = rate(0.5, a), c = rate(0.5, b), d = rate(1, c);
+  return {from.angle + dt / 6 * (a.angle + 2 * b.angle + 2 * c.angle + d.angle),
+          from.velocity + dt / 6 * (a.velocity + 2 * b.velocity + 2 * c.velocity + d.velocity)};
+}
+
+using SwingStep = SwingState(const Swing&, SwingState, double);
+
+/// When the block is down: the end of the step in which it lands, and the time within that step at which it
+/// does, s.
+struct Noticed {
+  double at_end, within;
+};
+
+Noticed landing_by_steps(SwingStep* step, const Swing& swing, double angle, double dt) {
+  SwingState state{angle, 0};
+  for (int done = 0;; ++done) {
+    const SwingState next = step(swing, state, dt);
+    if (next.angle > 0) {
+      state = next;
+      continue;
+    }
+    double low = 0, high = dt;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (low + high) / 2;
+      (step(swing, state, middle).angle > 0 ? low : high) = middle;
+    }
+    return {(done + 1) * dt, done * dt + high};
+  }
+}
+
+/// One fall by two methods, with the landing at the end of its step and where it is in it, less the exact
+/// time.
+Table by_steps(const Scene& scene) {
+  const Block& block = scene.blocks.front();
+  const double b = block.half_width, h = block.half_height, radius2 = b * b + h * h;
+  const Swing swing{block.mass * scene.gravity * std::sqrt(radius2) / (block.inertia + block.mass * radius2),
+                    std::atan2(b, h)};
+  const double exact = first_event(exact_answer(scene), EventKind::impact)->time;
+  Table table{{"step (s)", "semi-implicit Euler, end of step (s)", "Runge–Kutta of order 4, end of step (s)",
+               "semi-implicit Euler, in the step (s)", "Runge–Kutta of order 4, in the step (s)"},
+              {}};
+  std::vector<double> first, last;
+  constexpr double coarsest = 0.04, finest = 0.0025;  // s
+  for (double dt = coarsest; dt >= finest; dt /= 2) {
+    const Noticed euler = landing_by_steps(euler_step, swing, scene.initial.angles.front(), dt);
+    const Noticed fourth = landing_by_steps(fourth_order_step, swing, scene.initial.angles.front(), dt);
+    last = {euler.at_end - exact, fourth.at_end - exact, euler.within - exact, fourth.within - exact};
+    if (first.empty()) first = last;
+    table.rows.push_back({cell(dt)});
+    for (const double error : last) table.rows.back().push_back(cell(error));
+  }
+  table.rows.push_back({"order, first to last"});
+  for (std::size_t i = 0; i < last.size(); ++i)
+    table.rows.back().push_back(
+        fixed(std::log(std::abs(first[i] / last[i])) / std::log(coarsest / finest), 2));
   return table;
 }
 
@@ -68,7 +149,9 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
                   {"double_finer", finer("bullet")},
                   {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
                   {"single_rounding", power(std::ldexp(1.0, -24), 1)}},
-      .tables = {{"steps", over_steps(rows, scene.name)}, {"iterations", over_iterations(scene.scene)}},
+      .tables = {{"steps", over_steps(rows, scene.name)},
+                 {"iterations", over_iterations(scene.scene)},
+                 {"by_steps", by_steps(read_scene(shipped("scenes") / "housner-block.toml", {}))}},
       .player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true},
       .measured = {{"first_impact_in_steps",
                     *find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3},
