@@ -1,11 +1,14 @@
 #include "comparisons/interfaces/live/exact_answers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
 
+#include "analytic/branches.hpp"
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/scene_file.hpp"
@@ -44,6 +47,19 @@ SolveOptions options_for(const Scene& scene, double interval) {
   SolveOptions options;
   options.sample_times = regular_times(interval, scene.duration);
   return options;
+}
+
+/// The motions beside that of solve() that obey as well, from the start on.
+Json other_motions(const Scene& scene, double interval) {
+  constexpr std::size_t most = 4;
+  Json list = Json::array();
+  const BranchTree tree = solve_branches(scene, options_for(scene, interval), most);
+  for (std::size_t i = 1; i < tree.branches.size(); ++i)
+    list.push_back(
+        plots::player_track(plots::with_events(tree.branches[i].history), 1,
+                            {fmt::format("branch {}, from {:.4g} s on", i + 1, tree.branches[i].start->time),
+                             "#d55e00", "solid", true, false}));
+  return list;
 }
 
 Json whole_answer(const Scene& scene, double interval) {
@@ -99,9 +115,9 @@ std::string exact_answer(const std::string& question) {
   const Scene scene = make_scene({scene_document(asked.at("scene")), {}, "Live scene"}, library);
   const double interval = asked.at("interval");
   const int member = asked.value("member", 0);
-  const Json answer = member == 0
-                          ? whole_answer(scene, interval)
-                          : member_answer(perturbed(scene, {member, asked.at("spread")}, member), interval);
+  Json answer = member == 0 ? whole_answer(scene, interval)
+                            : member_answer(perturbed(scene, {member, asked.at("spread")}, member), interval);
+  if (asked.value("branches", false)) answer["others"] = other_motions(scene, interval);
   return answer.dump();
 }
 

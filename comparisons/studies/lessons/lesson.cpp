@@ -40,6 +40,7 @@ const std::vector<Lesson>& lessons() {
       {"limits", limits_values},
       {"friction", friction_values},
       {"lift-off", lift_off_values},
+      {"complementarity", complementarity_values},
       {"contact-models", contact_models_values},
       {"experiment", experiment_values},
       {"reading", reading_values},

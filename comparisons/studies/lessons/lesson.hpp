@@ -33,7 +33,7 @@ using ValuesOf = LessonValues(const Suite& suite, const std::vector<RunMetrics>&
 
 ValuesOf housner_values, projection_values, separation_values, still_base_values, soft_contacts_values,
     steps_values, chatter_values, sensitivity_values, limits_values, friction_values, lift_off_values,
-    contact_models_values, experiment_values, reading_values;
+    complementarity_values, contact_models_values, experiment_values, reading_values;
 
 /// A lesson: a suite, NAME.toml, a text with places for values, NAME.html, and what computes the values once
 /// the suite has been run. Both files are in this folder; what makes a course of them is in course/.

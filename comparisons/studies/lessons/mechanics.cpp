@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "analytic/mechanics/dynamics.hpp"
 #include "analytic/solve.hpp"
@@ -72,6 +73,12 @@ double energy_after(const Scene& scene, double base, double top) {
   Vector<double> rates(2), angles = Vector<double>::Zero(2);
   rates << base, top;
   return kinetic_energy(stack, {centre_velocities(make_chain(stack, pattern, angles), rates), rates});
+}
+
+/// The centre of a uniform block that leans to the right, from the corner that it leans on, m.
+std::pair<double, double> from_right_corner(const Block& block, double angle) {
+  const double b = block.half_width, h = block.half_height;
+  return {h * std::sin(angle) - b * std::cos(angle), b * std::sin(angle) + h * std::cos(angle)};
 }
 
 /// Of all ways in which pivots fail, s.
@@ -157,6 +164,33 @@ double impact_friction(double r) {
 double impact_ratio(double r, double friction) {
   return friction >= impact_friction(r) ? 1 - 1.5 / (1 + r * r)
                                         : (r * r - 2 + 3 * friction * r) / (4 + r * r - 3 * friction * r);
+}
+
+std::vector<double> SlidingCorner::forces() const {
+  std::vector<double> list;
+  if (free >= 0) list.push_back(0);
+  if (const double holding = -free / slope; holding > 0) list.push_back(holding);
+  return list;
+}
+
+SlidingCorner sliding_corner(const Scene& scene) {
+  const Block& block = scene.blocks.front();
+  const double rate = scene.initial.velocities.empty() ? 0 : scene.initial.velocities.front();
+  const auto [x, y] = from_right_corner(block, scene.initial.angles.front());
+  return {rate * rate * y - scene.gravity,
+          1 / block.mass + x * (x + scene.friction.front() * y) / block.inertia};
+}
+
+double jamming_friction(const Block& block, double angle) {
+  const auto [x, y] = from_right_corner(block, angle);
+  return (block.inertia / block.mass + x * x) / (-x * y);
+}
+
+double rate_once_stuck(const Scene& scene) {
+  const Block& block = scene.blocks.front();
+  const auto [x, y] = from_right_corner(block, scene.initial.angles.front());
+  const double rate = scene.initial.velocities.empty() ? 0 : scene.initial.velocities.front();
+  return rate + scene.initial.slip_velocities.front() * y / (block.inertia / block.mass + x * x + y * y);
 }
 
 Throw thrown_by_sine(double amplitude, double period, double gravity) {

@@ -56,6 +56,27 @@ double impact_friction(double r);
 /// (r² − 2 + 3 μ r)/(4 + r² − 3 μ r). Precondition: r² + 3 μ r > 2, or the block stays flat.
 double impact_ratio(double r, double friction);
 
+/// A corner that slides to the right under a block that leans that way, as Painlevé's (Genot and Brogliato
+/// 1999, European Journal of Mechanics A 18, 653–677): a normal force N ≥ 0 and Coulomb's friction μN give it
+/// the acceleration free + slope N off the ground.
+struct SlidingCorner {
+  double free = 0;  ///< of the corner without force: ω² y − g, m/s², with y the height of the centre over it
+  double slope = 0;  ///< 1/kg; negative where friction turns the corner into the ground
+  /// The normal forces of motions that obey: 0 where the corner leaves, and the N that holds it, N.
+  std::vector<double> forces() const;
+};
+
+/// Of the scene's single block at its initial angle, above 0, and velocity.
+SlidingCorner sliding_corner(const Scene& scene);
+
+/// The friction from which on the slope is negative, (I/m + x²)/(|x| y), where x and y lead from the corner
+/// to the centre; (4 + r²)/(3 r) of a uniform upright block.
+double jamming_friction(const Block& block, double angle);
+
+/// Angular velocity of that block once an impulse at its corner has stopped the slip: moments about the
+/// corner stay, ω + v y/(I/m + x² + y²), rad/s.
+double rate_once_stuck(const Scene& scene);
+
 /// A flat block on ground that one sine of vertical acceleration, amplitude A and period T, throws up. SI
 /// units.
 struct Throw {

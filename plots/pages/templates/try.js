@@ -62,7 +62,7 @@ class Trial {
 
   async solve() {
     const asked = performance.now(), { duration } = this.scene;
-    const answer = await pageSolver.ask(this, { scene: this.scene, interval: duration / samples });
+    const answer = await pageSolver.ask(this, { scene: this.scene, interval: duration / samples, branches: this.branches });
     if (!answer) return;
     if (!answer.track) return this.player.say(answer.error ?? answer.failure);
     this.showWith(answer, this.engine ? this.beside : null);
@@ -84,9 +84,11 @@ class Trial {
   }
 
   showWith(answer, beside) {
+    const others = (answer.others ?? []).map((track) => ({ ...track, impacts: [] }));
+    this.others = others.length;
     const before = this.data.tracks.filter((track) => track.exact)
       .map((track) => ({ ...track, label: "as on the page", colour: "#8a8a8a", shown: false, exact: false }));
-    this.show({ ...answer.stage, tracks: [answer.track, ...beside ? [beside] : [], ...before] }, answer);
+    this.show({ ...answer.stage, tracks: [answer.track, ...others, ...beside ? [beside] : [], ...before] }, answer);
   }
 
   show(data, answer) {
@@ -97,7 +99,7 @@ class Trial {
   // The page's own motions.
   reset() {
     this.scene = copy(this.data.scene);
-    if (this.engine) return this.solve();
+    if (this.engine || this.branches) return this.solve();
     this.show(this.data, null);
   }
 }
@@ -230,11 +232,13 @@ const unpacked = (track) => {
 
 // The angles of all blocks over time, those of the page in grey.
 const drawAngles = (canvas, trial, first) => {
-  const track = trial.player.tracks[0], lines = [];
+  const [track, ...others] = trial.player.tracks, lines = [];
   for (const y of unpacked(first)) lines.push({ x: first.times, y, colour: "#b0b0b0", width: 3 });
   const beside = trial.engine && trial.player.tracks.find((one) => one.label === trial.beside?.label);
   if (beside) for (const y of unpacked(beside)) lines.push({ x: beside.times, y, colour: "#1a1a1a", width: 1.5, dash: [6, 3] });
   if (track !== first) unpacked(track).forEach((y, k) => lines.push({ x: track.times, y, colour: colours[k % colours.length], width: 1.5 }));
+  for (const other of others.slice(0, trial.others))
+    for (const y of unpacked(other)) lines.push({ x: other.times, y, colour: other.colour, width: 1.5, dash: [2, 3] });
   looks.delete(canvas);
   drawChart(canvas, { lines, end: Math.max(first.end, track.end) });
 };
@@ -257,9 +261,11 @@ const makeTrial = async (home, page) => {
   canvas.setAttribute("role", "img");
   told.setAttribute("role", "status");
   home.append(made("div", {}, sliders, made("figure", {}, canvas, made("figcaption",
-    { textContent: `Angles of ${data.blocks.map((_, k) => `block ${k + 1}`).join(", ")} over time, rad. Grey: as in the text.${withEngine ? " Dashed: the engine." : ""}` })), told), root);
+    { textContent: `Angles of ${data.blocks.map((_, k) => `block ${k + 1}`).join(", ")} over time, rad. Grey: as in the text.${withEngine ? " Dashed: the engine." : ""}${home.dataset.branches !== undefined ? " Dotted: other motions that obey." : ""}` })), told), root);
   home.hidden = false;
   const player = startPlayer(root, data), trial = new Trial(player, data), first = player.tracks[0];
+  trial.branches = home.dataset.branches !== undefined;
+  if (trial.branches) player.find("view").value = "over";
   const asInText = `Grey is the motion of the text. ${firstEvents(player)}`;
   told.textContent = asInText;
   const draw = () => { if (canvas.clientWidth) drawAngles(canvas, trial, first); };
@@ -277,13 +283,13 @@ const makeTrial = async (home, page) => {
   sliders.append(back);
   trial.shows.push((answer) => {
     for (const fit of fits) fit();
-    told.textContent = answer ? `It ${answer.verdict}. ${firstEvents(player)}` : asInText;
+    told.textContent = answer ? `${answer.verdict.startsWith("block") ? "B" + answer.verdict.slice(1) : "It " + answer.verdict}.${trial.others ? ` Motions that obey beside it: ${trial.others}.` : ""} ${firstEvents(player)}` : asInText;
     canvas.setAttribute("aria-label", "Angles over time. " + told.textContent);
     draw();
   });
   new ResizeObserver(draw).observe(canvas);
   home.trial = trial;
-  if (withEngine || home.dataset.scene) trial.solve();
+  if (withEngine || trial.branches || home.dataset.scene) trial.solve();
 };
 
 for (const root of document.querySelectorAll(".player")) {

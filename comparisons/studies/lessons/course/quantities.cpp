@@ -129,6 +129,10 @@ const std::vector<Quantity>& quantities() {
          return impact_ratio(block.half_height / block.half_width, largest_friction);
        }},
       {"friction-short", friction_short},
+      {"jamming-friction",
+       [](const Asked& a) {
+         return jamming_friction(a.scene.blocks.front(), a.scene.initial.angles.front());
+       }},
       {"one-body-energy", [](const Asked& a) { return land(a.scene, {}).energy; }},
       {"printed-energy",
        [](const Asked& a) {

@@ -58,6 +58,39 @@ TEST(ContactLessons, AThrownBlockFliesAsTheClosedFormSays) {
   EXPECT_THROW(thrown_by_sine(10.5, 0.4, 9.81), std::domain_error) << "it lands before the pulse ends";
 }
 
+// On either side of the friction that jams, and of the rotation at which the corner leaves: as many forces
+// obey by the two signs as the solver finds motions, and the one that holds is its force.
+TEST(ContactLessons, ASlidingCornerHasAsManyMotionsAsItsSignsSay) {
+  Scene scene = shipped_scene("painleve-several");
+  scene.duration = 1e-3;
+  const Block& block = scene.blocks.front();
+  const double limit = jamming_friction(block, scene.initial.angles.front());
+  scene.friction = {1};
+  const double leaves = std::sqrt(scene.gravity * std::pow(scene.initial.velocities.front(), 2) /
+                                  (sliding_corner(scene).free + scene.gravity));
+  for (const double friction : {0.3, 0.99 * limit, 1.01 * limit, 3.0})
+    for (const double rate : {0.0, 0.99 * leaves, 1.01 * leaves}) {
+      scene.friction = {friction};
+      scene.initial.velocities = {rate};
+      const std::vector<double> forces = sliding_corner(scene).forces();
+      EXPECT_EQ(forces.size(), friction < limit ? 1U : rate < leaves ? 0U : 2U) << friction << ' ' << rate;
+      const History history = solve(scene, {.sample_times = {0}});
+      const bool at_once = !history.events.empty() && history.events.front().time == 0;
+      const Consistency found = at_once ? history.events.front().consistency : Consistency::consistent;
+      EXPECT_EQ(found, forces.empty()       ? Consistency::none
+                       : forces.size() == 2 ? Consistency::several
+                                            : Consistency::consistent)
+          << friction << ' ' << rate;
+      if (forces.size() == 1) {
+        EXPECT_NEAR(history.reactions.front().normal, forces.front(), 1e-9 * block.mass * scene.gravity);
+      }
+      if (forces.empty()) {
+        EXPECT_NEAR(history.events.front().after[0], rate_once_stuck(scene), round_off);
+      }
+    }
+  EXPECT_NEAR(jamming_friction(make_block(1, 3, 1), 0), (4 + 9) / 9.0, 1e-15);
+}
+
 TEST(ContactLessons, FlightSavesNoFriction) {
   Scene scene = shipped_scene("thrown-block");
   const Throw thrown =
