@@ -37,15 +37,6 @@ std::string contents_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Files of a folder with one of these endings, sorted; none where there is no folder.
-std::set<std::string> names_in(const fs::path& folder, const std::set<std::string>& endings) {
-  std::set<std::string> names;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder, none))
-    if (endings.contains(entry.path().extension())) names.insert(entry.path().filename());
-  return names;
-}
-
 /// Sentences, each in an element and a line of its own.
 std::string elements(const std::string& name, const std::vector<std::string>& sentences) {
   return text_of_each(sentences,
@@ -72,6 +63,14 @@ std::string solver_of(const std::string& content) {
 }
 
 }  // namespace
+
+std::set<std::string> names_in(const fs::path& folder, const std::set<std::string>& endings) {
+  std::set<std::string> names;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (endings.contains(entry.path().extension())) names.insert(entry.path().filename());
+  return names;
+}
 
 std::string escaped(std::string_view text) {
   constexpr std::array<std::pair<char, std::string_view>, 5> entities{

@@ -93,6 +93,9 @@ std::string heading(std::string column, const std::string& kind = "");
 std::string drawn_figure(const std::filesystem::path& results, const std::string& stem,
                          const std::string& prefix, const std::string& label);
 
+/// Files of a folder with one of these endings, sorted; none where there is no folder.
+std::set<std::string> names_in(const std::filesystem::path& folder, const std::set<std::string>& endings);
+
 /// All figures that have been drawn without those that are `known`, each under its title.
 std::string drawn_figures(const std::filesystem::path& results, const std::set<std::string>& known = {});
 

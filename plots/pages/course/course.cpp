@@ -6,7 +6,17 @@
 namespace rockstack::plots {
 namespace {
 
-std::string entry(const Json& lesson) {
+/// A lesson's first motions, where its folder is beside the page.
+std::string picture_of(const std::filesystem::path& results, const std::string& lesson) {
+  for (const std::string& name : names_in(results / lesson / "figures", {".png"}))
+    if (name.ends_with(".histories.png"))
+      return fmt::format(
+          "<img src=\"{}/figures/{}\" alt=\"Angles of its blocks over time\" loading=\"lazy\">\n", lesson,
+          name);
+  return "";
+}
+
+std::string entry(const std::filesystem::path& results, const Json& lesson) {
   std::string aims, after;
   for (const Json& aim : lesson.at("aims")) aims += element("li", aim.get<std::string>()) + "\n";
   for (const Json& one : lesson.at("after"))
@@ -14,15 +24,16 @@ std::string entry(const Json& lesson) {
         (after.empty() ? " After: " : "; ") + link("#" + escaped_at(one, "name"), escaped_at(one, "title"));
   return fmt::format(
       "<li id=\"{0}\"><h2><a href=\"{0}/lesson.html\">{1}</a></h2>\n<p class=\"hint\">{2} minutes · "
-      "<code>{0}</code> · <a href=\"{0}/slides.html\">slides</a>.{3}</p>\n<ul>\n{4}</ul></li>\n",
-      escaped_at(lesson, "name"), escaped_at(lesson, "title"), lesson.at("minutes").dump(), after, aims);
+      "<code>{0}</code> · <a href=\"{0}/slides.html\">slides</a>.{3}</p>\n{5}<ul>\n{4}</ul></li>\n",
+      escaped_at(lesson, "name"), escaped_at(lesson, "title"), lesson.at("minutes").dump(), after, aims,
+      picture_of(results, lesson.at("name")));
 }
 
-std::string course_page(const Json& course) {
+std::string course_page(const std::filesystem::path& results, const Json& course) {
   std::string lessons;
   double minutes = 0;
   for (const Json& lesson : course.at("lessons")) {
-    lessons += entry(lesson);
+    lessons += entry(results, lesson);
     minutes += lesson.at("minutes").get<double>();
   }
   constexpr double hour = 60;  // min
@@ -80,7 +91,7 @@ std::string sheet_page(const Json& sheet, bool with_answers) {
 
 void write_course(const std::filesystem::path& results) {
   read_json(results / "course.json",
-            [&](const Json& course) { write_file(results / "index.html", course_page(course)); });
+            [&](const Json& course) { write_file(results / "index.html", course_page(results, course)); });
   const std::string player =
       filled_in(player_html, {{"id", "player"}, {"title", "a word"}, {"data", "null"}});
   write_file(results / "glossary.html",

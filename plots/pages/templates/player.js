@@ -256,6 +256,8 @@ class Player {
     for (const [name, kind] of [["chatter", "input"], ["events", "toggle"]]) this.find(name).addEventListener(kind, () => this.makeList());
     for (const name of ["view", "forces", "frame", "trace"]) this.find(name).addEventListener("input", () => this.draw());
     this.find("gain").addEventListener("input", () => this.draw());
+    this.find("film").hidden = !window.MediaRecorder;
+    this.find("film").addEventListener("click", () => this.film());
     this.find("stage").addEventListener("keydown", (event) => this.key(event));
     const drag = (event) => {
       if (event.type === "pointerdown") event.target.setPointerCapture(event.pointerId);
@@ -360,7 +362,10 @@ class Player {
   toggle() {
     this.playing = !this.playing;
     this.find("play").textContent = this.playing ? "⏸ Pause" : "▶ Play";
-    if (!this.playing) return this.say();
+    if (!this.playing) {
+      this.filming?.stop();
+      return this.say();
+    }
     if (this.time >= this.end) this.time = 0;
     this.clock = undefined;
     this.find("now").setAttribute("aria-live", "off");
@@ -384,6 +389,26 @@ class Player {
       requestAnimationFrame((next) => this.frame(next));
     }
     this.draw();
+  }
+
+  // A film of the picture as it plays, from now on to where it stops; saved as a file.
+  film() {
+    if (this.filming) return this.toggle();
+    const type = ["video/mp4", "video/webm"].find((one) => MediaRecorder.isTypeSupported(one));
+    const recorder = new MediaRecorder(this.find("stage").captureStream(), { mimeType: type, videoBitsPerSecond: 8e6 }), parts = [];
+    recorder.ondataavailable = ({ data }) => parts.push(data);
+    recorder.onstop = () => {
+      this.filming = null;
+      this.find("film").textContent = "● Film";
+      const link = document.createElement("a"), name = this.title.replace(/[^\p{L}\p{N}]+/gu, "-");
+      this.filmed = new Blob(parts, { type });
+      Object.assign(link, { href: URL.createObjectURL(this.filmed), download: `${name}.${type.slice(6)}` }).click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+    };
+    this.filming = recorder;
+    this.find("film").textContent = "■ Save film";
+    recorder.start();
+    if (!this.playing) this.toggle();
   }
 
   // A tenth of the speed at an event, all of it some way from there.
@@ -441,10 +466,10 @@ class Player {
   resize() {
     const sharp = window.devicePixelRatio || 1;
     // Where type is large, so is all that the picture is drawn with.
-    this.type = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
     const strip = this.find("strip"), stage = this.find("stage");
+    this.type = parseFloat(getComputedStyle(stage).fontSize) / 16;
     if (stage.clientWidth === 0 && this.band) return; // hidden: what was drawn may still be printed
-    strip.style.height = 24 + 11 * this.shown().length + "px";
+    strip.style.height = (24 + 11 * this.shown().length) * this.type + "px";
     for (const canvas of [stage, strip]) {
       canvas.width = Math.round(canvas.clientWidth * sharp);
       canvas.height = Math.round(canvas.clientHeight * sharp);
@@ -454,7 +479,7 @@ class Player {
 
   repaint() {
     const { width, height } = this.find("strip");
-    this.band = this.paintBand(width, height, window.devicePixelRatio || 1);
+    this.band = this.paintBand(width, height, (window.devicePixelRatio || 1) * this.type);
     this.draw();
   }
 
@@ -503,7 +528,8 @@ class Player {
     const sharp = (window.devicePixelRatio || 1) * this.type;
     const width = canvas.width / sharp, height = canvas.height / sharp;
     pen.setTransform(sharp, 0, 0, sharp, 0, 0);
-    pen.clearRect(0, 0, width, height);
+    pen.fillStyle = "#fff"; // which a film needs
+    pen.fillRect(0, 0, width, height);
     const shown = this.shown(), over = this.find("view").value === "over";
     const columns = over ? 1 : Math.max(1, shown.length);
     const [across, up] = this.reach();

@@ -36,6 +36,16 @@ const pointOf = (sentence) => {
   return point;
 };
 
+// Of a long table as many as it takes, that each can be read.
+const tables = (table) => {
+  const most = 8, rows = Array.from(table.tBodies[0].rows), list = [];
+  for (let from = 0; from < rows.length; from += most) {
+    list.push(table.cloneNode(true));
+    list.at(-1).tBodies[0].replaceChildren(...rows.slice(from, from + most));
+  }
+  return list;
+};
+
 const whole = "figure, .player, section > table, pre, .predict, .question";
 
 const slidesOf = (section) => {
@@ -49,7 +59,8 @@ const slidesOf = (section) => {
     else if (part.matches(".question")) {
       const question = [made("p", { innerHTML: part.querySelector("summary").innerHTML })];
       list.push(...asked(heading, question, Array.from(part.querySelectorAll("p"))));
-    } else list.push(slide(heading, part));
+    } else if (part.matches("table")) list.push(...tables(part).map((table) => slide(heading, table)));
+    else list.push(slide(heading, part));
   }
   // A prediction comes before what tells its answer.
   const told = slide(heading, ...first);

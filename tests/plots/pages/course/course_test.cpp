@@ -22,10 +22,13 @@ TEST(Course, ItsIndexLinksEachLessonWithAimsAndTime) {
   std::ofstream(folder / "course.json") << R"({"lessons": [
     {"name": "a", "title": "First < all", "minutes": 45, "aims": ["see"], "after": []},
     {"name": "b", "title": "Then", "minutes": 75, "aims": ["do"], "after": [{"name": "a", "title": "First < all"}]}]})";
+  fs::create_directories(folder / "b/figures");
+  std::ofstream(folder / "b/figures/one.histories.png");
   show(folder);
   const std::string page = testing::bytes_of(folder / "index.html");
-  for (const char* part : {"href=\"a/lesson.html\">First &lt; all</a>", "href=\"b/slides.html\"",
-                           "75 minutes", "<li>do</li>", "After: <a href=\"#a\">", "2 lessons, 2 hours"})
+  for (const char* part :
+       {"href=\"a/lesson.html\">First &lt; all</a>", "href=\"b/slides.html\"", "75 minutes", "<li>do</li>",
+        "<img src=\"b/figures/one.histories.png\"", "After: <a href=\"#a\">", "2 lessons, 2 hours"})
     EXPECT_TRUE(has_part(page, part)) << part;
 }
 
