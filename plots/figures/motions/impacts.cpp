@@ -204,7 +204,8 @@ std::string numbers(double last) {
 
 Drawing impact_times(const SceneSubject& subject) {
   const std::vector<Run> runs = subject.shown({"impacts.csv"}).engines;
-  if (runs.empty()) return subject.nothing("No engine run of this scene to compare.");
+  if (runs.empty())
+    return subject.nothing("No engine run with impacts to compare; corners that land leaning are none.");
   const std::vector<Verdicts> all = each_of(runs, verdicts_on);
   if (std::ranges::all_of(all, [](const Verdicts& one) { return one.numbers.empty(); }))
     return subject.nothing(without_matches(all));
