@@ -38,7 +38,8 @@ std::set<std::string> moving_scenes(const std::vector<ReplicatedRow>& rows) {
   return scenes;
 }
 
-Sets sets_of(const std::vector<ReplicatedRow>& rows) {
+Sets sets_of(const std::vector<ReplicatedRow>& all) {
+  const std::vector<ReplicatedRow> rows = rows_that_count(all);
   const std::set<std::string> moving = moving_scenes(rows);
   Sets sets;
   for (const ReplicatedRow& one : rows) {
@@ -130,6 +131,15 @@ bool can_be_ranked(const ReplicatedRow& one) {
   const RunMetrics& row = one.row;
   return row.dt && !row.settings.empty() && row.status == RunStatus::done && row.error &&
          row.motion.value_or(0) > rest_extent;
+}
+
+std::vector<ReplicatedRow> rows_that_count(const std::vector<ReplicatedRow>& rows) {
+  const auto is_single = [](const ReplicatedRow& one) { return one.errors.size() < 2; };
+  const auto is_done = [](const ReplicatedRow& one) { return one.row.status == RunStatus::done; };
+  std::vector<ReplicatedRow> list = rows;
+  if (!std::ranges::all_of(rows, is_single))
+    std::erase_if(list, [&](const ReplicatedRow& one) { return is_single(one) && is_done(one); });
+  return list;
 }
 
 std::vector<RankedSet> rank_all(const std::vector<ReplicatedRow>& rows) {

@@ -42,9 +42,13 @@ inline constexpr double rest_extent = 1e-6;
 /// True for an engine's row of a scene that moves: of one at rest errors of angles are rounding.
 bool can_be_ranked(const ReplicatedRow& row);
 
+/// Rows without those of a single run where others have replicates: the error of one run is chance, and by it
+/// nothing is told apart. A run that is not done stays.
+std::vector<ReplicatedRow> rows_that_count(const std::vector<ReplicatedRow>& rows);
+
 /// Ranks all sets of all solvers among the rows, best first: by their scores, over the scenes and steps where
-/// one of them is done and the scene is not at rest. Rows of failed runs count where another of their scene
-/// moves.
+/// one of them is done and the scene is not at rest, of rows_that_count(). Rows of failed runs count where
+/// another of their scene moves.
 std::vector<RankedSet> rank_all(const std::vector<ReplicatedRow>& rows);
 
 /// The same within every solver that has several sets.

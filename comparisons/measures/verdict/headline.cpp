@@ -225,7 +225,8 @@ std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::ve
   return fmt::format("{}.", fmt::join(parts, "; "));
 }
 
-std::string nearest_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
+std::string nearest_sentence(const std::vector<ReplicatedRow>& all, const std::vector<JudgedScene>& scenes) {
+  const std::vector<ReplicatedRow> rows = rows_that_count(all);
   const std::vector<RankedSet> ranking = rank_all(rows);
   if (ranking.size() < 2) return "";
   std::vector<First> firsts = firsts_of(rows, scenes);

@@ -246,7 +246,7 @@ ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vect
 std::string ranking_definition() {
   return fmt::format(
       "rows are ranked by `error`, up to the horizon of each scene: each over the least of its scene and step, "
-      "then the geometric mean over scenes and steps; scenes at rest are left out. A set is called nearer than "
+      "then the geometric mean over scenes and steps; scenes at rest are left out, and so is a row of one run where others have replicates. A set is called nearer than "
       "another only where Mann–Whitney tests of replicates, by ranks within each scene and step, show it at a "
       "level of {:g} % over all pairs (Holm). A rank is one more than the number of sets that are so",
       100 * separation_level);

@@ -46,6 +46,22 @@ TEST(Ranking, ARunThatIsNotDoneCountsAsAHundredTimesTheBest) {
   EXPECT_EQ(ranking[1].cells, 1) << "a scene that no set does says nothing";
 }
 
+// At the finest step, say, where replicates are dear.
+TEST(Ranking, ASingleRunDoesNotCountWhereOthersHaveReplicates) {
+  auto rows = std::vector<ReplicatedRow>{run("a", "one", 1), run("b", "one", 4), run("a", "two", 16),
+                                         run("b", "two", 1)};
+  for (std::size_t i : {2U, 3U}) rows[i].errors.resize(1);
+  const auto ranking = rank_sets(rows);
+  ASSERT_EQ(ranking.size(), 2U);
+  EXPECT_EQ(ranking[0].settings, "a");
+  EXPECT_EQ(ranking[0].cells, 1);
+  EXPECT_DOUBLE_EQ(ranking[1].score, 4);
+  EXPECT_EQ(ranking[1].rank, 2);
+  for (ReplicatedRow& one : rows) one.errors.resize(1);
+  EXPECT_DOUBLE_EQ(rank_sets(rows)[1].score, 4) << "where all are single runs all count";
+  EXPECT_EQ(rank_sets(rows)[1].cells, 2);
+}
+
 TEST(Ranking, NeedsSeveralSets) {
   EXPECT_TRUE(rank_sets({run("a", "one", 1), run("a", "two", 1)}).empty());
 }

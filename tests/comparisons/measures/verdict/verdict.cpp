@@ -103,6 +103,13 @@ TEST(Verdict, SaysHowFewAndHowManyReplicatesThereAre) {
             "Over all steps no set can be told to be nearest, by 3 to 5 replicates.");
 }
 
+TEST(Verdict, SaysNothingByASingleRunWhereOthersHaveReplicates) {
+  std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-2, 1e-3), row("a", "default", 1e-2, 1.1e-3),
+                                  row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1)};
+  for (std::size_t i : {2U, 3U}) rows[i].errors.resize(1);
+  EXPECT_EQ(headline(rows, {scene("a")})[1], "No set can be told to be nearest, by 5 replicates.");
+}
+
 TEST(Verdict, OfOneRunEachNothingIsToldApart) {
   std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1)};
   for (ReplicatedRow& one : rows) one.errors.resize(1);
