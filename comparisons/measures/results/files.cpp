@@ -73,11 +73,11 @@ struct Kind {
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> list{
       {"one motion",
-       {"summary.json", "history.csv", "events.csv", "ground.csv", "branches.csv", "branches", "figures",
-        "report.html"}},
+       {"summary.json", "history.csv", "events.csv", "reactions.csv", "energies.csv", "corners.csv",
+        "ground.csv", "branches.csv", "branches", "figures", "report.html"}},
       {"a comparison",
-       {"comparison.json", "comparison.csv", "fits.csv", "distributions.csv", "ground", "figures",
-        "report.html"}},
+       {"comparison.json", "comparison.csv", "fits.csv", "distributions.csv", "spread.csv", "ranking.csv",
+        "ground", "figures", "report.html"}},
       {"a lesson",
        {"lesson.html", "slides.html", "slides.pdf", "lesson.json", "comparison.json", "comparison.csv",
         "fits.csv", "distributions.csv", "ground", "figures", "report.html"}},
