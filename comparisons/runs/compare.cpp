@@ -75,14 +75,12 @@ std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& r
   return reported;
 }
 
-/// Tells the rows of engines at one step of a scene once all are there, the nearest first, and likewise those
-/// of the scene's exact solutions. Keeps references.
+/// Tells rows as CompareOptions has them, those that are told together the nearest first. Keeps references.
 class RowTeller {
  public:
-  using Tell = std::function<void(const std::vector<RunMetrics>&)>;
-
-  RowTeller(const std::vector<Job>& jobs, const std::vector<JudgedScene>& scenes, const Tell& tell)
-      : scenes_(scenes), tell_(tell) {
+  RowTeller(const std::vector<Job>& jobs, const std::vector<JudgedScene>& scenes,
+            const CompareOptions& options)
+      : scenes_(scenes), options_(options) {
     for (const Job& job : jobs) ++left_[cell_of(job)];
   }
 
@@ -90,6 +88,7 @@ class RowTeller {
     const Cell cell = cell_of(job);
     std::vector<RunWithReplicates>& own = rows_[cell];
     own.push_back(row);
+    if (job.series != nullptr) options_.row(reported_rows({row}, scenes_).front().row);
     if (--left_[cell] > 0) return;
     std::vector<RunMetrics> rows;
     for (ReplicatedRow& one : reported_rows(own, scenes_)) rows.push_back(std::move(one.row));
@@ -98,7 +97,7 @@ class RowTeller {
     };
     std::stable_sort(rows.begin(), rows.end(),
                      [&](const RunMetrics& a, const RunMetrics& b) { return place(a) < place(b); });
-    tell_(rows);
+    options_.rows(rows);
     rows_.erase(cell);
   }
 
@@ -108,7 +107,7 @@ class RowTeller {
   static Cell cell_of(const Job& job) { return {job.scene.name, job.series == nullptr ? 0 : job.dt}; }
 
   const std::vector<JudgedScene>& scenes_;
-  const Tell& tell_;
+  const CompareOptions& options_;
   std::map<Cell, std::size_t> left_;
   std::map<Cell, std::vector<RunWithReplicates>> rows_;
 };
@@ -251,7 +250,7 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   require_comparable(suites);
   const std::vector<Job> jobs = jobs_of(suites);
   const std::vector<JudgedScene> scenes = judged_scenes(suites);
-  RowTeller teller(jobs, scenes, options.rows);
+  RowTeller teller(jobs, scenes, options);
   const DoneTasks made = carry_out(
       jobs, folder, executor, options.command,
       {options.progress, [&](std::size_t job, const RunWithReplicates& row) { teller.add(jobs[job], row); }});

@@ -54,7 +54,9 @@ struct CompareOptions {
   std::size_t jobs =
       1;  ///< runs at a time, ≥ 1; with more than one, times are those of runs that share the machine
   std::function<void(const Progress&)> progress = [](const Progress&) {};  ///< from one thread at a time
-  /// Likewise of rows as soon as they are done: those of a scene's exact solutions, and of engines those of a
+  /// Likewise of an engine's row as soon as it is done, without its rank.
+  std::function<void(const RunMetrics&)> row = [](const RunMetrics&) {};
+  /// Of rows once all of their kind are done: those of a scene's exact solutions, and of engines those of a
   /// scene and step together, ranked.
   std::function<void(const std::vector<RunMetrics>&)> rows = [](const std::vector<RunMetrics>&) {};
 };

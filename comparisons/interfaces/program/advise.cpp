@@ -3,41 +3,63 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack {
 namespace {
 
-void print_trials(const Advice& advice, const AdviceRequest& request) {
-  fmt::print("{:<32} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n", "solver (tuned)", "dt (s)", "off (rad, h)",
-             "time (s)", "within", "confirmed", "");
+constexpr const char* trial_format = "{:<34} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n";
+
+void print_trial(const Trial& trial) {
   const auto cell = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.2e}", *value) : "-";
   };
-  for (std::size_t i = 0; i < advice.trials.size(); ++i) {
-    const Trial& trial = advice.trials[i];
-    const RunMetrics& row = trial.row;
-    const std::optional<double> off =
-        std::max(row.largest_angle_difference, row.relative_position_difference);
-    const std::string remark = row.status != RunStatus::done        ? name(row.status)
-                               : static_cast<int>(i) == advice.pick ? "<- the cheapest that holds"
-                               : trial.passes()                     ? "holds"
-                               : trial.within > 0                   ? "luck"
-                                                                    : "";
-    fmt::print(
-        "{:<32} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n", row.engine + ":" + row.solver, row.dt.value_or(0),
-        cell(off), cell(row.stepping_time_minimum), fmt::format("{} / {}", trial.within, trial.replicates),
-        trial.confirming > 0 ? fmt::format("{} / {}", trial.confirmed, trial.confirming) : "-", remark);
-  }
+  const RunMetrics& row = trial.row;
+  const std::optional<double> off = std::max(row.largest_angle_difference, row.relative_position_difference);
+  const std::string remark = row.status != RunStatus::done ? name(row.status)
+                             : trial.passes()              ? "holds"
+                             : trial.within > 0            ? "luck"
+                                                           : "";
+  fmt::print(trial_format, row.engine + ":" + row.solver, row.dt.value_or(0), cell(off),
+             cell(row.stepping_time_minimum), fmt::format("{} / {}", trial.within, trial.replicates),
+             trial.confirming > 0 ? fmt::format("{} / {}", trial.confirmed, trial.confirming) : "-", remark);
+}
+
+/// What the columns mean, and how long it may take.
+void print_legend(const AdviceRequest& request) {
   fmt::print(
+      "tries {} from large steps to small ones, for {} at most (--within)\n"
       "off: the largest difference of an angle, rad, or of a centre, in least heights; of replicates their median\n"
       "within: replicates that are off by {} at most, of steps up to {:.0f} % longer and shorter and scenes that\n"
       "differ in the sixth digit; {:.0f} of 100 must be\n"
-      "confirmed: the same of others, of steps up to {:.0f} % longer and shorter\n",
-      request.error, 100 * request.replicates.steps, 100 * passing_share, 100 * request.confirming.steps);
+      "confirmed: the same of others, of steps up to {:.0f} % longer and shorter\n\n",
+      counted(request.engines.size(), "solver"), waiting_time(request.within), request.error,
+      100 * request.replicates.steps, 100 * passing_share, 100 * request.confirming.steps);
+  fmt::print(trial_format, "solver (tuned)", "dt (s)", "off (rad, h)", "time (s)", "within", "confirmed", "");
+  std::fflush(stdout);
+}
+
+/// Has each trial named while it runs, and printed once it is done.
+AdviceListener listener(const AdviceRequest& request, const Common& common) {
+  AdviceListener listener;
+  if (shows_progress(common))
+    listener.begin = [&request](const EngineSeries& series, double dt, double elapsed) {
+      fmt::print(stderr, "\r\033[K[{:.0f} of at most {:.0f} s] running {} at {} s", elapsed, request.within,
+                 series.engine->full_name(), dt);
+      std::fflush(stderr);
+    };
+  if (common.talks())
+    listener.trial = [&common](const Trial& trial) {
+      clear_progress(common);
+      print_trial(trial);
+      std::fflush(stdout);
+    };
+  return listener;
 }
 
 /// What holds after histories have parted.
@@ -64,7 +86,6 @@ void print_untried(const Advice& advice, double within) {
 
 void print_advice(const Advice& advice, const AdviseArguments& arguments, const AdviceRequest& request,
                   double duration, const Common& common) {
-  print_trials(advice, request);
   print_untried(advice, request.within);
   if (advice.pick < 0) {
     fmt::print("No solver holds to {} rad at a step that was tried.\n", arguments.error);
@@ -72,9 +93,10 @@ void print_advice(const Advice& advice, const AdviseArguments& arguments, const 
   }
   print_beyond(advice, duration);
   const RunMetrics& pick = advice.trials[static_cast<std::size_t>(advice.pick)].row;
+  fmt::print("\nThe cheapest that holds: {}:{} at {} s.\n", pick.engine, pick.solver, pick.dt.value_or(0));
   std::string changes;
   for (const std::string& change : common.overrides) changes += " --set " + shell_word(change);
-  fmt::print("\nrockstack simulate {}{} --engine {}:{} --dt {}\n", shell_word(arguments.scene), changes,
+  fmt::print("rockstack simulate {}{} --engine {}:{} --dt {}\n", shell_word(arguments.scene), changes,
              pick.engine, pick.solver, pick.dt.value_or(0));
 }
 
@@ -90,7 +112,8 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
                         .within = arguments.within,
                         .engines = engines_named(arguments.engines, usual_engines)};
   request.limits.time = std::min(arguments.time_limit, arguments.within);
-  const Advice advice = advise(scene, request, arguments.out, common.command);
+  if (common.talks()) print_legend(request);
+  const Advice advice = advise(scene, request, arguments.out, common.command, listener(request, common));
   if (common.json) {
     fmt::print("{}\n", advice_json(scene, request, advice, common.command).dump(2));
   } else if (!common.quiet) {

@@ -3,16 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/input_error.hpp"
-#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/interfaces/program/rows.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/sentences.hpp"
-#include "comparisons/measures/verdict/verdict.hpp"
 #include "comparisons/runs/job.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/stability/study.hpp"
@@ -133,98 +130,6 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   return failed ? 1 : 0;
 }
 
-constexpr const char* line_format = "{:>7} {:1} {:<36} {:>19} {:>10} {:>10} {:>9}  {}\n";
-
-/// A number of thousandths with three digits, and no more than four behind the point: "0.0012", "12.3", "0".
-std::string thousandths(double value) {
-  const double shown = 1e3 * value;
-  constexpr double least = 5e-5;
-  if (std::abs(shown) < least) return "0";
-  const int digits = std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(shown)))), 0, 4);
-  return fmt::format("{:.{}f}", shown, digits);
-}
-
-std::string shown_or_blank(const std::optional<double>& value) {
-  return value ? thousandths(*value) : "";
-}
-
-std::string angles(const RunMetrics& row) {
-  std::string median = shown_or_blank(row.rms_angle_difference);
-  if (!row.rms_angle_difference_lower) return median;
-  return fmt::format("{} ({}-{})", median, thousandths(*row.rms_angle_difference_lower),
-                     thousandths(*row.rms_angle_difference_upper));
-}
-
-std::string signed_or_blank(const std::optional<double>& value) {
-  return value ? (*value > 0 ? "+" : "") + thousandths(*value) : "";
-}
-
-/// Of one scene and step. Where no difference is significant none is marked.
-void print_engine_rows(const std::vector<RunMetrics>& rows) {
-  const bool significant =
-      std::any_of(rows.begin(), rows.end(), [](const RunMetrics& row) { return row.rank.value_or(1) > 1; });
-  for (const RunMetrics& row : rows)
-    fmt::print(line_format, shown_or_blank(row.dt), significant && row.rank == 1 ? "*" : "", set_name(row),
-               angles(row), shown_or_blank(row.rms_position_difference),
-               signed_or_blank(row.first_impact_time_difference),
-               shown_or_blank(row.stepping_time_minimum) + (row.timed_cold ? " cold" : ""), row.outcome);
-}
-
-/// What there is to know of a scene before its engines.
-void print_exact_rows(const std::vector<RunMetrics>& rows) {
-  for (const RunMetrics& row : rows) {
-    if (row.engine != "exact") {
-      fmt::print("{:>9} {:<36} {:>19}\n", "", row.solver.empty() ? row.engine : "exact, " + row.engine,
-                 shown_or_blank(row.rms_angle_difference));
-      continue;
-    }
-    fmt::print("\n{}, law {}: ", row.scene, row.law);
-    if (row.status != RunStatus::done) {
-      fmt::print("no exact motion: {}\n", row.reason);
-      continue;
-    }
-    fmt::print("{}, {} with chatter; can be compared up to {}; solved in {}\n",
-               counted(static_cast<std::size_t>(row.impacts.value_or(0)), "impact"),
-               row.impacts.value_or(0) + row.slower_impacts.value_or(0),
-               quantity_text(row.horizon.value_or(0), "s"),
-               quantity_text(row.stepping_time_minimum.value_or(0), "s"));
-    fmt::print(line_format, "step ms", "", "engine:solver (set)", "angles mrad", "centres mm", "impact ms",
-               "time ms", "outcome");
-  }
-}
-
-/// What the columns mean, and how many runs there will be; nothing where rows are not wanted.
-void print_legend(const std::vector<Suite>& suites, const Common& common) {
-  if (!common.talks()) return;
-  int replicates = 1;
-  double bound = 0;
-  for (const Suite& suite : suites) {
-    replicates = std::max(replicates, suite.replicates.runs);
-    bound = std::max(bound, suite.replicates.most_steps);
-  }
-  const std::string fewer =
-      bound > 0 ? fmt::format(", fewer where they take {:.0f} steps together", bound) : "";
-  fmt::print(
-      "angles, centres: RMS differences from the exact motion up to the horizon{}\n"
-      "impact: the first one, engine less exact; time: the shortest wall time of stepping (cold: before the "
-      "engine's runtime was warm)\n"
-      "*: nearest of its scene and step; those that share it cannot be told apart, and none has it where no "
-      "row can\n",
-      replicates > 1 ? fmt::format(", medians of {} replicates{} (quartiles)", replicates, fewer) : "");
-  std::fflush(stdout);
-}
-
-/// Prints rows as CompareOptions::rows has them.
-std::function<void(const std::vector<RunMetrics>&)> row_printer(const Common& common) {
-  if (!common.talks()) return [](const std::vector<RunMetrics>&) {};
-  return [&common](const std::vector<RunMetrics>& rows) {
-    clear_progress(common);
-    const bool engines = rows.empty() || is_engine(rows.front());
-    engines ? print_engine_rows(rows) : print_exact_rows(rows);
-    std::fflush(stdout);
-  };
-}
-
 /// The verdict, what was left out, and where the results are; or all of it as JSON.
 void print_comparison(const CompareResult& result, const std::filesystem::path& folder,
                       const Common& common) {
@@ -278,9 +183,9 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   const ResultsFolder folder(arguments.out, Results::comparison);
   announce_disk_use(suites, arguments.out, common);
   print_legend(suites, common);
-  const CompareResult result =
-      compare(suites, arguments.out, *executor,
-              {.command = common.command, .progress = progress(common), .rows = row_printer(common)});
+  CompareOptions options{.command = common.command, .progress = progress(common)};
+  print_rows(suites, common, options);
+  const CompareResult result = compare(suites, arguments.out, *executor, options);
 #ifdef ROCKSTACK_WITH_PLOTS
   draw_few(suites, arguments.out, common);
 #endif

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/files.hpp"
@@ -54,12 +56,28 @@ void confirm(const Job& job, const AdviceRequest& request, Trial& trial) {
   trial.confirmed = count_within(replicates, request.error);
 }
 
-Trial try_out(const Job& job, const AdviceRequest& request, const std::filesystem::path& folder,
-              const std::string& command) {
+/// Time since it was made, s.
+class Stopwatch {
+ public:
+  double elapsed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Nothing where its replicates would take longer than what is `left`, s.
+std::optional<Trial> try_out(const Job& job, const AdviceRequest& request,
+                             const std::filesystem::path& folder, const std::string& command, double left) {
   const auto own = folder / "runs" / describe(job).run;
+  const Stopwatch watch;
   Trial trial{nominal_run(job, own, command)};
   trial.within = meets(trial.row, request.error) ? 1 : 0;
   if (trial.within == 0 || !is_replicated(job)) return trial;
+  const double took = watch.elapsed(), one = took / (1 + request.repeats);
+  const int runs = request.replicates.runs + request.confirming.runs;
+  if (took + runs * one / static_cast<double>(all_cores()) > left) return {};
   const auto replicates = make_replicates(job, all_cores());
   write_replicates(pack_replicates(replicates, replicates_identity(job)), trial.row, own);
   trial.replicates += static_cast<int>(replicates.rows.size());
@@ -122,7 +140,8 @@ int cheapest(const std::vector<Trial>& trials) {
 }
 
 Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::filesystem::path& folder,
-              const std::string& command) {
+              const std::string& command, const AdviceListener& listener) {
+  const Stopwatch watch;
   Advice advice;
   advice.predictable_time = predictable_time(scene.scene, request.replicates, request.error);
   NamedScene predictable = scene;
@@ -133,26 +152,27 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
     double step = 0, took = 0;  ///< of the last trial, s
   };
   std::vector<Search> searches(suite.series.size());
-  const auto start = std::chrono::steady_clock::now();
-  const auto elapsed = [start] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
   const EngineSeries* picked = nullptr;
   for (const double dt : advised_steps()) {
     for (std::size_t i = 0; i < suite.series.size(); ++i) {
       Search& search = searches[i];
       if (search.over) continue;
-      const double begin = elapsed();
-      if (search.step > 0 && begin + search.took * search.step / dt > request.within) {
+      const double begin = watch.elapsed(), left = request.within - begin;
+      std::optional<Trial> made;
+      if (search.step == 0 || search.took * search.step / dt <= left) {
+        listener.begin(suite.series[i], dt, begin);
+        made = try_out({suite, suite.scenes.front(), dt, &suite.series[i]}, request, folder, command, left);
+      }
+      if (!made) {
         search.over = true;
-        advice.untried.push_back({suite.series[i].engine, search.step});
+        advice.untried.push_back({suite.series[i].engine, search.step > 0 ? search.step : dt});
         continue;
       }
-      const Job job{suite, suite.scenes.front(), dt, &suite.series[i]};
-      advice.trials.push_back(try_out(job, request, folder, command));
+      advice.trials.push_back(*std::move(made));
       search.step = dt;
-      search.took = elapsed() - begin;
+      search.took = watch.elapsed() - begin;
       const Trial& trial = advice.trials.back();
+      listener.trial(trial);
       const int pick = cheapest(advice.trials);
       if (pick != advice.pick) picked = &suite.series[i];
       advice.pick = pick;
@@ -163,8 +183,13 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
     }
   }
   if (picked != nullptr && advice.predictable_time < scene.scene.duration) {
-    const double dt = *advice.trials[static_cast<std::size_t>(advice.pick)].row.dt;
-    advice.beyond = whole_scene({suite, suite.scenes.front(), dt, picked}, scene.scene);
+    const RunMetrics& row = advice.trials[static_cast<std::size_t>(advice.pick)].row;
+    const double longer = scene.scene.duration / advice.predictable_time;
+    const double expected = request.replicates.runs * longer * row.stepping_time_minimum.value_or(0);
+    if (const double begin = watch.elapsed(); begin + expected <= request.within) {
+      listener.begin(*picked, *row.dt, begin);
+      advice.beyond = whole_scene({suite, suite.scenes.front(), *row.dt, picked}, scene.scene);
+    }
   }
   const Json json = advice_json(scene, request, advice, command);
   write_file(folder / "advice.csv", csv_of(json.at("trials")));

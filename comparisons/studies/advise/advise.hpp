@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -55,9 +56,17 @@ struct Advice {
   std::vector<Untried> untried;
   /// Until when histories can be compared at all, s (job.hpp). Trials end there.
   double predictable_time = 0;
-  /// Of the pick's replicates over the whole scene, where it lasts longer than it can be predicted; else
-  /// empty.
+  /// Of the pick's replicates over the whole scene, where it lasts longer than it can be predicted and there
+  /// is time for them; else empty.
   std::vector<DistributionDistance> beyond;
+};
+
+/// What is told of a search while it goes on.
+struct AdviceListener {
+  /// A trial that is begun: of which series, at which step, s, and how long the search has taken, s.
+  std::function<void(const EngineSeries&, double dt, double elapsed)> begin = [](const EngineSeries&, double,
+                                                                                 double) {};
+  std::function<void(const Trial&)> trial = [](const Trial&) {};  ///< that is done
 };
 
 /// The steps that are tried, from large to small, s.
@@ -72,12 +81,13 @@ int cheapest(const std::vector<Trial>& trials);
 
 /// Tries every solver with its tuned parameters from large to small steps until it passes, takes longer than
 /// the cheapest that did, or would take longer than the time that is left: a step of half the length twice as
-/// long as the one before. Writes FOLDER/runs/, FOLDER/advice.json and, of its trials, FOLDER/advice.csv: the
-/// columns of comparison.csv and how many replicates came within the error.
+/// long as the one before, replicates as long as the run before them. Writes FOLDER/runs/, FOLDER/advice.json
+/// and, of its trials, FOLDER/advice.csv: the columns of comparison.csv and how many replicates came within
+/// the error.
 /// @throws std::runtime_error where a file cannot be written or
 /// the scene has no exact solution.
 Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::filesystem::path& folder,
-              const std::string& command);
+              const std::string& command, const AdviceListener& listener = {});
 
 /// All of it: what was asked for, the pick, what was not tried and the trials.
 nlohmann::ordered_json advice_json(const NamedScene& scene, const AdviceRequest& request,

@@ -1,0 +1,132 @@
+#include "comparisons/interfaces/program/rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/measures/verdict/verdict.hpp"
+
+namespace rockstack {
+namespace {
+
+/// The third is as wide as names are.
+constexpr const char* line_format = "{:>7}   {:<{}} {:>19} {:>10} {:>10} {:>9}  {}\n";
+
+/// A number of thousandths with three digits, and no more than four behind the point: "0.0012", "12.3", "0".
+std::string thousandths(double value) {
+  const double shown = 1e3 * value;
+  constexpr double least = 5e-5;
+  if (std::abs(shown) < least) return "0";
+  const int digits = std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(shown)))), 0, 4);
+  return fmt::format("{:.{}f}", shown, digits);
+}
+
+std::string shown_or_blank(const std::optional<double>& value) {
+  return value ? thousandths(*value) : "";
+}
+
+std::string angles(const RunMetrics& row) {
+  std::string median = shown_or_blank(row.rms_angle_difference);
+  if (!row.rms_angle_difference_lower) return median;
+  return fmt::format("{} ({}-{})", median, thousandths(*row.rms_angle_difference_lower),
+                     thousandths(*row.rms_angle_difference_upper));
+}
+
+std::string signed_or_blank(const std::optional<double>& value) {
+  return value ? (*value > 0 ? "+" : "") + thousandths(*value) : "";
+}
+
+void print_engine_row(const RunMetrics& row, std::size_t width) {
+  fmt::print(line_format, shown_or_blank(row.dt), set_name(row), width, angles(row),
+             shown_or_blank(row.rms_position_difference), signed_or_blank(row.first_impact_time_difference),
+             shown_or_blank(row.stepping_time_minimum) + (row.timed_cold ? " cold" : ""), row.outcome);
+}
+
+/// Of one scene and step; nothing where no difference is significant.
+void print_nearest(const std::vector<RunMetrics>& rows) {
+  std::vector<std::string> first;
+  bool significant = false;
+  for (const RunMetrics& row : rows) {
+    if (row.rank == 1) first.push_back(set_name(row));
+    significant = significant || row.rank > 1;
+  }
+  if (significant) fmt::print("{:>7} * {}\n", shown_or_blank(rows.front().dt), joined(first));
+}
+
+/// What there is to know of a scene before its engines.
+void print_exact_rows(const std::vector<RunMetrics>& rows, std::size_t width) {
+  for (const RunMetrics& row : rows) {
+    if (row.engine != "exact") {
+      fmt::print("{:>9} {:<{}} {:>19}\n", "", row.solver.empty() ? row.engine : "exact, " + row.engine, width,
+                 shown_or_blank(row.rms_angle_difference));
+      continue;
+    }
+    fmt::print("\n{}, law {}: ", row.scene, row.law);
+    if (row.status != RunStatus::done) {
+      fmt::print("no exact motion: {}\n", row.reason);
+      continue;
+    }
+    fmt::print("{}, {} with chatter; can be compared up to {}; solved in {}\n",
+               counted(static_cast<std::size_t>(row.impacts.value_or(0)), "impact"),
+               row.impacts.value_or(0) + row.slower_impacts.value_or(0),
+               quantity_text(row.horizon.value_or(0), "s"),
+               quantity_text(row.stepping_time_minimum.value_or(0), "s"));
+    fmt::print(line_format, "step ms", "engine:solver (set)", width, "angles mrad", "centres mm", "impact ms",
+               "time ms", "outcome");
+  }
+}
+
+/// How many letters the longest name of a set has.
+std::size_t longest_name(const std::vector<Suite>& suites) {
+  std::size_t length = std::string_view("engine:solver (set)").size();
+  for (const Suite& suite : suites)
+    for (const EngineSeries& one : suite.series)
+      length = std::max(length, set_name(one.engine->name, one.engine->solver, one.settings).size());
+  return length;
+}
+
+}  // namespace
+
+void print_legend(const std::vector<Suite>& suites, const Common& common) {
+  if (!common.talks()) return;
+  int replicates = 1;
+  double bound = 0;
+  for (const Suite& suite : suites) {
+    replicates = std::max(replicates, suite.replicates.runs);
+    bound = std::max(bound, suite.replicates.most_steps);
+  }
+  const std::string fewer =
+      bound > 0 ? fmt::format(", fewer where they take {:.0f} steps together", bound) : "";
+  fmt::print(
+      "angles, centres: RMS differences from the exact motion up to the horizon{}\n"
+      "impact: the first one, engine less exact; time: the shortest wall time of stepping (cold: before the "
+      "engine's runtime was warm)\n"
+      "*: nearest of their scene and step, where any can be told from others; several that are named cannot be "
+      "told apart\n",
+      replicates > 1 ? fmt::format(", medians of {} replicates{} (quartiles)", replicates, fewer) : "");
+  std::fflush(stdout);
+}
+
+void print_rows(const std::vector<Suite>& suites, const Common& common, CompareOptions& options) {
+  if (!common.talks()) return;
+  const std::size_t width = longest_name(suites);
+  options.row = [&common, width](const RunMetrics& row) {
+    clear_progress(common);
+    print_engine_row(row, width);
+    std::fflush(stdout);
+  };
+  options.rows = [&common, width](const std::vector<RunMetrics>& rows) {
+    clear_progress(common);
+    is_engine(rows.front()) ? print_nearest(rows) : print_exact_rows(rows, width);
+    std::fflush(stdout);
+  };
+}
+
+}  // namespace rockstack
