@@ -179,7 +179,7 @@ Sheet::Sheet(const std::string& title, const Legend& legend, const std::string& 
 
 void Sheet::panel(double height, double gap, const std::string& settings,
                   const std::vector<std::string>& plots) {
-  row(height, gap, {{settings, plots}}, 1, left_edge);
+  row(height, gap, {{settings, plots}}, 1, left_edge * full_width / width_);
 }
 
 void Sheet::row(double height, double gap, const std::vector<SidePanel>& cells, std::size_t columns,

@@ -6,6 +6,11 @@ Sheet Figure::sheet(const std::string& heading, const Legend& legend, const std:
   return {heading, legend, question + " " + answer};
 }
 
+Sheet FolderSubject::sheet(const std::string& heading, const Legend& legend,
+                           const std::string& answer) const {
+  return width < full_width ? Sheet("", legend, "", width) : figure.sheet(heading, legend, answer);
+}
+
 Sheet SceneSubject::sheet(const Legend& legend, const std::string& answer) const {
   return figure.sheet(heading(scene), legend, answer);
 }

@@ -51,6 +51,11 @@ struct ComparisonSubject {
 struct FolderSubject {
   const Figure& figure;
   const std::filesystem::path& folder;
+  double width = full_width;  ///< pixels
+
+  /// A sheet with a title, the figure's question and the answer, or of a narrow one the legend alone.
+  Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const;
+  double panel() const { return panel_width - (full_width - width); }  ///< how wide one is, pixels
 };
 
 /// By what stands behind the figure's name in that of its file; a single drawing has nothing there.
@@ -71,6 +76,7 @@ struct OfComparison {
 struct OfFolder {
   const char* needs;  ///< a file of results
   Drawings (*draw)(const FolderSubject&);
+  bool narrow = false;  ///< whether it is drawn once more, as narrow as narrow_width
 };
 
 /// One kind of figure.

@@ -137,7 +137,7 @@ std::vector<Figure> study_figures() {
       {"fragility", "Fragility", "How likely is toppling?",
        "Marks: the share of runs that topple at each intensity, with its confidence bounds. Line: the "
        "fitted lognormal curve, where there is one.",
-       OfFolder{"fragility.csv", fragility}},
+       OfFolder{"fragility.csv", fragility, true}},
       {"incremental", "Incremental", "How strong a motion does it bear?",
        "Marks: runs, each motion at each intensity. Lines: the angle over the slenderness that half of the "
        "motions, and 16 and 84 % of them, stay within up to an intensity; they never turn back, unlike "
@@ -171,7 +171,7 @@ std::vector<Figure> study_figures() {
        "the largest difference from the exact motion until it can no longer be predicted, of an angle in rad "
        "or of a centre as a share of the least block height. Under the dashed line nine of ten replicates "
        "must lie; trials where they do have a ring, and the cheapest of them has a second one.",
-       OfFolder{"advice.json", advice}},
+       OfFolder{"advice.json", advice, true}},
       {"branches", "Branches", "Which motions obey?",
        "Angles of all motions that obey the laws of contact; below, when each leaves which other one, what its "
        "contacts take there, and how it ends. A line is broken where its motion is that of an earlier branch "
@@ -184,7 +184,7 @@ std::vector<Figure> study_figures() {
       {"record", "Record", "How strong and how long is the record?",
        "Acceleration, velocity and displacement with their peaks; the shaded span is the significant "
        "duration. Below, the growth of the Arias intensity and the response spectrum.",
-       OfFolder{"record.csv", record}},
+       OfFolder{"record.csv", record, true}},
   };
 }
 
@@ -252,10 +252,13 @@ void draw_figures(const std::filesystem::path& results, const Comparison& compar
 }
 
 void draw_figures(const std::filesystem::path& results) {
-  for (const Figure& figure : figures())
-    if (const auto* of = std::get_if<OfFolder>(&figure.of);
-        of != nullptr && std::filesystem::exists(results / of->needs))
-      draw_all(figure, of->draw({figure, results}), results);
+  for (const Figure& figure : figures()) {
+    const auto* of = std::get_if<OfFolder>(&figure.of);
+    if (of == nullptr || !std::filesystem::exists(results / of->needs)) continue;
+    Drawings drawings = of->draw({figure, results});
+    if (of->narrow) drawings[narrow_part] = of->draw({figure, results, narrow_width}).at("");
+    draw_all(figure, drawings, results);
+  }
 }
 
 }  // namespace rockstack::plots

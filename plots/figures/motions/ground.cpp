@@ -190,10 +190,9 @@ Drawings record(const FolderSubject& subject) {
       read_columns(results / "record.csv", {"time", "acceleration", "velocity", "displacement", "husid"});
   const auto spectrum = read_columns(results / "spectrum.csv", {"period", "pseudo_acceleration"});
   if (columns[0].empty() || spectrum[0].empty()) throw InputError(results.string() + ": holds no samples");
-  Sheet sheet =
-      subject.figure.sheet(facts.title, {},
-                           fmt::format("Peak {:.3g} m/s², {:.3g} s between 5 and 95 % of its energy",
-                                       std::abs(facts.acceleration.value), facts.end - facts.begin));
+  Sheet sheet = subject.sheet(facts.title, {},
+                              fmt::format("Peak {:.3g} m/s², {:.3g} s between 5 and 95 % of its energy",
+                                          std::abs(facts.acceleration.value), facts.end - facts.begin));
   RecordPanels panels(sheet, facts);
   panels.add_history("acceleration", "m/s²", facts.acceleration, {columns[0], columns[1]});
   panels.add_history("velocity", "m/s", facts.velocity, {columns[0], columns[2]});

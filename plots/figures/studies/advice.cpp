@@ -67,8 +67,9 @@ Drawings advice(const FolderSubject& subject) {
     legend.emplace_back(mark_style(line.front().run, 1.5), solver_name(line.front().run));
   legend.emplace_back(limit_style, fmt::format("asked for: {:g}", error));
   legend.emplace_back(fmt::format("{} ps 2.6*mark", ring), "nine of ten replicates are within");
-  Sheet sheet = subject.figure.sheet(title, legend, answer_of(lines, error));
-  LabelledPanel labelled{panel_width, tall, {}};
+  Sheet sheet = subject.sheet(title, legend, answer_of(lines, error));
+  const double width = subject.panel();
+  LabelledPanel labelled{width, tall, {}};
   Plots trials(sheet, "trials");
   std::vector<TrialMark> passing, picked;
   for (const auto& line : lines) {
@@ -76,7 +77,7 @@ Drawings advice(const FolderSubject& subject) {
     const std::string colour = style_of(run).colour;
     labelled.lines.emplace_back();
     for (const TrialMark& mark : line) {
-      labelled.lines.back().push_back({across.place(mark.time, panel_width), up.place(mark.error, tall),
+      labelled.lines.back().push_back({across.place(mark.time, width), up.place(mark.error, tall),
                                        duration_text(value_of(mark.run.dt)), colour});
       if (mark.passes) passing.push_back(mark);
       if (mark.picked) picked.push_back(mark);
@@ -89,7 +90,7 @@ Drawings advice(const FolderSubject& subject) {
   std::vector<std::string> plots = trials.list();
   plots.insert(plots.begin(), fmt::format("{} {} notitle", plain(error), limit_style));
   sheet.panel(tall, 0,
-              logarithmic_axes(across, up, panel_width, tall) +
+              logarithmic_axes(across, up, width, tall) +
                   "set logscale xy\nset xlabel 'computing time of stepping (s)'\n"
                   "set ylabel 'largest difference (rad, least heights)'\n" +
                   placed_labels(labelled),

@@ -116,14 +116,14 @@ Drawings fragility(const FolderSubject& subject) {
     counts.push_back({levels[0][i], levels[1][i], levels[2][i], levels[3][i]});
   }
   end *= 1.04;
-  Legend legend{{counted_style, fmt::format("counted, up to {:g} runs a level, with 95 % bounds", runs)}};
+  Legend legend{{counted_style, fmt::format("counted, up to {:g} runs, 95 % bounds", runs)}};
   std::string answer = "No curve fits these counts";
   Numbers curve;
   if (!fit[0].empty()) {
     const Fragility fitted{fit[0][0], fit[1][0]};
     const FragilityBounds bounds(fitted, tested);
     const auto [lower, upper] = bounds.of_median();
-    legend.emplace_back(fitted_style, fmt::format("lognormal fit, median {:.4g} ({:.3g}–{:.3g}), β {:.3g}",
+    legend.emplace_back(fitted_style, fmt::format("fit: median {:.4g} ({:.3g}–{:.3g}), β {:.3g}",
                                                   fitted.median, lower, upper, fitted.beta));
     legend.emplace_back(bounds_style, "95 % bounds of the fit");
     answer = fmt::format("Half of the motions topple it at {}", value_on(facts.intensity, fitted.median));
@@ -131,7 +131,7 @@ Drawings fragility(const FolderSubject& subject) {
       answer += fmt::format(", {:.3g} times g tan α", fitted.median / facts.least_acceleration);
     curve = fitted_curve(fitted, bounds, end);
   }
-  Sheet sheet = subject.figure.sheet(facts.title, legend, answer);
+  Sheet sheet = subject.sheet(facts.title, legend, answer);
   Plots plots(sheet, "share");
   if (!curve.empty())
     plots.add(curve,

@@ -36,6 +36,7 @@ TEST(SweepFigures, AFragilityCurveIsDrawnWithAndWithoutAFit) {
   std::ofstream(folder / "fragility-fit.csv") << "median,beta,log_likelihood\n3.1,0.3,-20\n";
   draw_figures(folder);
   EXPECT_TRUE(drawn(folder, "fragility"));
+  EXPECT_TRUE(drawn(folder, "fragility.narrow"));
   EXPECT_NE(bytes_of(folder / "figures/fragility.svg").find("median 3.1"), std::string::npos);
   std::ofstream(folder / "fragility-fit.csv") << "median,beta,log_likelihood\n";
   draw_figures(folder);
