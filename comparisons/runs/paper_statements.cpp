@@ -287,6 +287,7 @@ Evidence gather(const Suite& suite) {
   Evidence evidence;
   evidence.free = find_scene(suite.scenes, suite.statements->free).scene;
   evidence.shaken = find_scene(suite.scenes, suite.statements->shaken).scene;
+  evidence.shaken.duration = std::max(evidence.shaken.duration, evidence.shaken.horizontal.end());
   evidence.free_answers = answers(suite, evidence.free);
   evidence.shaken_answers = answers(suite, evidence.shaken);
   Scene linear = evidence.free;

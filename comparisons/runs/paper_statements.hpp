@@ -45,8 +45,9 @@ struct Evidence {
   const History& shaken_exact() const { return shaken_answers.front().history; }
 };
 
-/// Solves both scenes and runs each tuned engine of the suite at its step nearest to 1 ms. A run that fails
-/// is left out. Precondition: the suite names its statements' scenes.
+/// Solves both scenes, the shaken one to the end of its record, and runs each tuned engine of the suite at
+/// its step nearest to 1 ms. A run that fails is left out. Precondition: the suite names its statements'
+/// scenes.
 Evidence gather(const Suite& suite);
 
 std::vector<Statement> judge(const Evidence& evidence);
