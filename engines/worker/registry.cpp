@@ -86,16 +86,16 @@ bool is_built(const std::string& name) {
   return std::find(built().begin(), built().end(), name) != built().end();
 }
 
-/// What the folders of workers give.
+/// What programs give, and those that give nothing.
 struct Found {
-  std::vector<WorkerEngine> engines;
+  EngineList engines;
   std::vector<BrokenWorker> broken;
 };
 
 /// The program that gives an engine already, or none.
-std::optional<fs::path> program_of(const WorkerEngine& engine, const std::vector<WorkerEngine>& found) {
+std::optional<fs::path> program_of(const WorkerEngine& engine, const EngineList& found) {
   const auto same = [&](const WorkerEngine& one) { return one.full_name() == engine.full_name(); };
-  if (const auto other = std::ranges::find_if(found, same); other != found.end()) return other->program;
+  if (const auto other = std::ranges::find_if(found, same); other != found.end()) return other->get().program;
   if (!is_built(engine.name)) return {};
   const auto& list = built_engines(engine.name);
   const auto other = std::ranges::find_if(list, same);
@@ -103,23 +103,47 @@ std::optional<fs::path> program_of(const WorkerEngine& engine, const std::vector
 }
 
 void add_found(const fs::path& program, Found& found) {
+  for (const WorkerEngine& engine : engines_at(program)) {
+    if (const auto other = program_of(engine, found.engines))
+      throw std::runtime_error(
+          fmt::format("{}: another program has this engine, {}", engine.full_name(), other->string()));
+  }
+  const auto& list = engines_at(program);
+  found.engines.insert(found.engines.end(), list.begin(), list.end());
+}
+
+/// Does it, or has the program among the broken ones with the reason why not.
+template <typename Add>
+void try_to_add(const std::string& program, Found& found, const Add& add) {
   try {
-    std::vector<WorkerEngine> list = engines_of(program);
-    for (const WorkerEngine& engine : list) {
-      if (const auto other = program_of(engine, found.engines))
-        throw std::runtime_error(
-            fmt::format("{}: another program has this engine, {}", engine.full_name(), other->string()));
-    }
-    for (WorkerEngine& engine : list) found.engines.push_back(std::move(engine));
+    add();
   } catch (const std::exception& error) {
-    found.broken.push_back({program.string(), error.what()});
+    found.broken.push_back({program, error.what()});
   }
 }
 
 const Found& found() {
   static const Found made = [] {
     Found all;
-    for (const fs::path& program : found_workers()) add_found(program, all);
+    for (const fs::path& program : found_workers())
+      try_to_add(program.string(), all, [&] { add_found(program, all); });
+    return all;
+  }();
+  return made;
+}
+
+/// What this program was built with, and then what is found.
+const Found& all_workers() {
+  static const Found made = [] {
+    Found all;
+    for (const std::string& name : built()) {
+      try_to_add(prefix + name, all, [&] {
+        const auto& own = built_engines(name);
+        all.engines.insert(all.engines.end(), own.begin(), own.end());
+      });
+    }
+    all.engines.insert(all.engines.end(), found().engines.begin(), found().engines.end());
+    all.broken.insert(all.broken.end(), found().broken.begin(), found().broken.end());
     return all;
   }();
   return made;
@@ -153,14 +177,8 @@ void require_folders(const std::string& name, const std::string& given) {
   }
 }
 
-EngineList engines() {
-  EngineList list;
-  for (const std::string& name : built()) {
-    const auto& own = built_engines(name);
-    list.insert(list.end(), own.begin(), own.end());
-  }
-  list.insert(list.end(), found().engines.begin(), found().engines.end());
-  return list;
+const EngineList& engines() {
+  return all_workers().engines;
 }
 
 EngineList engines_called(const std::string& name) {
@@ -181,7 +199,7 @@ EngineList usual_engines() {
 }
 
 const std::vector<BrokenWorker>& broken_workers() {
-  return found().broken;
+  return all_workers().broken;
 }
 
 std::vector<std::string> engines_left_out() {
@@ -222,7 +240,7 @@ const WorkerEngine& find_engine(const std::string& name) {
   for (const WorkerEngine& engine : engines_called(name.substr(0, name.find(':')))) {
     if (name == engine.name || name == engine.full_name()) return engine;
   }
-  const EngineList all = engines();
+  const EngineList& all = engines();
   std::vector<std::string> there;
   there.reserve(all.size());
   for (const WorkerEngine& engine : all) there.push_back(engine.full_name());

@@ -22,12 +22,12 @@ using EngineList = std::vector<std::reference_wrapper<const WorkerEngine>>;
 
 /// Every engine with every solver that this program was built with, and then those of the workers in the
 /// folders of workers_variable. A worker is asked once, when it is first needed; this asks all, and takes a
-/// tenth of a second for each that is a script. Engines switched off are not there.
-/// @throws std::runtime_error naming a worker program that is not beside this one and not where it was built.
-EngineList engines();
+/// tenth of a second for each that is a script. Engines switched off are not there, nor those of
+/// broken_workers().
+const EngineList& engines();
 
 /// All solvers of the engine of a name, as "ode"; empty where there is none. Asks the worker of that name and
-/// those in folders. @throws std::runtime_error likewise.
+/// those in folders. @throws std::runtime_error where the worker of that name does not say which it has.
 EngineList engines_called(const std::string& name);
 
 /// The engines that are compared where nobody names any, Bullet and ODE, as far as they are there. @throws
@@ -51,7 +51,7 @@ const WorkerEngine& find_engine_at(const std::filesystem::path& program, const s
 /// Names of engines that were left out when this program was built and that no worker in a folder provides.
 std::vector<std::string> engines_left_out();
 
-/// A program in a folder of workers that is none.
+/// A program that should be a worker and does not answer as one: its interpreter is missing, say.
 struct BrokenWorker {
   std::string program;
   std::string reason;
