@@ -292,9 +292,11 @@ void write_sample(const fs::path& folder, const Sample& sample) {
 }
 
 fs::path fresh_folder() {
-  const ::testing::TestInfo* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  fs::path folder = fs::path(::testing::TempDir()) /
-                    fmt::format("rockstack-plots.{}.{}", test->test_suite_name(), test->name());
+  const ::testing::UnitTest& tests = *::testing::UnitTest::GetInstance();
+  const ::testing::TestInfo* test = tests.current_test_info();
+  fs::path folder = fs::path(::testing::TempDir()) / fmt::format("rockstack-plots.{}.{}",
+                                                                 tests.current_test_suite()->name(),
+                                                                 test != nullptr ? test->name() : "all");
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;

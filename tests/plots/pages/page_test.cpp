@@ -14,8 +14,8 @@ using testing::ask_browser;
 /// where pattern 1a becomes 2b and back.
 class Page : public ::testing::Test {
  protected:
-  void SetUp() override {
-    if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  static void SetUpTestSuite() {
+    if (!testing::has_browser()) return;
     const std::filesystem::path folder = testing::fresh_folder();
     testing::write_sample(folder, {.engines = {{"bullet", "sequential-impulse", "tuned", 2e-3},
                                                {"ode", "step", "default", 3e-3}},
@@ -26,7 +26,11 @@ class Page : public ::testing::Test {
     page_ = testing::bytes_of(folder / "report.html");
   }
 
-  std::string page_;
+  void SetUp() override {
+    if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  }
+
+  static inline std::string page_;
 };
 
 TEST_F(Page, LoadsWithoutComplaint) {

@@ -14,15 +14,19 @@ using testing::ask_browser;
 /// each slipping by 0.1 m/s on the one below.
 class SlidingPage : public ::testing::Test {
  protected:
-  void SetUp() override {
-    if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  static void SetUpTestSuite() {
+    if (!testing::has_browser()) return;
     const std::filesystem::path folder = testing::fresh_folder();
     testing::write_sample(folder, {.engines = {}, .slides = true, .results = {"histories"}});
     show(folder);
     page_ = testing::bytes_of(folder / "report.html");
   }
 
-  std::string page_;
+  void SetUp() override {
+    if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  }
+
+  static inline std::string page_;
 };
 
 TEST_F(SlidingPage, BlocksAreWhereTheResultsSay) {
