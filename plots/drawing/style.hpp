@@ -34,6 +34,7 @@ inline constexpr auto grid_lines = "set grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'
 
 /// The plot element of a line at zero.
 inline constexpr auto zero_line = "0 with lines lw 1.5 lc rgb '#000000' notitle";
+inline constexpr auto tolerance_style = "lw 2 dt (5,8) lc rgb '#666666'";
 
 /// "with …" for a run's curve: that of the exact motion, or linespoints with a few marks; `order` sets marks
 /// of neighbouring curves apart.

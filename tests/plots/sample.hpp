@@ -37,7 +37,7 @@ struct Sample {
 /// Writes the sample as `rockstack compare` would, scene name "sample".
 void write_sample(const std::filesystem::path& folder, const Sample& sample);
 
-/// An empty folder for the running test.
+/// An empty folder for the running test, or for all of its suite.
 std::filesystem::path fresh_folder();
 
 /// The bytes of a file.

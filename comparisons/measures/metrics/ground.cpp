@@ -101,7 +101,7 @@ std::array<double, 2> velocity_moments(const Piece& piece) {
   return moments;
 }
 
-struct State {
+struct OscillatorState {
   double displacement = 0, velocity = 0;  ///< from the ground, m and m/s
 };
 
@@ -118,7 +118,7 @@ class Oscillator {
 
   /// The state one step on, the ground's acceleration being from + slope t: free motion about the solution
   /// that is itself a straight line.
-  State after(const State& state, double from, double slope) const {
+  OscillatorState after(const OscillatorState& state, double from, double slope) const {
     const double square = omega_ * omega_;
     const double line_velocity = -slope / square;
     const double line = (2 * damping_ * slope / omega_ - from) / square;
@@ -202,7 +202,7 @@ Response response(const GroundMotion& motion, double period, double damping) {
   const int parts = std::max(1, static_cast<int>(std::ceil(motion.interval * steps_in_period / period)));
   const double step = motion.interval / parts;
   const Oscillator oscillator(period, damping, step);
-  State state;
+  OscillatorState state;
   double largest = 0;
   for (std::size_t i = 0; i + 1 < motion.samples.size(); ++i) {
     const double slope = (motion.samples[i + 1] - motion.samples[i]) / motion.interval;

@@ -182,7 +182,7 @@ int median_matched(const std::vector<ImpactTime>& exact, const std::vector<doubl
     std::ranges::stable_sort(impacts, {}, &ImpactTime::time);
     matched.push_back(count(align(exact, impacts, windows)).matched);
   }
-  return static_cast<int>(median(std::move(matched)));
+  return static_cast<int>(rockstack::median(std::move(matched)));
 }
 
 double uniform(double low, double high, std::uint64_t run, std::size_t key) {

@@ -36,19 +36,19 @@ std::string exact_sentence(const RunMetrics& exact, const SceneScale& scale) {
 }
 
 /// The least and the largest of a column at each step, the coarsest first.
-struct Range {
+struct Extremes {
   const RunMetrics* least = nullptr;
   const RunMetrics* most = nullptr;
 };
 
-using Value = std::optional<double> RunMetrics::*;
+using Measure = std::optional<double> RunMetrics::*;
 
-std::map<double, Range, std::greater<>> ranges(const std::vector<ReplicatedRow>& rows, Value value) {
-  std::map<double, Range, std::greater<>> list;
+std::map<double, Extremes, std::greater<>> ranges(const std::vector<ReplicatedRow>& rows, Measure value) {
+  std::map<double, Extremes, std::greater<>> list;
   for (const auto& one : rows) {
     const RunMetrics& row = one.row;
     if (!is_engine(row) || !(row.*value)) continue;
-    Range& range = list[*row.dt];
+    Extremes& range = list[*row.dt];
     if (!range.least || *(row.*value) < *(range.least->*value)) range.least = &row;
     if (!range.most || *(row.*value) > *(range.most->*value)) range.most = &row;
   }
@@ -57,7 +57,7 @@ std::map<double, Range, std::greater<>> ranges(const std::vector<ReplicatedRow>&
 
 /// "10 ms: 2 to 5 mrad; 1 ms: …" of a column, in the place of {} in a sentence; empty where no row has it.
 std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<std::string> sentence,
-                    const char* unit, Value value,
+                    const char* unit, Measure value,
                     std::string (*text)(double, const std::string&, int) = quantity_text) {
   std::vector<std::string> parts;
   for (const auto& [dt, range] : ranges(rows, value)) {
@@ -166,15 +166,14 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
   sentences.push_back(solved ? exact_sentence(exact->row, scene.scale)
                              : "There is no exact motion to compare with.");
   sentences.push_back(event_sentence(rows, {scene}, rows.size()));
-  using M = RunMetrics;
   const std::string angles =
-      by_step(rows, "RMS angle differences by step: {}.", "rad", &M::rms_angle_difference);
+      by_step(rows, "RMS angle differences by step: {}.", "rad", &RunMetrics::rms_angle_difference);
   sentences.push_back(angles);
   if (!angles.empty())
-    sentences.push_back(
-        by_step(rows, "RMS distances of centres from the exact ones: {}.", "m", &M::rms_position_difference));
+    sentences.push_back(by_step(rows, "RMS distances of centres from the exact ones: {}.", "m",
+                                &RunMetrics::rms_position_difference));
   sentences.push_back(by_step(rows, "The first impact is off by (+: late): {}.", "s",
-                              &M::first_impact_time_difference, signed_quantity_text));
+                              &RunMetrics::first_impact_time_difference, signed_quantity_text));
   sentences.push_back(slip_sentence(rows));
   add_sequences(rows, sentences);
   add_beyond(rows, scene.scale, sentences);

@@ -68,7 +68,6 @@ std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& 
 }
 
 constexpr auto failure_style = "with points pt 2 ps 0.9*mark lw 2 lc rgb '#B00020'";
-constexpr auto tolerance_style = "lw 2 dt (5,8) lc rgb '#666666'";
 constexpr auto quartiles_style = "lw 1.5 lc rgb '#000000'";
 
 /// From nought to when it stops to agree, or to the edge, with the quartiles over replicates.

@@ -57,7 +57,7 @@ std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::stri
 }
 
 /// The fitted curve between the smallest and the largest step.
-Curve fitted(const ErrorLine& line) {
+Curve fitted_curve(const ErrorLine& line) {
   constexpr int points = 60;
   const double first = line.errors.front()[0], last = line.errors.back()[0];
   Curve curve;
@@ -120,7 +120,7 @@ Drawing draw_errors(const SceneSubject& subject, const Errors& errors) {
     series.back().plots = plots_of(lines[i], i, 1.5);
     series.back().alone = plots_of(lines[i], i, 1.1);
     sheet.data(number_block(block, lines[i].errors));
-    if (lines[i].fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted(lines[i])));
+    if (lines[i].fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted_curve(lines[i])));
   }
   const auto axes = [&](double width, double height) { return ranges(lines, width, height); };
   add_series(sheet, {"time step (s)", errors.axis, errors.short_axis, true, axes, 560, 0}, series, many);

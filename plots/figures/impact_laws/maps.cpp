@@ -8,7 +8,7 @@ namespace rockstack::plots {
 namespace {
 
 /// One map: a kind's cells and which of their counts is shown.
-struct Map {
+struct LawMap {
   std::string heading, kind;
   std::vector<LawCell> cells;
   double LawCell::*count;
@@ -21,20 +21,20 @@ double sum(const std::vector<LawCell>& cells, double LawCell::*count) {
 }
 
 /// Of all impacts of the kind, percent.
-double share_of(const Map& map) {
+double share_of(const LawMap& map) {
   return 100 * sum(map.cells, map.count) / sum(map.cells, &LawCell::impacts);
 }
 
 constexpr double least_share = 0.01;  ///< of a kind's impacts that a map is drawn for
 
-std::vector<Map> maps_of(const std::vector<LawCell>& cells) {
+std::vector<LawMap> maps_of(const std::vector<LawCell>& cells) {
   std::vector<std::string> kinds;
   std::map<std::string, std::vector<LawCell>> by_kind;
   for (const LawCell& cell : cells) {
     if (by_kind[cell.kind].empty()) kinds.push_back(cell.kind);
     by_kind[cell.kind].push_back(cell);
   }
-  std::vector<Map> maps;
+  std::vector<LawMap> maps;
   for (const auto& [heading, count] :
        {std::pair{"laws differ", &LawCell::differ}, std::pair{"no pattern consistent", &LawCell::none}}) {
     for (const std::string& kind : kinds) {
@@ -65,7 +65,7 @@ std::string axis_of(const std::string& axis, const std::vector<double>& edges) {
                      plain(std::log2(edges.front())), plain(std::log2(edges.back())), tics);
 }
 
-Numbers numbers_of(const Map& map) {
+Numbers numbers_of(const LawMap& map) {
   const auto middle = [](double from, double to) { return (std::log2(from) + std::log2(to)) / 2; };
   const auto half = [](double from, double to) { return (std::log2(to) - std::log2(from)) / 2; };
   Numbers numbers;
@@ -107,9 +107,9 @@ std::string settings_of(const std::vector<LawCell>& cells) {
 }
 
 /// The kind of impact after which the laws differ most.
-std::string answer_of(const std::vector<Map>& maps) {
-  const Map* most = nullptr;
-  for (const Map& map : maps)
+std::string answer_of(const std::vector<LawMap>& maps) {
+  const LawMap* most = nullptr;
+  for (const LawMap& map : maps)
     if (map.count == &LawCell::differ && (most == nullptr || share_of(map) > share_of(*most))) most = &map;
   return most == nullptr ? "After no kind of impact"
                          : fmt::format("Most after {}: {:.1f} % of its states", most->kind, share_of(*most));
@@ -125,7 +125,7 @@ Drawings law_maps(const FolderSubject& subject) {
   Drawings drawings;
   for (const auto& [blocks, cells] : by_blocks) {
     const std::string part = fmt::format("{}-blocks", blocks);
-    const std::vector<Map> maps = maps_of(cells);
+    const std::vector<LawMap> maps = maps_of(cells);
     if (maps.empty()) {
       drawings[part] = empty_sheet("impact-laws." + part, "Both laws give the same pattern everywhere.");
       continue;
@@ -135,7 +135,7 @@ Drawings law_maps(const FolderSubject& subject) {
     constexpr double under_legend = 12;
     sheet.leave_room_above(under_legend);
     std::vector<Multiple> panels;
-    for (const Map& map : maps) {
+    for (const LawMap& map : maps) {
       const std::string name = fmt::format("map_{}", panels.size());
       sheet.data(number_block(name, numbers_of(map)));
       panels.push_back(

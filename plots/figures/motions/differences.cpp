@@ -13,8 +13,6 @@ struct Departure {
   std::vector<double> agreement_times;  ///< s, rising; one where there are no replicates
 };
 
-constexpr auto tolerance_style = "with lines lw 2 dt (5,8) lc rgb '#666666'";
-
 /// The largest absolute value over all blocks at each time.
 std::vector<double> largest_of(const std::vector<std::vector<double>>& columns) {
   std::vector<double> largest(columns[0].size(), 0);
@@ -69,7 +67,7 @@ void add_panels(Sheet& sheet, const std::vector<Departure>& departures, const Re
              grid_lines;
     };
     SeriesPanel panel{"time (s)", words, words, false, axes, panel_height(static_cast<int>(panels)), 20};
-    panel.under = {fmt::format("{} {} notitle", plain(tolerance), tolerance_style)};
+    panel.under = {fmt::format("{} with lines {} notitle", plain(tolerance), tolerance_style)};
     add_curves(sheet, panel, runs, sizes, fmt::format("difference_{}", k + 1), {2.5, true});
   }
 }
@@ -132,7 +130,7 @@ Drawing differences(const SceneSubject& subject) {
   const std::vector<Departure> departures = each_of(
       runs, [&](const Run& run) { return read_departure(run, scene.blocks(), bins_for(curves), together); });
   Legend legend = legend_of(runs, curve_style);
-  legend.emplace_back(tolerance_style, "tolerance");
+  legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
   Sheet sheet = subject.sheet(legend, answer(departures, scene, tolerance));
   add_panels(sheet, departures, range_of(departures, tolerance), axis, tolerance, together);

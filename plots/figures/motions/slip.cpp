@@ -6,19 +6,19 @@
 namespace rockstack::plots {
 namespace {
 
-constexpr double millimetres = 1e3;  // in a metre
-constexpr double least = 1e-6;       // m: what blocks slip and part less is not drawn
+constexpr double millimetres = 1e3;   // in a metre
+constexpr double least_drawn = 1e-6;  // m: what blocks slip and part less is not drawn
 
 /// A panel: one column of the histories, a curve a run; empty of runs that do not tell it.
-struct Quantity {
+struct SlipPanel {
   std::string words;  ///< of its axis
   double scale = 1;
   std::vector<Curve> curves;
 };
 
-Quantity read_quantity(const std::vector<Run>& runs, std::vector<double> History::*rows, int block,
-                       const std::string& words, double scale, std::size_t bins) {
-  Quantity quantity{words, scale, {}};
+SlipPanel read_quantity(const std::vector<Run>& runs, std::vector<double> History::*rows, int block,
+                        const std::string& words, double scale, std::size_t bins) {
+  SlipPanel quantity{words, scale, {}};
   for (const Run& run : runs) {
     const auto history = history_of(run);
     Curve& curve = quantity.curves.emplace_back();
@@ -30,8 +30,8 @@ Quantity read_quantity(const std::vector<Run>& runs, std::vector<double> History
   return quantity;
 }
 
-std::vector<Quantity> read_slips(const std::vector<Run>& runs, int blocks, std::size_t bins) {
-  std::vector<Quantity> slips;
+std::vector<SlipPanel> read_slips(const std::vector<Run>& runs, int blocks, std::size_t bins) {
+  std::vector<SlipPanel> slips;
   slips.reserve(static_cast<std::size_t>(blocks));
   for (int k = 0; k < blocks; ++k)
     slips.push_back(
@@ -39,9 +39,9 @@ std::vector<Quantity> read_slips(const std::vector<Run>& runs, int blocks, std::
   return slips;
 }
 
-double last_time(const std::vector<Quantity>& quantities) {
+double last_time(const std::vector<SlipPanel>& quantities) {
   double end = 1e-9;
-  for (const Quantity& quantity : quantities)
+  for (const SlipPanel& quantity : quantities)
     for (const Curve& curve : quantity.curves)
       if (curve.size() > 0) end = std::max(end, curve.times.back());
   return end;
@@ -49,15 +49,15 @@ double last_time(const std::vector<Quantity>& quantities) {
 
 /// One panel a quantity, all runs in each, or a panel each where they are many.
 Drawing drawn(const SceneSubject& subject, const std::vector<Run>& runs,
-              const std::vector<Quantity>& quantities, const std::string& answer) {
+              const std::vector<SlipPanel>& quantities, const std::string& answer) {
   Legend legend = legend_of(runs, curve_style);
   for (std::size_t i = 0; i < legend.size(); ++i)
     if (!tells_slips(runs[i])) legend[i].second += ", where nothing slips";
   const TimeAxis axis = subject.time_axis(runs, legend);
   Sheet sheet = subject.sheet(legend, answer);
   for (std::size_t p = 0; p < quantities.size(); ++p) {
-    const Quantity& quantity = quantities[p];
-    const Reach extent = extent_of(runs, quantity.curves, 1, least * quantity.scale);
+    const SlipPanel& quantity = quantities[p];
+    const Reach extent = extent_of(runs, quantity.curves, 1, least_drawn * quantity.scale);
     const auto axes = [&](double, double height) {
       return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
     };
@@ -98,14 +98,14 @@ std::string flights_of(const Run& run, int blocks, double end) {
 }
 
 /// The largest slip of a run, and at which interface.
-std::string slip_phrase(const std::vector<Run>& runs, std::size_t run, const std::vector<Quantity>& slips) {
-  const auto largest = [&](const Quantity& slip) { return slip.curves[run].largest(); };
+std::string slip_phrase(const std::vector<Run>& runs, std::size_t run, const std::vector<SlipPanel>& slips) {
+  const auto largest = [&](const SlipPanel& slip) { return slip.curves[run].largest(); };
   const auto most = std::ranges::max_element(slips, {}, largest);
   return fmt::format("{:.3g} mm at interface {} ({})", largest(*most), most - slips.begin() + 1,
                      line_label(runs[run]));
 }
 
-std::string slip_answer(const std::vector<Run>& runs, const std::vector<Quantity>& slips) {
+std::string slip_answer(const std::vector<Run>& runs, const std::vector<SlipPanel>& slips) {
   const bool exact = runs.front().exact();
   std::string text =
       (exact ? "At most: " : "At most, without an exact motion: ") + slip_phrase(runs, 0, slips);
@@ -124,14 +124,14 @@ Drawing slip(const SceneSubject& subject) {
   std::vector<Run> runs = all_runs(subject.shown());
   std::erase_if(runs, [](const Run& run) { return !tells_slips(run); });
   const std::size_t bins = bins_of(runs, scene.blocks());
-  std::vector<Quantity> panels = read_slips(runs, scene.blocks(), bins);
+  std::vector<SlipPanel> panels = read_slips(runs, scene.blocks(), bins);
   const std::string answer = slip_answer(runs, panels);
   for (int k = 0; k < scene.blocks(); ++k)
     panels.push_back(
         read_quantity(runs, &History::gaps, k, fmt::format("gap {} (mm)", k + 1), millimetres, bins));
-  const auto is_still = [&](const Quantity& panel) {
-    return std::ranges::all_of(panel.curves,
-                               [](const Curve& curve) { return curve.largest() <= least * millimetres; });
+  const auto is_still = [&](const SlipPanel& panel) {
+    return std::ranges::all_of(
+        panel.curves, [](const Curve& curve) { return curve.largest() <= least_drawn * millimetres; });
   };
   panels.erase(std::remove_if(panels.begin() + 1, panels.end(), is_still), panels.end());
   return drawn(subject, runs, panels, answer);
@@ -143,11 +143,11 @@ Drawing friction(const SceneSubject& subject) {
   for (const Run& run : done_runs(subject.comparison, scene.name))
     if (run.exact() || has_own_friction(run)) runs.push_back(run);
   const std::size_t bins = bins_of(runs, scene.blocks());
-  std::vector<Quantity> panels;
+  std::vector<SlipPanel> panels;
   panels.reserve(2 * static_cast<std::size_t>(scene.blocks()));
   for (int k = 0; k < scene.blocks(); ++k)
     panels.push_back(read_quantity(runs, &History::angles, k, angle_name(k + 1) + " (rad)", 1, bins));
-  const std::vector<Quantity> slips = read_slips(runs, scene.blocks(), bins);
+  const std::vector<SlipPanel> slips = read_slips(runs, scene.blocks(), bins);
   panels.insert(panels.end(), slips.begin(), slips.end());
   std::string answer = "Largest slips: ";
   for (std::size_t i = 0; i < runs.size(); ++i)

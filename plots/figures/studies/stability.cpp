@@ -16,7 +16,7 @@ const std::vector<MapKind> verdict_kinds{
     {"failed", "#2F2F2F", "failed: the run did not end well"}};
 
 /// One square of a map.
-struct Cell {
+struct StabilityCell {
   double value, dt;
   std::string verdict;
 };
@@ -34,20 +34,20 @@ std::string tics(const Places& places, double times) {
 }
 
 /// What is drawn of one solver: its cells, and the largest stable step at each value.
-struct Map {
+struct StabilityMap {
   std::string solver;  ///< in words
-  std::vector<Cell> cells;
+  std::vector<StabilityCell> cells;
   std::vector<std::pair<double, double>> stable;
 };
 
-std::map<std::string, Map> read_maps(const std::filesystem::path& results) {
-  std::map<std::string, Map> maps;
-  const auto map_of = [&](const TableRow& row) -> Map& {
+std::map<std::string, StabilityMap> read_maps(const std::filesystem::path& results) {
+  std::map<std::string, StabilityMap> maps;
+  const auto map_of = [&](const TableRow& row) -> StabilityMap& {
     return maps[row.text("engine") + "-" + row.text("solver") + "-" + row.text("settings")];
   };
   each_row(results / "stability.csv", [&](const TableRow& row) {
     if (std::isnan(row.value("dt"))) return;
-    Map& map = map_of(row);
+    StabilityMap& map = map_of(row);
     map.solver = fmt::format("{} {}, {}", row.text("engine"), row.text("solver"), row.text("settings"));
     map.cells.push_back({row.value("value"), row.value("dt"), row.text("verdict")});
   });
@@ -58,7 +58,7 @@ std::map<std::string, Map> read_maps(const std::filesystem::path& results) {
 }
 
 /// The upper edges of the squares of the largest stable steps, as a staircase.
-Numbers staircase(const Map& map, const Places& across, const Places& up) {
+Numbers staircase(const StabilityMap& map, const Places& across, const Places& up) {
   std::map<double, double> edges;
   for (const auto& [value, step] : map.stable)
     edges[place_of(value, across)] = step > 0 ? place_of(step, up) + 0.5 : -0.5;
@@ -67,9 +67,9 @@ Numbers staircase(const Map& map, const Places& across, const Places& up) {
   return stairs;
 }
 
-std::string answer(const Map& map) {
+std::string answer(const StabilityMap& map) {
   const auto sound =
-      std::ranges::count_if(map.cells, [](const Cell& cell) { return cell.verdict == "sound"; });
+      std::ranges::count_if(map.cells, [](const StabilityCell& cell) { return cell.verdict == "sound"; });
   return fmt::format("{} of {} runs are sound", sound, map.cells.size());
 }
 
@@ -80,11 +80,11 @@ std::size_t kind_of(const std::string& verdict) {
   return static_cast<std::size_t>(found - verdict_kinds.begin());
 }
 
-Drawing drawing(const FolderSubject& subject, const Map& map, const Json& facts) {
+Drawing drawing(const FolderSubject& subject, const StabilityMap& map, const Json& facts) {
   Places across, up;
-  for (const Cell& cell : map.cells) across.insert(cell.value), up.insert(cell.dt);
+  for (const StabilityCell& cell : map.cells) across.insert(cell.value), up.insert(cell.dt);
   std::vector<MapCell> cells;
-  for (const Cell& cell : map.cells) {
+  for (const StabilityCell& cell : map.cells) {
     const double x = place_of(cell.value, across), y = place_of(cell.dt, up);
     cells.push_back({x - 0.5, x + 0.5, y - 0.5, y + 0.5, kind_of(cell.verdict)});
   }

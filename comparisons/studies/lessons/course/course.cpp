@@ -67,7 +67,7 @@ Part read_part(const Node& table) {
   return part;
 }
 
-DrawnRange read_range(const Node& node) {
+DrawnRange read_drawn_range(const Node& node) {
   const std::vector<double> values = numbers(node);
   if (values.size() != 3 || !(values[1] >= values[0]) || !(values[2] > 0))
     throw wrong_value(node, "[least, most, step] with least ≤ most and step > 0");
@@ -83,7 +83,7 @@ Problem read_problem(const Node& table) {
   problem.changes = texts(table, "set");
   problem.against = texts(table, "against");
   if (const Node* draw = find(table, "draw"))
-    for (const Node& range : draw->children) problem.draw.push_back(read_range(range));
+    for (const Node& range : draw->children) problem.draw.push_back(read_drawn_range(range));
   for (const Node& part : entries(required(table, "parts", "what is asked"), "an array of tables"))
     problem.parts.push_back(read_part(part));
   return problem;

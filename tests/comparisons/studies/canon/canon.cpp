@@ -38,10 +38,10 @@ Scene block() {
   return scene;
 }
 
-constexpr double dt = 0.25;  // a power of two: products are exact
+constexpr double sampling = 0.25;  // a power of two: products are exact
 
 TEST(Canon, DeviationIsOverTheFastestMotionOfItsKind) {
-  const History exact = motion(dt, 4, 16);
+  const History exact = motion(sampling, 4, 16);
   History engine = exact;
   engine.angles[2] += 2;
   engine.slips[1] -= 32;
@@ -57,7 +57,7 @@ TEST(Canon, DeviationIsOverTheFastestMotionOfItsKind) {
 }
 
 TEST(Canon, RestIsMeasuredByWhatGravityGivesInAMillisecond) {
-  const History exact = motion(dt, 0, 0);
+  const History exact = motion(sampling, 0, 0);
   History engine = exact;
   engine.angles[2] = 1;
   engine.slips[2] = 1;
@@ -68,7 +68,7 @@ TEST(Canon, RestIsMeasuredByWhatGravityGivesInAMillisecond) {
 
 // Of a block that lies still: a thousandth of its height is a tenth of a step of 1 ms.
 TEST(Canon, BlocksThatSinkOrBounceAreOff) {
-  const History exact = motion(dt, 0, 0);
+  const History exact = motion(sampling, 0, 0);
   for (const double gap : {-0.25, 0.25}) {
     History engine = exact;
     engine.gaps[2] = gap;

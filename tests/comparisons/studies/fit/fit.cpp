@@ -18,7 +18,7 @@ constexpr double half_width = 0.2, half_height = 0.8, start = 0.12, ratio = 0.9,
 const double slope = std::atan(half_width / half_height);
 const double rate = std::sqrt(3 * gravity / (4 * std::hypot(half_width, half_height)));  // p of Housner 1963
 
-constexpr const char* block = R"(duration = 3.0
+constexpr const char* measured_block = R"(duration = 3.0
 equations = "small-angle"
 restitution = [0.9]
 [[blocks]]
@@ -79,7 +79,7 @@ struct Tested {
 const std::vector<FitParameter> unknown{{"restitution.1", 0.7, 0.99}, {"blocks.1.width", 0.3, 0.5}};
 
 TEST(Fit, FindsHousnersBlockFromItsPeriodsAndAmplitudes) {
-  const Tested test(block, closed_form());
+  const Tested test(measured_block, closed_form());
   const Fit found = fit(test.document, test.measured, unknown);
   EXPECT_EQ(found.readings, 151U);
   EXPECT_EQ(found.horizon, 3);
@@ -92,7 +92,7 @@ TEST(Fit, FindsHousnersBlockFromItsPeriodsAndAmplitudes) {
 }
 
 TEST(Fit, DerivativesAreThoseOfTheClosedForm) {
-  const Tested test(block, closed_form());
+  const Tested test(measured_block, closed_form());
   const std::vector<FitParameter> parameters{{"gravity", 9, 11}, {"initial.angles.1", 0.1, 0.15}};
   const double fall = std::acosh(1 / (1 - start / slope)) / rate;
   const FittedScene fitted(test.document, test.measured, parameters, fall);
@@ -128,7 +128,7 @@ TEST(Fit, IntervalsHoldTheTruthInNinetyFiveOfAHundredTests) {
       values.push_back(housner(times[k]) +
                        draw({Distribution::Kind::normal, 0, sigma},
                             {1, static_cast<std::uint64_t>(i), static_cast<std::uint32_t>(k)}));
-    const Tested test(std::string(block) + "uncertainty = 0.002\n", csv_of(times, values));
+    const Tested test(std::string(measured_block) + "uncertainty = 0.002\n", csv_of(times, values));
     const Fit found = fit(test.document, test.measured, unknown);
     const double truth[] = {ratio, 2 * half_width};
     for (std::size_t k = 0; k < 2; ++k)
@@ -147,12 +147,12 @@ TEST(Fit, IntervalsHoldTheTruthInNinetyFiveOfAHundredTests) {
 }
 
 TEST(Fit, SaysWhatTheModelLeavesOut) {
-  const Tested test(std::string(block) + "uncertainty = 0.1\nunit = \"mrad\"\n", [] {
+  const Tested test(std::string(measured_block) + "uncertainty = 0.1\nunit = \"mrad\"\n", [] {
     std::vector<double> values;
     for (const double t : every(0.02, 3)) values.push_back(1e3 * housner(t));
     return csv_of(every(0.02, 3), values);
   }());
-  std::string scene = block;
+  std::string scene = measured_block;
   scene.replace(scene.find("[0.9]"), 5, "[0.8]");
   const Tested other(scene, closed_form());
   const std::vector<FitParameter> width{unknown[1]};
@@ -163,7 +163,7 @@ TEST(Fit, SaysWhatTheModelLeavesOut) {
 }
 
 TEST(Fit, SaysWhatATestDoesNotTell) {
-  const Tested test(block, closed_form());
+  const Tested test(measured_block, closed_form());
   const Fit found = fit(test.document, test.measured, {{"blocks.1.density", 1000, 3000}, unknown[0]});
   EXPECT_TRUE(std::isinf(found.parameters[0].half_width));
   EXPECT_LT(found.parameters[1].half_width, 1e-5);
@@ -183,7 +183,7 @@ TEST(Fit, TakesParametersOfOneForm) {
 
 /// The error of a table [measured] with those lines, without its place.
 std::string error_of(const std::string& lines, const std::string& readings) {
-  std::string scene = block;
+  std::string scene = measured_block;
   try {
     Tested(scene.erase(scene.find("file =")) + lines, readings);
   } catch (const InputError& error) {
@@ -194,7 +194,7 @@ std::string error_of(const std::string& lines, const std::string& readings) {
 }
 
 TEST(Measured, IsOfItsColumnUnitAndStart) {
-  std::string scene = block;
+  std::string scene = measured_block;
   scene.erase(scene.find("column"));
   const Tested test(scene + "time = \"t\"\ncolumn = \"deg\"\nunit = \"deg\"\nstart = 10\n",
                     "t,deg\n9.9,1\n10,180\n10.5,\n11,-90\n14,2\n");
@@ -222,7 +222,7 @@ TEST(Measured, MistakesAreRefused) {
 }
 
 TEST(Measured, APointMovesWithItsBlock) {
-  std::string scene = block;
+  std::string scene = measured_block;
   scene.replace(scene.find("\"small-angle\""), 13, "\"nonlinear\"");
   const Tested test(scene + "unit = \"mm\"\npoint = [0.1, 0.7]\n", "time,angle\n0,1\n");
   EXPECT_DOUBLE_EQ(test.measured.values[0], 1e-3);

@@ -151,7 +151,7 @@ TEST(ImpactLaws, ASquatTopThatFallsBackLiftsTheBaseOnlyUnderLawConsistent) {
   ASSERT_EQ(clear_cases({squat}, 0.1).size(), 1U);
 }
 
-class ImpactLawsInEngine : public testing::TestWithParam<const WorkerEngine*> {};
+class ImpactLawsInEngine : public ::testing::TestWithParam<const WorkerEngine*> {};
 
 // The laws' velocities are 0.16 of the rate before apart. An engine's impact comes up to a step early or
 // late, and then velocities miss gravity's share of a step, some g dt/H: with dt = 1e-4 s, 5e-4 rad/s or 1e-3
@@ -200,7 +200,7 @@ std::vector<const WorkerEngine*> first_solvers() {
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ImpactLawsInEngine);
-INSTANTIATE_TEST_SUITE_P(Engines, ImpactLawsInEngine, testing::ValuesIn(first_solvers()),
+INSTANTIATE_TEST_SUITE_P(Engines, ImpactLawsInEngine, ::testing::ValuesIn(first_solvers()),
                          [](const auto& engine) {
                            std::string name = engine.param->name;
                            std::replace(name.begin(), name.end(), '-', '_');
