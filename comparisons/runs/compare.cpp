@@ -40,7 +40,8 @@ void rank(const std::vector<ReplicatedRow*>& rows) {
   for (const ReplicatedRow* row : rows) list.push_back(*row);
   for (const RankedSet& set : rank_all(list))
     for (ReplicatedRow* one : rows)
-      if (one->row.engine == set.engine && one->row.solver == set.solver && one->row.settings == set.settings)
+      if (one->row.engine == set.engine && one->row.solver == set.solver &&
+          one->row.settings == set.settings && one->row.status == RunStatus::done)
         one->row.rank = set.rank;
 }
 

@@ -132,14 +132,6 @@ std::string lifting(const History& history, std::vector<InterfaceSummary> interf
                      quantity_text(most->highest_lift, "m"));
 }
 
-/// From when on the motion is one of several that obey the laws of contact; empty where it is the only one.
-std::string alternative(const History& history) {
-  for (const Event& event : history.events)
-    if (event.consistency == Consistency::several)
-      return fmt::format("; from {:.4g} s on one of several motions that obey", event.time);
-  return "";
-}
-
 /// How far blocks slip and lift, where they may; else what must hold for them not to.
 std::string freedom(const History& history) {
   const std::vector<InterfaceSummary> interfaces = contact_summary(history);
@@ -147,7 +139,8 @@ std::string freedom(const History& history) {
   const std::string text = slipping(history, interfaces) + lifting(history, interfaces);
   const auto start = row_of(history, history.gaps, 0);
   const bool held = std::ranges::all_of(start, [](double gap) { return gap <= visible; });
-  return (text.empty() && held ? "; nothing slips or lifts" : text) + alternative(history);
+  const std::string doubt = doubt_of(history);
+  return (text.empty() && held ? "; nothing slips or lifts" : text) + (doubt.empty() ? "" : "; " + doubt);
 }
 
 /// What ends a motion, of a block from 1.
@@ -165,6 +158,18 @@ std::string sinking(const Scene& scene, const Support& support) {
 }
 
 }  // namespace
+
+std::string doubt_of(const History& history) {
+  for (const Event& event : history.events)
+    if (event.consistency == Consistency::several)
+      return fmt::format("from {:.4g} s on one of several motions that obey", event.time);
+  for (const auto* demands : {&history.forces, &history.impulses})
+    for (std::size_t k = 0; k < demands->size(); ++k)
+      if ((*demands)[k].least_normal < 0)
+        return fmt::format("one in which interface {} would have to pull at {:.4g} s", k + 1,
+                           (*demands)[k].least_normal_time);
+  return "";
+}
 
 std::string reported_toppling(const History& history) {
   if (history.events.empty() || !ends_motion(history.events.back().kind)) return "";

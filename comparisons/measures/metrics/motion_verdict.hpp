@@ -64,6 +64,11 @@ struct Support {
 /// nothing below it, s.
 Support support_of(const std::vector<double>& penetration, const std::vector<double>& unsupported_since);
 
+/// Why a motion need not be the one that follows, after "it is": other motions obey as well, or, of a history
+/// that was solved with SolveOptions::validity under laws of pivots, blocks would part where they are held
+/// together. Empty where neither is so.
+std::string doubt_of(const History& history);
+
 /// A motion in one line: whether it stands, rests or topples, which block comes nearest to its slenderness
 /// angle, and, of a history that was solved with SolveOptions::validity, the friction that it needs; from
 /// when on it is one of several motions that obey the laws of contact. Motion within a thousandth of the

@@ -59,8 +59,10 @@ const std::vector<Column>& columns() {
             "not finite (an angle or velocity), signal (the engine's process was ended, as by an "
             "assertion), time limit or memory limit"),
       plain("reason", &M::reason, "why a run is not done"),
-      plain("outcome", &M::outcome,
-            "what becomes of the run, in words: until when it agrees, and what else happens in it"),
+      plain(
+          "outcome", &M::outcome,
+          "what becomes of the run, in words: until when it agrees, and what else happens in it; of the exact "
+          "motion, why it need not be the one that follows"),
       plain("steps", &M::steps,
             "time steps that the engine made; fewer than the duration holds where a block toppled"),
       plain("draws", &M::replicates,

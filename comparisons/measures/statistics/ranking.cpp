@@ -93,11 +93,15 @@ MannWhitney test_of(const Errors& first, const Errors& second) {
   return strata.empty() ? MannWhitney{} : mann_whitney(strata);
 }
 
-/// Gives ranks to sets in the order of their scores.
+/// Gives ranks to sets in the order of their scores: one more than how many fail in fewer cells, or in as
+/// many and are shown to be nearer.
 void rank(const Sets& sets, std::vector<RankedSet>& list) {
   const auto errors_of = [&](const RankedSet& set) -> const Errors& {
     return sets.at({set.engine, set.solver, set.settings});
   };
+  for (RankedSet& set : list)
+    set.rank = 1 + static_cast<int>(std::ranges::count_if(
+                       list, [&](const RankedSet& other) { return other.failed < set.failed; }));
   std::vector<TestChance> chances;
   std::vector<bool> first_is_nearer;
   for (std::size_t j = 1; j < list.size(); ++j) {
@@ -108,11 +112,10 @@ void rank(const Sets& sets, std::vector<RankedSet>& list) {
     }
   }
   const std::vector<double> p_values = adjust(chances, separation_level).p_values;
-  for (std::size_t j = 0, pair = 0; j < list.size(); ++j) {
-    list[j].rank = 1;
+  for (std::size_t j = 0, pair = 0; j < list.size(); ++j)
     for (std::size_t i = 0; i < j; ++i, ++pair)
-      list[j].rank += p_values[pair] <= separation_level && first_is_nearer[pair] ? 1 : 0;
-  }
+      if (list[i].failed == list[j].failed && p_values[pair] <= separation_level && first_is_nearer[pair])
+        ++list[j].rank;
 }
 
 std::vector<RankedSet> ranked(const Sets& sets) {

@@ -155,6 +155,9 @@ std::string part(const First& first, const std::string& by) {
 std::string furthest(const std::vector<RankedSet>& ranking) {
   const RankedSet& last = ranking.back();
   if (ranking.size() < 2 || last.rank != static_cast<int>(ranking.size())) return "";
+  if (last.failed > 0)
+    return fmt::format("; {} fails in {}", set_name(last.engine, last.solver, last.settings),
+                       counted(static_cast<std::size_t>(last.failed), "cell"));
   return fmt::format("; {} is furthest, its errors {:.2g} times the least in the mean",
                      set_name(last.engine, last.solver, last.settings), last.score);
 }
@@ -202,7 +205,10 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
   for (const double dt : reported_steps(steps))
     parts.push_back(fmt::format("{} at a step of {}", until(steps.at(dt)), quantity_text(dt, "s")));
   const double tolerance = scenes.front().scale.tolerance;
-  return fmt::format("Engines stay within {} and {:g} % of the least block height of the exact motion {}{}.",
+  const bool of_replicates =
+      std::ranges::any_of(rows, [](const ReplicatedRow& one) { return one.errors.size() > 1; });
+  return fmt::format("{} stay within {} and {:g} % of the least block height of the exact motion {}{}.",
+                     of_replicates ? "In the median of replicates engines" : "Engines",
                      quantity_text(tolerance, "rad"), 100 * tolerance,
                      fmt::format("{}", fmt::join(parts, ", ")), horizons(rows, scenes));
 }
@@ -211,9 +217,12 @@ std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::ve
                            std::size_t most) {
   const std::vector<const RunMetrics*> events = rows_with_events(rows, scenes);
   if (events.empty()) return "";
-  if (events.size() > most)
+  if (events.size() > most) {
+    std::set<std::string> sets;
+    for (const RunMetrics* row : events) sets.insert(set_name(*row));
     return fmt::format("In {} blocks sink, fall or topple otherwise than exactly.",
-                       counted(events.size(), "set"));
+                       counted(sets.size(), "set"));
+  }
   std::vector<std::string> parts;
   for (const RunMetrics* row : events) {
     const std::string event = event_of(*row, scale_in(scenes, row->scene));

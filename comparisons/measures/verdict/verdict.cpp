@@ -27,12 +27,14 @@ std::string phrase_of(const std::string& run, const std::vector<ReplicatedRow>& 
 }
 
 std::string exact_sentence(const RunMetrics& exact, const SceneScale& scale) {
+  const std::string doubt = exact.outcome.empty() ? "" : ". It is " + exact.outcome;
   const std::string end = exact.toppled.empty() ? fmt::format("lasts {}", quantity_text(scale.duration, "s"))
                                                 : "ends as a block falls: " + exact.toppled;
-  if (exact.impacts.value_or(0) == 0) return fmt::format("The exact motion {} and has no impact.", end);
-  return fmt::format("The exact motion {} and has {} fast enough to be compared, {} with chatter.", end,
+  if (exact.impacts.value_or(0) == 0)
+    return fmt::format("The exact motion {} and has no impact{}.", end, doubt);
+  return fmt::format("The exact motion {} and has {} fast enough to be compared, {} with chatter{}.", end,
                      counted(static_cast<std::size_t>(*exact.impacts), "impact"),
-                     *exact.impacts + exact.slower_impacts.value_or(0));
+                     *exact.impacts + exact.slower_impacts.value_or(0), doubt);
 }
 
 /// The least and the largest of a column at each step, the coarsest first.
@@ -184,6 +186,14 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
   return sentences;
 }
 
+/// Whether blocks of an engine do not rest where those of the exact motion do, though nothing sinks or falls.
+bool row_is_off_at_rest(const ReplicatedRow& one, const std::vector<JudgedScene>& scenes) {
+  const RunMetrics& row = one.row;
+  if (!is_engine(row) || !row.error || !row.motion || *row.motion > rest_extent) return false;
+  const SceneScale& scale = std::ranges::find(scenes, row.scene, &JudgedScene::name)->scale;
+  return !agrees(row, scale) && event_of(row, scale).empty();
+}
+
 /// Scenes in which nothing moves, where what happens in engines is all there is to tell.
 std::string rest_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
   std::vector<std::string> at_rest;
@@ -193,7 +203,22 @@ std::string rest_sentence(const std::vector<ReplicatedRow>& rows, const std::vec
     });
     if (rests) at_rest.push_back(scene.name);
   }
-  return at_rest.empty() ? "" : fmt::format("Nothing moves in {}, where no set is ranked.", joined(at_rest));
+  if (at_rest.empty()) return "";
+  const ReplicatedRow* worst = nullptr;
+  for (const ReplicatedRow& one : rows)
+    if (row_is_off_at_rest(one, scenes) && (worst == nullptr || *one.row.error > *worst->row.error))
+      worst = &one;
+  return fmt::format("Nothing moves in {}, where no set is ranked{}.", joined(at_rest),
+                     worst == nullptr ? "" : fmt::format("; {} {}", phrase(worst->row), worst->row.outcome));
+}
+
+/// Scenes whose exact motion is not the only one, or not one of blocks that only push.
+std::string doubt_sentence(const std::vector<ReplicatedRow>& rows) {
+  std::vector<std::string> doubts;
+  for (const ReplicatedRow& one : rows)
+    if (one.row.engine == "exact" && !one.row.outcome.empty())
+      doubts.push_back(fmt::format("in {} {}", one.row.scene, one.row.outcome));
+  return doubts.empty() ? "" : fmt::format("The exact motion is, {}.", joined(doubts));
 }
 
 /// Two sentences as one.
@@ -212,7 +237,8 @@ std::vector<std::string> headline_of(const ComparisonEvidence& evidence,
   sentences.reserve(scenes.size() + 2);
   for (const JudgedScene& scene : scenes)
     sentences.push_back(toppling_sentence(evidence.distances, rows, scene.name));
-  sentences.push_back(together(agreement_sentence(rows, scenes), event_sentence(rows, scenes, most_events)));
+  sentences.push_back(together(together(agreement_sentence(rows, scenes), doubt_sentence(rows)),
+                               event_sentence(rows, scenes, most_events)));
   sentences.push_back(together(nearest_sentence(rows, scenes), rest_sentence(rows, scenes)));
   std::erase(sentences, "");
   sentences.resize(std::min<std::size_t>(sentences.size(), 2));
@@ -247,7 +273,7 @@ std::string ranking_definition() {
       "rows are ranked by `error`, up to the horizon of each scene: each over the least of its scene and step, "
       "then the geometric mean over scenes and steps; scenes at rest are left out, and so is a row of one run where others have replicates. A set is called nearer than "
       "another only where Mann–Whitney tests of replicates, by ranks within each scene and step, show it at a "
-      "level of {:g} % over all pairs (Holm). A rank is one more than the number of sets that are so",
+      "level of {:g} % over all pairs (Holm), or where it fails less often. A rank is one more than the number of sets that are so",
       100 * separation_level);
 }
 

@@ -44,6 +44,8 @@ TEST(Ranking, ARunThatIsNotDoneCountsAsAHundredTimesTheBest) {
   EXPECT_DOUBLE_EQ(ranking[1].score, 100);
   EXPECT_EQ(ranking[1].failed, 1);
   EXPECT_EQ(ranking[1].cells, 1) << "a scene that no set does says nothing";
+  EXPECT_EQ(ranking[0].rank, 1);
+  EXPECT_EQ(ranking[1].rank, 2) << "no replicate has to tell that";
 }
 
 // At the finest step, say, where replicates are dear.

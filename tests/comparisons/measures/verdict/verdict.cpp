@@ -59,10 +59,11 @@ TEST(Verdict, NamesAWinnerWithTheScenesInWhichItWins) {
       told[1],
       "In a ode:step (tuned) is nearest to the exact motion; in b no set can be told to be nearest, by 5 "
       "replicates; ode:step (default) is furthest, its errors 2 times the least in the mean.");
-  EXPECT_EQ(told[0],
-            "Engines stay within 10 mrad and 1 % of the least block height of the exact motion until 2.5 s "
-            "or longer "
-            "at a step of 1 ms.");
+  EXPECT_EQ(
+      told[0],
+      "In the median of replicates engines stay within 10 mrad and 1 % of the least block height of the exact motion until 2.5 s "
+      "or longer "
+      "at a step of 1 ms.");
 }
 
 // The ranking of a whole scene of 25 s went by what lay beyond 5.86 s.
@@ -72,7 +73,7 @@ TEST(Verdict, SaysHowFarHistoriesAreCompared) {
   const auto told = headline(rows, {scene("a")});
   EXPECT_EQ(
       told[0],
-      "Engines stay within 10 mrad and 1 % of the least block height of the exact motion to the horizon at a "
+      "In the median of replicates engines stay within 10 mrad and 1 % of the least block height of the exact motion to the horizon at a "
       "step of 1 ms "
       "(the horizon: 3 s in a).");
 }
@@ -93,6 +94,36 @@ TEST(Verdict, ABlockThatFallsOffIsTold) {
   EXPECT_NE(told[0].find("with ode:step (tuned) in a at 1 ms block 2 has fallen off at 430 ms"),
             std::string::npos)
       << told[0];
+}
+
+TEST(Verdict, ASetThatFailsIsNeitherNearestNorToldByItsErrors) {
+  std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1.1e-3)};
+  rows[0].row.status = RunStatus::failed;
+  rows[0].row.error.reset();
+  rows[0].errors = {INFINITY};
+  EXPECT_EQ(headline(rows, {scene("a")})[1],
+            "Ode:step (default) is nearest to the exact motion; ode:step (tuned) fails in 1 cell.");
+}
+
+TEST(Verdict, OfSeveralExactMotionsItIsToldThatThereAre) {
+  std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1.5e-3)};
+  ReplicatedRow exact;
+  exact.row.scene = "a";
+  exact.row.engine = "exact";
+  exact.row.outcome = "from 0 s on one of several motions that obey";
+  rows.insert(rows.begin(), exact);
+  EXPECT_NE(headline(rows, {scene("a")})[0].find("in a from 0 s on one of several motions that obey"),
+            std::string::npos);
+}
+
+TEST(Verdict, WhatMovesWhereNothingShouldIsTold) {
+  std::vector<ReplicatedRow> rows{row_at_rest("tuned"), row_at_rest("default")};
+  rows[1].row.largest_position_difference = 0.5;
+  rows[1].row.relative_position_difference = 0.5 / height;
+  rows[1].row.outcome = "rests, but is 500 mm off";
+  EXPECT_EQ(
+      headline(rows, {scene("rest")})[0],
+      "Nothing moves in rest, where no set is ranked; ode:step (default) at 1 ms rests, but is 500 mm off.");
 }
 
 TEST(Verdict, SaysHowFewAndHowManyReplicatesThereAre) {
