@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Cholesky>
+
 #include "analytic/scene/branching.hpp"
 #include "analytic/unilateral/contact/expansion.hpp"
 #include "analytic/unilateral/contact_changes.hpp"
@@ -170,31 +172,76 @@ EventKind kind_of(const Joints<Real>& from, const Joints<Real>& to) {
                  : EventKind::stick;
 }
 
-/// Whether friction at a pivot may turn it onto its face: G_NN ≤ μ |G_NT|. Without that one mode obeys.
+/// Whether friction at a point may turn it onto its face: G_NN ≤ μ |G_NT|. Of one interface alone, one mode
+/// obeys without that.
 template <class Real>
-bool couples(const ContactQuestion<Real>& question, const Joints<Real>& joints, std::size_t interface) {
+bool couples(const ContactQuestion<Real>& question, const TouchingPoints<Real>& contact) {
   using std::abs;
-  if (!joints[interface].pivots()) return false;
-  const ContactModel<Real>& stack = question.stack;
-  const ContactKinematics<Real> rows = question.kinematics(interface, joints[interface]);
-  return stack.effect(rows.gap_row, rows.gap_row) <=
-         stack.friction[interface] * abs(stack.effect(rows.gap_row, rows.slip_row));
+  return std::any_of(contact.normals.begin(), contact.normals.end(), [&](const FreeRow<Real>& normal) {
+    return question.stack.effect(normal, normal) <=
+           contact.friction * abs(question.stack.effect(normal, contact.slip));
+  });
 }
 
-/// Up to `most` modes besides one that obey as well, where there are few to try.
+/// Whether no more than one motion obeys, whatever forces act. Of two, let each interface that does not slide
+/// yet have the way s, −1 or 1, that either slides in, and write λ_T = σ − s μ λ_N. Then the differences of
+/// the two motions have Δa_N Δλ_N ≤ 0 and Δa_T Δσ ≤ 0, each by itself. Where the matrix of a over λ_N and σ
+/// is positive definite, for every choice of ways, their sum is above zero but for no difference.
+template <class Real>
+bool one_motion_obeys(const ContactQuestion<Real>& question, const Joints<Real>& joints,
+                      const std::vector<TouchingPoints<Real>>& contacts) {
+  const auto sticks = [&](const TouchingPoints<Real>& contact) {
+    return question.slip_before(joints[contact.interface]) == 0;
+  };
+  const auto ways = 1U << std::count_if(contacts.begin(), contacts.end(), sticks);
+  for (unsigned way = 0; way < ways; ++way) {
+    ContactProblem<Real> problem;
+    unsigned rest = way;
+    for (const TouchingPoints<Real>& contact : contacts) {
+      add_points(contact,
+                 sticks(contact) ? 2 * static_cast<int>(rest & 1U) - 1 : joints[contact.interface].slip,
+                 problem);
+      if (!sticks(contact)) continue;
+      problem.add(contact.slip, contact.slip, contact.slip_bias);
+      rest >>= 1U;
+    }
+    const SquareMatrix<Real> matrix = problem.matrix(question.stack);
+    if (Eigen::LLT<SquareMatrix<Real>>(matrix + matrix.transpose()).info() != Eigen::Success) return false;
+  }
+  return true;
+}
+
+/// Up to `most` modes besides one that obey as well, where there are few to try: for one they are sought
+/// where friction couples at a point, for more wherever there may be any.
 template <class Real>
 std::vector<Joints<Real>> other_modes(const ContactQuestion<Real>& question, const Joints<Real>& joints,
                                       const Joints<Real>& mode, std::size_t most) {
   OtherModes<Real> others(question, mode, most);
   add_on_other_faces(question, joints, mode, others);
-  bool any = false;
-  for (std::size_t k = 0; k < joints.size() && question.of_accelerations(); ++k)
-    any = any || couples(question, joints, k);
-  constexpr std::size_t most_tried = 200;
-  if (any && !others.full()) {
-    for (const auto& other : modes_that_obey(question, joints, most_tried))
-      if (!others.full()) others.add(other);
-  }
+  if (!question.of_accelerations() || others.full()) return std::move(others).take();
+  const std::vector<TouchingPoints<Real>> contacts = touching_points(question, joints);
+  const bool sought =
+      most > 1 ? !one_motion_obeys(question, joints, contacts)
+               : std::any_of(contacts.begin(), contacts.end(),
+                             [&](const TouchingPoints<Real>& contact) { return couples(question, contact); });
+  const std::size_t most_tried = most > 1 ? 10'000 : 200;
+  if (!sought) return std::move(others).take();
+  // Of each force as large as it is: obeys() asks the largest one, which may be that of a block a million
+  // times as heavy.
+  const auto in_cones = [&](const Joints<Real>& other) {
+    using std::abs;
+    const std::vector<ContactForce<Real>> forces = respond(question, other).forces;
+    return std::all_of(contacts.begin(), contacts.end(), [&](const TouchingPoints<Real>& contact) {
+      const ContactForce<Real>& force = forces[contact.interface];
+      return abs(force.tangential) <= (1 + tolerance<Real>(1e-9)) * contact.friction * force.normal;
+    });
+  };
+  const std::vector<int> pairs = open_pairs(question.stack, joints, question.level);
+  const auto leaves_face = [&](const Joints<Real>& other) {
+    return std::any_of(pairs.begin(), pairs.end(), [&](int k) { return slides_off(other[k]); });
+  };
+  for (const auto& other : modes_that_obey(question, joints, most_tried))
+    if (!others.full() && in_cones(other) && !leaves_face(other)) others.add(other);
   return std::move(others).take();
 }
 
@@ -206,10 +253,6 @@ bool turn(const ContactQuestion<Real>& question, const Joints<Real>& joints,
   std::vector<Joints<Real>> ways = other_modes(question, joints, mode, branching != nullptr ? most : 1);
   if (branching == nullptr || ways.empty()) return !ways.empty();
   const std::vector<int> pairs = open_pairs(question.stack, joints, question.level);
-  std::erase_if(ways, [&](const Joints<Real>& way) {
-    return question.of_accelerations() &&
-           std::any_of(pairs.begin(), pairs.end(), [&](int k) { return slides_off(way[k]); });
-  });
   for (Joints<Real>& way : ways) settle(question, pairs, way);
   ways.insert(ways.begin(), mode);
   std::vector<Pattern> patterns;

@@ -103,6 +103,51 @@ TEST(Branches, APainleveCornerPartsOrPresses) {
   EXPECT_NEAR(acceleration(presses, 0), -friction * normal, 0.01 * friction * normal);
 }
 
+/// A flat block slides to the right on ground that falls faster than it does.
+Scene flat_block(double friction, double fall) {
+  Scene scene = testing::with_friction(testing::single(0.5, 1, 0.2), friction);
+  scene.vertical = testing::pulse_of(PulseShape::rectangle, -fall, 1);
+  scene.initial.slip_velocities = {2};
+  return scene;
+}
+
+// About the middle of a block of half width b and half height h, N and T = −μN at its right corner turn it:
+// the corner goes up by N/m + b (b − μh) N/I − (g − fall), which is zero where it presses.
+TEST(Branches, AFlatFacePartsOrJamsOnACorner) {
+  const double friction = 2.5, fall = 10.5, inertia = (0.25 + 1) / 3;  // over the mass
+  const Scene scene = flat_block(friction, fall);
+  const BranchTree tree = branches_of(scene);
+  ASSERT_EQ(tree.branches.size(), 2U);
+  EXPECT_EQ(name(tree.branches[0].history.patterns[0]), "-");
+  const History& jams = tree.branches[1].history;
+  EXPECT_EQ(name(jams.patterns[0]), "R>");
+  const double normal = (scene.gravity - fall) / (1 + 0.5 * (0.5 - friction) / inertia);
+  ASSERT_GT(normal, 0);
+  const double turn = (friction - 0.5) * normal / inertia;
+  EXPECT_NEAR(jams.velocities[1] / jams.times[1], turn, 0.01 * turn);
+  // The other end of the condition: with less friction at the same fall nothing presses.
+  EXPECT_EQ(branches_of(flat_block(0.5 + inertia / 0.5 - 0.01, fall)).branches.size(), 1U);
+}
+
+/// A leaning block slides on a flat one that friction turns, though at no point alone.
+Scene coupled_stack(double friction) {
+  Scene scene;
+  scene.law = Law::unilateral;
+  scene.duration = 0.03;  // until the other motion jams, and forces grow within a sample
+  scene.blocks = {make_block(0.6, 0.5, 2500), make_block(1.6, 1.3, 2500)};
+  scene.friction = {friction, friction};
+  scene.initial = {{0, 0.07}, {0, -1.6}, {0, -1.3}};
+  return scene;
+}
+
+TEST(Branches, InterfacesForkTogether) {
+  const BranchTree tree = branches_of(coupled_stack(1.4));
+  ASSERT_EQ(tree.branches.size(), 2U);
+  EXPECT_EQ(name(tree.branches[0].history.patterns[0]), "CR<");
+  EXPECT_EQ(name(tree.branches[1].history.patterns[0]), "LR<");
+  EXPECT_EQ(branches_of(coupled_stack(0.7)).branches.size(), 1U);
+}
+
 // Ground that falls faster than blocks do pulls at what pivots close: the block opens to either side.
 TEST(Branches, ASymmetricOpeningHasTwoThatAreMirrorImages) {
   for (const Law law : {Law::consistent, Law::paper}) {
@@ -238,13 +283,20 @@ double overlap_of(const Scene& scene, const Poses<>& at) {
   return deepest;
 }
 
+std::vector<Scene> forking_scenes() {
+  std::vector<Scene> scenes{flat_block(2.5, 10.5), coupled_stack(1.4)};
+  for (std::uint64_t seed = 0; seed < 120; seed += testing::stride)
+    scenes.push_back(testing::equal_widths(seed));
+  return scenes;
+}
+
 // Of every branch: momenta tell impulses, and forces between samples 10⁻⁷ s apart, with no part of the
 // solver.
 TEST(Branches, ObeyTheLawsOfContactAllOfThem) {
   constexpr double moment = 1e-7;
-  int impacts = 0, forces = 0;
-  for (std::uint64_t seed = 0; seed < 120; seed += testing::stride) {
-    const Scene scene = testing::equal_widths(seed);
+  int impacts = 0, forces = 0, place = 0;
+  for (const Scene& scene : forking_scenes()) {
+    SCOPED_TRACE(place++);
     const BranchTree tree = branches_of(scene, 8);
     if (tree.branches.size() == 1) continue;
     double mass = 0, height = 0;
@@ -263,13 +315,12 @@ TEST(Branches, ObeyTheLawsOfContactAllOfThem) {
           scale += scene.blocks[k].mass * std::hypot(change[k].x, change[k].y);
         if (scale < 1e-3 * mass * std::sqrt(scene.gravity * height)) continue;
         ++impacts;
-        EXPECT_TRUE(obeys_laws(scene, {event.at, event.after, change, {0, 0}, scale}))
-            << seed << ' ' << event.time;
+        EXPECT_TRUE(obeys_laws(scene, {event.at, event.after, change, {0, 0}, scale})) << event.time;
       }
       for (std::size_t i = 0; i + 1 < history.samples.size(); i += 2) {
         const auto& first = history.samples[i];
         const auto& second = history.samples[i + 1];
-        EXPECT_LT(overlap_of(scene, first.bodies.at), 1e-9) << seed << ' ' << first.time;
+        EXPECT_LT(overlap_of(scene, first.bodies.at), 1e-9) << first.time;
         const auto between = [&](const ContactEvent<>& event) {
           return event.time >= first.time - moment && event.time <= second.time + moment;
         };
@@ -281,7 +332,7 @@ TEST(Branches, ObeyTheLawsOfContactAllOfThem) {
         EXPECT_TRUE(obeys_laws(
             scene, {second.bodies.at, second.bodies.rate, difference(second.bodies.rate, first.bodies.rate),
                     free, mass * scene.gravity * time}))
-            << seed << ' ' << first.time;
+            << first.time;
       }
     }
   }
