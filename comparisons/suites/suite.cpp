@@ -274,6 +274,7 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
       real.source =
           fmt::format("{} ({}), scaled by {:.4g}", record.filename().string(), replacement.format, factor);
       motion = std::move(real);
+      scene.scene.duration = std::max(scene.scene.duration, motion.end());
       replaced = true;
     }
   }

@@ -172,8 +172,8 @@ InputKind kind_of(const std::filesystem::path& file);
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
 /// Puts a record, scaled to the same peak, in the place of the horizontal motion of every scene of a suite
-/// that is shaken by samples: a record, or a synthetic motion. @throws InputError as read_record(), or where
-/// no scene is.
+/// that is shaken by samples: a record, or a synthetic motion. A scene lasts to the record's end at least.
+/// @throws InputError as read_record(), or where no scene is.
 void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& record);
 
 /// What a comparison of a single scene runs.

@@ -78,8 +78,9 @@ void add_simulate(CLI::App& command, SimulateArguments& arguments) {
 void add_compare(CLI::App& command, CompareArguments& arguments) {
   command.add_option("inputs", arguments.inputs, "scene or suite files, or names from `rockstack list`")
       ->required();
-  command.add_option("--record", arguments.record,
-                     "record in the place of those of scenes and of synthetic motions, scaled to their peak");
+  command.add_option(
+      "--record", arguments.record,
+      "record in the place of those of scenes and of synthetic motions, scaled to their peak, and to its end");
   command
       .add_option("--jobs", arguments.jobs,
                   "runs at a time; with more than one, times are those of runs that share the machine")

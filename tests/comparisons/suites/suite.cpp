@@ -216,6 +216,10 @@ TEST(Suites, ARecordTakesThePlaceOfMotionsBySamplesAtTheirPeak) {
   EXPECT_EQ(motion(3).interval, 0.02);
   EXPECT_FALSE(motion(3).made_up);
   EXPECT_EQ(motion(3).source, "new.csv (text columns), scaled by 2");
+  const double still = suites[0].scenes[0].scene.duration;
+  replace_motion(suites, folder.write("long.csv", "# units: m/s2\n# dt = 20\n1\n-2\n0.5\n"));
+  EXPECT_EQ(suites[0].scenes[2].scene.duration, 40) << "it lasts as long as the record";
+  EXPECT_EQ(suites[0].scenes[0].scene.duration, still);
   std::vector<Suite> unshaken{suite_of(R"("still.toml", "pulse.toml")")};
   EXPECT_THROW(replace_motion(unshaken, record), InputError);
 }
