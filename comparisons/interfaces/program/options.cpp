@@ -55,6 +55,7 @@ void add_solve(CLI::App& command, SolveArguments& arguments) {
   command.add_flag("--branches", arguments.branches,
                    "follow every motion where contact has several solutions, each into DIR/branches");
   command.add_option("--most-branches", arguments.most_branches, "bound of --branches")
+      ->needs("--branches")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   add_plots(command, arguments.plots);
