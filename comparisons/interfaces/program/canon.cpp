@@ -23,7 +23,7 @@ void print(const CanonRow& row, const CanonAnswer& answer) {
 
 int canon_command(const CanonArguments& arguments, const Common& common) {
   Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
-  const std::vector<const WorkerEngine*> asked = engines_named(arguments.engines, engines);
+  const std::vector<const WorkerEngine*> asked = engines_named(arguments.engines, [] { return engines(); });
   const std::vector<std::string> sets = both_if_empty(arguments.settings);
   const ResultsFolder folder(arguments.out, Results::canon);
   const bool talk = !common.quiet && !common.json;
