@@ -5,6 +5,7 @@ Config settings: build-dir, a build that is there and is taken as it is; left ou
 """
 import base64
 import hashlib
+import os
 import re
 import shutil
 import subprocess
@@ -36,7 +37,7 @@ def built():
     build = TREE / "build/wheel"
     subprocess.run(["cmake", "-C", TREE / ".ci/release.cmake", "-S", TREE, "-B", build, "-DROCKSTACK_TESTS=OFF",
                     "-DROCKSTACK_PYTHON=ON", f"-DPython3_EXECUTABLE={sys.executable}"], check=True)
-    subprocess.run(["cmake", "--build", build, "--parallel"], check=True)
+    subprocess.run(["cmake", "--build", build, "--parallel", str(len(os.sched_getaffinity(0)))], check=True)
     return build
 
 
