@@ -23,7 +23,7 @@ TEST(Course, ItsIndexLinksEachLessonWithAimsAndTime) {
     {"name": "a", "title": "First < all", "minutes": 45, "aims": ["see"], "after": []},
     {"name": "b", "title": "Then", "minutes": 75, "aims": ["do"], "after": [{"name": "a", "title": "First < all"}]}]})";
   fs::create_directories(folder / "b/figures");
-  std::ofstream(folder / "b/figures/one.histories.png");
+  std::ofstream(folder / "b/figures/one.histories.png") << "a picture";
   show(folder);
   const std::string page = testing::bytes_of(folder / "index.html");
   for (const char* part :
