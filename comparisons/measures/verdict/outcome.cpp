@@ -11,13 +11,6 @@
 namespace rockstack {
 namespace {
 
-/// "block 2 at 0.4 s" with the verb between.
-std::string with_verb(const std::string& block_and_time, const std::string& verb) {
-  const std::size_t at = block_and_time.find(" at ");
-  const double time = std::stod(block_and_time.substr(at + 4));
-  return block_and_time.substr(0, at) + " " + verb + " at " + quantity_text(time, "s");
-}
-
 std::string fall_of(const RunMetrics& row) {
   if (row.toppling_verdict == TopplingVerdict::exact_alone)
     return "stands, though in the exact motion a block falls";
@@ -48,6 +41,12 @@ std::string at_rest(const RunMetrics& row, const SceneScale& scale, const std::s
 }
 
 }  // namespace
+
+std::string with_verb(const std::string& block_and_time, const std::string& verb) {
+  const std::size_t at = block_and_time.find(" at ");
+  const double time = std::stod(block_and_time.substr(at + 4));
+  return block_and_time.substr(0, at) + " " + verb + " at " + quantity_text(time, "s");
+}
 
 SceneScale scale_of(const Scene& scene, double tolerance) {
   return {least_height(scene.blocks), scene.duration, tolerance};

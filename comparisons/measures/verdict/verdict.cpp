@@ -29,7 +29,7 @@ std::string phrase_of(const std::string& run, const std::vector<ReplicatedRow>& 
 std::string exact_sentence(const RunMetrics& exact, const SceneScale& scale) {
   const std::string doubt = exact.outcome.empty() ? "" : ". It is " + exact.outcome;
   const std::string end = exact.toppled.empty() ? fmt::format("lasts {}", quantity_text(scale.duration, "s"))
-                                                : "ends as a block falls: " + exact.toppled;
+                                                : "ends as " + with_verb(exact.toppled, "falls");
   if (exact.impacts.value_or(0) == 0)
     return fmt::format("The exact motion {} and has no impact{}.", end, doubt);
   return fmt::format("The exact motion {} and has {} fast enough to be compared, {} with chatter{}.", end,
@@ -217,8 +217,10 @@ std::string doubt_sentence(const std::vector<ReplicatedRow>& rows) {
   std::vector<std::string> doubts;
   for (const ReplicatedRow& one : rows)
     if (one.row.engine == "exact" && !one.row.outcome.empty())
-      doubts.push_back(fmt::format("in {} {}", one.row.scene, one.row.outcome));
-  return doubts.empty() ? "" : fmt::format("The exact motion is, {}.", joined(doubts));
+      doubts.push_back(fmt::format("in {} the exact motion is {}", one.row.scene, one.row.outcome));
+  if (doubts.empty()) return "";
+  doubts.front().front() = 'I';
+  return joined(doubts) + ".";
 }
 
 /// Two sentences as one.

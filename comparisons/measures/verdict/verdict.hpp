@@ -18,6 +18,9 @@ struct SceneScale {
   double tolerance = 0.01;  ///< rad, and as a share of the least block height
 };
 
+/// "block 2 at 0.4 s", as rows tell a fall, with the verb between.
+std::string with_verb(const std::string& block_and_time, const std::string& verb);
+
 SceneScale scale_of(const Scene& scene, double tolerance);
 
 /// True for a run of an engine, not of the exact solver in another way.

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
 #include "tests/analytic/unilateral/scenes.hpp"
+#include "tests/analytic/unilateral/time_stepping.hpp"
 
 namespace rockstack::testing {
 
@@ -41,6 +46,18 @@ inline Scene random_bounces(std::uint64_t seed, bool rubs) {
 inline bool gains(const Scene& scene, const ContactEvent<>& event) {
   const double before = energy(scene, {event.at, event.before});
   return energy(scene, {event.at, event.after}) > before + 1e-10 * std::abs(before);
+}
+
+/// Ends a motion where Moreau's time steps with the same laws do, within what steps of first order leave. How
+/// many impacts it has.
+inline std::size_t expect_as_stepped(const Scene& scene, const ContactHistory<>& exact, double step) {
+  const Bodies<> stepped = time_stepped(scene, step);
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    EXPECT_NEAR(exact.last.at[k].x, stepped.at[k].x, 100 * step);
+    EXPECT_NEAR(exact.last.at[k].y, stepped.at[k].y, 100 * step);
+    EXPECT_NEAR(exact.last.at[k].angle, stepped.at[k].angle, 300 * step);
+  }
+  return static_cast<std::size_t>(std::ranges::count(exact.events, EventKind::impact, &ContactEvent<>::kind));
 }
 
 /// The lower corner of a block that leans and meets the ground, at (x, y) from its centre: what impulses

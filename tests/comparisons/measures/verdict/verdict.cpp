@@ -112,7 +112,8 @@ TEST(Verdict, OfSeveralExactMotionsItIsToldThatThereAre) {
   exact.row.engine = "exact";
   exact.row.outcome = "from 0 s on one of several motions that obey";
   rows.insert(rows.begin(), exact);
-  EXPECT_NE(headline(rows, {scene("a")})[0].find("in a from 0 s on one of several motions that obey"),
+  EXPECT_NE(headline(rows, {scene("a")})[0].find(
+                "in a the exact motion is from 0 s on one of several motions that obey"),
             std::string::npos);
 }
 
