@@ -1,5 +1,6 @@
 #include "comparisons/measures/statistics/samples.hpp"
 
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -190,6 +191,11 @@ double uniform(double low, double high, std::uint64_t run, std::size_t key) {
 }
 
 }  // namespace
+
+double reach_of_interval(std::size_t freedom) {
+  const boost::math::students_t student(static_cast<double>(freedom));
+  return boost::math::quantile(boost::math::complement(student, 0.025));
+}
 
 AdjustedTests adjust(const std::vector<TestChance>& tests, double level) {
   std::size_t shares = 1;

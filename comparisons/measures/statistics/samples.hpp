@@ -28,6 +28,10 @@ inline double median(std::vector<double> values) {
   return quantile(std::move(values), 0.5);
 }
 
+/// The 97.5 % point of Student's distribution with that many degrees of freedom, > 0: an interval of 95 %
+/// reaches so many standard deviations to either side.
+double reach_of_interval(std::size_t freedom);
+
 /// What one of many tests says.
 struct TestChance {
   double p_value = 1;

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
+
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {
@@ -186,8 +187,7 @@ StepFit fit_steps(const std::vector<StepError>& errors) {
       used, [](const StepError& a, const StepError& b) { return a.error < b.error; });
   const Found best = best_curve(data);
   const std::size_t freedom = fit.points - parameters;
-  const boost::math::students_t student(static_cast<double>(freedom));
-  const double ratio = boost::math::quantile(boost::math::complement(student, 0.025));
+  const double ratio = reach_of_interval(freedom);
   // Rounding alone must not leave a best place out of its own bounds.
   const double limit = best.sum * (1 + ratio * ratio / static_cast<double>(freedom)) + 1e-20;
   const double coefficient = data.rest(best.x, best.y).mean;

@@ -4,7 +4,6 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <unsupported/Eigen/NonLinearOptimization>
@@ -12,6 +11,7 @@
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/runs/job.hpp"
 
 namespace rockstack {
@@ -108,8 +108,8 @@ Values half_widths(const FittedScene& fitted, const std::vector<FitParameter>& p
     jacobian.col(k) *= moves ? 1 / scales[k] : 0;
   }
   const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeThinV);
-  const boost::math::students_t distribution(static_cast<double>(jacobian.rows() - jacobian.cols()));
-  const double reach = residual * boost::math::quantile(distribution, 0.975);
+  const double reach =
+      residual * reach_of_interval(static_cast<std::size_t>(jacobian.rows() - jacobian.cols()));
   Values list;
   for (Index k = 0; k < jacobian.cols(); ++k) {
     double sum = 0;
