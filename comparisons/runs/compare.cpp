@@ -195,6 +195,17 @@ void write_ground(const std::vector<Suite>& suites, const std::filesystem::path&
   }
 }
 
+/// A step that is longer than one scene costs its rows there, one that is longer than all is a mistake.
+void require_short_steps(const Suite& suite) {
+  double longest = 0;
+  for (const NamedScene& scene : suite.scenes) longest = std::max(longest, scene.scene.duration);
+  for (const EngineSeries& series : suite.series)
+    for (const double dt : series.steps)
+      if (dt > longest && !suite.scenes.empty())
+        throw InputError(fmt::format("{}: dt = {} s: must be at most {} s, the duration of the longest scene",
+                                     series.engine->full_name(), dt, longest));
+}
+
 }  // namespace
 
 void require_comparable(const std::vector<Suite>& suites) {
@@ -213,6 +224,7 @@ void require_comparable(const std::vector<Suite>& suites) {
               "engine {}: must be in a comparison once; its results would share a folder", engine));
       }
     }
+    require_short_steps(suite);
     for (const NamedScene& scene : suite.scenes) {
       constexpr double longest = 1e7 * sample_interval;
       if (scene.scene.duration > longest) {

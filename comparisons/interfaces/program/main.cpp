@@ -101,6 +101,9 @@ int run(int count, char** arguments) {
   } catch (const CLI::ExtrasError&) {
     refuse_unexpected(app, parsed(commands));
     throw;
+  } catch (const CLI::ConversionError& error) {
+    const std::string text = error.what();
+    throw std::invalid_argument(text.substr(text.find(':') + 2) + ": must be a number");
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(error.what());
   }

@@ -20,8 +20,10 @@ constexpr const char* usual_folder = "rockstack-results";
 void add_results(CLI::App& command, std::filesystem::path& out, std::function<std::string()> input,
                  const char* more = "") {
   const std::string name = command.get_name();
-  command.add_option("--out", out,
-                     fmt::format("folder for results{}; left out: {}/{}-INPUT", more, usual_folder, name));
+  command
+      .add_option("--out", out,
+                  fmt::format("folder for results{}; left out: {}/{}-INPUT", more, usual_folder, name))
+      ->check([](const std::string& text) { return std::string(text.empty() ? "must be a folder" : ""); });
   command.parse_complete_callback([name, &out, input = std::move(input)] {
     if (out.empty())
       out = std::filesystem::path(usual_folder) /
@@ -91,7 +93,7 @@ void add_compare(CLI::App& command, CompareArguments& arguments) {
       .add_option("--draws", arguments.replicates,
                   "replicates behind each number of an engine: runs at nearby steps of nearly the same "
                   "scene; left out: "
-                  "as the suite says, 5 for a scene")
+                  "as the suite says, for a scene the least that can tell its sets apart, 5 or more")
       ->check(CLI::Range(1, most_replicates));
   command
       .add_option(
