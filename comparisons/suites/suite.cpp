@@ -16,6 +16,7 @@
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/statistics/ranking.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 
@@ -286,7 +287,6 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
 Suite suite_for(NamedScene scene, const SceneChoice& choice) {
   Suite suite;
   suite.title = scene.scene.title;
-  suite.replicates.runs = usual_replicates;
   suite.softness = choice.softness;
   if (choice.quick) {
     suite.repeats = 1;
@@ -299,6 +299,7 @@ Suite suite_for(NamedScene scene, const SceneChoice& choice) {
     for (const char* settings : {"default", "tuned"})
       suite.series.push_back(make_series(*engine, settings, steps));
   }
+  suite.replicates.runs = replicates_that_tell_apart(suite.series.size(), steps.size());
   return suite;
 }
 

@@ -57,9 +57,6 @@ struct Replicates {
   std::uint64_t seed = 1;
 };
 
-/// Where nobody asked for a number of replicates: the least that can tell four sets apart at one step, six
-/// pairs at 5 % (ranking.hpp): 6 · 2/252.
-inline constexpr int usual_replicates = 5;
 inline constexpr int most_replicates = 10'000;  ///< that may be asked for
 
 /// As many however many steps they take.

@@ -150,10 +150,10 @@ std::string end_words(EventKind kind, int block) {
   return block < 3 ? "strikes the ground" : "strikes the ground or a block further down";
 }
 
-/// "sinks by 86 mm", or nothing.
+/// "sinks in by 86 mm", or nothing.
 std::string sinking(const Scene& scene, const Support& support) {
   return support.sinking > told_sinking * least_height(scene.blocks)
-             ? "sinks by " + quantity_text(support.sinking, "m", 2)
+             ? "sinks in by " + quantity_text(support.sinking, "m", 2)
              : "";
 }
 

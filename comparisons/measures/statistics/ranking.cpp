@@ -145,6 +145,17 @@ std::vector<ReplicatedRow> rows_that_count(const std::vector<ReplicatedRow>& row
   return list;
 }
 
+int replicates_that_tell_apart(std::size_t sets, std::size_t steps) {
+  const double pairs = static_cast<double>(sets) * (static_cast<double>(sets) - 1) / 2;
+  int n = 5;
+  double ways = 252;
+  while (pairs * 2 / std::pow(ways, steps) > separation_level) {
+    ++n;
+    ways *= 2 * (2.0 * n - 1) / n;
+  }
+  return n;
+}
+
 std::vector<RankedSet> rank_all(const std::vector<ReplicatedRow>& rows) {
   return ranked(sets_of(rows));
 }

@@ -46,6 +46,10 @@ bool can_be_ranked(const ReplicatedRow& row);
 /// nothing is told apart. A run that is not done stays.
 std::vector<ReplicatedRow> rows_that_count(const std::vector<ReplicatedRow>& rows);
 
+/// The least number of replicates, five or more, with which each pair of so many sets can be told apart: of n
+/// replicates that lie apart at so many steps, at one by chance in 2 of (2n)!/n!² cases.
+int replicates_that_tell_apart(std::size_t sets, std::size_t steps);
+
 /// Ranks all sets of all solvers among the rows, best first: by their scores, over the scenes and steps where
 /// one of them is done and the scene is not at rest, of rows_that_count(). Rows of failed runs count where
 /// another of their scene moves.

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
@@ -21,9 +22,8 @@ const SceneScale& scale_in(const std::vector<JudgedScene>& scenes, const std::st
 
 /// When rows of one step stop agreeing.
 struct Ends {
-  double first = INFINITY, last = 0;  ///< of those that do, s
-  bool some_agree = false;
-  bool beyond = false;  ///< of these, one up to a horizon that is before its scene's end
+  std::vector<double> times;  ///< s, infinite where they do not
+  bool beyond = false;        ///< of these, one up to a horizon that is before its scene's end
 };
 
 using EndsOfSteps = std::map<double, Ends, std::greater<>>;
@@ -35,13 +35,9 @@ EndsOfSteps ends_of(const std::vector<ReplicatedRow>& rows, const std::vector<Ju
     const RunMetrics& row = one.row;
     const SceneScale& scale = scale_in(scenes, row.scene);
     Ends& ends = steps[*row.dt];
-    if (agrees(row, scale)) {
-      ends.some_agree = true;
-      ends.beyond = ends.beyond || row.horizon.value_or(scale.duration) < scale.duration;
-    } else {
-      ends.first = std::min(ends.first, agreement_end(row, scale));
-      ends.last = std::max(ends.last, agreement_end(row, scale));
-    }
+    const bool whole = agrees(row, scale);
+    ends.times.push_back(whole ? INFINITY : agreement_end(row, scale));
+    ends.beyond = ends.beyond || (whole && row.horizon.value_or(scale.duration) < scale.duration);
   }
   return steps;
 }
@@ -54,11 +50,22 @@ std::vector<double> reported_steps(const EndsOfSteps& steps) {
   return all;
 }
 
-std::string until(const Ends& ends) {
-  const std::string first = fmt::format("{:.2g}", ends.first), last = fmt::format("{:.2g}", ends.last);
-  if (ends.last == 0 && ends.some_agree) return ends.beyond ? "to the horizon" : "to the end";
-  if (ends.some_agree) return fmt::format("until {} s or longer", first);
-  return first == last ? fmt::format("until {} s", first) : fmt::format("until {} to {} s", first, last);
+/// Of many the worst alone says little of the others.
+std::string until(Ends ends) {
+  constexpr std::size_t many = 8;
+  std::ranges::sort(ends.times);
+  const double first = ends.times.front(), last = ends.times.back();
+  const std::string whole = ends.beyond ? "to the horizon" : "to the end";
+  if (std::isinf(first)) return whole;
+  const auto text = [](double time) { return fmt::format("{:.2g}", time); };
+  if (ends.times.size() > many) {
+    const double half = ends.times[ends.times.size() / 2];
+    return fmt::format("until {} s at worst and for half of them {}", text(first),
+                       std::isinf(half) ? whole : fmt::format("until {} s or longer", text(half)));
+  }
+  if (std::isinf(last)) return fmt::format("until {} s or longer", text(first));
+  return text(first) == text(last) ? fmt::format("until {} s", text(first))
+                                   : fmt::format("until {} to {} s", text(first), text(last));
 }
 
 /// "5.86 s in spanos-synthetic" of each scene that ends before its horizon.
@@ -93,13 +100,40 @@ std::vector<const RunMetrics*> rows_with_events(const std::vector<ReplicatedRow>
   return list;
 }
 
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+/// How many sets have events of each kind, and how deep blocks sink in at most.
+std::string counted_events(const std::vector<const RunMetrics*>& events,
+                           const std::vector<JudgedScene>& scenes) {
+  std::set<std::string> sinking, falling, standing;
+  double deepest = 0;
+  for (const RunMetrics* row : events) {
+    const std::string event = event_of(*row, scale_in(scenes, row->scene));
+    const bool sinks = event.starts_with("sinks");
+    if (sinks) deepest = std::max(deepest, row->sinking.value_or(0));
+    (sinks ? sinking : event.starts_with("stands") ? standing : falling).insert(set_name(*row));
+  }
+  std::vector<std::string> parts;
+  const auto add = [&](const std::set<std::string>& sets, const std::string& what) {
+    if (!sets.empty()) parts.push_back(fmt::format("with {} {}", counted(sets.size(), "set"), what));
+  };
+  add(falling, "blocks fall or topple that do not in the exact motion");
+  add(standing, "blocks stand that fall in the exact motion");
+  add(sinking, fmt::format("blocks sink in, by {} at most", quantity_text(deepest, "m", 2)));
+  return capitalised(fmt::format("{}.", fmt::join(parts, "; ")));
+}
+
 constexpr std::size_t most_named = 3;  ///< sets, or scenes, that a sentence names
 
 /// Sets that share the first rank, in one scene or several.
 struct First {
   std::vector<std::string> sets;
   std::vector<std::string> scenes;
-  bool all = false;  ///< nothing is told apart
+  bool all = false;   ///< nothing is told apart
+  std::string steps;  ///< alone_at_steps()
 };
 
 First first_of(const std::vector<RankedSet>& ranking) {
@@ -110,14 +144,34 @@ First first_of(const std::vector<RankedSet>& ranking) {
   return first;
 }
 
+/// Who is alone nearest at single steps, where that is not one set at all of them.
+std::string alone_at_steps(const std::vector<ReplicatedRow>& rows) {
+  std::map<double, std::vector<ReplicatedRow>, std::greater<>> steps;
+  for (const ReplicatedRow& one : rows)
+    if (one.row.dt) steps[*one.row.dt].push_back(one);
+  std::set<std::string> sets;
+  std::vector<std::string> texts;
+  for (const auto& [dt, own] : steps) {
+    const First first = first_of(rank_all(own));
+    if (first.all || first.sets.size() != 1) continue;
+    sets.insert(first.sets[0]);
+    texts.push_back(fmt::format("{} at {}", first.sets[0], quantity_text(dt, "s")));
+  }
+  return sets.size() < 2 ? "" : " (alone nearest: " + joined(texts) + ")";
+}
+
 /// Scenes by who is first in them.
 std::vector<First> firsts_of(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
   std::vector<First> list;
   for (const JudgedScene& scene : scenes) {
-    const std::vector<RankedSet> ranking = rank_all(rows_of(rows, scene));
+    const std::vector<ReplicatedRow> own = rows_of(rows, scene);
+    const std::vector<RankedSet> ranking = rank_all(own);
     if (ranking.empty()) continue;
     First first = first_of(ranking);
-    const auto known = std::ranges::find(list, first.sets, &First::sets);
+    if (first.sets.size() > 1) first.steps = alone_at_steps(own);
+    const auto known = std::ranges::find_if(list, [&](const First& other) {
+      return std::tie(first.sets, first.steps) == std::tie(other.sets, other.steps);
+    });
     if (known != list.end()) {
       known->scenes.push_back(scene.name);
     } else {
@@ -146,9 +200,9 @@ std::string place(const First& first) {
 
 std::string part(const First& first, const std::string& by) {
   if (first.sets.size() == 1) return place(first) + first.sets[0] + " is nearest to the exact motion";
-  if (first.all) return place(first) + "no set can be told to be nearest, by " + by;
-  return fmt::format("{}{} are nearest and cannot be told apart by {}", place(first),
-                     joined_up_to(most_named, first.sets), by);
+  if (first.all) return place(first) + "no set can be told to be nearest, by " + by + first.steps;
+  return fmt::format("{}{} are nearest and cannot be told apart by {}{}", place(first),
+                     joined_up_to(most_named, first.sets), by, first.steps);
 }
 
 /// The last set, where all others are shown to be nearer.
@@ -168,11 +222,6 @@ std::string over_steps(const std::vector<ReplicatedRow>& rows) {
   for (const ReplicatedRow& one : rows)
     if (can_be_ranked(one)) steps.insert(*one.row.dt);
   return steps.size() > 1 ? "over all steps " : "";
-}
-
-std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
 }
 
 /// Of more scenes than are told one by one.
@@ -217,12 +266,7 @@ std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::ve
                            std::size_t most) {
   const std::vector<const RunMetrics*> events = rows_with_events(rows, scenes);
   if (events.empty()) return "";
-  if (events.size() > most) {
-    std::set<std::string> sets;
-    for (const RunMetrics* row : events) sets.insert(set_name(*row));
-    return fmt::format("In {} blocks sink, fall or topple otherwise than exactly.",
-                       counted(sets.size(), "set"));
-  }
+  if (events.size() > most) return counted_events(events, scenes);
   std::vector<std::string> parts;
   for (const RunMetrics* row : events) {
     const std::string event = event_of(*row, scale_in(scenes, row->scene));

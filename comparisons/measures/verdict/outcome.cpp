@@ -82,7 +82,7 @@ std::string event_of(const RunMetrics& row, const SceneScale& scale) {
     return replicates.empty() ? fall : fall + ", " + replicates;
   if (!replicates.empty()) return "topples otherwise " + replicates;
   const double sunk = std::min(row.sinking.value_or(0), row.largest_position_difference.value_or(0));
-  return sunk > told_sinking * scale.least_height ? "sinks by " + quantity_text(sunk, "m", 2) : "";
+  return sunk > told_sinking * scale.least_height ? "sinks in by " + quantity_text(sunk, "m", 2) : "";
 }
 
 std::string outcome(const RunMetrics& row, const SceneScale& scale) {

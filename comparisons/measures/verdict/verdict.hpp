@@ -37,10 +37,10 @@ bool agrees(const RunMetrics& row, const SceneScale& scale);
 double agreement_end(const RunMetrics& row, const SceneScale& scale);
 
 /// What happens in a run that does not in the exact motion, as a verb with what it needs: "block 2 has fallen
-/// off at 0.4 s", "sinks by 86 mm"; empty where nothing does.
+/// off at 0.4 s", "sinks in by 86 mm"; empty where nothing does.
 std::string event_of(const RunMetrics& row, const SceneScale& scale);
 
-/// What becomes of a run, in words: "agrees until 1.2 s", "rests, but sinks by 86 mm", "failed: …".
+/// What becomes of a run, in words: "agrees until 1.2 s", "rests, but sinks in by 86 mm", "failed: …".
 std::string outcome(const RunMetrics& row, const SceneScale& scale);
 
 /// A scene that rows are of.

@@ -88,7 +88,7 @@ TEST(MotionVerdict, AHistoryWithoutEventsIsJudgedByItsSamples) {
   history.angles = {0, 0, 1e-5, 2e-5};
   history.velocities = {0, 0, 0, 0};
   EXPECT_EQ(motion_verdict(scene, history), "rests throughout");
-  EXPECT_EQ(motion_verdict(scene, history, {.sinking = 0.086}), "rests, but sinks by 86 mm");
+  EXPECT_EQ(motion_verdict(scene, history, {.sinking = 0.086}), "rests, but sinks in by 86 mm");
   EXPECT_EQ(motion_verdict(scene, history, {.sinking = 1e-4}), "rests throughout") << "of 1.25 m";
   EXPECT_EQ(motion_verdict(scene, history, {.fallen = "block 2 at 0.4 s"}),
             "block 2 has fallen off at 0.4 s");

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "comparisons/suites/suite.hpp"
+#include <cmath>
+#include <string>
+#include <utility>
 
 namespace rockstack {
 namespace {
@@ -85,15 +87,31 @@ TEST(Ranking, SetsThatReplicatesDoNotTellApartShareARank) {
   EXPECT_EQ(rank_all(rows)[2].rank, 3);
 }
 
-// Two sets of two engines at one step: what a comparison without further words may consist of.
-TEST(Ranking, TheUsualNumberOfReplicatesTellsFourSetsApartAndOneLessDoesNot) {
-  std::vector<ReplicatedRow> rows{run("a", "one", 1), run("b", "one", 2), run("c", "one", 4),
-                                  run("d", "one", 8)};
-  for (ReplicatedRow& row : rows) row.errors.resize(usual_replicates);
-  const auto ranking = rank_all(rows);
-  for (std::size_t i = 0; i < ranking.size(); ++i) EXPECT_EQ(ranking[i].rank, static_cast<int>(i) + 1);
-  for (ReplicatedRow& row : rows) row.errors.resize(usual_replicates - 1);
-  for (const RankedSet& set : rank_all(rows)) EXPECT_EQ(set.rank, 1);
+/// Sets whose replicates lie apart, at so many steps.
+std::vector<ReplicatedRow> sets_apart(std::size_t sets, std::size_t steps, int replicates) {
+  std::vector<ReplicatedRow> rows;
+  for (std::size_t set = 0; set < sets; ++set) {
+    for (std::size_t step = 1; step <= steps; ++step) {
+      rows.push_back(run(("set " + std::to_string(set)).c_str(), "one", std::pow(3, set)));
+      rows.back().row.dt = 1e-3 * static_cast<double>(step);
+      rows.back().errors.assign(static_cast<std::size_t>(replicates), *rows.back().row.error);
+      for (std::size_t i = 0; i < rows.back().errors.size(); ++i)
+        rows.back().errors[i] *= 1 + 0.01 * static_cast<double>(i);
+    }
+  }
+  return rows;
+}
+
+TEST(Ranking, ReplicatesThatTellApartDoAndOneLessDoesNot) {
+  for (const auto& [sets, steps] : {std::pair{4U, 1U}, {6U, 1U}, {14U, 1U}, {28U, 1U}}) {
+    const int replicates = replicates_that_tell_apart(sets, steps);
+    const auto ranking = rank_all(sets_apart(sets, steps, replicates));
+    for (std::size_t i = 0; i < ranking.size(); ++i)
+      EXPECT_EQ(ranking[i].rank, static_cast<int>(i) + 1) << sets;
+    for (const RankedSet& set : rank_all(sets_apart(sets, steps, replicates - 1)))
+      EXPECT_EQ(set.rank, 1) << sets;
+  }
+  EXPECT_EQ(replicates_that_tell_apart(14, 2), 5) << "several steps tell more than one";
 }
 
 // What rests has errors of rounding; a set that is best there alone is not best.

@@ -43,7 +43,7 @@ TEST(Outcome, WhatRestsButSinksIsTold) {
   row.sinking = 0.0864;
   row.largest_position_difference = 0.13;
   row.relative_position_difference = 0.13 / 0.4;
-  EXPECT_EQ(outcome(row, scale), "rests, but sinks by 86 mm");
+  EXPECT_EQ(outcome(row, scale), "rests, but sinks in by 86 mm");
 }
 
 TEST(Outcome, ABlockThatLiesBesideItsBaseHasFallenOff) {

@@ -82,7 +82,7 @@ TEST(Verdict, ScenesAtRestAreToldByWhatHappensInThem) {
   const auto told = headline({row_at_rest("tuned"), row_at_rest("default", 0.086)}, {scene("rest")});
   ASSERT_EQ(told.size(), 2U);
   EXPECT_EQ(told[1], "Nothing moves in rest, where no set is ranked.");
-  EXPECT_EQ(told[0], "With ode:step (default) in rest at 1 ms a block sinks by 86 mm.");
+  EXPECT_EQ(told[0], "With ode:step (default) in rest at 1 ms a block sinks in by 86 mm.");
   for (const std::string& sentence : told) EXPECT_EQ(sentence.find("nearest"), std::string::npos);
 }
 
@@ -117,6 +117,17 @@ TEST(Verdict, OfSeveralExactMotionsItIsToldThatThereAre) {
             std::string::npos);
 }
 
+TEST(Verdict, OfManySetsSaysInHowManyBlocksSinkAndInHowManyTheyFall) {
+  std::vector<ReplicatedRow> rows;
+  for (int i = 0; i < 4; ++i)
+    rows.push_back(row_at_rest("set" + std::to_string(i), i < 3 ? 0.01 + 0.02 * i : 0));
+  rows[3].row.toppling_verdict = TopplingVerdict::engine_alone;
+  rows[3].row.fallen = "block 2 at 0.43 s";
+  EXPECT_EQ(
+      headline(rows, {scene("rest")})[0],
+      "With 1 set blocks fall or topple that do not in the exact motion; with 3 sets blocks sink in, by 50 mm at most.");
+}
+
 TEST(Verdict, WhatMovesWhereNothingShouldIsTold) {
   std::vector<ReplicatedRow> rows{row_at_rest("tuned"), row_at_rest("default")};
   rows[1].row.largest_position_difference = 0.5;
@@ -133,6 +144,27 @@ TEST(Verdict, SaysHowFewAndHowManyReplicatesThereAre) {
   for (std::size_t i : {2U, 3U}) rows[i].errors.resize(3);
   EXPECT_EQ(headline(rows, {scene("a")})[1],
             "Over all steps no set can be told to be nearest, by 3 to 5 replicates.");
+}
+
+// One set that parts at once says nothing of a dozen others.
+TEST(Verdict, OfManySetsSaysUntilWhenHalfOfThemAgree) {
+  std::vector<ReplicatedRow> rows;
+  for (int i = 0; i < 12; ++i)
+    rows.push_back(row("a", "set" + std::to_string(i), 1e-2, i == 0 ? 1 : i < 7 ? 0.005 : 0.001));
+  EXPECT_NE(headline(rows, {scene("a")})[0].find(
+                "until 0.01 s at worst and for half of them until 2 s or longer at a step of 10 ms"),
+            std::string::npos)
+      << headline(rows, {scene("a")})[0];
+}
+
+// Replicates tell the sets apart at either step, but the other way about: over both they are as near.
+TEST(Verdict, NamesWhoIsNearestAtEachStepWhereTheStepDecides) {
+  const std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-2, 4e-3), row("a", "default", 1e-2, 1e-3),
+                                        row("a", "tuned", 1e-3, 1e-4), row("a", "default", 1e-3, 1e-3)};
+  EXPECT_EQ(
+      headline(rows, {scene("a")})[1],
+      "Over all steps no set can be told to be nearest, by 5 replicates (alone nearest: ode:step (default) at 10 ms and "
+      "ode:step (tuned) at 1 ms).");
 }
 
 TEST(Verdict, SaysNothingByASingleRunWhereOthersHaveReplicates) {
