@@ -77,13 +77,13 @@ py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name
   beside_interpreter([&](const std::atomic<bool>& stop) {
     const std::function<bool()> cancelled = [&] { return stop.load(); };
     const Limits limits{.time = time_limit, .unwanted = &cancelled};
-    made = run_in_worker(engine, scene->scene, dt, series.parameters, 0, limits, bodies);
+    made = run_in_worker(engine, scene->scene, dt, series.parameters, 0, limits, true);
     if (made.status == "done") made.run.history.patterns = sampled_patterns(scene->scene, made.run.history);
   });
   if (made.status != "done")
     return py::make_tuple(py::none(), 0, py::none(), made.status + ": " + made.reason);
   const std::size_t warnings = made.run.warnings;
-  const py::object record = to_dict(made.run.bodies);
+  const py::object record = bodies ? to_dict(made.run.bodies) : py::none();
   Support support;
   if (made.run.bodies) support = support_of(made.run.bodies->penetration, made.run.bodies->unsupported_since);
   return py::make_tuple(std::make_shared<HeldMotion>(HeldMotion{scene, std::move(made.run.history), support}),

@@ -67,6 +67,12 @@ class WorkerTest(unittest.TestCase):
         self.assertEqual(run.angles.shape, (len(step), 1))
         self.assertEqual(len(run.energy), len(step))
 
+    def test_what_sinks_is_told_whether_or_not_bodies_are_asked_for(self):
+        scene = rocking(initial={"angles": [0.0]})
+        verdicts = [rockstack.simulate(scene, self.worker, 0.01, bodies=bodies).verdict for bodies in (False, True)]
+        self.assertIn("sinks in by", verdicts[0])
+        self.assertEqual(*verdicts)
+
     def test_what_a_worker_does_ends_its_own_run(self):
         for fault, limit, message in ((1, 600, "failed: ValueError: thin ice"), (2, 600, "not finite"), (3, 1, "time limit"),
                                       (4, 600, "signal")):
