@@ -32,6 +32,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr double usual_step = 1e-3;  ///< s
+constexpr double vanishing = 1e-9;   ///< a deviation that is less is none, s
 
 double largest_magnitude(const std::vector<double>& values) {
   double most = 0;
@@ -131,9 +132,18 @@ void judge(CanonAnswer& answer, const StepFit& fit) {
     answer.reason =
         fmt::format("{}: {} is left at any step ({} to {})", finest.of, amount_text(left.value, finest),
                     amount_text(left.low, finest), amount_text(left.high, finest));
+  } else if (std::max(finest.time, answer.deviations.end()[-2].time) <= vanishing) {
+    answer.verdict = "converges";
+    answer.reason = finest.of + ": nothing is left at the two finest steps";
   } else if (!falls || fit.points < answer.deviations.size() || fit.scatter > std::log(3)) {
     answer.verdict = "cannot tell";
-    answer.reason = finest.of + ": " + (falls ? fit.reason : "the errors do not fall with the step");
+    answer.reason =
+        finest.of + ": " +
+        (falls ? fit.reason
+               : fmt::format("the errors do not fall with the step, {} at {} and {} at {}",
+                             amount_text(answer.deviations.front().time, answer.deviations.front()),
+                             quantity_text(canon_steps.front(), "s"), amount_text(finest.time, finest),
+                             quantity_text(canon_steps.back(), "s")));
   } else if (left.high > canon_agreement * usual_step) {
     answer.verdict = "cannot tell";
     answer.reason =
@@ -141,8 +151,10 @@ void judge(CanonAnswer& answer, const StepFit& fit) {
   } else {
     const bool explained = finest.time <= canon_agreement * canon_steps.back();
     answer.verdict = explained ? "agrees" : "converges";
-    answer.reason = finest.of + fmt::format(": fall with order {:.2g} ({:.2g} to {:.2g})", fit.order.value,
-                                            fit.order.low, fit.order.high);
+    answer.reason = finest.of + (fit.holds() ? fmt::format(": fall with order {:.2g} ({:.2g} to {:.2g})",
+                                                           fit.order.value, fit.order.low, fit.order.high)
+                                             : fmt::format(": fall to {:.2g} steps at the finest",
+                                                           finest.time / canon_steps.back()));
   }
 }
 

@@ -65,9 +65,9 @@ struct CanonErrors {
 /// time at the finest step. Each by a fit of its medians over the steps (fit_steps()), in this order:
 /// "agrees" where the median is within canon_resolution at the three finest steps; "another law" where it is
 /// above there and hardly changes, or where the fit leaves a deviation above canon_resolution at any step;
-/// "cannot tell" where errors scatter, do not fall, are none at some step, or leave room for one of
-/// canon_agreement steps of 1 ms; "agrees" where it is off by canon_agreement steps at most at the finest;
-/// else "converges".
+/// "converges" where none is left at the two finest; "cannot tell" where errors scatter, do not fall, are
+/// none at some step, or leave room for one of canon_agreement steps of 1 ms; "agrees" where it is off by
+/// canon_agreement steps at most at the finest; else "converges".
 CanonAnswer judge_canon(const std::string& scene, const std::vector<CanonErrors>& errors);
 
 /// Runs a scene at all steps, each with the suite's replicates.

@@ -145,6 +145,19 @@ TEST(Canon, NoErrorAgreesAtTheFinestStepsAndIsNotFittedAtOthers) {
   EXPECT_EQ(few.reason, "angles: 4 steps are fewer than 5");
 }
 
+// A launched cube tips at coarse steps and then not at all.
+TEST(Canon, WhatVanishesAtTheFinestStepsConverges) {
+  const CanonAnswer answer = judged_of({0.27, 0.07, 0.016, 3e-15, 1e-15});
+  EXPECT_EQ(answer.verdict, "converges");
+  EXPECT_EQ(answer.reason, "angles: nothing is left at the two finest steps");
+  EXPECT_EQ(judged_of({0.27, 0.07, 0.016, 3e-15, 1e-4}).verdict, "cannot tell");
+}
+
+TEST(Canon, ErrorsThatGrowAreToldWithTheirSizes) {
+  EXPECT_EQ(judged_of({1e-3, 8e-3, 0.1, 0.3, 0.14}).reason,
+            "angles: the errors do not fall with the step, 1 mrad at 8 ms and 140 mrad at 0.5 ms");
+}
+
 // ODE's direct solver takes friction's limit from the impulse that there would be without friction; Bullet's
 // sequential impulses take it from the impulse itself (comparisons/findings.md). The scenes of impacts and of
 // sliding while rocking tell them apart by more than what steps of 1 ms explain.
