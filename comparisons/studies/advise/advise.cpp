@@ -87,6 +87,32 @@ std::optional<Trial> try_out(const Job& job, const AdviceRequest& request,
   return trial;
 }
 
+/// Of one series, from large to small steps.
+struct Search {
+  bool over = false;
+  std::size_t next = 0;  ///< step
+  double took = 0;       ///< the last trial, s
+  double promise = 0;    ///< expected_time() after it
+};
+
+/// How long stepping would take at the step at which a row's difference comes down to an error, as if in
+/// proportion, s.
+double expected_time(const RunMetrics& row, double error) {
+  if (row.status != RunStatus::done || !row.largest_angle_difference)
+    return std::numeric_limits<double>::infinity();
+  const double off = std::max(*row.largest_angle_difference, row.relative_position_difference.value_or(0));
+  return row.stepping_time_minimum.value_or(0) * std::max(1.0, off / error);
+}
+
+/// The search that is expected to end soonest, or nullptr where all are over.
+Search* most_promising(std::vector<Search>& searches, std::size_t steps) {
+  Search* best = nullptr;
+  for (Search& search : searches)
+    if (!search.over && search.next < steps && (best == nullptr || search.promise < best->promise))
+      best = &search;
+  return best;
+}
+
 /// Peaks, impacts and toppling of the whole scene, over the same replicates exactly and by one series.
 std::vector<DistributionDistance> whole_scene(const Job& job, const Scene& scene) {
   std::vector<MotionTally> exact, other;
@@ -147,40 +173,36 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
   NamedScene predictable = scene;
   predictable.scene.duration = advice.predictable_time;
   const Suite suite = suite_of(predictable, request);
-  struct Search {
-    bool over = false;
-    double step = 0, took = 0;  ///< of the last trial, s
-  };
   std::vector<Search> searches(suite.series.size());
   const EngineSeries* picked = nullptr;
-  for (const double dt : advised_steps()) {
-    for (std::size_t i = 0; i < suite.series.size(); ++i) {
-      Search& search = searches[i];
-      if (search.over) continue;
-      const double begin = watch.elapsed(), left = request.within - begin;
-      std::optional<Trial> made;
-      if (search.step == 0 || search.took * search.step / dt <= left) {
-        listener.begin(suite.series[i], dt, begin);
-        made = try_out({suite, suite.scenes.front(), dt, &suite.series[i]}, request, folder, command, left);
-      }
-      if (!made) {
-        search.over = true;
-        advice.untried.push_back({suite.series[i].engine, search.step > 0 ? search.step : dt});
-        continue;
-      }
-      advice.trials.push_back(*std::move(made));
-      search.step = dt;
-      search.took = watch.elapsed() - begin;
-      const Trial& trial = advice.trials.back();
-      listener.trial(trial);
-      const int pick = cheapest(advice.trials);
-      if (pick != advice.pick) picked = &suite.series[i];
-      advice.pick = pick;
-      const double best = pick < 0 ? std::numeric_limits<double>::infinity()
-                                   : *advice.trials[static_cast<std::size_t>(pick)].row.stepping_time_minimum;
-      search.over = trial.passes() || trial.row.status == RunStatus::time_limit ||
-                    trial.row.stepping_time_minimum.value_or(0) > best;
+  const std::vector<double> steps = advised_steps();
+  while (Search* const search = most_promising(searches, steps.size())) {
+    const EngineSeries& series = suite.series[static_cast<std::size_t>(search - searches.data())];
+    const double dt = steps[search->next], before = search->next > 0 ? steps[search->next - 1] : dt;
+    const double begin = watch.elapsed(), left = request.within - begin;
+    std::optional<Trial> made;
+    if (search->took * before / dt <= left) {
+      listener.begin(series, dt, begin);
+      made = try_out({suite, suite.scenes.front(), dt, &series}, request, folder, command, left);
     }
+    if (!made) {
+      search->over = true;
+      advice.untried.push_back({series.engine, before});
+      continue;
+    }
+    advice.trials.push_back(*std::move(made));
+    const Trial& trial = advice.trials.back();
+    listener.trial(trial);
+    const int pick = cheapest(advice.trials);
+    if (pick != advice.pick) picked = &series;
+    advice.pick = pick;
+    const double best = pick < 0 ? std::numeric_limits<double>::infinity()
+                                 : *advice.trials[static_cast<std::size_t>(pick)].row.stepping_time_minimum;
+    ++search->next;
+    search->took = watch.elapsed() - begin;
+    search->promise = expected_time(trial.row, request.error);
+    search->over = trial.passes() || trial.row.status == RunStatus::time_limit ||
+                   trial.row.stepping_time_minimum.value_or(0) > best;
   }
   if (picked != nullptr && advice.predictable_time < scene.scene.duration) {
     const RunMetrics& row = advice.trials[static_cast<std::size_t>(advice.pick)].row;

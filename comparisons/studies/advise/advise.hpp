@@ -81,9 +81,10 @@ int cheapest(const std::vector<Trial>& trials);
 
 /// Tries every solver with its tuned parameters from large to small steps until it passes, takes longer than
 /// the cheapest that did, or would take longer than the time that is left: a step of half the length twice as
-/// long as the one before, replicates as long as the run before them. Writes FOLDER/runs/, FOLDER/advice.json
-/// and, of its trials, FOLDER/advice.csv: the columns of comparison.csv and how many replicates came within
-/// the error.
+/// long as the one before, replicates as long as the run before them. All are tried at the largest step; then
+/// always the one goes on that would take least time at the error, if that fell in proportion to the step.
+/// Writes FOLDER/runs/, FOLDER/advice.json and, of its trials, FOLDER/advice.csv: the columns of
+/// comparison.csv and how many replicates came within the error.
 /// @throws std::runtime_error where a file cannot be written or
 /// the scene has no exact solution.
 Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::filesystem::path& folder,
