@@ -22,8 +22,9 @@ std::string data_block(const std::string& name, const Curve& curve);
 /// One entry of a legend: a gnuplot style ("with lines …") and its words.
 using Legend = std::vector<std::pair<std::string, std::string>>;
 
-/// How wide a figure is, pixels: on a page as wide as a desk's screen, and on one as wide as a phone's.
-inline constexpr double full_width = 1200, narrow_width = 480;
+/// How wide a figure is, pixels: on a page as wide as a desk's screen, there with a player beside it, and on
+/// one as wide as a phone's.
+inline constexpr double full_width = 1200, shared_width = 960, narrow_width = 480;
 
 /// Where panels begin and end, shares of the figure's width, unless a row or second axes say otherwise.
 inline constexpr double left_edge = 0.105, right_edge = 0.975;

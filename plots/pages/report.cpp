@@ -54,10 +54,18 @@ std::string ground_of(const ComparedScene& scene) {
   return scene.ground.empty() ? "" : element("p", escaped("The ground moves by: " + scene.ground)) + "\n";
 }
 
+/// The first scene that has a motion to look at, or how many scenes there are.
+std::size_t first_motion(const Comparison& comparison) {
+  const auto found = std::ranges::find_if(
+      comparison.scenes, [&](const ComparedScene& scene) { return has_motion(comparison, scene); });
+  return static_cast<std::size_t>(found - comparison.scenes.begin());
+}
+
+/// Of any but the first motion, which stands where the page begins.
 std::string scene_section(const fs::path& results, const Comparison& comparison, std::size_t scene) {
   const ComparedScene& compared = comparison.scenes[scene];
   std::string body = ground_of(compared);
-  if (has_motion(comparison, compared))
+  if (has_motion(comparison, compared) && scene != first_motion(comparison))
     body += element("h3", "The motion to look at") + player_section(comparison, scene) + "\n";
   for (const Figure* figure : figures_of(compared))
     body += element("h3", escaped(figure->title)) + scene_figure(results, comparison, scene, *figure) + "\n";
@@ -71,8 +79,8 @@ std::string contents_list(const Comparison& comparison) {
   const auto add = [&](const std::string& anchor, const std::string& label) {
     items += element("li", link("#" + anchor, escaped(label)));
   };
-  for (std::size_t i = 0; i < comparison.scenes.size() && items.empty(); ++i)
-    if (has_motion(comparison, comparison.scenes[i])) add(player_anchor(i), "Player");
+  if (const std::size_t first = first_motion(comparison); first < comparison.scenes.size())
+    add(player_anchor(first), "Player");
   add("summary", "Summary");
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) add(scene_anchor(i), comparison.scenes[i].title);
   if (!comparison.statements.empty()) add("statements", "What the paper says");
@@ -107,11 +115,17 @@ std::string whole_summary(const Comparison& comparison) {
 /// What a page begins with.
 constexpr auto first_figure = "agreement";
 
-std::string agreement_figure(const fs::path& results) {
+/// The verdict and its figure, and beside them the first motion to look at.
+std::string first_screen(const fs::path& results, const Comparison& comparison) {
   const std::string stem = first_figure;
-  return fs::exists(results / "figures" / (stem + ".svg"))
-             ? drawn_figure(results, stem, stem + "-", figure_in(stem)->title)
-             : "";
+  std::string verdict = answer_box(comparison.verdict.headline);
+  if (fs::exists(results / "figures" / (stem + ".svg")))
+    verdict += drawn_figure(results, stem, stem + "-", figure_in(stem)->title);
+  std::string parts = element("div", verdict);
+  if (const std::size_t scene = first_motion(comparison); scene < comparison.scenes.size())
+    parts += element(
+        "div", element("h2", escaped(heading(comparison.scenes[scene]))) + player_section(comparison, scene));
+  return element("div", parts, " class=\"first\"");
 }
 
 /// Figures of the folder that belong to no scene, and those of a scene that nobody draws.
@@ -127,8 +141,7 @@ std::string content(const fs::path& results, const Comparison& comparison) {
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) scenes += scene_section(results, comparison, i);
   return filled_in(report_html, {{"title", escaped(comparison.title)},
                                  {"contents", contents_list(comparison)},
-                                 {"answer", answer_box(comparison.verdict.headline)},
-                                 {"first", agreement_figure(results)},
+                                 {"first", first_screen(results, comparison)},
                                  {"figures", further_figures(results, comparison)},
                                  {"summary", whole_summary(comparison)},
                                  {"statements", statements_section(comparison)},

@@ -15,9 +15,8 @@ struct CommonAxes {
   std::vector<std::string> sets;
   std::vector<double> steps;  ///< s, falling
 
-  /// How much of a set's colour a step has: the coarser, the paler.
-  double strength(double dt) const {
-    constexpr double palest = 0.35;
+  /// How much of a set's colour a step has, from a least share on: the coarser, the paler.
+  double strength(double dt, double palest) const {
     return steps.size() < 2 ? 1 : palest + (1 - palest) * place(dt) / static_cast<double>(steps.size() - 1);
   }
   /// Where the line of a set and step lies, from the row's middle.
@@ -50,8 +49,11 @@ CommonAxes frame_of(const Comparison& comparison) {
 struct Place {
   const Run* run;
   double height;
-  std::string colour;
+  std::string line, mark;  ///< colours
 };
+
+/// Marks are small: the palest has a contrast of 3 to white and more.
+constexpr double palest_line = 0.5, palest_mark = 0.75;
 
 std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& scene,
                              const CommonAxes& frame) {
@@ -62,7 +64,8 @@ std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& 
         std::ranges::find(frame.steps, run.dt) == frame.steps.end())
       continue;
     places.push_back({&run, frame.height(static_cast<std::size_t>(set - frame.sets.begin()), *run.dt),
-                      paler(style_of(run).colour, frame.strength(*run.dt))});
+                      paler(style_of(run).colour, frame.strength(*run.dt, palest_line)),
+                      paler(style_of(run).colour, frame.strength(*run.dt, palest_mark))});
   }
   return places;
 }
@@ -76,7 +79,7 @@ void add_times(Plots& plots, const Place& place, const SceneScale& scale, double
   if (!run.done()) return plots.add({{0, place.height}}, {fmt::format("using 1:2 {}", failure_style)});
   const double end = agreement_end(run, scale);
   plots.add({{0, place.height, std::min(end, edge)}},
-            {fmt::format("using 1:2:3:(0) with vectors nohead lw 6 lc rgb '{}'", place.colour)});
+            {fmt::format("using 1:2:3:(0) with vectors nohead lw 6 lc rgb '{}'", place.line)});
   if (!run.agreement_time_lower || !run.agreement_time_upper || run.agreement_time > end) return;
   const double low = std::min(*run.agreement_time_lower, edge),
                high = std::min(*run.agreement_time_upper, edge);
@@ -105,7 +108,7 @@ Reach size_axis(const Comparison& comparison) {
 void add_size(Plots& plots, const Place& place, double least) {
   if (!place.run->done() || !place.run->error) return;
   plots.add({{std::max(largest_of(*place.run), least), place.height}},
-            {fmt::format("using 1:2 with points lw 2 lc rgb '{}' pt {} ps 1.1*mark", place.colour,
+            {fmt::format("using 1:2 with points lw 2 lc rgb '{}' pt {} ps 1.1*mark", place.mark,
                          style_of(*place.run).mark)});
 }
 
@@ -156,8 +159,9 @@ Legend legend_of(const Comparison& comparison, const CommonAxes& frame) {
   };
   Legend legend;
   for (const double dt : frame.steps)
-    legend.emplace_back(fmt::format("with lines lw 6 lc rgb '{}'", paler("#333333", frame.strength(dt))),
-                        "step " + duration_text(dt));
+    legend.emplace_back(
+        fmt::format("with lines lw 6 lc rgb '{}'", paler("#333333", frame.strength(dt, palest_line))),
+        "step " + duration_text(dt));
   legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
   if (any([](const Run& run) { return run.replicates.value_or(1) > 1; }))
     legend.emplace_back(fmt::format("with lines {}", quartiles_style), "quartiles of replicates");
@@ -201,7 +205,8 @@ Drawings agreement(const ComparisonSubject& subject) {
       std::ranges::any_of(comparison.runs, [](const Run& run) { return is_shown(run) && run.error; });
   if (!any) return {};
   const Legend legend = legend_of(comparison, frame);
-  return {{"", drawn(subject.figure.sheet(comparison.title, legend, answer(comparison)), comparison, frame,
+  const std::string question = subject.figure.question + " " + answer(comparison);
+  return {{"", drawn(Sheet(comparison.title, legend, question, shared_width), comparison, frame,
                      scenes_in_a_row)},
           {narrow_part, drawn(Sheet("", legend, "", narrow_width), comparison, frame, 1)}};
 }

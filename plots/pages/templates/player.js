@@ -575,7 +575,18 @@ class Player {
     pen.fillStyle = "#1a1a1a";
     pen.font = "12px 'DejaVu Sans', sans-serif";
     pen.textAlign = "left";
-    pen.fillText(track.label + (this.time > track.end + 1e-9 ? " (ended)" : ""), x + 24, y, room - 30);
+    let line = "";
+    for (const word of (track.label + (this.time > track.end + 1e-9 ? " (ended)" : "")).split(" ")) {
+      const longer = line ? `${line} ${word}` : word;
+      if (line && pen.measureText(longer).width > room - 30) {
+        pen.fillText(line, x + 24, y);
+        y += 14;
+        line = word;
+      } else {
+        line = longer;
+      }
+    }
+    pen.fillText(line, x + 24, y, room - 30);
   }
 
   drawGround({ pen, y, scale, x }, middle, room) {

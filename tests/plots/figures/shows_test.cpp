@@ -155,7 +155,7 @@ TEST(Shown, LinesOfAgreementEndWhereRowsStopToAgree) {
     for (const char* file : {"agreement.svg", "agreement.narrow.svg"}) {
       const Picture picture = testing::read_picture(folder / "figures" / file);
       EXPECT_EQ(testing::collisions(picture), std::vector<std::string>()) << file;
-      EXPECT_NEAR(length_of(picture, testing::shown_colour(paler(colour, 0.35))) /
+      EXPECT_NEAR(length_of(picture, testing::shown_colour(paler(colour, 0.5))) /
                       length_of(picture, testing::shown_colour(colour)),
                   coarse / (rests ? 1.08 * rests_from : whole), 0.01)
           << file;
