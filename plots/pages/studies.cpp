@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
 #include "plots/pages/html.hpp"
@@ -152,59 +151,6 @@ std::string peak(const Json& json, const char* unit) {
                      json.at("time").get<double>());
 }
 
-/// Which trial came nearest, where none holds; nothing where none has numbers.
-std::string nearest_trial(const Json& trials) {
-  RunMetrics nearest;
-  std::optional<double> least;
-  for (const Json& trial : trials) {
-    const auto row = trial.get<RunMetrics>();
-    const auto off = std::max(row.largest_angle_difference, row.relative_position_difference);
-    if (!off || (least && *off >= *least)) continue;
-    nearest = row;
-    least = off;
-  }
-  return least ? fmt::format(" The nearest is {}:{} at {}, off by {:.2g}.", nearest.engine, nearest.solver,
-                             duration_text(nearest.dt.value_or(0)), *least)
-               : "";
-}
-
-/// "own:one and own:two below 1 ms", from large steps to small ones.
-std::string untried_solvers(const Json& list) {
-  std::map<double, Sentences, std::greater<>> solvers;
-  for (const Json& one : list) solvers[one.at("below").get<double>()].push_back(solver_named(one));
-  Sentences parts;
-  for (const auto& [step, names] : solvers)
-    parts.push_back(fmt::format("{} below {}", joined_up_to(2, names), duration_text(step)));
-  return joined(parts);
-}
-
-/// The advice in words: what to take, how sure it is, and what was not tried.
-Sentences advised(const Json& json) {
-  Sentences sentences;
-  const double error = json.at("error").get<double>();
-  const double until = json.at("predictable_time").get<double>();
-  if (const Json& pick = json.at("pick"); pick.is_null()) {
-    sentences.push_back(fmt::format("No solver holds to {:g} at a step that was tried.{}", error,
-                                    nearest_trial(json.at("trials"))));
-  } else {
-    sentences.push_back(
-        fmt::format("Take {} at {} with tuned settings: the cheapest that was tried and stays "
-                    "within {:g} rad of the exact angles, and within that share of the least block height of "
-                    "the exact centres.",
-                    solver_named(pick), duration_text(pick.at("dt").get<double>()), error));
-    sentences.push_back(
-        fmt::format("Of {1} replicates at nearby steps {0} are within; nine of ten must be.",
-                    pick.at("draws_within").get<int>() + pick.at("confirming_draws_within").get<int>(),
-                    pick.at("draws_tried").get<int>() + pick.at("confirming_draws_tried").get<int>()));
-  }
-  if (until < json.at("duration").get<double>())
-    sentences.push_back(fmt::format("This holds until {:.4g} s, the horizon of predictability.", until));
-  if (const Json& untried = json.at("untried"); !untried.empty())
-    sentences.push_back(fmt::format("As the search had {:g} s, it has not tried {}.",
-                                    json.at("within").get<double>(), untried_solvers(untried)));
-  return sentences;
-}
-
 }  // namespace
 
 void write_sweep_report(const fs::path& results) {
@@ -228,7 +174,7 @@ void write_stability_report(const fs::path& results) {
 
 void write_advice_report(const fs::path& results) {
   write_study(results, "advice.json", [](const Json& json) {
-    return Study{"Advice: " + text_at(json, "title"), advised(json), {"advice.csv"}};
+    return Study{"Advice: " + text_at(json, "title"), json.at("headline").get<Sentences>(), {"advice.csv"}};
   });
 }
 

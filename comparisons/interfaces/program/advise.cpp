@@ -63,37 +63,19 @@ AdviceListener listener(const AdviceRequest& request, const Common& common) {
 }
 
 /// What holds after histories have parted.
-void print_beyond(const Advice& advice, double duration) {
-  if (advice.predictable_time >= duration) return;
-  fmt::print(
-      "Histories can be compared until {:.4g} s of {:.4g} s: there two exact motions that differ in the "
-      "sixth digit are that far apart. The advice holds until then.\n",
-      advice.predictable_time, duration);
+void print_beyond(const Advice& advice) {
   for (const DistributionDistance& one : advice.beyond)
     fmt::print("  whole scene, {}: exact mean {:.4g}, this solver {:.4g}; distance {:.2f}, {}\n",
                one.quantity, one.exact_mean, one.other_mean, one.apart.distance,
                one.apart.p_value < 0.05 ? "another distribution" : "not to be told apart");
 }
 
-/// What more time would try.
-void print_untried(const Advice& advice, double within) {
-  if (advice.untried.empty()) return;
-  std::string list;
-  for (const Untried& one : advice.untried)
-    list += fmt::format("{}{} below {} s", list.empty() ? "" : ", ", one.engine->full_name(), one.below);
-  fmt::print("Not tried, as {} s would not do (--within): {}.\n", within, list);
-}
-
 void print_advice(const Advice& advice, const AdviseArguments& arguments, const AdviceRequest& request,
                   double duration, const Common& common) {
-  print_untried(advice, request.within);
-  if (advice.pick < 0) {
-    fmt::print("No solver holds to {} rad at a step that was tried.\n", arguments.error);
-    return;
-  }
-  print_beyond(advice, duration);
+  fmt::print("\n{}\n", fmt::join(advice_sentences(request, advice, duration), "\n"));
+  if (advice.pick < 0) return;
+  print_beyond(advice);
   const RunMetrics& pick = advice.trials[static_cast<std::size_t>(advice.pick)].row;
-  fmt::print("\nThe cheapest that holds: {}:{} at {} s.\n", pick.engine, pick.solver, pick.dt.value_or(0));
   std::string changes;
   for (const std::string& change : common.overrides) changes += " --set " + shell_word(change);
   fmt::print("rockstack simulate {}{} --engine {}:{} --dt {}\n", shell_word(arguments.scene), changes,

@@ -222,6 +222,7 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
 Json advice_json(const NamedScene& scene, const AdviceRequest& request, const Advice& advice,
                  const std::string& command) {
   Json json{{"title", scene.scene.title},
+            {"headline", advice_sentences(request, advice, scene.scene.duration)},
             {"error", request.error},
             {"within", request.within},
             {"duration", scene.scene.duration},

@@ -90,7 +90,12 @@ int cheapest(const std::vector<Trial>& trials);
 Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::filesystem::path& folder,
               const std::string& command, const AdviceListener& listener = {});
 
-/// All of it: what was asked for, the pick, what was not tried and the trials.
+/// In words: what to take, how sure it is, until when it holds of a scene that lasts `duration` s, and what
+/// was not tried.
+std::vector<std::string> advice_sentences(const AdviceRequest& request, const Advice& advice,
+                                          double duration);
+
+/// All of it: its words, what was asked for, the pick, what was not tried and the trials.
 nlohmann::ordered_json advice_json(const NamedScene& scene, const AdviceRequest& request,
                                    const Advice& advice, const std::string& command);
 

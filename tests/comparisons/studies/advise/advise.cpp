@@ -49,5 +49,41 @@ TEST(Advice, ADrawMeetsTheErrorWhereItIsDoneNearAndTopplesLikewise) {
   EXPECT_FALSE(meets(row, 1e-3));
 }
 
+/// A solver of one engine that is off by so much at a step of 1 ms.
+Trial tried(const std::string& solver, double off) {
+  Trial trial = timed(20, 1);
+  trial.row.engine = "own";
+  trial.row.solver = solver;
+  trial.row.dt = 1e-3;
+  trial.row.largest_angle_difference = off;
+  trial.confirming = 20;
+  trial.confirmed = 19;
+  return trial;
+}
+
+TEST(Advice, SaysWhatToTakeHowSureItIsAndUntilWhenItHolds) {
+  WorkerEngine engine;
+  engine.name = "own";
+  engine.solver = "two";
+  const Advice advice{{tried("one", 2e-3)}, 0, {{&engine, 2e-3}}, 2.5, {}};
+  const std::vector<std::string> told = advice_sentences({.error = 0.01}, advice, 5);
+  ASSERT_EQ(told.size(), 4U);
+  EXPECT_EQ(
+      told[0],
+      "Take own:one at 1 ms with tuned settings: the cheapest that was tried and stays within 0.01 rad of the exact "
+      "angles, and 1 % of the least block height of the exact centres.");
+  EXPECT_EQ(told[1], "Of 41 replicates at nearby steps 39 are within; nine of ten must be.");
+  EXPECT_EQ(told[2], "This holds until 2.5 s, the horizon of predictability.");
+  EXPECT_EQ(told[3], "As the search had 60 s, it has not tried own:two below 2 ms; --within gives it more.");
+  EXPECT_EQ(advice_sentences({.error = 0.01}, advice, 2.5).size(), 3U);
+}
+
+TEST(Advice, NamesTheNearestWhereNoneHolds) {
+  const Advice advice{{tried("one", 0.1), tried("two", 0.05)}, -1, {}, 5, {}};
+  const std::vector<std::string> told = advice_sentences({.error = 0.01}, advice, 5);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("The nearest is own:two at 1 ms, off by 0.05."), std::string::npos) << told[0];
+}
+
 }  // namespace
 }  // namespace rockstack

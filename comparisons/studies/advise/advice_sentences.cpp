@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/studies/advise/advise.hpp"
+
+namespace rockstack {
+namespace {
+
+std::optional<double> distance_of(const Trial& trial) {
+  return std::max(trial.row.largest_angle_difference, trial.row.relative_position_difference);
+}
+
+std::string solver_at_step(const Trial& trial) {
+  return fmt::format("{}:{} at {}", trial.row.engine, trial.row.solver,
+                     quantity_text(trial.row.dt.value_or(0), "s"));
+}
+
+/// Which trial came nearest; nothing where none has numbers.
+std::string nearest(const std::vector<Trial>& trials) {
+  const Trial* best = nullptr;
+  for (const Trial& trial : trials)
+    if (distance_of(trial) && (best == nullptr || *distance_of(trial) < *distance_of(*best))) best = &trial;
+  return best == nullptr
+             ? ""
+             : fmt::format(" The nearest is {}, off by {:.2g}.", solver_at_step(*best), *distance_of(*best));
+}
+
+/// "own:one and own:two below 1 ms", from large steps to small ones.
+std::string listed(const std::vector<Untried>& untried) {
+  std::map<double, std::vector<std::string>, std::greater<>> solvers;
+  for (const Untried& one : untried) solvers[one.below].push_back(one.engine->full_name());
+  std::vector<std::string> parts;
+  for (const auto& [step, names] : solvers)
+    parts.push_back(fmt::format("{} below {}", joined_up_to(2, names), quantity_text(step, "s")));
+  return rockstack::joined(parts);
+}
+
+}  // namespace
+
+std::vector<std::string> advice_sentences(const AdviceRequest& request, const Advice& advice,
+                                          double duration) {
+  std::vector<std::string> sentences;
+  const std::string error =
+      fmt::format("{:g} rad of the exact angles, and {:g} % of the least block height of the exact centres",
+                  request.error, 100 * request.error);
+  if (advice.pick < 0) {
+    sentences.push_back(
+        fmt::format("No solver stays within {}, at a step that was tried.{}", error, nearest(advice.trials)));
+  } else {
+    const Trial& pick = advice.trials[static_cast<std::size_t>(advice.pick)];
+    sentences.push_back(
+        fmt::format("Take {} with tuned settings: the cheapest that was tried and stays within {}.",
+                    solver_at_step(pick), error));
+    sentences.push_back(fmt::format("Of {} replicates at nearby steps {} are within; nine of ten must be.",
+                                    pick.replicates + pick.confirming, pick.within + pick.confirmed));
+  }
+  if (advice.predictable_time < duration)
+    sentences.push_back(
+        fmt::format("This holds until {:.4g} s, the horizon of predictability.", advice.predictable_time));
+  if (!advice.untried.empty())
+    sentences.push_back(fmt::format("As the search had {:g} s, it has not tried {}; --within gives it more.",
+                                    request.within, listed(advice.untried)));
+  return sentences;
+}
+
+}  // namespace rockstack
