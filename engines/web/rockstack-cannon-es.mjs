@@ -4,13 +4,13 @@
 import { angles, massFactor, restitution, serve, setting, turn, whole } from './worker.mjs';
 
 const settings = [
-  setting('iterations', 10, 50, 1, 1e6, whole),
-  setting('tolerance', 1e-7, 1e-7, 0, 1),
-  setting('contactEquationStiffness', 1e7, 1e7, 1e-6, 1e18),
-  setting('contactEquationRelaxation', 3, 3, 1e-6, 1e6),
-  setting('frictionEquationStiffness', 1e7, 1e7, 1e-6, 1e18),
+  setting('iterations', 10, 500, 1, 1e6, whole),
+  setting('tolerance', 1e-7, 0, 0, 1),
+  setting('contactEquationStiffness', 1e7, 1e9, 1e-6, 1e18),
+  setting('contactEquationRelaxation', 3, 10, 1e-6, 1e6),
+  setting('frictionEquationStiffness', 1e7, 1e9, 1e-6, 1e18),
   setting('frictionEquationRelaxation', 3, 3, 1e-6, 1e6),
-  setting('unitMass', 0, 0, 0, 1e12, { unit: 'kg' }),
+  setting('unitMass', 0, 1, 0, 1e12, { unit: 'kg' }),
   restitution('restitution'),
 ];
 

@@ -4,7 +4,10 @@
 import { readFileSync } from 'node:fs';
 import { angles, groundReach, restitution, serve, setting, turn } from './worker.mjs';
 
-const settings = [restitution('restitution')];
+const settings = [
+  setting('idealStepTime', 1 / 60, 0, 0, 10, { unit: 's' }),  // 0: as it comes
+  restitution('restitution'),
+];
 
 /** What the library answers with. @throws where a call fails. */
 function got([result, value], havok) {
@@ -36,7 +39,7 @@ class Simulation {
     this.given = question.parameters;
     this.owned = [];
     this.world = got(havok.HP_World_Create(), havok);
-    require(havok.HP_World_SetIdealStepTime(this.world, this.dt), havok);
+    require(havok.HP_World_SetIdealStepTime(this.world, this.given.idealStepTime), havok);
     const [ground, ...friction] = factors(question.friction);
     const reach = groundReach(question.blocks);
     this.add({ width: 2 * reach, height: 2 * reach, depth: 2 * reach, x: 0, y: -reach, angle: 0 }, ground,
@@ -103,7 +106,7 @@ await serve({
   module: '@babylonjs/havok',
   note: ' of npm, WebAssembly, single precision',
   licence: 'MIT',
-  capabilities: { single_precision: true },
+  capabilities: { single_precision: true, lead: 0.125 },
   solvers: [{ solver: 'own', settings }],
   load: async () => {
     const wasmBinary = readFileSync(new URL('node_modules/@babylonjs/havok/lib/esm/HavokPhysics.wasm', import.meta.url));

@@ -5,7 +5,7 @@ import { groundReach, neighbourMeans, restitution, serve, setting, whole } from 
 
 const settings = [
   setting('lengthUnit', 1, 0.05, 1e-6, 1e6, { unit: 'm' }),
-  setting('numSolverIterations', 4, 4, 1, 1e4, whole),
+  setting('numSolverIterations', 4, 20, 1, 1e4, whole),  // each is a substep
   setting('numInternalPgsIterations', 1, 1, 1, 1e4, whole),
   setting('contact_natural_frequency', 30, 30, 0, 1e9, { unit: '1/s' }),
   setting('normalizedAllowedLinearError', 0.005, 0.005, 0, 1),
@@ -76,7 +76,7 @@ await serve({
   module: '@dimforge/rapier2d-deterministic-compat',
   note: ' of npm, WebAssembly, single precision',
   licence: 'Apache-2.0',
-  capabilities: { single_precision: true, planar: true, lead: 0.125 },
+  capabilities: { single_precision: true, planar: true, lead: 0.5 / 4, tuned_lead: 0.5 / 20 },
   solvers: [{ solver: 'sequential-impulse', settings }],
   load: async () => {
     const rapier = (await import('@dimforge/rapier2d-deterministic-compat')).default;
