@@ -22,7 +22,6 @@
 
 #include "engines/worker/registry.hpp"
 #include "tests/engines/bare.hpp"
-#include "tests/native_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -92,15 +91,17 @@ std::vector<Parameters> more_settings(const WorkerEngine& engine) {
             {{"restitution", 0.2}, {"restitutionThreshold", 0}}};
   if (engine.name == "chipmunk")
     return {{{"collisionPersistence", 1}, {"collisionSlop", 1e-3}}, {{"elasticity", 0.2}}};
-  return {{{"ground", 1}},
-          {{"shape", 1}},
-          {{"splitImpulse", 0}, {"contactStiffness", 1e8}, {"contactDamping", 1e5}},
-          {{"frictionAnchor", 1}, {"frictionERP", 0.5}}};
+  if (engine.name.starts_with("bullet"))
+    return {{{"ground", 1}},
+            {{"shape", 1}},
+            {{"splitImpulse", 0}, {"contactStiffness", 1e8}, {"contactDamping", 1e5}},
+            {{"frictionAnchor", 1}, {"frictionERP", 0.5}}};
+  return {};
 }
 
 std::vector<Case> cases() {
   std::vector<Case> list;
-  for (const WorkerEngine& engine : native_engines()) {
+  for (const WorkerEngine& engine : engines()) {
     const std::string solver = engine.full_name() + ":";
     list.push_back({&engine, solver + "default", engine.default_parameters()});
     list.push_back({&engine, solver + "tuned", engine.tuned_parameters()});
