@@ -1,0 +1,83 @@
+"""What npm's engines converge to: for each a table of the same small scenes, with its defaults and tuned."""
+from statistics import median
+
+import numpy as np
+
+import rockstack
+from friction import landing, left
+from replicates import measured, number, solvers
+
+STEPS = (1e-3, 3e-4, 1e-4)  # s
+SQUAT = [{"width": 2.0, "height": 1.0, "density": 2500.0}]
+
+
+def flat(duration, **more):
+    """A flat block on the ground under Coulomb's law, μ = 0.4."""
+    return rockstack.Scene(duration=duration, law="unilateral", blocks=SQUAT, contact={"friction": 0.4}, **more)
+
+
+def released():
+    """A block of slenderness 0.197 that is released at half of that and meets the ground after 0.49 s."""
+    return rockstack.Scene(duration=0.7, blocks=[{"width": 0.4, "height": 2.0, "density": 2500.0}], initial={"angles": [0.0987]})
+
+
+def landing_time(motion):
+    """When the block passes zero, s; inf where it has not by the end."""
+    angles = motion.angles[:, 0]
+    after = int(np.argmax(angles < 0))
+    if not after:
+        return np.inf
+    share = angles[after - 1] / (angles[after - 1] - angles[after])
+    return motion.times[after - 1] + share * (motion.times[after] - motion.times[after - 1])
+
+
+def lateness(motion, _step):
+    exact = rockstack.solve(motion.scene, times=np.arange(0, 0.7, 1e-4))
+    return 1e3 * (landing_time(motion) - landing_time(exact))
+
+
+def rise(motion, _step):
+    """How far a block rises again at most once it falls, mm."""
+    gap = motion.gaps[:, 0]
+    falling = gap[int(np.argmax(gap)):]
+    return 1e3 * (falling - np.minimum.accumulate(falling)).max()
+
+
+def falling():
+    """The ground falls away for 0.1 s at 2 m/s² more than gravity, and comes back."""
+    return flat(0.6, ground={"vertical": {"pulse": "rectangle", "amplitude": -11.81, "period": 0.2}})
+
+
+# What is measured, its exact value, the scene (of the step, s), and the number.
+QUANTITIES = (
+    ("angular velocity left of 1 rad/s after an impact at μ = 0.3", "0.613", lambda dt: landing(0.3, duration=60 * dt), left),
+    ("angle after 0.2 s of sliding and rocking (mrad)", "28.4",
+     lambda _: rockstack.Scene.read("canon/slide-rock").replace({"duration": 0.2}), lambda motion, _: -1e3 * motion.angles[-1, 0]),
+    ("way of a block that slides to a stop (mm)", "31.9", lambda _: flat(0.3, initial={"angles": [0.0], "slip_velocities": [0.5]}),
+     lambda motion, _: 1e3 * motion.slips[-1, 0]),
+    ("lateness of a rocking block at its landing (ms)", "0", lambda _: released(), lateness),
+    ("rise after a flat landing (mm)", "0", lambda _: falling(), rise),
+    ("creep in 1 s on a slope that holds (mm)", "0",
+     lambda _: rockstack.Scene.read("canon/held-on-slope").replace({"duration": 1.0}), lambda motion, _: 1e3 * abs(motion.slips[-1, 0])),
+    ("sinking of a column at rest in 0.3 s (mm)", "0",
+     lambda _: rockstack.Scene.read("canon/rest").replace({"duration": 0.3}), lambda motion, _: 1e3 * max(0.0, -motion.gaps.min())),
+)
+
+
+def table(name, solver=""):
+    """The generator of the table of an engine, or of one of its solvers."""
+    def converges():
+        names = [one for one in solvers(name) if one.endswith(solver)]
+        several = len(names) > 1
+        yield "what", "exact", *["solver"] * several, "set", *(f"{1e3 * dt:g} ms" for dt in STEPS)
+        for what, exact, scene, measure in QUANTITIES:
+            for one in names:
+                for settings in ("default", "tuned"):
+                    yield what, exact, *[one.split(":")[1]] * several, settings, *(
+                        number(median(measured(scene(dt), one, dt, measure, settings=settings))) for dt in STEPS)
+
+    converges.__doc__ = f"what {name}{solver} makes of scenes that no set is tuned on; medians of 5 replicates."
+    return converges
+
+
+TABLES = {name: table(name) for name in ("jolt", "rapier", "physx", "planck", "cannon-es", "havok")} | {"mujoco-js": table("mujoco-js", ":newton")}
