@@ -181,11 +181,14 @@ void write_advice_report(const fs::path& results) {
 void write_fit_report(const fs::path& results) {
   write_study(results, "fit.json", [](const Json& json) {
     Sentences answers;
-    for (const Json& one : json.at("parameters"))
-      answers.push_back(fmt::format("{} = {:.6g} ± {:.2g}.", text_at(one, "key"),
-                                    one.at("value").get<double>(),
-                                    one.at("half_width").is_null() ? std::numeric_limits<double>::infinity()
-                                                                   : one.at("half_width").get<double>()));
+    for (const Json& one : json.at("parameters")) {
+      const std::string found =
+          fmt::format("{} = {:.6g}", text_at(one, "key"), one.at("value").get<double>());
+      answers.push_back(one.at("lower").is_null()
+                            ? found + "."
+                            : fmt::format("{}, with 95 % confidence from {:.6g} to {:.6g}.", found,
+                                          one.at("lower").get<double>(), one.at("upper").get<double>()));
+    }
     for (const Json& sentence : json.at("meaning")) answers.push_back(sentence);
     return Study{"Fit: " + text_at(json, "title"), answers};
   });

@@ -24,9 +24,10 @@ int fit_command(const FitArguments& arguments, const Common& common) {
   if (common.json) fmt::print("{}\n", fit_json(scene.title, measured, found, common.command).dump(2));
   if (common.talks()) {
     std::string changes;
-    for (const auto& [parameter, value, half_width] : found.parameters) {
-      fmt::print("{:<32} {:.6g} ± {:.2g}\n", parameter.key, value, half_width);
-      changes += " --set " + shell_word(fmt::format("{}={}", parameter.key, value));
+    for (const FittedParameter& one : found.parameters) {
+      fmt::print("{:<32} {:.6g}  95 %: {:.6g} to {:.6g}\n", one.parameter.key, one.value, one.lower,
+                 one.upper);
+      changes += " --set " + shell_word(fmt::format("{}={}", one.parameter.key, one.value));
     }
     for (const std::string& sentence : meaning(found, measured)) fmt::print("{}\n", sentence);
     fmt::print("\nrockstack solve {}{}\n", shell_word(arguments.scene), changes);

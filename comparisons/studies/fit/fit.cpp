@@ -95,22 +95,28 @@ Place refined(Shares shares, Place place) {
   return place;
 }
 
-/// The half-widths of the intervals of 95 %; infinite for what has a share in a direction that moves nothing.
-Values half_widths(const FittedScene& fitted, const std::vector<FitParameter>& parameters,
-                   const Values& values, double residual) {
-  constexpr double untold =
-      1e-8;  // rad or m over the whole range, and of directions; differences are as good
+constexpr double untold = 1e-8;  ///< rad or m over a range, and of directions; differences are as good
+
+/// How far a parameter may be off by the derivatives; infinite for what has a share in a direction that moves
+/// nothing.
+struct Reach {
+  double half_width = 0;
+  bool moves = false;  ///< whether it changes the motion by itself, near what was found
+};
+
+/// `most`: by which a direction may be off, rad or m.
+std::vector<Reach> reaches(const FittedScene& fitted, const std::vector<FitParameter>& parameters,
+                           const Values& values, double most) {
   MatrixXd jacobian = fitted.derivatives(values);
   const VectorXd scales = jacobian.colwise().norm();
+  std::vector<Reach> list;
   for (Index k = 0; k < jacobian.cols(); ++k) {
     const auto& [key, low, high] = parameters[static_cast<std::size_t>(k)];
     const bool moves = scales[k] * (high - low) > untold * std::sqrt(static_cast<double>(jacobian.rows()));
     jacobian.col(k) *= moves ? 1 / scales[k] : 0;
+    list.push_back({0, moves});
   }
   const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeThinV);
-  const double reach =
-      residual * reach_of_interval(static_cast<std::size_t>(jacobian.rows() - jacobian.cols()));
-  Values list;
   for (Index k = 0; k < jacobian.cols(); ++k) {
     double sum = 0;
     for (Index j = 0; j < jacobian.cols(); ++j) {
@@ -120,9 +126,32 @@ Values half_widths(const FittedScene& fitted, const std::vector<FitParameter>& p
       else if (std::abs(share) > 1e-3)
         sum = std::numeric_limits<double>::infinity();
     }
-    list.push_back(reach * std::sqrt(sum) / scales[k]);
+    list[static_cast<std::size_t>(k)].half_width = std::isinf(sum) ? sum : most * std::sqrt(sum) / scales[k];
   }
   return list;
+}
+
+/// A parameter with its interval; the others stay as they were found. `most`: the sum of the squares of the
+/// residuals up to which a value comes as near to the test.
+FittedParameter with_interval(const FittedScene& fitted, const FitParameter& parameter, Values values,
+                              std::size_t k, const Reach& reach, double most) {
+  constexpr int parts = 40;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double found = values[k], part = (parameter.high - parameter.low) / parts;
+  const auto at = [&](int place) {
+    return std::lerp(parameter.low, parameter.high, static_cast<double>(std::clamp(place, 0, parts)) / parts);
+  };
+  int first = static_cast<int>(std::ceil((found - parameter.low) / part)), last = first - 1;
+  for (int place = 0; place <= parts; ++place) {
+    values[k] = at(place);
+    if (fitted.residuals(values).squaredNorm() > most) continue;
+    first = std::min(first, place);
+    last = std::max(last, place);
+  }
+  const double lower = found - reach.half_width, upper = found + reach.half_width;
+  if (reach.moves && at(first) >= lower && at(last) <= upper) return {parameter, found, lower, upper};
+  if (first == 0 && last == parts) return {parameter, found, -infinity, infinity};
+  return {parameter, found, at(first - 1), at(last + 1), true};
 }
 
 }  // namespace
@@ -219,9 +248,12 @@ Fit fit(const SceneDocument& document, const Measurement& measured,
   result.readings = fitted.size();
   result.residual = residuals.norm() / std::sqrt(static_cast<double>(free));
   if (best.sum > 0) result.correlation = residuals.head(count - 1).dot(residuals.tail(count - 1)) / best.sum;
-  const Values reach = half_widths(fitted, parameters, values, result.residual);
+  const double reach = result.residual * reach_of_interval(static_cast<std::size_t>(free));
+  const double roundings = untold * untold * static_cast<double>(count);
+  const std::vector<Reach> each = reaches(fitted, parameters, values, reach);
   for (std::size_t k = 0; k < parameters.size(); ++k)
-    result.parameters.push_back({parameters[k], values[k], reach[k]});
+    result.parameters.push_back(
+        with_interval(fitted, parameters[k], values, k, each[k], best.sum + reach * reach + roundings));
   const Scene scene = whole.scene(values);
   const History history = solve(scene, {.sample_times = measured.times});
   result.times = history.times;

@@ -54,9 +54,10 @@ class FittedScene {
 struct FittedParameter {
   FitParameter parameter;
   double value = 0;
-  /// Of the confidence interval of 95 %, by Student's distribution; infinite where the test does not tell.
-  double half_width = 0;
+  double lower = 0, upper = 0;  ///< of the confidence interval of 95 %; infinite where the test does not tell
+  bool flat = false;            ///< whether that is of values that come as near to the test
 
+  bool holds(double number) const { return lower < number && number < upper; }
   /// Whether it stands at an end of its range, to a thousandth of that.
   bool at_end() const;
 };
@@ -73,8 +74,11 @@ struct Fit {
 
 /// Finds the parameters by least squares up to the horizon of predictability: a grid of their ranges, then
 /// Levenberg and Marquardt's method (Eigen's MINPACK) from its three best places. The horizon is that of the
-/// grid's best. Intervals are s² (JᵀJ)⁻¹ with s the residual and J the derivatives, which holds for readings
-/// with independent errors alike in size, small enough for the motion to be linear in the parameters.
+/// grid's best. Intervals are s² (JᵀJ)⁻¹ by Student's distribution, with s the residual and J the
+/// derivatives, which holds for readings with independent errors alike in size, small enough for the motion
+/// to be linear in the parameters. Where it is not, as with friction from which on nothing slips, values
+/// beyond them may come as near: of the range in forty parts, those whose sum of squares is no more than
+/// (ts)² above the least. Then the interval goes on to the first part on either side that does not.
 /// @throws InputError as FittedScene, or where no place of the grid has a motion, with the reason of one.
 Fit fit(const SceneDocument& document, const Measurement& measured,
         const std::vector<FitParameter>& parameters);

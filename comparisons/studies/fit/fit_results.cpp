@@ -50,11 +50,15 @@ std::vector<std::string> meaning(const Fit& fit, const Measurement& measured) {
                         "intervals hold in 95 of 100 tests.",
                         fit.correlation));
   for (const FittedParameter& one : fit.parameters) {
-    if (std::isinf(one.half_width)) {
+    if (std::isinf(one.lower)) {
       list.push_back(
           fmt::format("The test does not tell {}: no value of it, or of others with it, changes the "
                       "motion.",
                       one.parameter.key));
+    } else if (one.flat) {
+      list.push_back(
+          fmt::format("{} may as well lie anywhere from {:.4g} to {:.4g}: the motion comes as near.",
+                      one.parameter.key, one.lower, one.upper));
     } else if (one.at_end()) {
       list.push_back(
           fmt::format("{} stands at an end of its range: the best may lie beyond.", one.parameter.key));
@@ -81,7 +85,8 @@ Json fit_json(const std::string& title, const Measurement& measured, const Fit& 
                                   {"low", one.parameter.low},
                                   {"high", one.parameter.high},
                                   {"value", one.value},
-                                  {"half_width", number_or_null(one.half_width)}});
+                                  {"lower", number_or_null(one.lower)},
+                                  {"upper", number_or_null(one.upper)}});
   json["environment"] = environment({});
   json["command"] = command;
   return json;
