@@ -36,15 +36,18 @@ bool is_off_middle(const Block& block) {
   return block.offset_x != 0 || block.offset_y != 0;
 }
 
+/// What an angle beyond its limit would be in rad, if it were meant in degrees; nothing where that is beyond.
+std::string in_degrees(double given, double limit) {
+  const double angle = given * std::numbers::pi / 180;
+  return std::abs(angle) < limit ? "; " + number_text(given) + " degrees are " + number_text(angle, 5) : "";
+}
+
 void validate_inclination(const Scene& scene) {
-  constexpr double most = 0.25 * std::numbers::pi, degree = std::numbers::pi / 180;
+  constexpr double most = 0.25 * std::numbers::pi;
   const double given = scene.inclination;
   if (std::abs(given) <= most) return;
-  const std::string hint = std::abs(given * degree) <= most
-                               ? "; " + number_text(given) + " degrees are " + number_text(given * degree, 5)
-                               : "";
   throw FieldError("ground.inclination", number_text(given),
-                   "between ±" + number_text(most, 4) + " rad" + hint);
+                   "between ±" + number_text(most, 4) + " rad" + in_degrees(given, most));
 }
 
 void validate_restitution(const Scene& scene) {
@@ -130,11 +133,10 @@ void validate_initial(const Scene& scene) {
   validate_offsets(scene);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const double limit = toppling_angle(scene, k);
-    if (std::abs(scene.initial.angles[k]) >= limit) {
-      throw FieldError(
-          "initial.angles." + std::to_string(k + 1), number_text(scene.initial.angles[k]),
-          "between ±" + number_text(limit) + " for block " + std::to_string(k + 1) + ", its toppling angle");
-    }
+    if (const double given = scene.initial.angles[k]; std::abs(given) >= limit)
+      throw FieldError("initial.angles." + std::to_string(k + 1), number_text(given),
+                       "between ±" + number_text(limit) + " for block " + std::to_string(k + 1) +
+                           ", its toppling angle" + in_degrees(given, limit));
   }
 }
 
@@ -165,9 +167,9 @@ void validate_law(const Scene& scene) {
   if (!leaves_pivots(scene.law)) {
     for (const auto& [key, values] : of_free_blocks(scene.initial))
       if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; }))
-        throw FieldError(
-            key, "not all 0",
-            std::string("all 0 under law ") + name(scene.law) + ", where nothing slips or lifts");
+        throw FieldError(key, "not all 0",
+                         std::string("all 0 under law ") + name(scene.law) +
+                             ", where nothing slips or lifts: say law = \"unilateral\"");
     return;
   }
   if (scene.equations != Equations::nonlinear)
