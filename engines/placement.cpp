@@ -18,10 +18,6 @@ Vector<double> vector_of(const std::vector<double>& values) {
 
 /// Says what engines have no equivalent of, rather than leave it out.
 void require_for_engines(const Scene& scene) {
-  if (!scene.restitution.empty())
-    throw std::runtime_error(
-        "restitution: must be left out for engines, whose impacts have no such ratio; theirs is "
-        "contact.restitution");
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     if (scene.blocks[k].offset_x != 0 || scene.blocks[k].offset_y != 0)
       throw std::runtime_error(

@@ -8,7 +8,7 @@
 namespace rockstack {
 
 /// Bottom to top: pivots touch where they have no gap, centres move as the initial state has them.
-/// @throws std::runtime_error for a restitution, or a centre of mass off a block's middle, in one line.
+/// @throws std::runtime_error for a centre of mass off a block's middle, in one line.
 std::vector<Placement> place(const Scene& scene);
 
 /// How the ground moves under a scene's accelerations, from rest at t = 0: displacements are their double

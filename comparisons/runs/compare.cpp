@@ -155,6 +155,9 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
     for (const NamedScene& scene : suite.scenes) {
       Json entry{{"name", scene.name}};
       entry.update(scene_json(scene.scene));
+      if (const auto& ratios = scene.scene.restitution; !ratios.empty())
+        entry["law"] = fmt::format("{} with restitution {}, engines without", name(scene.scene.law),
+                                   fmt::join(ratios, ", "));
       entry.update({{"draws", suite.replicates.runs},
                     {"draw_steps", suite.replicates.steps},
                     {"draw_scene", suite.replicates.scene},

@@ -32,7 +32,7 @@ std::string outcome(const Scene& scene) {
   numbers.insert(numbers.end(), history.angles.begin(), history.angles.end());
   numbers.insert(numbers.end(), history.centres.begin(), history.centres.end());
   // Engines take no others.
-  const bool for_engines = scene.restitution.empty() && scene.blocks.front().offset_x == 0;
+  const bool for_engines = scene.blocks.front().offset_x == 0;
   if (for_engines) add(set_up(scene, 0.01, {}), numbers);
   std::string text = scene.title;
   for (const double number : numbers) text += " " + number_text(number);

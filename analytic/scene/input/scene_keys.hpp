@@ -26,7 +26,7 @@ inline constexpr KeyTable scene_keys{
      {"engine", "", "", "a table [engine]", no_default, "what engines need besides"},
      {"restitution", "[0.9]", "", "a number from 0 to 1 for each block", "that of the law",
       "of the interface under each block, where all above it rocks as one body: relative angular velocity "
-      "after an impact over that before; of the exact solver alone, engine runs fail"}}};
+      "after an impact over that before; of the exact solver alone: engines run without"}}};
 
 inline constexpr KeyTable block_keys{
     "[[blocks]]",

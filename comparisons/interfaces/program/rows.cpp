@@ -98,7 +98,9 @@ void print_legend(const std::vector<Suite>& suites, const Common& common) {
   if (!common.talks()) return;
   int replicates = 1;
   double bound = 0;
+  bool ratio = false;
   for (const Suite& suite : suites) {
+    for (const NamedScene& scene : suite.scenes) ratio = ratio || !scene.scene.restitution.empty();
     replicates = std::max(replicates, suite.replicates.runs);
     bound = std::max(bound, suite.replicates.most_steps);
   }
@@ -111,6 +113,7 @@ void print_legend(const std::vector<Suite>& suites, const Common& common) {
       "*: nearest of their scene and step, where any can be told from others; several that are named cannot be "
       "told apart\n",
       replicates > 1 ? fmt::format(", medians of {} replicates{} (quartiles)", replicates, fewer) : "");
+  if (ratio) fmt::print("restitution: of the exact motion alone, engines run without\n");
   std::fflush(stdout);
 }
 

@@ -77,6 +77,19 @@ TEST(Compare, WhatATestHasMeasuredIsARowOfItsOwn) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs/tested.measured/history.csv"));
 }
 
+TEST(Compare, EnginesRunWithoutARatioOfRestitutionAndTheLawSaysSo) {
+  const TemporaryFolder folder;
+  const std::string ratio = std::string("restitution = [0.75]\n") + block;
+  Suite suite = suite_for(read_named_scene(folder.write("ratio.toml", ratio), {}));
+  suite.repeats = 1;
+  suite.series.resize(1);
+  suite.series.front().steps = {1e-2};
+  for (const RunMetrics& row : compare({suite}, folder.path(), {}).rows)
+    EXPECT_EQ(row.status, RunStatus::done) << row.reason;
+  const auto json = nlohmann::ordered_json::parse(bytes_of(folder.path() / "comparison.json"));
+  EXPECT_EQ(json.at("scenes").at(0).at("law"), "consistent with restitution 0.75, engines without");
+}
+
 /// Three blocks whose masses are so far apart that rounding would leave energies too few digits.
 constexpr const char* far_apart = R"(duration = 0.2
 [[blocks]]
