@@ -3,20 +3,11 @@
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/steps/chain_series.hpp"
 #include "analytic/steps/dense_output.hpp"
+#include "analytic/steps/landing.hpp"
 
 namespace rockstack {
 
-// What decides how long a Taylor step is, and of which order. One rule for a number and for a pack of
-// numbers; of the latter, comparisons give a truth of each.
-
-inline bool any(bool truth) {
-  return truth;
-}
-
-template <class Real>
-Real select(bool truth, const Real& one, const Real& other) {
-  return truth ? one : other;
-}
+// What decides how long a Taylor step is, and of which order.
 
 /// What a step starts from, and how long it is at most.
 template <class Real, int N>
@@ -32,27 +23,16 @@ struct StepStart {
     for (Real& advance : advances) advance *= ratio;
   }
 
-  /// The share of a step by whose end the first interface that is open has come back, as far as accelerations
-  /// at its start can tell; what lies behind that impact is not worth a series. Below a millionth of √(H/g)
-  /// three orders do in any case, and a landing that rounding keeps away must not be foreseen for ever.
-  /// `series` has its order 0.
+  /// The share of a step by whose end the first interface that is open has come back, as far as its start can
+  /// tell. Below a millionth of √(H/g) three orders do in any case, and a landing that rounding keeps away
+  /// must not be foreseen for ever. `series` has its order 0.
   Real landing(const ChainSeries<Real, N>& series) const {
     using std::max;
     using std::min;
-    using std::sqrt;
-    const Real zero = 0;
     Real first = 1;
     for (std::size_t k = 0; k < series.size(); ++k) {
-      const Real angle = sides[k] * angles[k];
-      const Real speed = sides[k] * advances[k];
-      const Real acceleration = sides[k] * series.relative(k, 0);
-      const Real radicand = speed * speed - 2 * acceleration * angle;
-      const auto returns = (radicand > zero) & ((speed < zero) | (acceleration < zero));
-      if (!any(returns)) continue;
-      const Real root = sqrt(radicand);
-      const Real s = select(speed < zero, 2 * angle / (root - speed), (root + speed) / -acceleration);
-      const Real end = s * (1 + s * length * rate) * Real(1.0625);
-      first = select(returns & (s > zero), min(first, end), first);
+      first = min(first, rockstack::landing<Real>(sides[k] * angles[k], sides[k] * advances[k],
+                                                  sides[k] * series.relative(k, 0), length * rate));
     }
     return max(first, Real(1e-6) / (length * rate));
   }

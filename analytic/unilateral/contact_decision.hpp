@@ -15,7 +15,7 @@ namespace rockstack {
 template <class Real>
 struct ContactCollision {
   Joints<Real> found;  ///< what the impulses bring about, by Poisson's law those of compression
-  std::vector<ContactForce<Real>> impulses;
+  ShortVector<ContactForce<Real>> impulses;
   Joints<Real> mode;  ///< without what slides or parts too slowly
   Poses<Real> rates;
   bool closes = false;   ///< something stays together as its chatter ends
@@ -175,12 +175,14 @@ EventKind kind_of(const Joints<Real>& from, const Joints<Real>& to) {
 /// Whether friction at a point may turn it onto its face: G_NN ≤ μ |G_NT|. Of one interface alone, one mode
 /// obeys without that.
 template <class Real>
-bool couples(const ContactQuestion<Real>& question, const TouchingPoints<Real>& contact) {
+bool couples(const TouchingContacts<Real>& contacts, const TouchingInterface<Real>& contact) {
   using std::abs;
-  return std::any_of(contact.normals.begin(), contact.normals.end(), [&](const FreeRow<Real>& normal) {
-    return question.stack.effect(normal, normal) <=
-           contact.friction * abs(question.stack.effect(normal, contact.slip));
-  });
+  for (std::size_t i = 0; i < contact.points(); ++i) {
+    const std::size_t row = contact.point(i);
+    if (contacts.effect(row, row) <= contact.friction * abs(contacts.effect(row, contact.slip())))
+      return true;
+  }
+  return false;
 }
 
 /// Whether no more than one motion obeys, whatever forces act. Of two, let each interface that does not slide
@@ -188,25 +190,28 @@ bool couples(const ContactQuestion<Real>& question, const TouchingPoints<Real>& 
 /// the two motions have Δa_N Δλ_N ≤ 0 and Δa_T Δσ ≤ 0, each by itself. Where the matrix of a over λ_N and σ
 /// is positive definite, for every choice of ways, their sum is above zero but for no difference.
 template <class Real>
-bool one_motion_obeys(const ContactQuestion<Real>& question, const Joints<Real>& joints,
-                      const std::vector<TouchingPoints<Real>>& contacts) {
-  const auto sticks = [&](const TouchingPoints<Real>& contact) {
-    return question.slip_before(joints[contact.interface]) == 0;
+bool one_motion_obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& joints) {
+  const auto sticks = [&](const TouchingInterface<Real>& contact) {
+    return contacts.question().slip_before(joints[contact.interface]) == 0;
   };
-  const auto ways = 1U << std::count_if(contacts.begin(), contacts.end(), sticks);
+  const auto& interfaces = contacts.interfaces();
+  const auto ways = 1U << std::count_if(interfaces.begin(), interfaces.end(), sticks);
   for (unsigned way = 0; way < ways; ++way) {
-    ContactProblem<Real> problem;
+    ContactForceRows<Real> rows;
     unsigned rest = way;
-    for (const TouchingPoints<Real>& contact : contacts) {
+    for (const TouchingInterface<Real>& contact : interfaces) {
       add_points(contact,
                  sticks(contact) ? 2 * static_cast<int>(rest & 1U) - 1 : joints[contact.interface].slip,
-                 problem);
+                 rows);
       if (!sticks(contact)) continue;
-      problem.add(contact.slip, contact.slip, contact.slip_bias);
+      rows.push_back({contact.slip()});
       rest >>= 1U;
     }
-    const SquareMatrix<Real> matrix = problem.matrix(question.stack);
-    if (Eigen::LLT<SquareMatrix<Real>>(matrix + matrix.transpose()).info() != Eigen::Success) return false;
+    const auto size = static_cast<Eigen::Index>(rows.size());
+    Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> matrix(size, size);
+    for (Eigen::Index i = 0; i < size; ++i)
+      for (Eigen::Index j = 0; j < size; ++j) matrix(i, j) = contacts.effect(rows[i].row, rows[j]);
+    if (Eigen::LLT<decltype(matrix)>(matrix + matrix.transpose()).info() != Eigen::Success) return false;
   }
   return true;
 }
@@ -219,29 +224,30 @@ std::vector<Joints<Real>> other_modes(const ContactQuestion<Real>& question, con
   OtherModes<Real> others(question, mode, most);
   add_on_other_faces(question, joints, mode, others);
   if (!question.of_accelerations() || others.full()) return std::move(others).take();
-  const std::vector<TouchingPoints<Real>> contacts = touching_points(question, joints);
-  const bool sought =
-      most > 1 ? !one_motion_obeys(question, joints, contacts)
-               : std::any_of(contacts.begin(), contacts.end(),
-                             [&](const TouchingPoints<Real>& contact) { return couples(question, contact); });
+  const TouchingContacts<Real> contacts(question, joints);
+  const auto& interfaces = contacts.interfaces();
+  const bool sought = most > 1 ? !one_motion_obeys(contacts, joints)
+                               : std::any_of(interfaces.begin(), interfaces.end(),
+                                             [&](const auto& contact) { return couples(contacts, contact); });
   const std::size_t most_tried = most > 1 ? 10'000 : 200;
   if (!sought) return std::move(others).take();
   // Of each force as large as it is: obeys() asks the largest one, which may be that of a block a million
   // times as heavy.
   const auto in_cones = [&](const Joints<Real>& other) {
     using std::abs;
-    const std::vector<ContactForce<Real>> forces = respond(question, other).forces;
-    return std::all_of(contacts.begin(), contacts.end(), [&](const TouchingPoints<Real>& contact) {
+    const ShortVector<ContactForce<Real>> forces = respond(contacts, other).forces;
+    return std::all_of(interfaces.begin(), interfaces.end(), [&](const auto& contact) {
       const ContactForce<Real>& force = forces[contact.interface];
       return abs(force.tangential) <= (1 + tolerance<Real>(1e-9)) * contact.friction * force.normal;
     });
   };
-  const std::vector<int> pairs = open_pairs(question.stack, joints, question.level);
+  const ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
   const auto leaves_face = [&](const Joints<Real>& other) {
     return std::any_of(pairs.begin(), pairs.end(), [&](int k) { return slides_off(other[k]); });
   };
-  for (const auto& other : modes_that_obey(question, joints, most_tried))
-    if (!others.full() && in_cones(other) && !leaves_face(other)) others.add(other);
+  for (const auto& other : modes_that_obey(contacts, joints, most_tried))
+    if (!others.full() && !same_modes(mode, other) && in_cones(other) && !leaves_face(other))
+      others.add(other);
   return std::move(others).take();
 }
 
@@ -252,7 +258,7 @@ bool turn(const ContactQuestion<Real>& question, const Joints<Real>& joints,
   constexpr std::size_t most = 32;
   std::vector<Joints<Real>> ways = other_modes(question, joints, mode, branching != nullptr ? most : 1);
   if (branching == nullptr || ways.empty()) return !ways.empty();
-  const std::vector<int> pairs = open_pairs(question.stack, joints, question.level);
+  const ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
   for (Joints<Real>& way : ways) settle(question, pairs, way);
   ways.insert(ways.begin(), mode);
   std::vector<Pattern> patterns;

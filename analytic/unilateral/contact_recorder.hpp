@@ -52,7 +52,7 @@ class ContactDemands {
 
   /// Impulses of one impact. Of less than a millionth of the momentum that the stack has after falling its
   /// own size, those of chatter, nothing is told.
-  void note_impact(const std::vector<ContactForce<Real>>& impulses, const Real& time) {
+  void note_impact(const ShortVector<ContactForce<Real>>& impulses, const Real& time) {
     for (std::size_t k = 0; k < impulses_.size(); ++k) {
       const ContactForce<Real>& impulse = impulses[k];
       if (impulse.normal > negligible_impulse_)
@@ -121,7 +121,7 @@ class ContactRecorder {
 
   /// Impulses that bring about a mode.
   void note_impact(const Joints<Real>& mode, const Bodies<Real>& bodies,
-                   std::vector<ContactForce<Real>> impulses, const Real& time) {
+                   ShortVector<ContactForce<Real>> impulses, const Real& time) {
     if (!demands_) return;
     demands_->note_impact(impulses, time);
     for (const int k : sticking_pairs(mode)) {
@@ -153,7 +153,7 @@ class ContactRecorder {
   }
 
  private:
-  std::vector<int> sticking_pairs(const Joints<Real>& joints) const {
+  ShortVector<int> sticking_pairs(const Joints<Real>& joints) const {
     return open_pairs(stack_, joints, ContactLevel::accelerations);
   }
 
@@ -161,7 +161,7 @@ class ContactRecorder {
   void note_demands(const Joints<Real>& joints, const ModeSeries<Real>& series, const Real& end_s,
                     const Real& start) {
     demands_->note_step(joints, series, end_s, start);
-    const std::vector<int> pairs = sticking_pairs(joints);
+    const ShortVector<int> pairs = sticking_pairs(joints);
     if (pairs.empty()) return;
     ModeSeries<Real> others = series;
     for (const int k : pairs) {

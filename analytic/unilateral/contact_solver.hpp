@@ -69,9 +69,12 @@ class ContactSolver {
     if (!springs_.empty()) length = std::min(length, springs_.longest_step(state_.bodies));
     const ScaledBodyForce<Real> body_force = scaled_body_force(across_, piece, offset_, length);
     SpringSeries<Real> springs(stack_, springs_.points(), state_.bodies);
-    const ModeStep<Real> step = mode_step(stack_, state_.joints, state_.bodies, body_force, length, springs);
-    if (step.lengthens && length == longest_) longest_ *= Real(1.25);
-    if (step.series.length < length) longest_ = step.series.length;
+    // Decisions look ahead on a step's series, so that it is not much shorter.
+    const Real shortest = std::max<Real>(16 * look_ahead_.time, Real(1e-6) * unit_time_);
+    const ModeStep<Real> step =
+        mode_step(stack_, state_.joints, state_.bodies, body_force, length, shortest, unit_time_, springs);
+    if (step.lengthens && step.planned == longest_) longest_ *= Real(1.25);
+    if (step.series.length < step.planned) longest_ = step.series.length;
     if (longest_ < shortest_step_) return jam();
     const FirstChange<Real> found =
         first_change(guards_of(stack_, state_.joints, toppling_angles_, step.series), step.series, fresh_,

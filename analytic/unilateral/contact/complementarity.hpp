@@ -1,108 +1,135 @@
 #pragma once
 
+#include <optional>
+
 #include "analytic/unilateral/contact/contact_model.hpp"
-#include "analytic/unilateral/contact/contact_problem.hpp"
+#include "analytic/unilateral/contact/linear_system.hpp"
 
 namespace rockstack {
 
 /// z ≥ 0 with w = q + Az ≥ 0 and zᵀw = 0.
 template <class Real>
 struct ComplementarySolution {
-  FreeVector<Real> z, w;
+  ShortNumbers<Real> z, w;
 };
+
+/// The largest size of numbers, 0 of none.
+template <class Real>
+Real largest(const ShortNumbers<Real>& numbers) {
+  using std::abs;
+  Real size = 0;
+  for (const Real& number : numbers) size = std::max<Real>(size, abs(number));
+  return size;
+}
 
 /// w − Az − e z₀ = q with columns w, z, z₀, q: Lemke's.
 template <class Real>
 struct Tableau {
-  SquareMatrix<Real> table;
-  std::vector<Eigen::Index> basis;  ///< the column of each row
+  std::size_t size;
+  NumberTable<Real> table;
+  ShortVector<std::size_t, 20> basis;  ///< the column of each row
 
-  Eigen::Index size() const { return table.rows(); }
-  Eigen::Index artificial() const { return 2 * size(); }
-  Eigen::Index right_side() const { return 2 * size() + 1; }
+  Tableau(const NumberTable<Real>& matrix, const ShortNumbers<Real>& vector,
+          const ShortNumbers<Real>& covering)
+      : size(vector.size()), table(size, columns()), basis(size) {
+    for (std::size_t i = 0; i < size; ++i) {
+      basis[i] = i;
+      for (std::size_t j = 0; j < size; ++j) {
+        table(i, j) = i == j ? 1 : 0;
+        table(i, size + j) = -matrix(i, j);
+      }
+      table(i, artificial()) = -covering[i];
+      table(i, right_side()) = vector[i];
+    }
+  }
 
-  void pivot(Eigen::Index row, Eigen::Index column) {
+  std::size_t columns() const { return 2 * size + 2; }
+  std::size_t artificial() const { return 2 * size; }
+  std::size_t right_side() const { return 2 * size + 1; }
+
+  void pivot(std::size_t row, std::size_t column) {
     const Real divisor = table(row, column);
-    table.row(row) /= divisor;
-    for (Eigen::Index i = 0; i < size(); ++i) {
+    Real* own = table.row(row);
+    for (std::size_t j = 0; j < columns(); ++j) own[j] /= divisor;
+    for (std::size_t i = 0; i < size; ++i) {
       const Real factor = table(i, column);
-      if (i != row && factor != 0) table.row(i) -= factor * table.row(row);
+      if (i == row || factor == 0) continue;
+      Real* other = table.row(i);
+      for (std::size_t j = 0; j < columns(); ++j) other[j] -= factor * own[j];
     }
     basis[row] = column;
   }
 
   /// True where row i leaves before row j: the lexicographic order of right side and inverse basis.
-  bool leaves_before(Eigen::Index i, Eigen::Index j, Eigen::Index column) const {
+  bool leaves_before(std::size_t i, std::size_t j, std::size_t column) const {
     using std::abs;
     const Real rounding = tolerance<Real>(1e-13);
-    for (Eigen::Index entry = -1; entry < size(); ++entry) {
-      const Eigen::Index at = entry < 0 ? right_side() : entry;
+    for (std::size_t entry = 0; entry <= size; ++entry) {
+      const bool first_of_all = entry == 0;
+      const std::size_t at = first_of_all ? right_side() : entry - 1;
       const Real first = table(i, at) / table(i, column);
       const Real second = table(j, at) / table(j, column);
-      if (abs(first - second) > rounding * (abs(first) + abs(second) + Real(entry < 0 ? 1e-3 : 1)))
+      if (abs(first - second) > rounding * (abs(first) + abs(second) + Real(first_of_all ? 1e-3 : 1)))
         return first < second;
-      if (entry < 0 && is_artificial(i)) return true;
-      if (entry < 0 && is_artificial(j)) return false;
+      if (first_of_all && is_artificial(i)) return true;
+      if (first_of_all && is_artificial(j)) return false;
     }
     return false;
   }
   ComplementarySolution<Real> solution() const {
-    ComplementarySolution<Real> result{FreeVector<Real>::Zero(size()), FreeVector<Real>::Zero(size())};
-    for (Eigen::Index i = 0; i < size(); ++i) {
-      const Eigen::Index column = basis[i];
-      if (column < size())
+    ComplementarySolution<Real> result{ShortNumbers<Real>(size, 0), ShortNumbers<Real>(size, 0)};
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::size_t column = basis[i];
+      if (column < size)
         result.w[column] = table(i, right_side());
-      else if (column < 2 * size())
-        result.z[column - size()] = table(i, right_side());
+      else if (column < 2 * size)
+        result.z[column - size] = table(i, right_side());
     }
     return result;
   }
 
-  bool is_artificial(Eigen::Index row) const { return basis[row] == artificial(); }
+  bool is_artificial(std::size_t row) const { return basis[row] == artificial(); }
 };
 
 /// Lemke's method from one covering vector, of a problem whose entries are of the size of one.
 template <class Real>
-std::optional<ComplementarySolution<Real>> lemke(const SquareMatrix<Real>& matrix,
-                                                 const FreeVector<Real>& vector,
-                                                 const FreeVector<Real>& covering) {
-  const Eigen::Index size = vector.size();
-  Tableau<Real> tableau{SquareMatrix<Real>::Zero(size, 2 * size + 2), {}};
-  tableau.table.leftCols(size).setIdentity();
-  tableau.table.middleCols(size, size) = -matrix;
-  tableau.table.col(2 * size) = -covering;
-  tableau.table.col(2 * size + 1) = vector;
-  for (Eigen::Index i = 0; i < size; ++i) tableau.basis.push_back(i);
-
-  Eigen::Index row = 0;
-  vector.cwiseQuotient(covering).minCoeff(&row);
-  Eigen::Index entering = tableau.artificial();
-  for (int pivots = 0; pivots < 64 * static_cast<int>(size + 4); ++pivots) {
-    const Eigen::Index leaving = tableau.basis[row];
+std::optional<ComplementarySolution<Real>> lemke(const NumberTable<Real>& matrix,
+                                                 const ShortNumbers<Real>& vector,
+                                                 const ShortNumbers<Real>& covering) {
+  const std::size_t size = vector.size();
+  Tableau<Real> tableau(matrix, vector, covering);
+  std::size_t row = 0;
+  for (std::size_t i = 1; i < size; ++i)
+    if (vector[i] / covering[i] < vector[row] / covering[row]) row = i;
+  std::size_t entering = tableau.artificial();
+  for (std::size_t pivots = 0; pivots < 64 * (size + 4); ++pivots) {
+    const std::size_t leaving = tableau.basis[row];
     tableau.pivot(row, entering);
     if (leaving == tableau.artificial()) return tableau.solution();
     entering = leaving < size ? leaving + size : leaving - size;
-    row = -1;
-    for (Eigen::Index i = 0; i < size; ++i) {
+    row = size;
+    for (std::size_t i = 0; i < size; ++i) {
       if (tableau.table(i, entering) <= tolerance<Real>(1e-11)) continue;
-      if (row < 0 || tableau.leaves_before(i, row, entering)) row = i;
+      if (row == size || tableau.leaves_before(i, row, entering)) row = i;
     }
-    if (row < 0) return std::nullopt;
+    if (row == size) return std::nullopt;
   }
   return std::nullopt;
 }
 
 /// Factors for unknowns and their conditions that bring the diagonal to one; where it is zero, the row.
 template <class Real>
-FreeVector<Real> balance(const SquareMatrix<Real>& matrix) {
+ShortNumbers<Real> balance(const NumberTable<Real>& matrix, std::size_t size) {
+  using std::abs;
   using std::sqrt;
-  FreeVector<Real> factors = FreeVector<Real>::Ones(matrix.rows());
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+  ShortNumbers<Real> factors(size, 1);
+  for (std::size_t i = 0; i < size; ++i)
     if (matrix(i, i) > 0) factors[i] = 1 / sqrt(matrix(i, i));
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
     if (matrix(i, i) > 0) continue;
-    const Real size = matrix.row(i).cwiseAbs().cwiseProduct(factors.transpose()).maxCoeff();
-    if (size > 0) factors[i] = 1 / size;
+    Real most = 0;
+    for (std::size_t j = 0; j < size; ++j) most = std::max<Real>(most, abs(matrix(i, j)) * factors[j]);
+    if (most > 0) factors[i] = 1 / most;
   }
   return factors;
 }
@@ -111,24 +138,33 @@ FreeVector<Real> balance(const SquareMatrix<Real>& matrix) {
 /// ends; nothing where it ends in a ray. It finds one wherever A is copositive and q is one of impacts:
 /// Stewart & Trinkle 1996, Int. J. Numer. Meth. Engng 39, 2673–2691.
 template <class Real>
-std::optional<ComplementarySolution<Real>> solve_complementarity(const SquareMatrix<Real>& matrix,
-                                                                 const FreeVector<Real>& vector) {
-  const Eigen::Index size = vector.size();
-  if (size == 0 || vector.minCoeff() >= 0)
-    return ComplementarySolution<Real>{FreeVector<Real>::Zero(size), vector};
-  const FreeVector<Real> factors = balance(matrix);
-  const SquareMatrix<Real> balanced = factors.asDiagonal() * matrix * factors.asDiagonal();
-  const FreeVector<Real> right_side = factors.cwiseProduct(vector);
-  const Real scale = right_side.template lpNorm<Eigen::Infinity>();
+std::optional<ComplementarySolution<Real>> solve_complementarity(const NumberTable<Real>& matrix,
+                                                                 const ShortNumbers<Real>& vector) {
+  const std::size_t size = vector.size();
+  if (std::all_of(vector.begin(), vector.end(), [](const Real& entry) { return entry >= 0; }))
+    return ComplementarySolution<Real>{ShortNumbers<Real>(size, 0), vector};
+  const ShortNumbers<Real> factors = balance(matrix, size);
+  NumberTable<Real> balanced(size, size);
+  ShortNumbers<Real> right_side(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j) balanced(i, j) = factors[i] * matrix(i, j) * factors[j];
+    right_side[i] = factors[i] * vector[i];
+  }
+  const Real scale = largest(right_side);
+  for (Real& entry : right_side) entry /= scale;
   // Where rounding leads one path into a ray, another may get through.
   constexpr int paths = 8;
   for (int path = 0; path < paths; ++path) {
-    FreeVector<Real> covering = FreeVector<Real>::Ones(size);
-    for (Eigen::Index i = 0; i < size; ++i) covering[i] += Real(0.5 * std::sin(double(path) * double(i + 1)));
-    auto solution = lemke<Real>(balanced, right_side / scale, covering);
+    ShortNumbers<Real> covering(size, 1);
+    if (path > 0)
+      for (std::size_t i = 0; i < size; ++i)
+        covering[i] += Real(0.5 * std::sin(double(path) * double(i + 1)));
+    auto solution = lemke<Real>(balanced, right_side, covering);
     if (!solution) continue;
-    solution->z = scale * factors.cwiseProduct(solution->z);
-    solution->w = scale * solution->w.cwiseQuotient(factors);
+    for (std::size_t i = 0; i < size; ++i) {
+      solution->z[i] *= scale * factors[i];
+      solution->w[i] *= scale / factors[i];
+    }
     return solution;
   }
   return std::nullopt;

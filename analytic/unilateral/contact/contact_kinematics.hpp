@@ -32,7 +32,7 @@ ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bod
   const Pose<Real> body = pose_of(bodies.at, corner.body);
   const Pose<Real> body_rate = pose_of(bodies.rate, corner.body);
   const Plane tangent = turned<Real>({Real(1), Real(0)}, face.angle);
-  const Plane normal = turned<Real>({Real(0), Real(1)}, face.angle);
+  const Plane normal(-tangent.y(), tangent.x());
   const Plane arm = turned<Real>(Plane(corner.x, corner.y) - stack.centre(corner.body), body.angle);
   const Plane turn = quarter_turned(arm);
   const Plane apart = Plane(body.x - face.x, body.y - face.y) + arm;

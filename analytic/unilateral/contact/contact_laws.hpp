@@ -11,12 +11,13 @@ namespace rockstack {
 
 /// What the joint of one interface can become.
 template <class Real>
-Joints<Real> choices(const ContactQuestion<Real>& question, int interface, const Joint<Real>& joint) {
+ShortVector<Joint<Real>, 10> choices(const ContactQuestion<Real>& question, int interface,
+                                     const Joint<Real>& joint) {
   if (!joint.touches()) return {joint};
   Joint<Real> apart = joint;
   apart.touch = Touch::apart;
   apart.slip = 0;
-  Joints<Real> result{apart};
+  ShortVector<Joint<Real>, 10> result{apart};
   for (const Touch touch : {Touch::left, Touch::flat, Touch::right}) {
     if (joint.pivots() && touch != joint.touch) continue;
     for (const int slip : {-1, 0, 1}) {
@@ -32,29 +33,32 @@ Joints<Real> choices(const ContactQuestion<Real>& question, int interface, const
   return result;
 }
 
-/// True where every law of contact holds in a mode, of `joints` that could be in another.
+/// True where every law of contact holds in a mode, of `joints` that touch so and could be in another.
 template <class Real>
-bool obeys(const ContactQuestion<Real>& question, const Joints<Real>& joints, const Joints<Real>& mode) {
+bool obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, const Joints<Real>& mode) {
   using std::abs;
-  const ModeResponse<Real> response = respond(question, mode);
-  const Real motion_rounding = tolerance<Real>(1e-9) * question.free.template lpNorm<Eigen::Infinity>();
-  const Real force_rounding = tolerance<Real>(1e-9) * response.largest_force();
-  for (const TouchingPoints<Real>& contact : touching_points(question, joints)) {
-    const auto index = static_cast<std::size_t>(contact.interface);
-    const Joint<Real>& joint = mode[index];
-    const ContactForce<Real>& force = response.forces[index];
-    for (std::size_t i = 0; i < contact.normals.size(); ++i)
-      if (contact.normals[i].dot(response.motion) + contact.normal_biases[i] < -motion_rounding) return false;
+  const ContactForceRows<Real> held = held_by(contacts, mode);
+  const ShortNumbers<Real> values = holding(contacts, held);
+  const ShortVector<ContactForce<Real>> forces = held_forces(contacts, mode, values);
+  const Real force_rounding = tolerance<Real>(1e-9) * largest_force(forces);
+  for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
+    const ContactForce<Real>& force = forces[contact.interface];
     if (force.normal < -force_rounding) return false;
     if (abs(force.tangential) > contact.friction * force.normal + force_rounding) return false;
-    if (joint.touch == Touch::flat) {
-      const Overlap<Real> ends = overlap(question.stack, contact.interface, joint.offset);
-      const Real moment_rounding = force_rounding * (ends.right - ends.left);
-      if (force.normal * ends.right + force.moment < -moment_rounding) return false;
-      if (-force.moment - force.normal * ends.left < -moment_rounding) return false;
-    }
-    const Real slip = contact.slip.dot(response.motion) + contact.slip_bias;
-    if (joint.slip != 0 && question.slip_before(joints[index]) == 0 && slip * joint.slip < -motion_rounding)
+    if (mode[contact.interface].touch != Touch::flat) continue;
+    const auto [left, right] = contact.ends;
+    const Real moment_rounding = force_rounding * (right - left);
+    if (force.normal * right + force.moment < -moment_rounding) return false;
+    if (-force.moment - force.normal * left < -moment_rounding) return false;
+  }
+  const Real motion_rounding =
+      tolerance<Real>(1e-9) * contacts.question().free.template lpNorm<Eigen::Infinity>();
+  for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
+    const Joint<Real>& joint = mode[contact.interface];
+    for (std::size_t i = 0; i < contact.points(); ++i)
+      if (contacts.condition(contact.point(i), held, values) < -motion_rounding) return false;
+    if (joint.slip != 0 && contacts.question().slip_before(joints[contact.interface]) == 0 &&
+        contacts.condition(contact.slip(), held, values) * joint.slip < -motion_rounding)
       return false;
   }
   return true;
@@ -63,21 +67,25 @@ bool obeys(const ContactQuestion<Real>& question, const Joints<Real>& joints, co
 /// All modes that obey, each tried: of what touches, each part, pivot or stay, and what sticks may slide.
 /// Nothing is tried where that were more than `most`.
 template <class Real>
-std::vector<Joints<Real>> modes_that_obey(const ContactQuestion<Real>& question, const Joints<Real>& joints,
+std::vector<Joints<Real>> modes_that_obey(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
                                           std::size_t most) {
-  std::vector<Joints<Real>> modes{{}};
+  std::vector<Joints<Real>> modes;
+  ShortVector<ShortVector<Joint<Real>, 10>> ways;
+  std::size_t count = 1;
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    std::vector<Joints<Real>> longer;
-    for (const Joint<Real>& choice : choices(question, k, joints[k])) {
-      for (const auto& mode : modes) {
-        longer.push_back(mode);
-        longer.back().push_back(choice);
-      }
-    }
-    if (longer.size() > most) return {};
-    modes = std::move(longer);
+    ways.push_back(choices(contacts.question(), k, joints[k]));
+    count *= ways.back().size();
+    if (count > most) return modes;
   }
-  std::erase_if(modes, [&](const auto& mode) { return !obeys(question, joints, mode); });
+  Joints<Real> mode(joints.size());
+  for (std::size_t number = 0; number < count; ++number) {
+    std::size_t rest = number;
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      mode[k] = ways[k][rest % ways[k].size()];
+      rest /= ways[k].size();
+    }
+    if (obeys(contacts, joints, mode)) modes.push_back(mode);
+  }
   return modes;
 }
 
@@ -117,8 +125,8 @@ void meet_face(const ContactModel<Real>& stack, int interface, Joint<Real>& join
 /// The pairs of corners that are not settled and do not slide, by their interfaces; of velocities those
 /// that do as well.
 template <class Real>
-std::vector<int> open_pairs(const ContactModel<Real>& stack, const Joints<Real>& joints, ContactLevel level) {
-  std::vector<int> pairs;
+ShortVector<int> open_pairs(const ContactModel<Real>& stack, const Joints<Real>& joints, ContactLevel level) {
+  ShortVector<int> pairs;
   for (int k = 1; k < stack.size(); ++k) {
     const Joint<Real>& joint = joints[k];
     const bool open = !joint.settled && (joint.slip == 0 || level != ContactLevel::accelerations);
@@ -155,10 +163,10 @@ bool changes_face(const Joint<Real>& joint, const ContactForce<Real>& force, con
 
 /// The first of `pairs` that changes its face in a mode, or −1.
 template <class Real>
-int first_to_change(const ContactQuestion<Real>& question, const std::vector<int>& pairs,
+int first_to_change(const ContactQuestion<Real>& question, const ShortVector<int>& pairs,
                     const Joints<Real>& mode) {
   const ModeResponse<Real> response = respond(question, mode);
-  const Real rounding = tolerance<Real>(1e-12) * response.largest_force();
+  const Real rounding = tolerance<Real>(1e-12) * largest_force(response.forces);
   for (const int k : pairs) {
     if (changes_face(mode[k], response.forces[k], relative_angle(question.bodies.at, k),
                      question.stack.friction[k], rounding))
@@ -169,7 +177,7 @@ int first_to_change(const ContactQuestion<Real>& question, const std::vector<int
 
 /// Settles those of `pairs` that stick in a mode, and would slide along their other faces.
 template <class Real>
-void settle(const ContactQuestion<Real>& question, const std::vector<int>& pairs, Joints<Real>& mode) {
+void settle(const ContactQuestion<Real>& question, const ShortVector<int>& pairs, Joints<Real>& mode) {
   const ModeResponse<Real> response = respond(question, mode);
   for (const int k : pairs)
     mode[k].settled =

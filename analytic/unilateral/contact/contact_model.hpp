@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "analytic/scene/kinematics.hpp"
+#include "analytic/unilateral/contact/short_vector.hpp"
 
 namespace rockstack {
 
@@ -52,7 +53,7 @@ struct Joint {
 
 /// The joints of all interfaces, from the ground up: a mode.
 template <class Real>
-using Joints = std::vector<Joint<Real>>;
+using Joints = ShortVector<Joint<Real>>;
 
 /// A block as a free body in the frame of the ground: its centre of mass from the middle of the ground's
 /// interface, and its angle, clockwise positive; or the rates of the three. SI units.
@@ -63,7 +64,7 @@ struct Pose {
 
 /// Of all blocks, bottom to top.
 template <class Real = double>
-using Poses = std::vector<Pose<Real>>;
+using Poses = ShortVector<Pose<Real>>;
 
 /// Positions and velocities of all blocks.
 template <class Real = double>
@@ -73,10 +74,10 @@ struct Bodies {
 
 /// Three numbers a block: x, y and angle.
 template <class Real = double>
-using FreeVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using FreeVector = Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, 3 * max_blocks, 1>;
 /// A row of a Jacobian: what multiplies them.
 template <class Real>
-using FreeRow = Eigen::Matrix<Real, 1, Eigen::Dynamic>;
+using FreeRow = Eigen::Matrix<Real, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 3 * max_blocks>;
 
 template <class Real>
 FreeVector<Real> vector_of(const Poses<Real>& poses) {
@@ -157,7 +158,8 @@ struct ContactModel {
   bool soft(std::size_t interface) const { return !springs.empty() && springs[interface].soft(); }
 
   /// What a unit force along one row does along another, 1/kg.
-  Real effect(const FreeRow<Real>& row, const FreeRow<Real>& direction) const {
+  template <class Row, class Direction>
+  Real effect(const Eigen::MatrixBase<Row>& row, const Eigen::MatrixBase<Direction>& direction) const {
     return (row.array() * inverse_mass.transpose().array() * direction.array()).sum();
   }
 

@@ -7,10 +7,9 @@ namespace rockstack {
 
 /// A mode from what is active: which points push, and which way the interface slides.
 template <class Real>
-void set_mode(const ContactModel<Real>& stack, const TouchingPoints<Real>& contact,
-              const std::vector<bool>& pushes, int slip, Joint<Real>& joint) {
-  const bool any = std::find(pushes.begin(), pushes.end(), true) != pushes.end();
-  if (!any) {
+void set_mode(const ContactModel<Real>& stack, const TouchingInterface<Real>& contact,
+              const ShortVector<bool>& pushes, int slip, Joint<Real>& joint) {
+  if (std::find(pushes.begin(), pushes.end(), true) == pushes.end()) {
     joint.touch = Touch::apart;
     joint.slip = 0;
     return;
@@ -23,141 +22,164 @@ void set_mode(const ContactModel<Real>& stack, const TouchingPoints<Real>& conta
 
 /// Adds the points of a contact that slides, or sticks, with what friction adds to their forces.
 template <class Real>
-void add_points(const TouchingPoints<Real>& contact, int slip, ContactProblem<Real>& problem) {
-  for (std::size_t i = 0; i < contact.normals.size(); ++i)
-    problem.add(contact.normals[i], contact.normals[i] - contact.friction * slip * contact.slip,
-                contact.normal_biases[i]);
+void add_points(const TouchingInterface<Real>& contact, int slip, ContactForceRows<Real>& rows) {
+  for (std::size_t i = 0; i < contact.points(); ++i)
+    rows.push_back({contact.point(i), contact.slip(), -slip * contact.friction});
 }
 
 /// The mode in which all that sticks goes on to, if its forces allow that.
 template <class Real>
-std::optional<Joints<Real>> sticking_mode(const ContactQuestion<Real>& question, const Joints<Real>& joints,
-                                          const std::vector<TouchingPoints<Real>>& contacts) {
-  ContactProblem<Real> problem;  // what is held, then points
-  std::vector<Eigen::Index> held_at;
-  for (const TouchingPoints<Real>& contact : contacts) {
-    const bool sticks = question.slip_before(joints[contact.interface]) == 0;
-    held_at.push_back(sticks ? problem.size() : -1);
-    if (sticks) problem.add(contact.slip, contact.slip, contact.slip_bias);
+std::optional<Joints<Real>> sticking_mode(const TouchingContacts<Real>& contacts,
+                                          const Joints<Real>& joints) {
+  using std::abs;
+  const ContactQuestion<Real>& question = contacts.question();
+  ContactForceRows<Real> sticking, points;
+  for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
+    const int slip = question.slip_before(joints[contact.interface]);
+    if (slip == 0) sticking.push_back({contact.slip()});
+    add_points(contact, slip, points);
   }
-  const Eigen::Index held_size = problem.size();
-  for (const TouchingPoints<Real>& contact : contacts)
-    add_points(contact, question.slip_before(joints[contact.interface]), problem);
-  const SquareMatrix<Real> matrix = problem.matrix(question.stack);
-  const FreeVector<Real> vector = problem.free(question.free);
-  const Eigen::Index size = problem.size() - held_size;
-  SquareMatrix<Real> reduced = matrix.bottomRightCorner(size, size);
-  FreeVector<Real> reduced_vector = vector.tail(size);
-  SquareMatrix<Real> tangential_per_normal(held_size, size);
-  FreeVector<Real> tangential(held_size);
-  if (held_size > 0) {
-    const Eigen::PartialPivLU<SquareMatrix<Real>> lu(matrix.topLeftCorner(held_size, held_size));
-    tangential_per_normal = -lu.solve(matrix.topRightCorner(held_size, size));
-    tangential = -lu.solve(vector.head(held_size));
-    reduced += matrix.bottomLeftCorner(size, held_size) * tangential_per_normal;
-    reduced_vector += matrix.bottomLeftCorner(size, held_size) * tangential;
+  // What sticks takes tangential forces of the free motion, and of a unit of each normal force.
+  const std::size_t size = points.size(), held = sticking.size();
+  NumberTable<Real> matrix(held, held), tangential_per_normal(held, size), reduced(size, size);
+  for (std::size_t i = 0; i < held; ++i)
+    for (std::size_t j = 0; j < held; ++j) matrix(i, j) = contacts.effect(sticking[i].row, sticking[j].row);
+  const LinearSystem<Real> system(std::move(matrix), held);
+  const auto answer = [&](const auto& condition) {
+    ShortNumbers<Real> conditions(held);
+    for (std::size_t i = 0; i < held; ++i) conditions[i] = -condition(sticking[i].row);
+    return system.solve(conditions);
+  };
+  ShortNumbers<Real> tangential = answer([&](std::size_t row) { return contacts.free(row); });
+  ShortNumbers<Real> vector(size);
+  Real scale = 0, conditions = 0;
+  for (const ContactForceRow<Real>& row : sticking)
+    conditions = std::max<Real>(conditions, abs(contacts.free(row.row)));
+  for (std::size_t j = 0; j < size; ++j) {
+    const ShortNumbers<Real> column =
+        answer([&](std::size_t row) { return contacts.effect(row, points[j]); });
+    for (std::size_t i = 0; i < held; ++i) tangential_per_normal(i, j) = column[i];
+    conditions = std::max<Real>(conditions, abs(contacts.free(points[j].row)));
+    vector[j] = contacts.condition(points[j].row, sticking, tangential);
+    for (std::size_t i = 0; i < size; ++i) {
+      reduced(i, j) = contacts.effect(points[i].row, points[j]);
+      for (std::size_t l = 0; l < held; ++l)
+        reduced(i, j) += contacts.effect(points[i].row, sticking[l].row) * column[l];
+    }
+    scale = std::max<Real>(scale, abs(reduced(j, j)));
   }
-  const Real scale = reduced.diagonal().cwiseAbs().maxCoeff();
-  const auto solution = solve_complementarity<Real>(reduced / scale, reduced_vector);
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) reduced(i, j) /= scale;
+  const auto solution = solve_complementarity<Real>(reduced, vector);
   if (!solution) return std::nullopt;
-  const FreeVector<Real> normals = solution->z / scale;
-  tangential += tangential_per_normal * normals;
-  const Real parting = tolerance<Real>(1e-12) * (reduced_vector.template lpNorm<Eigen::Infinity>() +
-                                                 vector.template lpNorm<Eigen::Infinity>());
-  const Real force_rounding =
-      tolerance<Real>(1e-12) * (normals.template lpNorm<Eigen::Infinity>() +
-                                (held_size > 0 ? tangential.template lpNorm<Eigen::Infinity>() : Real(0)));
+  ShortNumbers<Real> normals = solution->z;
+  for (Real& normal : normals) normal /= scale;
+  for (std::size_t i = 0; i < held; ++i)
+    for (std::size_t j = 0; j < size; ++j) tangential[i] += tangential_per_normal(i, j) * normals[j];
+  const Real parting = tolerance<Real>(1e-12) * (largest(vector) + conditions);
+  const Real force_rounding = tolerance<Real>(1e-12) * (largest(normals) + largest(tangential));
   Joints<Real> mode = joints;
-  Eigen::Index at = 0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const TouchingPoints<Real>& contact = contacts[c];
+  std::size_t at = 0, held_at = 0;
+  for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
     Joint<Real>& joint = mode[contact.interface];
-    std::vector<bool> pushes;
+    ShortVector<bool> pushes;
     Real normal = 0;
-    for (std::size_t i = 0; i < contact.normals.size(); ++i, ++at) {
+    for (std::size_t i = 0; i < contact.points(); ++i, ++at) {
       pushes.push_back(!(solution->w[at] > parting));
       normal += normals[at];
     }
     const int slip = question.slip_before(joint);
     set_mode(question.stack, contact, pushes, slip, joint);
-    using std::abs;
-    if (slip == 0 && abs(tangential[held_at[c]]) > contact.friction * normal + force_rounding)
+    if (slip == 0 && abs(tangential[held_at++]) > contact.friction * normal + force_rounding)
       return std::nullopt;
   }
   return mode;
 }
 
-/// What Lemke's method finds: a mode, and what each row of a problem takes. For each contact its rows are
-/// those of its points, and where friction is sought, to the right and to the left, and of slip.
+/// What Lemke's method finds: a mode, and what each unknown is. For each contact these are forces at its
+/// points, and where friction is sought, to the right and to the left, and the slip.
 template <class Real>
 struct RubbingSolution {
   Joints<Real> mode;
-  ContactProblem<Real> problem;
-  FreeVector<Real> forces;
-  std::vector<Eigen::Index> cones;  ///< of each contact: where its friction stands, or −1
+  ShortNumbers<Real> unknowns;
 };
 
 /// By Lemke's method. Beside what is sought, each contact bears a normal impulse `borne`, where any is given;
 /// then no slips are sought of contacts without friction.
 template <class Real>
-std::optional<RubbingSolution<Real>> rub(const ContactQuestion<Real>& question, const Joints<Real>& joints,
-                                         const std::vector<TouchingPoints<Real>>& contacts,
-                                         const std::vector<Real>& borne = {}) {
-  ContactProblem<Real> problem;
-  std::vector<Eigen::Index> cones;
-  const FreeRow<Real> none = FreeRow<Real>::Zero(Eigen::Index{3} * question.stack.size());
-  for (const TouchingPoints<Real>& contact : contacts) {
+std::optional<RubbingSolution<Real>> rub(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
+                                         const ShortNumbers<Real>& borne = {}) {
+  using std::abs;
+  const ContactQuestion<Real>& question = contacts.question();
+  ContactForceRows<Real> rows;
+  ShortNumbers<Real> signs;  // of each row; 0 of the slip, of which there is none in the equations
+  ShortVector<bool> cones;
+  for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
     const int slip = question.slip_before(joints[contact.interface]);
-    add_points(contact, slip, problem);
-    const bool rubs = slip == 0 && (borne.empty() || contact.friction > 0);
-    cones.push_back(rubs ? problem.size() : -1);
-    if (!rubs) continue;
-    problem.add(contact.slip, contact.slip, contact.slip_bias);
-    problem.add(-contact.slip, -contact.slip, -contact.slip_bias);
-    problem.add(none, none, 0);
+    add_points(contact, slip, rows);
+    while (signs.size() < rows.size()) signs.push_back(1);
+    cones.push_back(slip == 0 && (borne.empty() || contact.friction > 0));
+    if (!cones.back()) continue;
+    for (const int sign : {1, -1, 0}) {
+      rows.push_back({contact.slip()});
+      signs.push_back(sign);
+    }
   }
-  SquareMatrix<Real> matrix = problem.matrix(question.stack);
-  const Real scale = matrix.diagonal().cwiseAbs().maxCoeff();
-  matrix /= scale;
-  FreeVector<Real> vector = problem.free(question.free);
-  const Real parting = tolerance<Real>(1e-12) * vector.template lpNorm<Eigen::Infinity>();
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (cones[c] < 0) continue;
-    const Eigen::Index slack = cones[c] + 2;
-    const auto points = static_cast<Eigen::Index>(contacts[c].normals.size());
-    matrix(cones[c], slack) = matrix(cones[c] + 1, slack) = 1;
-    matrix(slack, cones[c]) = matrix(slack, cones[c] + 1) = -1;
-    for (Eigen::Index i = 1; i <= points; ++i) matrix(slack, cones[c] - i) = contacts[c].friction;
-    if (!borne.empty()) vector[slack] = scale * contacts[c].friction * borne[c];
+  const std::size_t size = rows.size();
+  NumberTable<Real> matrix(size, size);
+  ShortNumbers<Real> vector(size);
+  Real scale = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j)
+      matrix(i, j) = signs[i] * signs[j] * contacts.effect(rows[i].row, rows[j]);
+    vector[i] = signs[i] * contacts.free(rows[i].row);
+    scale = std::max<Real>(scale, abs(matrix(i, i)));
   }
-  const auto solution = solve_complementarity(matrix, vector);
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) matrix(i, j) /= scale;
+  const Real parting = tolerance<Real>(1e-12) * largest(vector);
+  std::size_t at = 0;
+  for (std::size_t c = 0; c < cones.size(); ++c) {
+    const TouchingInterface<Real>& contact = contacts.interfaces()[c];
+    const std::size_t first = at, cone = at + contact.points();
+    at = cones[c] ? cone + 3 : cone;
+    if (!cones[c]) continue;
+    const std::size_t slack = cone + 2;
+    matrix(cone, slack) = matrix(cone + 1, slack) = 1;
+    matrix(slack, cone) = matrix(slack, cone + 1) = -1;
+    for (std::size_t i = first; i < cone; ++i) matrix(slack, i) = contact.friction;
+    if (!borne.empty()) vector[slack] = scale * contact.friction * borne[c];
+  }
+  auto solution = solve_complementarity(matrix, vector);
   if (!solution) return std::nullopt;
   Joints<Real> mode = joints;
-  Eigen::Index at = 0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    Joint<Real>& joint = mode[contacts[c].interface];
-    std::vector<bool> pushes;
-    for (std::size_t i = 0; i < contacts[c].normals.size(); ++i, ++at)
-      pushes.push_back(!(solution->w[at] > parting));
+  at = 0;
+  for (std::size_t c = 0; c < cones.size(); ++c) {
+    const TouchingInterface<Real>& contact = contacts.interfaces()[c];
+    Joint<Real>& joint = mode[contact.interface];
+    ShortVector<bool> pushes;
+    for (std::size_t i = 0; i < contact.points(); ++i, ++at) pushes.push_back(!(solution->w[at] > parting));
     int slip = question.slip_before(joint);
-    if (cones[c] >= 0) {
+    if (cones[c]) {
       // Of the two conditions slack ± slip ≥ 0, that of the way it does not slide is met with equality.
       if (solution->z[at + 2] > parting) slip = solution->w[at] > solution->w[at + 1] ? 1 : -1;
       at += 3;
     }
-    set_mode(question.stack, contacts[c], pushes, slip, joint);
+    set_mode(question.stack, contact, pushes, slip, joint);
   }
-  return RubbingSolution<Real>{std::move(mode), std::move(problem), solution->z / scale, std::move(cones)};
+  for (Real& unknown : solution->z) unknown /= scale;
+  return RubbingSolution<Real>{std::move(mode), std::move(solution->z)};
 }
 
 /// Of all modes that obey, the one whose forces change the motion least.
 template <class Real>
-std::optional<Joints<Real>> nearest_mode(const ContactQuestion<Real>& question, const Joints<Real>& joints) {
+std::optional<Joints<Real>> nearest_mode(const TouchingContacts<Real>& contacts, const Joints<Real>& joints) {
+  const ContactQuestion<Real>& question = contacts.question();
   constexpr std::size_t most = 100000;
   std::optional<Joints<Real>> nearest;
   Real least = std::numeric_limits<Real>::infinity();
-  for (auto& mode : modes_that_obey(question, joints, most)) {
-    const FreeVector<Real> change = respond(question, mode).motion - question.free;
+  for (auto& mode : modes_that_obey(contacts, joints, most)) {
+    const FreeVector<Real> change = respond(contacts, mode).motion - question.free;
     const Real size = change.cwiseAbs2().cwiseQuotient(question.stack.inverse_mass).sum();
     if (!(size < least)) continue;
     least = size;
@@ -169,12 +191,12 @@ std::optional<Joints<Real>> nearest_mode(const ContactQuestion<Real>& question, 
 /// The mode on given faces of all pairs of corners; see find_mode().
 template <class Real>
 std::optional<Joints<Real>> mode_on_faces(const ContactQuestion<Real>& question, const Joints<Real>& joints) {
-  const std::vector<TouchingPoints<Real>> contacts = touching_points(question, joints);
+  const TouchingContacts<Real> contacts(question, joints);
   if (contacts.empty()) return joints;
-  if (auto mode = sticking_mode(question, joints, contacts)) return mode;
-  auto rubbing = rub(question, joints, contacts);
-  if (rubbing && obeys(question, joints, rubbing->mode)) return std::move(rubbing->mode);
-  auto other = nearest_mode(question, joints);
+  if (auto mode = sticking_mode(contacts, joints)) return mode;
+  auto rubbing = rub(contacts, joints);
+  if (rubbing && obeys(contacts, joints, rubbing->mode)) return std::move(rubbing->mode);
+  auto other = nearest_mode(contacts, joints);
   if (!other && rubbing) other = std::move(rubbing->mode);
   return other;
 }
@@ -192,7 +214,7 @@ std::optional<Joints<Real>> find_mode(const ContactQuestion<Real>& question, Joi
   auto first = mode_on_faces(question, joints);
   const bool goes_on = question.level != ContactLevel::impacts;  // else the slip passes the corner
   while (first && goes_on && unsettle(*first, joints)) first = mode_on_faces(question, joints);
-  const std::vector<int> pairs = open_pairs(question.stack, joints, question.level);
+  const ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
   if (pairs.empty() || !first) return first;
   auto mode = first;
   int changing = -1;
@@ -223,7 +245,7 @@ class OtherModes {
   bool full() const { return modes_.size() == most_; }
   /// Where a force has just left its cone, motions are yet alike, and which of `pairs` stick tells them
   /// apart.
-  void add(const Joints<Real>& other, const std::vector<int>& pairs = {}) {
+  void add(const Joints<Real>& other, const ShortVector<int>& pairs = {}) {
     if (motions_.empty()) motions_.push_back(respond(question_, mode_).motion);
     const FreeVector<Real> motion = respond(question_, other).motion;
     for (std::size_t i = 0; i < motions_.size(); ++i) {
@@ -244,7 +266,7 @@ class OtherModes {
   std::size_t most_;
   Real same_;
   std::vector<Joints<Real>> modes_;
-  std::vector<FreeVector<Real>> motions_;  ///< of the first mode, then of these
+  ShortVector<FreeVector<Real>, 2> motions_;  ///< of the first mode, then of these
 };
 
 /// Adds what other faces of the pairs of corners lead to, where it obeys, of accelerations one that goes on
@@ -252,7 +274,7 @@ class OtherModes {
 template <class Real>
 void add_on_other_faces(const ContactQuestion<Real>& question, Joints<Real> joints, const Joints<Real>& mode,
                         OtherModes<Real>& others) {
-  const std::vector<int> pairs = open_pairs(question.stack, joints, question.level);
+  const ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
   const auto any_pair = [&](const auto& is) {
     return std::any_of(pairs.begin(), pairs.end(), [&](int k) { return is(static_cast<std::size_t>(k)); });
   };
@@ -261,7 +283,7 @@ void add_on_other_faces(const ContactQuestion<Real>& question, Joints<Real> join
   for (unsigned faces = 0; faces < 1U << pairs.size() && !others.full(); ++faces) {
     for (std::size_t i = 0; i < pairs.size(); ++i) joints[pairs[i]].corner_below = (faces >> i & 1U) != 0;
     const auto other = mode_on_faces(question, joints);
-    if (!other || !obeys(question, joints, *other)) continue;
+    if (!other || !obeys(TouchingContacts<Real>(question, joints), joints, *other)) continue;
     if (question.of_accelerations() && any_pair([&](std::size_t k) { return slides_off((*other)[k]); }))
       continue;
     others.add(*other, pairs);

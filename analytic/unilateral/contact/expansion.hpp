@@ -17,7 +17,7 @@ namespace rockstack {
 
 /// Normal impulses of the points of an interface that touched, left first, in the mode that followed.
 template <class Real>
-std::vector<Real> point_impulses(const ContactModel<Real>& stack, int interface, const Joint<Real>& touching,
+ShortVector<Real> point_impulses(const ContactModel<Real>& stack, int interface, const Joint<Real>& touching,
                                  const Joint<Real>& joint, const ContactForce<Real>& impulse) {
   if (touching.touch != Touch::flat) return {impulse.normal};
   if (joint.touch != Touch::flat)
@@ -37,39 +37,42 @@ std::optional<Joints<Real>> expand(const ContactQuestion<Real>& question, Joints
   const ContactModel<Real>& stack = question.stack;
   for (std::size_t k = 0; k < touching.size(); ++k)
     if (touching[k].pivots() && compressed[k].pivots()) touching[k] = compressed[k];
-  const std::vector<TouchingPoints<Real>> contacts = touching_points(question, touching);
-  const auto act = [&](const FreeRow<Real>& direction, const Real& impulse) {
-    response.motion += impulse * stack.inverse_mass.cwiseProduct(direction.transpose());
-  };
-  std::vector<Real> given;
-  for (const TouchingPoints<Real>& contact : contacts) {
+  const TouchingContacts<Real> contacts(question, touching);
+  ShortNumbers<Real> given;
+  for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
     const int k = contact.interface;
-    const std::vector<Real> points = point_impulses(stack, k, touching[k], compressed[k], response.forces[k]);
+    const ShortVector<Real> points = point_impulses(stack, k, touching[k], compressed[k], response.forces[k]);
     given.push_back(0);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Real back = stack.restitution * std::max<Real>(points[i], 0);
-      act(contact.normals[i], back);
+      contacts.act({contact.point(i)}, back, response.motion);
       given.back() += back;
     }
   }
   const FreeVector<Real> free = response.motion;
-  auto found = rub<Real>({stack, question.bodies, free, question.level}, touching, contacts, given);
+  const ContactQuestion<Real> expansion{stack, question.bodies, free, question.level};
+  const TouchingContacts<Real> expanding(expansion, touching);
+  auto found = rub<Real>(expanding, touching, given);
   if (!found) return std::nullopt;
-  for (Eigen::Index i = 0; i < found->problem.size(); ++i)
-    act(found->problem.directions[i], found->forces[i]);
-  Eigen::Index at = 0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const TouchingPoints<Real>& contact = contacts[c];
+  std::size_t at = 0;
+  for (std::size_t c = 0; c < given.size(); ++c) {
+    const TouchingInterface<Real>& contact = contacts.interfaces()[c];
     ContactForce<Real>& impulse = response.forces[contact.interface];
     impulse.normal += given[c];
-    for (std::size_t i = 0; i < contact.normals.size(); ++i) impulse.normal += found->forces[at++];
-    Joint<Real>& joint = found->mode[contact.interface];
-    if (found->cones[c] >= 0) {
-      impulse.tangential += found->forces[at] - found->forces[at + 1];
-      at += 3;
-    } else if (joint.touches()) {
-      joint.slip = contact.slip.dot(response.motion) > 0 ? 1 : -1;
+    for (std::size_t i = 0; i < contact.points(); ++i) {
+      contacts.act({contact.point(i)}, found->unknowns[at], response.motion);
+      impulse.normal += found->unknowns[at++];
     }
+    if (contact.friction == 0) continue;
+    const Real tangential = found->unknowns[at] - found->unknowns[at + 1];
+    contacts.act({contact.slip()}, tangential, response.motion);
+    impulse.tangential += tangential;
+    at += 3;
+  }
+  for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
+    Joint<Real>& joint = found->mode[contact.interface];
+    if (contact.friction == 0 && joint.touches())
+      joint.slip = contacts.row(contact.slip()).dot(response.motion) > 0 ? 1 : -1;
   }
   return std::move(found->mode);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analytic/polynomials/crossing.hpp"
 #include "analytic/unilateral/contact/contact_laws.hpp"
 #include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/series/mode_series.hpp"
@@ -51,7 +52,7 @@ class GuardCollector {
       add_pressure(k);
     } else if (joint.pivots()) {
       push_force(force(k).normal, 1, k);
-      push(times(joint.side(), opening_angle(k)), Change::closing, k);
+      push_if_needed(times(joint.side(), opening_angle(k)), Change::closing, k);
     } else if (!stack_.soft(static_cast<std::size_t>(k))) {
       add_landings(k);
     }
@@ -59,21 +60,23 @@ class GuardCollector {
     if (joint.slip == 0) {
       if (!joint.settled && is_corner_pair(stack_, k, joint)) {
         push_cone_side(force(k), -joint.side(), k);
-        push_cone_side(on_upper_face(series_, k, force(k)), joint.side(), k);
+        if (!stays_on_upper_face(k)) push_cone_side(on_upper_face(series_, k, force(k)), joint.side(), k);
       } else {
         push_cone_side(force(k), -1, k);
         push_cone_side(force(k), 1, k);
       }
     } else {
-      push(times(joint.slip, derivative(slip(k))), Change::halt, k);
+      push_if_needed(times(joint.slip, derivative(slip(k))), Change::halt, k);
       if (k > 0) joint.pivots() ? add_pivot_ends(k) : add_flat_ends(k);
     }
   }
 
   void add_toppling(int k, const Real& angle) {
+    using std::abs;
     const Polynomial<Real>& lean = series_.bodies[k].angle;
-    push(line(angle, -1, lean), Change::topple, k);
-    push(line(angle, 1, lean), Change::topple, k);
+    if (abs(lean[0]) + reach(lean) < angle) return;
+    push_if_needed(line(angle, -1, lean), Change::topple, k);
+    push_if_needed(line(angle, 1, lean), Change::topple, k);
   }
 
   /// What block k may strike: the ground, and blocks that are not next to it.
@@ -104,18 +107,36 @@ class GuardCollector {
     guards_.push_back({series, change, k});
     return guards_.back();
   }
+  /// Only where a bound does not tell that the guard stays positive.
+  void push_if_needed(const Polynomial<Real>& series, Change change, int k) {
+    if (!stays_positive(series)) push(series, change, k);
+  }
   /// A force, or one times `factor`. Of blocks that fly side by side it is rounding: no event may come of it.
   void push_force(const Polynomial<Real>& force, const Real& factor, int k) {
     using std::abs;
     const Real rounding = tolerance<Real>(1e-14) * factor * inertia_;
     if (std::any_of(force.begin(), force.end(), [&](const Real& part) { return abs(part) > rounding; }))
-      push(force, Change::force, k);
+      push_if_needed(force, Change::force, k);
   }
 
   /// What is left of friction, μN ± T, by forces on the face that a slip goes along.
   void push_cone_side(const ForceSeries<Real>& force, int sign, int k) {
     const Real friction = stack_.friction[k];
     push_force(sum(times(friction, force.normal), times(sign, force.tangential)), 1 + friction, k);
+  }
+
+  /// Whether bounds tell that a pair of corners keeps its friction on the upper face. With φ the angle
+  /// between the faces, what is left of that, μN' + side T', is N (μ cos φ − side sin φ) + T (μ sin φ + side
+  /// cos φ).
+  bool stays_on_upper_face(int k) const {
+    using std::abs;
+    const Polynomial<Real> angle = opening_angle(k);
+    const Real side = joints_[k].side(), friction = stack_.friction[k];
+    const Real turn = abs(angle[0]) + reach(angle);
+    // |sin φ| ≤ |φ|, and cos φ ≥ 1 − φ²/2.
+    const Real bent = (1 + friction) * (turn + turn * turn / 2);
+    const Hull<Real> normal = hull(force(k).normal), tangential = hull(times(side, force(k).tangential));
+    return friction * normal.least + tangential.least > bent * (normal.size() + tangential.size());
   }
 
   /// How far the right or left end of the lower face is beyond that of the upper one.
@@ -145,7 +166,7 @@ class GuardCollector {
       Polynomial<Real> ahead = times(ends_below(k, side) ? -1 : 1, overhang(k, side));
       // Corners that have just passed each other are even.
       if (abs(ahead[0]) <= rounding_along(k)) ahead[0] = 0;
-      push(ahead, Change::corner, k);
+      push_if_needed(ahead, Change::corner, k);
     }
   }
 
@@ -156,8 +177,8 @@ class GuardCollector {
     const Real end = stack_.half_width(point.face);
     // A pair of corners that slides along its face comes to a halt before it can be back.
     if (!is_corner_pair(stack_, k, joint) || slides_off(joint))
-      push(line(end, -joint.side(), along), Change::corner, k);
-    push(line(end, joint.side(), along), Change::fall, k);
+      push_if_needed(line(end, -joint.side(), along), Change::corner, k);
+    push_if_needed(line(end, joint.side(), along), Change::fall, k);
   }
 
   void add_landings(int k) {

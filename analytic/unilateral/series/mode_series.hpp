@@ -9,19 +9,29 @@ namespace rockstack {
 template <class Real>
 struct BodySeries {
   Polynomial<Real> x, y, angle, cosine, sine;
+  Polynomial<Real> turning;  ///< coefficients of the angle, each times its order, while series grow
 };
 
-/// Coefficient m of cosine and sine from those of the angle: c' = −s θ', s' = c θ'.
+/// Coefficient m of cosine and sine, but for what that of the angle will add: c' = −s θ', s' = c θ'.
 template <class Real>
-void extend_direction(BodySeries<Real>& body, std::size_t m) {
+void begin_direction(BodySeries<Real>& body, std::size_t m) {
   Real cosine = 0;
   Real sine = 0;
-  for (std::size_t j = 1; j <= m; ++j) {
-    cosine -= Real(j) * body.angle[j] * body.sine[m - j];
-    sine += Real(j) * body.angle[j] * body.cosine[m - j];
+  for (std::size_t j = 1; j < m; ++j) {
+    cosine -= body.turning[j] * body.sine[m - j];
+    sine += body.turning[j] * body.cosine[m - j];
   }
   put(body.cosine, m, cosine / Real(m));
   put(body.sine, m, sine / Real(m));
+}
+
+/// Coefficient m of the angle, and what it adds.
+template <class Real>
+void turn(BodySeries<Real>& body, std::size_t m, const Real& angle) {
+  put(body.angle, m, angle);
+  put(body.turning, m, Real(m) * angle);
+  body.cosine[m] -= angle * body.sine[0];
+  body.sine[m] += angle * body.cosine[0];
 }
 
 /// The ground stands still.
@@ -59,6 +69,41 @@ PlaneCoefficient<Real> turned(const BodySeries<Real>& body, const Point<Real>& v
   return {vector.x() * cosine + vector.y() * sine, vector.y() * cosine - vector.x() * sine};
 }
 
+/// Coefficient n of a plane vector (x, y) across and along a face, x sin θ + y cos θ and x cos θ − y sin θ
+/// with θ the angle of its body. A force across and along it is turned back so: to (N sin θ + T cos θ, N cos
+/// θ − T sin θ).
+template <class Real>
+struct FaceCoefficient {
+  Real across, along;
+};
+
+template <class Real>
+FaceCoefficient<Real> on_face(const Polynomial<Real>& x, const Polynomial<Real>& y,
+                              const BodySeries<Real>& face, std::size_t n) {
+  FaceCoefficient<Real> sum{0, 0};
+  const std::size_t first = n < face.cosine.terms ? 0 : n + 1 - face.cosine.terms;
+  for (std::size_t i = first, end = std::min(n + 1, x.terms); i < end; ++i) {
+    const Real& cosine = face.cosine[n - i];
+    const Real& sine = face.sine[n - i];
+    sum.across += x[i] * sine + y[i] * cosine;
+    sum.along += x[i] * cosine - y[i] * sine;
+  }
+  return sum;
+}
+
+/// Coefficient n of x y' − y x', of vectors (x, y) and (x', y') whose own coefficients end where they may.
+template <class Real>
+Real moment(const Polynomial<Real>& x, const Polynomial<Real>& y, const Polynomial<Real>& arm_x,
+            const Polynomial<Real>& arm_y, std::size_t n) {
+  if (arm_x.terms != arm_y.terms || x.terms != y.terms)
+    return convolution(x, arm_y, n) - convolution(y, arm_x, n);
+  Real sum = 0;
+  const std::size_t first = n < arm_x.terms ? 0 : n + 1 - arm_x.terms;
+  for (std::size_t i = first, end = std::min(n + 1, x.terms); i < end; ++i)
+    sum += x[i] * arm_y[n - i] - y[i] * arm_x[n - i];
+  return sum;
+}
+
 /// A point against a face while its series grow.
 template <class Real>
 struct GrowingPoint {
@@ -83,14 +128,20 @@ struct GrowingPoint {
   /// Of the block above it, from 0.
   std::size_t interface() const { return static_cast<std::size_t>(std::max(corner.body, corner.face)); }
 
+  /// Coefficient n of places, from those of bodies.
   void extend(std::size_t n) {
+    extend_apart(n);
+    const FaceCoefficient<Real> there = on_face(apart_x, apart_y, *face, n);
+    put(place.along, n, there.along);
+    put(place.above, n, there.across);
+  }
+
+  void extend_apart(std::size_t n) {
     const PlaneCoefficient<Real> arm = turned(*body, body_arm, n);
     put(arm_x, n, arm.x);
     put(arm_y, n, arm.y);
     put(apart_x, n, coefficient(body->x, n) - coefficient(face->x, n) + arm.x);
     put(apart_y, n, coefficient(body->y, n) - coefficient(face->y, n) + arm.y);
-    put(place.along, n, convolution(apart_x, face->cosine, n) - convolution(apart_y, face->sine, n));
-    put(place.above, n, convolution(apart_x, face->sine, n) + convolution(apart_y, face->cosine, n));
   }
 
   FaceSeries<Real> place_from_middle() const {
@@ -100,12 +151,11 @@ struct GrowingPoint {
     return result;
   }
 
+  /// Coefficient n on the ground's axes of a force across and along the face, as far as that is known.
   void extend_force(const ForceSeries<Real>& force, std::size_t n) {
-    const Real sign = corner.upward;
-    put(force_x, n,
-        sign * (convolution(force.normal, face->sine, n) + convolution(force.tangential, face->cosine, n)));
-    put(force_y, n,
-        sign * (convolution(force.normal, face->cosine, n) - convolution(force.tangential, face->sine, n)));
+    const FaceCoefficient<Real> turned_back = on_face(force.normal, force.tangential, *face, n);
+    put(force_x, n, corner.upward * turned_back.across);
+    put(force_y, n, corner.upward * turned_back.along);
   }
 
   /// Adds coefficient n of the force, and of its moment, on both bodies.
@@ -113,15 +163,13 @@ struct GrowingPoint {
     if (corner.body >= 0) {
       result[Eigen::Index{3} * corner.body] += force_x[n];
       result[Eigen::Index{3} * corner.body + 1] += force_y[n];
-      result[Eigen::Index{3} * corner.body + 2] +=
-          convolution(force_x, arm_y, n) - convolution(force_y, arm_x, n);
+      result[Eigen::Index{3} * corner.body + 2] += moment(force_x, force_y, arm_x, arm_y, n);
     }
     if (corner.face >= 0) {
       result[Eigen::Index{3} * corner.face] -= force_x[n];
       result[Eigen::Index{3} * corner.face + 1] -= force_y[n];
       result[Eigen::Index{3} * corner.face + 2] +=
-          corner.upward *
-          (convolution(force.normal, place.along, n) - convolution(force.tangential, place.above, n));
+          corner.upward * moment(force.normal, force.tangential, place.above, place.along, n);
     }
   }
 };
@@ -134,9 +182,9 @@ template <class Real>
 struct ModeSeries {
   Real length = 0;      ///< s
   Real force_unit = 0;  ///< of the series of forces, N; that of moments is N·m
-  std::vector<BodySeries<Real>> bodies;
-  std::vector<ForceSeries<Real>> forces;
-  std::vector<FaceSeries<Real>> held;  ///< of held points; empty where apart
+  ShortVector<BodySeries<Real>> bodies;
+  ShortVector<ForceSeries<Real>> forces;
+  ShortVector<FaceSeries<Real>> held;  ///< of held points; empty where apart
 
   Bodies<Real> at(const Real& s) const {
     Bodies<Real> result;

@@ -161,7 +161,7 @@ Real fastest_rate(const ContactModel<Real>& stack, const SpringPoints<Real>& poi
     Real across = stack.effect(rows.gap_row, rows.gap_row);
     if (point.is_bed()) {
       const auto ends = bed_rows(stack, point, bodies);
-      const FreeRow<Real> turning = (ends[1].gap_row - ends[0].gap_row) / 2;
+      const Eigen::Matrix<Real, 1, Eigen::Dynamic> turning = (ends[1].gap_row - ends[0].gap_row) / 2;
       across += stack.effect(turning, turning) / 3;
     }
     Real along = law.friction == 0 ? Real(0) : stack.effect(rows.slip_row, rows.slip_row);

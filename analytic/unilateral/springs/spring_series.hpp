@@ -41,6 +41,7 @@ class SpringSeries {
   void begin(const BodyOf& body_of, const Real& length) {
     length_ = length;
     unit_ = length * length;
+    growing_.clear();
     growing_.reserve(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const SpringPoint<Real>& point = points_[i];
@@ -84,7 +85,7 @@ class SpringSeries {
   }
 
   /// Coefficient n of forces, which it adds to those of interfaces.
-  void extend_forces(std::size_t n, std::vector<ForceSeries<Real>>& forces) {
+  void extend_forces(std::size_t n, ShortVector<ForceSeries<Real>>& forces) {
     for (GrowingSpring<Real>& spring : growing_) {
       const PointLaw<Real>& law = spring.law;
       const Real normal = spring.start.is_bed() ? extend_bed(spring, n) : pressure(law, spring.depth, n);

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <Eigen/LU>
+
 #include "analytic/unilateral/contact/contact_laws.hpp"
 #include "analytic/unilateral/springs/spring_point.hpp"
 
 namespace rockstack {
+
+template <class Real>
+using SquareMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Signs of a bed's ends by where bodies are and go.
 template <class Real>
@@ -117,19 +122,20 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
         motions(row + 1, column + 2) = turn.y();
       }
     }
+    using Row = Eigen::Matrix<Real, 1, Eigen::Dynamic>;
     SquareMatrix<Real> stiffness = SquareMatrix<Real>::Zero(size, size);
     for (const SpringPoint<Real>& point : standing) {
       const PointLaw<Real> law = law_of(stack, point.interface);
       const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
-      const FreeRow<Real> across = rows.gap_row * motions;
-      const FreeRow<Real> along = rows.slip_row * motions;
+      const Row across = rows.gap_row * motions;
+      const Row along = rows.slip_row * motions;
       stiffness += law.tangential_stiffness * along.transpose() * along;
       if (!point.is_bed()) {
         stiffness += law.stiffness * across.transpose() * across;
         continue;
       }
       const auto ends = bed_rows(stack, point, bodies);
-      const FreeRow<Real> turning = (ends[1].gap_row - ends[0].gap_row) / 2 * motions;
+      const Row turning = (ends[1].gap_row - ends[0].gap_row) / 2 * motions;
       const auto& [whole, first, second] = moments_in_contact(-ends[0].gap, -ends[1].gap);
       stiffness += law.stiffness * (whole * across.transpose() * across +
                                     first * (turning.transpose() * across + across.transpose() * turning) +

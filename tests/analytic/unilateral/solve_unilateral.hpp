@@ -20,7 +20,6 @@ std::string name(const Joints<Real>& joints) {
 template <class Real>
 Poses<double> in_double(const Poses<Real>& poses) {
   Poses<double> result;
-  result.reserve(poses.size());
   for (const Pose<Real>& pose : poses)
     result.push_back(
         {static_cast<double>(pose.x), static_cast<double>(pose.y), static_cast<double>(pose.angle)});
@@ -35,7 +34,6 @@ Bodies<> in_double(const Bodies<Real>& bodies) {
 template <class Real>
 Joints<double> in_double(const Joints<Real>& joints) {
   Joints<double> result;
-  result.reserve(joints.size());
   for (const Joint<Real>& joint : joints)
     result.push_back(
         {joint.touch, joint.slip, joint.corner_below, joint.settled, static_cast<double>(joint.offset)});
@@ -46,7 +44,6 @@ template <class Real>
 std::vector<SpringState<double>> in_double(const std::vector<SpringState<Real>>& states) {
   const auto number = [](const Real& value) { return static_cast<double>(value); };
   std::vector<SpringState<double>> result;
-  result.reserve(states.size());
   for (const auto& [reaction, energy] : states)
     result.push_back({{number(reaction.normal), number(reaction.tangential), number(reaction.centre)},
                       {number(energy.elastic), number(energy.damped), number(energy.rubbed)}});

@@ -1,0 +1,158 @@
+#pragma once
+
+#include "analytic/unilateral/contact/contact_kinematics.hpp"
+#include "analytic/unilateral/contact/linear_system.hpp"
+
+namespace rockstack {
+
+// Motion and impact are one rule for free bodies: M (v' − v) = Wᵀ λ, with v' the accelerations or the
+// velocities after, v those that there would be without contact, and W the Jacobian of gaps and slips.
+
+/// Whether velocities, those after an impact, which bounce, or accelerations are sought: the latter have a
+/// part that velocities alone make.
+enum class ContactLevel { velocities, impacts, accelerations };
+
+/// What is asked of the laws of contact at one instant: the motion that follows from the one without contact.
+template <class Real = double>
+struct ContactQuestion {
+  const ContactModel<Real>& stack;
+  const Bodies<Real>& bodies;
+  const FreeVector<Real>& free;  ///< the motion without contact
+  ContactLevel level;
+
+  bool of_accelerations() const { return level == ContactLevel::accelerations; }
+  /// The way an interface slides: a direction, or 0 where it is to be found.
+  int slip_before(const Joint<Real>& joint) const { return of_accelerations() ? joint.slip : 0; }
+  ContactKinematics<Real> kinematics(int interface, const Joint<Real>& joint) const {
+    return kinematics_of(stack, bodies, stack.held_point(interface, joint));
+  }
+};
+
+/// The Jacobian of the angle between an interface's upper and lower block, times a factor.
+template <class Real>
+FreeRow<Real> angle_row(const ContactModel<Real>& stack, int interface, const Real& factor = 1) {
+  FreeRow<Real> row = FreeRow<Real>::Zero(Eigen::Index{3} * stack.size());
+  row[Eigen::Index{3} * interface + 2] = factor;
+  if (interface > 0) row[Eigen::Index{3} * interface - 1] = -factor;
+  return row;
+}
+
+/// What an impact adds to the condition of a point: by Newton's law its speed across the face is 0 ≤ u + e u⁻
+/// ⟂ λ ≥ 0 where it met it, u⁻ < 0, so that e u⁻ is what a pushing point keeps, backwards.
+template <class Real>
+Real bounce_of(const ContactQuestion<Real>& question, const FreeRow<Real>& gap_row) {
+  if (question.level != ContactLevel::impacts || !question.stack.bounces_by(RestitutionLaw::newton)) return 0;
+  return question.stack.restitution * std::min<Real>(gap_row.dot(question.free), 0);
+}
+
+/// The rows of an interface that touches, by their places among those of all: its gap and slip, and of a flat
+/// contact the gaps of both ends, left first, and its turn, by its half-width, so that all are of one unit.
+template <class Real>
+struct TouchingInterface {
+  int interface;
+  bool flat;
+  std::size_t gap;
+  Real friction;
+  Overlap<Real> ends = {};  ///< of a flat contact, m
+
+  std::size_t slip() const { return gap + 1; }
+  std::size_t left() const { return gap + 2; }
+  std::size_t turn() const { return gap + 4; }
+  /// The points that may push: one, or both ends.
+  std::size_t points() const { return flat ? 2 : 1; }
+  std::size_t point(std::size_t i) const { return flat ? left() + i : gap; }
+};
+
+/// An unknown force: along a row, and with it `slide` times that along another.
+template <class Real>
+struct ContactForceRow {
+  std::size_t row, slip;
+  Real slide;
+
+  ContactForceRow() {}  // a list has room for many
+  ContactForceRow(std::size_t along, std::size_t aside = 0, const Real& share = 0)
+      : row(along), slip(aside), slide(share) {}
+};
+template <class Real>
+using ContactForceRows = ShortVector<ContactForceRow<Real>, 20>;
+
+/// What touches at one instant: W row by row, what unit forces along rows change of the conditions of rows, W
+/// M⁻¹ Wᵀ, and the conditions W v + bias without contact.
+template <class Real>
+class TouchingContacts {
+ public:
+  TouchingContacts(const ContactQuestion<Real>& question, const Joints<Real>& joints) : question_(question) {
+    for (int k = 0; k < question.stack.size(); ++k)
+      if (joints[k].touches()) add(k, joints[k]);
+    const std::size_t size = rows_.size();
+    effects_ = NumberTable<Real>(size, size);
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        effects_(i, j) = effects_(j, i) = question.stack.effect(rows_[i], rows_[j]);
+  }
+
+  const ContactQuestion<Real>& question() const { return question_; }
+  const ShortVector<TouchingInterface<Real>>& interfaces() const { return interfaces_; }
+  bool empty() const { return interfaces_.empty(); }
+  const FreeRow<Real>& row(std::size_t i) const { return rows_[i]; }
+  const Real& free(std::size_t i) const { return free_[i]; }
+  const Real& effect(std::size_t row, std::size_t force) const { return effects_(row, force); }
+  Real effect(std::size_t row, const ContactForceRow<Real>& force) const {
+    const Real own = effects_(row, force.row);
+    return force.slide == 0 ? own : own + force.slide * effects_(row, force.slip);
+  }
+
+  /// The condition of a row under forces.
+  Real condition(std::size_t row, const ContactForceRows<Real>& forces,
+                 const ShortNumbers<Real>& values) const {
+    Real sum = free_[row];
+    for (std::size_t j = 0; j < forces.size(); ++j) sum += values[j] * effect(row, forces[j]);
+    return sum;
+  }
+
+  /// Adds what a force does to a motion.
+  void act(const ContactForceRow<Real>& force, const Real& value, FreeVector<Real>& motion) const {
+    FreeRow<Real> direction = rows_[force.row];
+    if (force.slide != 0) direction += force.slide * rows_[force.slip];
+    motion += value * question_.stack.inverse_mass.cwiseProduct(direction.transpose());
+  }
+
+ private:
+  void add(int k, const Joint<Real>& joint) {
+    const ContactModel<Real>& stack = question_.stack;
+    const Real bias = question_.of_accelerations() ? 1 : 0;
+    const ContactKinematics<Real> kinematics = question_.kinematics(k, joint);
+    TouchingInterface<Real> contact{k, joint.touch == Touch::flat, rows_.size(), stack.friction[k]};
+    const FreeRow<Real>& gap = kinematics.gap_row;
+    if (!contact.flat) {
+      add_row(gap, bias * kinematics.gap_bias + bounce_of(question_, gap));
+      add_row(kinematics.slip_row, bias * kinematics.slip_bias);
+    } else {
+      contact.ends = overlap(stack, k, joint.offset);
+      const Real half_width = stack.half_width(k);
+      const FreeRow<Real> turn = angle_row(stack, k);
+      const FreeRow<Real> left = gap - contact.ends.left * turn, right = gap - contact.ends.right * turn;
+      // What ends keep is on a line.
+      const Real at_left = bounce_of(question_, left), at_right = bounce_of(question_, right);
+      const Real turning = (at_left - at_right) / (contact.ends.right - contact.ends.left);
+      add_row(gap, bias * kinematics.gap_bias + (at_left + contact.ends.left * turning));
+      add_row(kinematics.slip_row, bias * kinematics.slip_bias);
+      add_row(left, bias * kinematics.gap_bias + at_left);
+      add_row(right, bias * kinematics.gap_bias + at_right);
+      add_row(half_width * turn, turning * half_width);
+    }
+    interfaces_.push_back(contact);
+  }
+  void add_row(const FreeRow<Real>& row, const Real& bias) {
+    rows_.push_back(row);
+    free_.push_back(row.dot(question_.free) + bias);
+  }
+
+  const ContactQuestion<Real>& question_;
+  ShortVector<TouchingInterface<Real>> interfaces_;
+  ShortVector<FreeRow<Real>, 20> rows_;
+  ShortNumbers<Real> free_;
+  NumberTable<Real> effects_;
+};
+
+}  // namespace rockstack
