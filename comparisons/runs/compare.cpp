@@ -163,6 +163,9 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
                     {"draw_scene", suite.replicates.scene},
                     {"draw_seed", suite.replicates.seed},
                     {"predictable_time", predictable_json(scene.name, rows)},
+                    {"measured", scene.measured ? Json{{"columns", scene.measured->columns},
+                                                       {"unit", scene.measured->unit()}}
+                                                : Json()},
                     {"results", names_of(suite.wanted)},
                     {"perturbations", suite.perturbations.runs},
                     {"perturbation_size", suite.perturbations.size},

@@ -187,6 +187,7 @@ Json run_solver(const Job& job, RunMetrics& row, const std::string& command, Run
     add_history(history, files);
     files["reactions.csv"] = reactions_csv(scene, history);
   }
+  compare_with_test(job, scene, history, {}, row, files);
   run_perturbed(
       job, [&](const Scene& other) { return exact_tally(as_run(other)); }, files);
   set_time(time_solving(scene, job.suite.repeats, timed), motion_time(scene, history), row);
@@ -255,6 +256,7 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
                      {history, dt, observed_impacts(history, chatter_speed(scene)),
                       !row.toppled.empty() || !row.fallen.empty(), bodies, acting_friction(series, scene)},
                      horizon_of(job), row, files);
+  compare_with_test(job, scene, history, bodies, row, files);
   if (repeats > 0) set_time(made.seconds, history.times.back(), row);
   if (made.cold) row.timed_cold = 1;
   if (motion != nullptr) *motion = history;

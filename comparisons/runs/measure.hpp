@@ -36,6 +36,12 @@ struct CandidateMotion {
 void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateMotion& candidate,
                         double horizon, RunMetrics& row, RunFiles& files);
 
+/// Sets a motion beside what a test of the job's scene has measured, where one has: fills in the difference
+/// up to the horizon and adds readings.csv, where the suite wants histories. The motion is linear between its
+/// samples. `bodies`: where an engine has its centres.
+void compare_with_test(const Job& job, const Scene& scene, const History& history,
+                       const std::optional<BodyRecord>& bodies, RunMetrics& row, RunFiles& files);
+
 /// The most steps that a compliant motion beside an engine's run takes, about.
 inline constexpr double most_spring_steps = 1e5;
 

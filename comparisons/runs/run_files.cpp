@@ -148,7 +148,9 @@ std::string identity(const Job& job) {
   Json run{fields_of(job.scene.scene), job.dt, job.suite.repeats, job.suite.wanted.bodies,
            job.suite.softness};
   std::string text = job.variant != nullptr ? job.variant->name() : "";
-  if (is_measured(job)) run.push_back({job.scene.measured->times, job.scene.measured->values});
+  if (const auto& measured = job.scene.measured)
+    run.push_back({measured->times, measured->values, measured->columns.size(), measured->first_block,
+                   measured->point ? Json(*measured->point) : Json()});
   if (job.series != nullptr) {
     const WorkerEngine& engine = *job.series->engine;
     run.push_back({engine.solver, fields_of(job.series->parameters)});

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "comparisons/measures/metrics/bodies.hpp"
+#include "analytic/scene/messages/one_line.hpp"
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack {
@@ -50,6 +50,8 @@ Measurement read_measurement(const Node& table, const std::filesystem::path& fol
   const Node* time = find(table, "time");
   std::vector<std::string> names{time == nullptr ? "time" : text(*time)};
   names.insert(names.end(), measured.columns.begin(), measured.columns.end());
+  if (!std::filesystem::exists(folder / measured.file))
+    throw wrong_value(file, "a CSV file, none is at " + one_line((folder / measured.file).string()));
   const auto columns = read_columns(folder / measured.file, names);
   const double start = number_or(table, "start", 0);
   for (std::size_t i = 0; i < columns[0].size(); ++i) {
@@ -86,10 +88,10 @@ History motion_of(const Measurement& measured) {
   return history;
 }
 
-std::vector<double> readings_of(const Measurement& measured, const Scene& scene, const History& history) {
+std::vector<double> readings_of(const Measurement& measured, const Scene& scene, const History& history,
+                                const std::vector<double>& centres) {
   const std::size_t blocks = scene.blocks.size(), block = measured.first_block;
   std::vector<double> list;
-  const auto centres = measured.point ? centres_of(scene, history) : std::vector<double>{};
   for (std::size_t i = 0; i < history.size(); ++i) {
     if (!measured.point) {
       const auto angles = history.angles_at(i).subspan(block, measured.columns.size());

@@ -30,7 +30,7 @@ struct Measurement {
 /// Every key of the table [measured] of a scene file.
 inline constexpr KeyTable measured_keys{
     "[measured]",
-    "what a test of a scene has measured, for `rockstack fit`, and for `compare` where it has angles of all blocks",
+    "what a test of a scene has measured, for `rockstack fit` and `compare`",
     {{"file", "\"test.csv\"", "", "a CSV file beside the scene, names in its first line", required_key,
       "the readings"},
      {"column", "\"theta_1\"", "", "a name, or an array of one for each block from `block` up", required_key,
@@ -54,7 +54,9 @@ Measurement read_measurement(const Node& table, const std::filesystem::path& fol
 /// Precondition: measured.is_motion().
 History motion_of(const Measurement& measured);
 
-/// What a solver's motion has at its samples in the place of what was measured, row by row.
-std::vector<double> readings_of(const Measurement& measured, const Scene& scene, const History& history);
+/// What a motion has at its samples in the place of what was measured, row by row. `centres`: of mass, x and
+/// y of each block in turn, m; a point alone needs them.
+std::vector<double> readings_of(const Measurement& measured, const Scene& scene, const History& history,
+                                const std::vector<double>& centres);
 
 }  // namespace rockstack

@@ -27,6 +27,10 @@ ComparedScene scene_of(const Json& json, const fs::path& results) {
   if (const Json& time = json.at("predictable_time"); !time.is_null())
     scene.predictable_time = time.get<double>();
   scene.results = json.at("results").get<std::vector<std::string>>();
+  if (const Json measured = json.value("measured", Json()); !measured.is_null()) {
+    scene.readings = measured.at("columns").get<std::vector<std::string>>();
+    scene.reading_unit = measured.at("unit").get<std::string>();
+  }
   if (const fs::path ground = results / "ground" / (scene.name + ".csv"); fs::exists(ground))
     scene.ground_motion = ground;
   return scene;

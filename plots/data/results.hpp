@@ -81,6 +81,8 @@ struct ComparedScene : RecordedScene {
   double predictable_time = std::nan("");    ///< until when histories can be compared, s; NaN: not known
   std::filesystem::path ground_motion = {};  ///< its file, empty where nothing moves it
   std::vector<std::string> results = {};     ///< what was computed, by the suite's names
+  std::vector<std::string> readings = {};    ///< what a test has measured, by its columns
+  std::string reading_unit = {};             ///< "rad" or "m"
   bool both_equations = false;               ///< linear and full equations, side by side
   bool fitted = false;                       ///< whether errors were fitted over the time steps
   bool perturbed = false;                    ///< whether there are distributions over perturbed scenes

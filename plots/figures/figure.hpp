@@ -158,6 +158,9 @@ class Plots {
 /// down where `step` is −1.
 std::string word_tics(const std::vector<std::string>& words, int first = 0, int step = 1);
 
+/// What a test has measured.
+inline constexpr auto reading_style = "with points pt 7 ps 0.5*mark lc rgb '#C2187A'";
+
 /// The settings of the panel over time that has the numbers of those above it.
 inline constexpr auto time_numbers = "set format x '%g'\nset xlabel 'time (s)'\n";
 

@@ -4,7 +4,7 @@
 namespace rockstack::plots {
 
 using DrawScene = Drawing(const SceneSubject&);
-DrawScene histories, slip, friction, differences, impact_times, impact_energy, ranking, split_parts,
+DrawScene histories, readings, slip, friction, differences, impact_times, impact_energy, ranking, split_parts,
     error_time, error_step, first_impact_step, toppling, distributions, equations, energy, phase, occupancy,
     ground_motion;
 using DrawComparison = Drawings(const ComparisonSubject&);
@@ -19,6 +19,7 @@ namespace {
 constexpr auto sampled = [](const auto& scene) { return scene.has("histories"); };
 /// Whether runs stand beside each other at all times.
 constexpr auto compared = [](const auto& scene) { return sampled(scene) && !scene.alone; };
+constexpr auto tested = [](const auto& scene) { return sampled(scene) && !scene.readings.empty(); };
 constexpr auto slips = [](const auto& scene) { return sampled(scene) && scene.slips; };
 constexpr auto frictions = [](const auto& scene) { return sampled(scene) && scene.frictions; };
 constexpr auto both_equations = [](const auto& scene) { return sampled(scene) && scene.both_equations; };
@@ -42,6 +43,10 @@ std::vector<Figure> scene_figures() {
        "the exact pattern. The time shown is that of the motion, without the rest after it; grey is what "
        "lies beyond the horizon of predictability. A curve that leaves its panel goes on beyond it.",
        OfScene{sampled, histories}},
+      {"readings", "Beside the test", "How near do motions come to what was measured?",
+       "Marks: what was measured, an angle or how far a point of a block has moved along the ground. Lines: "
+       "the exact motion and engines there.",
+       OfScene{tested, readings}},
       {"slip", "Slip and gap", "How far do blocks slide, and when do they fly?",
        "The slip of each block along what is below it, to the right positive, and its distance from it "
        "where there ever is one: a gap above zero is a flight. The thick grey line is the exact motion; "

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 /// What is shown at first, as far as any run has it; the name of the run is one of them.
 constexpr std::size_t shown_columns = 10;
-constexpr std::array wanted{"rms_angle_difference",
+constexpr std::array wanted{"rms_test_difference",
+                            "rms_angle_difference",
                             "largest_angle_difference",
                             "slip_error",
                             "first_impact_time_difference",
@@ -101,8 +102,8 @@ std::string details_of(const Comparison& comparison, std::size_t index) {
   if (const std::string version = version_of(comparison, run); !version.empty())
     text += element("p", escaped("Version: " + version));
   const std::string files = links(run.folder, fmt::format("runs/{}/", run.run),
-                                  {"history.csv", "difference.csv", "events.csv", "impacts.csv", "parts.csv",
-                                   "draws.csv", "summary.json"});
+                                  {"history.csv", "readings.csv", "difference.csv", "events.csv",
+                                   "impacts.csv", "parts.csv", "draws.csv", "summary.json"});
   if (!files.empty()) text += element("p", "Files beside this page: " + files);
   if (fs::exists(run.folder / "summary.json")) text += definition_list(read_summary(run));
   return details(escaped(run.run), text, fmt::format(" id=\"{}\"", run_anchor(index)));

@@ -165,6 +165,17 @@ void write_reactions(const fs::path& folder, const Sample& sample) {
   reactions << "\n";
 }
 
+/// Readings each tenth of a second, one of them missing, and what a run has there.
+void write_readings(const fs::path& folder, const Sample& sample, double lag) {
+  if (!sample.tested) return;
+  std::ofstream readings = create(folder / "readings.csv");
+  readings << "time,measured_1,motion_1\n0,,0\n";
+  for (int i = 1; i <= 50; ++i) {
+    const double t = 0.1 * i;
+    fmt::print(readings, "{},{},{}\n", t, 0.1 * swing(t, 1) + 0.002, 0.1 * swing(t - lag, 1));
+  }
+}
+
 Scene scene_of(const Sample& sample) {
   Scene scene;
   scene.title = sample.title;
@@ -182,6 +193,7 @@ void write_json(const fs::path& folder, const Sample& sample, const std::vector<
   scene["predictable_time"] = sample.predictable_time;
   scene["toml"] = "duration = 5 # s & <b>not bold</b>\n";
   scene["results"] = sample.results;
+  if (sample.tested) scene["measured"] = {{"columns", {"base of a_b"}}, {"unit", "m"}};
   Json json{{"title", "A sample <comparison>"}, {"scenes", Json::array({scene})}};
   json["distributions"] = Json::parse(sample.distributions);
   json["fits"] = Json::parse(sample.fits);
@@ -253,7 +265,9 @@ RunMetrics write_engine(const fs::path& folder, const Sample& sample, const Samp
   write_patterns(place);
   write_summary(place, run, dt, false);
   write_perturbed(place, sample, lag);
+  write_readings(place, sample, lag);
   RunMetrics row = row_of(sample, run, engine);
+  if (sample.tested) row.rms_test_difference = 0.002 + lag;
   row.dt = dt;
   row.steps = static_cast<int>(duration / dt);
   row.stepping_time_minimum = 2e-5 / dt;
@@ -278,8 +292,10 @@ void write_sample(const fs::path& folder, const Sample& sample) {
   write_reactions(exact, sample);
   write_summary(exact, "sample.exact", 1e-3, sample.slides);
   write_perturbed(exact, sample, 1e-4);
+  write_readings(exact, sample, 0);
   std::vector<RunMetrics> rows{row_of(sample, "sample.exact", {"exact", "rk4", "", 0})};
   rows.front().stepping_time_minimum = 0.004;
+  if (sample.tested) rows.front().rms_test_difference = 0.002;
   for (const SampleEngine& engine : sample.engines)
     for (const double dt : sample.steps) rows.push_back(write_engine(folder, sample, engine, dt));
   if (sample.failed_row) {

@@ -43,10 +43,17 @@ std::string signed_or_blank(const std::optional<double>& value) {
   return value ? (*value > 0 ? "+" : "") + thousandths(*value) : "";
 }
 
+/// What becomes of a run, and how far it is from the scene's test.
+std::string outcome_text(const RunMetrics& row) {
+  if (!row.rms_test_difference) return row.outcome;
+  return fmt::format("{}{}test {}", row.outcome, row.outcome.empty() ? "" : "; ",
+                     thousandths(*row.rms_test_difference));
+}
+
 void print_engine_row(const RunMetrics& row, std::size_t width) {
   fmt::print(line_format, shown_or_blank(row.dt), set_name(row), width, angles(row),
              shown_or_blank(row.rms_position_difference), signed_or_blank(row.first_impact_time_difference),
-             shown_or_blank(row.stepping_time_minimum) + (row.timed_cold ? " cold" : ""), row.outcome);
+             shown_or_blank(row.stepping_time_minimum) + (row.timed_cold ? " cold" : ""), outcome_text(row));
 }
 
 /// Of one scene and step; nothing where no difference is significant.
@@ -78,6 +85,7 @@ void print_exact_rows(const std::vector<RunMetrics>& rows, std::size_t width) {
                row.impacts.value_or(0) + row.slower_impacts.value_or(0),
                quantity_text(row.horizon.value_or(0), "s"),
                quantity_text(row.stepping_time_minimum.value_or(0), "s"));
+    if (row.rms_test_difference) fmt::print("from the test: {}\n", thousandths(*row.rms_test_difference));
     fmt::print(line_format, "step ms", "engine:solver (set)", width, "angles mrad", "centres mm", "impact ms",
                "time ms", "outcome");
   }
@@ -98,9 +106,12 @@ void print_legend(const std::vector<Suite>& suites, const Common& common) {
   if (!common.talks()) return;
   int replicates = 1;
   double bound = 0;
-  bool ratio = false;
+  bool tested = false, ratio = false;
   for (const Suite& suite : suites) {
-    for (const NamedScene& scene : suite.scenes) ratio = ratio || !scene.scene.restitution.empty();
+    for (const NamedScene& scene : suite.scenes) {
+      tested = tested || scene.measured.has_value();
+      ratio = ratio || !scene.scene.restitution.empty();
+    }
     replicates = std::max(replicates, suite.replicates.runs);
     bound = std::max(bound, suite.replicates.most_steps);
   }
@@ -114,6 +125,7 @@ void print_legend(const std::vector<Suite>& suites, const Common& common) {
       "told apart\n",
       replicates > 1 ? fmt::format(", medians of {} replicates{} (quartiles)", replicates, fewer) : "");
   if (ratio) fmt::print("restitution: of the exact motion alone, engines run without\n");
+  if (tested) fmt::print("test: RMS difference from what was measured, mrad, or mm of a point\n");
   std::fflush(stdout);
 }
 

@@ -155,6 +155,9 @@ const std::vector<Column>& columns() {
       median("position_agreement_time", &M::position_agreement_time,
              "time until which no centre is further off than the tolerance times the least block height; the "
              "horizon where none is before, s"),
+      median(
+          "rms_test_difference", &M::rms_test_difference,
+          "root of the mean square, over readings up to the horizon, of the motion less the test's, rad or m"),
       // Impacts, settlings and patterns.
       median(
           "first_impact_time_difference", &M::first_impact_time_difference,

@@ -39,6 +39,7 @@ struct RunMetrics {
   std::optional<double> largest_position_difference, relative_position_difference;
   std::optional<double> rms_position_difference, rms_position_difference_lower, rms_position_difference_upper;
   std::optional<double> error, error_lower, error_upper;
+  std::optional<double> rms_test_difference;
   std::optional<int> rank;
   std::optional<double> motion, peak_angle, exact_peak_angle;
   std::optional<double> magnitude_error, phase_error;

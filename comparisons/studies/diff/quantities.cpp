@@ -31,6 +31,7 @@ std::optional<double> other_verdict(const RunMetrics& row) {
 constexpr std::pair<const char*, Better> reported_columns[]{
     {"largest_angle_difference", Better::less},
     {"rms_angle_difference", Better::less},
+    {"rms_test_difference", Better::less},
     {"error", Better::less},
     {"largest_position_difference", Better::less},
     {"rms_position_difference", Better::less},

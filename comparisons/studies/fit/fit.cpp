@@ -10,6 +10,7 @@
 
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/runs/job.hpp"
@@ -194,7 +195,8 @@ VectorXd FittedScene::residuals(const std::vector<double>& values) const {
   Values motion;
   try {
     const Scene asked = scene(values);
-    motion = readings_of(measured_, asked, solve(asked, {.sample_times = times_}));
+    const History history = solve(asked, {.sample_times = times_});
+    motion = readings_of(measured_, asked, history, centres_of(asked, history));
   } catch (const std::exception&) {
     return list;
   }
@@ -257,7 +259,7 @@ Fit fit(const SceneDocument& document, const Measurement& measured,
   const Scene scene = whole.scene(values);
   const History history = solve(scene, {.sample_times = measured.times});
   result.times = history.times;
-  result.motion = readings_of(measured, scene, history);
+  result.motion = readings_of(measured, scene, history, centres_of(scene, history));
   return result;
 }
 

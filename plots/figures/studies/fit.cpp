@@ -4,7 +4,6 @@
 namespace rockstack::plots {
 namespace {
 
-constexpr auto reading_style = "with points pt 7 ps 0.5*mark lc rgb '#C2187A'";
 constexpr auto motion_style = "with lines lw 2 lc rgb '#0B4F8A'";
 
 }  // namespace

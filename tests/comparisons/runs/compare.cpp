@@ -90,6 +90,81 @@ TEST(Compare, EnginesRunWithoutARatioOfRestitutionAndTheLawSaysSo) {
   EXPECT_EQ(json.at("scenes").at(0).at("law"), "consistent with restitution 0.75, engines without");
 }
 
+/// A column of a file of results.
+std::vector<double> column_of(const std::filesystem::path& file, const char* name) {
+  return read_columns(file, {name}).front();
+}
+
+TEST(Compare, EveryMotionIsHeldAgainstWhatATestHasMeasuredOfAPoint) {
+  const TemporaryFolder folder;
+  // Pushed off flat with 1 m/s, friction 0.5: x = t − 0.5 g t²/2 until it stops.
+  CsvWriter csv;
+  csv.line("t", "mm");
+  for (const double time : regular_times(0.015, 0.19))
+    csv.line(time, 1e3 * (time - 0.5 * 9.81 * time * time / 2 + 2e-3));
+  folder.write("test.csv", csv.text());
+  Suite suite = suite_for(read_named_scene(folder.write("pushed.toml", R"(duration = 0.19
+law = "unilateral"
+[[blocks]]
+width = 0.5
+height = 0.25
+density = 2500
+[initial]
+slip_velocities = [1.0]
+[contact]
+friction = 0.5
+[measured]
+file = "test.csv"
+time = "t"
+column = "mm"
+unit = "mm"
+point = [-0.25, 0.125]
+)"),
+                                           {}));
+  suite.repeats = 1;
+  suite.series.resize(1);
+  suite.series.front().steps = {1e-3};
+  const auto rows = compare({suite}, folder.path(), {}).rows;
+  ASSERT_EQ(rows.size(), 2U);  // no row of its own: a point tells no angles
+  // Lines between samples of 1 ms leave out μg dt²/8 = 6e-7 m, and an engine's step is off by μg dt of speed.
+  EXPECT_NEAR(rows[0].rms_test_difference.value(), 2e-3, 7e-7);
+  EXPECT_NEAR(rows[1].rms_test_difference.value(), 2e-3, 0.5 * 9.81 * 1e-3 * 0.19);
+  for (const RunMetrics& row : rows) {
+    const auto file = folder.path() / "runs" / row.run / "readings.csv";
+    EXPECT_EQ(column_of(file, "motion_1").size(), 13U) << row.run;
+    EXPECT_NEAR(column_of(file, "measured_1")[2], 0.03 - 0.5 * 9.81 * 0.03 * 0.03 / 2 + 2e-3, 1e-15);
+  }
+}
+
+TEST(Compare, ATestOfSomeBlocksIsHeldAgainstThose) {
+  const TemporaryFolder folder;
+  const std::string two = R"(duration = 0.2
+[[blocks]]
+width = 1
+height = 0.5
+density = 2500
+[[blocks]]
+width = 0.5
+height = 2
+density = 2500
+[initial]
+angles = [0, 0.05]
+)";
+  const NamedScene exact = read_named_scene(folder.write("two.toml", two), {});
+  const History motion = solve(exact.scene, {.sample_times = regular_times(1e-2, 0.2)});
+  CsvWriter csv;
+  csv.line("time", "top");
+  for (std::size_t i = 0; i < motion.size(); ++i) csv.line(motion.times[i], motion.angles[2 * i + 1] - 1e-3);
+  folder.write("test.csv", csv.text());
+  const std::string table = "[measured]\nfile = \"test.csv\"\ncolumn = \"top\"\nblock = 2\n";
+  Suite suite = suite_for(read_named_scene(folder.write("tested.toml", two + table), {}));
+  suite.series.clear();
+  suite.repeats = 1;
+  const auto rows = compare({suite}, folder.path(), {}).rows;
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_NEAR(rows[0].rms_test_difference.value(), 1e-3, 1e-12);  // readings are at samples
+}
+
 /// Three blocks whose masses are so far apart that rounding would leave energies too few digits.
 constexpr const char* far_apart = R"(duration = 0.2
 [[blocks]]

@@ -103,6 +103,21 @@ TEST(Figures, SlidingAndFlightAreDrawnAndTold) {
   EXPECT_TRUE(slip.says("interface 1 from 1 to 1.5 s"));
 }
 
+TEST(Figures, WhatATestHasMeasuredStandsOverAllMotions) {
+  for (const std::vector<double>& steps : {std::vector{1e-2}, std::vector{1e-2, 1e-3}}) {
+    const fs::path folder = draw_sample({.engines = {{"bullet", "nncg", "tuned", 2e-3}, ode()},
+                                         .steps = steps,
+                                         .tested = true,
+                                         .results = {"histories"}});
+    const testing::Picture picture = testing::read_picture(folder / "figures/sample.readings.svg");
+    EXPECT_TRUE(picture.says("base of a_b (m)"));
+    EXPECT_TRUE(picture.says("measured"));
+    EXPECT_TRUE(picture.says("exact by 0.002 m"));
+    EXPECT_TRUE(picture.says("the nearest engine bullet nncg, tuned by"));
+    EXPECT_TRUE(testing::collisions(picture).empty());
+  }
+}
+
 TEST(Figures, AGroundThatMovesHasAFigureOfItsOwn) {
   draw_sample({.blocks = 1, .shaken = true});
 }

@@ -7,6 +7,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/statistics/draws.hpp"
 #include "tests/temporary_folder.hpp"
@@ -338,7 +339,8 @@ TEST(Measured, APointMovesWithItsBlock) {
   EXPECT_DOUBLE_EQ(test.measured.values[0], 1e-3);
   MotionLibrary library;
   const Scene made = make_scene(test.document, library);
-  const auto list = readings_of(test.measured, made, solve(made, {.sample_times = {0}}));
+  const History history = solve(made, {.sample_times = {0}});
+  const auto list = readings_of(test.measured, made, history, centres_of(made, history));
   // About the lower right corner.
   const double expected =
       half_width + (0.1 - half_width) * std::cos(start) + (0.7 + half_height) * std::sin(start) - 0.1;

@@ -1,0 +1,69 @@
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/measures/results/csv.hpp"
+#include "plots/figures/figure.hpp"
+
+namespace rockstack::plots {
+namespace {
+
+std::vector<std::vector<double>> reading_columns(const Run& run, const std::string& quantity) {
+  return read_columns(run.folder / "readings.csv", {"time", quantity});
+}
+
+std::string off_phrase(const Run& run, const std::string& unit) {
+  return fmt::format("{} by {:.2g} {}", line_label(run), value_of(run.rms_test_difference), unit);
+}
+
+/// How far the exact motion and the nearest engine are off, as far as that was asked for.
+std::string readings_answer(std::vector<Run> runs, const std::string& unit) {
+  std::erase_if(runs, [](const Run& run) { return !run.rms_test_difference; });
+  if (runs.empty()) return "Up to the horizon nothing was held against it.";
+  const auto nearest = std::min_element(runs.begin() + 1, runs.end(), [](const Run& a, const Run& b) {
+    return *a.rms_test_difference < *b.rms_test_difference;
+  });
+  return "RMS differences up to the horizon: " + off_phrase(runs.front(), unit) +
+         (nearest == runs.end() ? "" : ", the nearest engine " + off_phrase(*nearest, unit));
+}
+
+}  // namespace
+
+Drawing readings(const SceneSubject& subject) {
+  const ComparedScene& scene = subject.scene;
+  const std::vector<Run> runs = all_runs(subject.shown({"readings.csv"}));
+  if (runs.empty()) return subject.nothing("No run of this scene was done.");
+  Legend legend = legend_of(runs, curve_style);
+  legend.emplace(legend.begin(), reading_style, "measured");
+  const TimeAxis axis = subject.time_axis(runs, legend);
+  Sheet sheet = subject.sheet(legend, readings_answer(runs, scene.reading_unit));
+  for (std::size_t k = 0; k < scene.readings.size(); ++k) {
+    const std::string number = std::to_string(k + 1);
+    std::vector<Curve> curves;
+    for (const Run& run : runs) {
+      auto columns = reading_columns(run, "motion_" + number);
+      curves.push_back(thin({std::move(columns[0]), std::move(columns[1])}, bins_for(runs.size())));
+    }
+    Reach extent = extent_of(runs, curves, 1, 1e-6);
+    const auto seen = reading_columns(runs.front(), "measured_" + number);
+    Numbers marks;
+    for (std::size_t i = 0; i < seen[0].size(); ++i) {
+      if (std::isnan(seen[1][i])) continue;
+      marks.push_back({seen[0][i], seen[1][i]});
+      extent.add(seen[1][i]);
+    }
+    Plots measured(sheet, "measured_" + number);
+    measured.add(marks, {fmt::format("using 1:2 {}", reading_style)});
+    const std::string words = fmt::format("{} ({})", scene.readings[k], scene.reading_unit);
+    const auto axes = [&](double, double height) {
+      return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
+    };
+    SeriesPanel panel{"time (s)", words,
+                      words,      k + 1 == scene.readings.size(),
+                      axes,       panel_height(static_cast<int>(scene.readings.size()))};
+    panel.under = measured.list();
+    add_curves(sheet, panel, runs, curves, "motion_" + number);
+  }
+  return sheet.finish();
+}
+
+}  // namespace rockstack::plots
