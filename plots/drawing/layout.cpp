@@ -266,8 +266,8 @@ void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std:
       std::string words = settings + words_above(series[i]);
       words += i + columns < series.size() ? without_horizontal_labels()
                                            : fmt::format("set xlabel {}\n", in_quotes(across));
-      words +=
-          i == from ? fmt::format("set ylabel {} offset 0.5\n", in_quotes(up)) : without_vertical_labels();
+      words += i == from ? fmt::format("set ylabel {} noenhanced offset 0.5\n", in_quotes(up))
+                         : without_vertical_labels();
       cells.push_back({words, plots});
     }
     sheet.row(multiple_height, from == 0 ? before : gap + further_lines, cells, columns, left);

@@ -24,7 +24,7 @@ std::string plot_of(const std::string& block, const std::string& style) {
 std::string words_of_axes(const SeriesPanel& panel) {
   const std::string across =
       panel.numbered ? fmt::format("set xlabel {}\n", in_quotes(panel.across)) : without_horizontal_labels();
-  return across + fmt::format("set ylabel {} offset 0.5\n", in_quotes(panel.up));
+  return across + fmt::format("set ylabel {} noenhanced offset 0.5\n", in_quotes(panel.up));
 }
 
 /// A rectangle in pixels that is taken by a mark, a word or a piece of a line.
