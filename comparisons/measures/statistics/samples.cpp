@@ -193,7 +193,10 @@ double uniform(double low, double high, std::uint64_t run, std::size_t key) {
 }  // namespace
 
 double reach_of_interval(std::size_t freedom) {
-  const boost::math::students_t student(static_cast<double>(freedom));
+  using namespace boost::math::policies;
+  // In double throughout: what long double needs is computed at the start of every program.
+  const boost::math::students_t_distribution<double, policy<promote_double<false>>> student(
+      static_cast<double>(freedom));
   return boost::math::quantile(boost::math::complement(student, 0.025));
 }
 
