@@ -17,10 +17,11 @@ Real select(bool truth, const Real& one, const Real& other) {
 }
 
 /// The share of a step by whose end an open angle has come back, or all of it, as far as the angle, its rate
-/// and its acceleration at the start can tell, both by the step's length; `turns` is that length times
-/// √(g/H). What lies behind that impact is not worth a series.
+/// and its acceleration at the start can tell, both by the step's length; `rate` is √(g/H). What lies behind
+/// that impact is not worth a series.
 template <class Real>
-Real landing(const Real& angle, const Real& speed, const Real& acceleration, const Real& turns) {
+Real landing(const Real& angle, const Real& speed, const Real& acceleration, const Real& length,
+             const Real& rate) {
   using std::min;
   using std::sqrt;
   const Real zero = 0, whole = 1;
@@ -29,7 +30,7 @@ Real landing(const Real& angle, const Real& speed, const Real& acceleration, con
   if (!any(returns)) return whole;
   const Real root = sqrt(radicand);
   const Real s = select(speed < zero, 2 * angle / (root - speed), (root + speed) / -acceleration);
-  const Real end = s * (1 + s * turns) * Real(1.0625);
+  const Real end = s * (1 + s * length * rate) * Real(1.0625);
   return select(returns & (s > zero), min(whole, end), whole);
 }
 

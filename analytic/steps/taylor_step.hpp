@@ -32,7 +32,7 @@ struct StepStart {
     Real first = 1;
     for (std::size_t k = 0; k < series.size(); ++k) {
       first = min(first, rockstack::landing<Real>(sides[k] * angles[k], sides[k] * advances[k],
-                                                  sides[k] * series.relative(k, 0), length * rate));
+                                                  sides[k] * series.relative(k, 0), length, rate));
     }
     return max(first, Real(1e-6) / (length * rate));
   }

@@ -38,9 +38,9 @@ class SeriesMaker {
     known_.begin([this](int body) { return body_of(body); }, length);
   }
 
-  /// The share of the step by whose end the first pivot has come back. `turns`: see landing(). The series has
+  /// The share of the step by whose end the first pivot has come back. `rate`: see landing(). The series has
   /// its order 0.
-  Real first_landing(const Real& turns) const {
+  Real first_landing(const Real& length, const Real& rate) const {
     Real first = 1;
     for (std::size_t k = 0; k < joints_.size(); ++k) {
       if (!joints_[k].pivots()) continue;
@@ -48,7 +48,7 @@ class SeriesMaker {
         const Real below = k > 0 ? series_.bodies[k - 1].angle[m] : Real(0);
         return joints_[k].side() * (series_.bodies[k].angle[m] - below);
       };
-      first = std::min(first, landing<Real>(open(0), open(1), 2 * open(2), turns));
+      first = std::min(first, landing<Real>(open(0), open(1), 2 * open(2), length, rate));
     }
     return first;
   }
@@ -212,7 +212,7 @@ ModeStep<Real> mode_step(const ContactModel<Real>& stack, const Joints<Real>& jo
   SeriesMaker<Real, Known> maker(stack, joints, bodies, known, step.series);
   maker.begin(length);
   maker.extend(0, body_force);
-  const Real share = std::max<Real>(maker.first_landing(length / unit_time), shortest / length);
+  const Real share = std::max<Real>(maker.first_landing(length, 1 / unit_time), shortest / length);
   if (share < 1) {
     step.planned *= share;
     shorten(body_force, share);
