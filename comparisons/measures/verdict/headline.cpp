@@ -55,7 +55,7 @@ std::string until(Ends ends) {
   constexpr std::size_t many = 8;
   std::ranges::sort(ends.times);
   const double first = ends.times.front(), last = ends.times.back();
-  const std::string whole = ends.beyond ? "to the horizon" : "to the end";
+  const char* const whole = ends.beyond ? "to the horizon" : "to the end";
   if (std::isinf(first)) return whole;
   const auto text = [](double time) { return fmt::format("{:.2g}", time); };
   if (ends.times.size() > many) {

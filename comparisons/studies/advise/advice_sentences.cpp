@@ -36,6 +36,7 @@ std::string listed(const std::vector<Untried>& untried) {
   std::map<double, std::vector<std::string>, std::greater<>> solvers;
   for (const Untried& one : untried) solvers[one.below].push_back(one.engine->full_name());
   std::vector<std::string> parts;
+  parts.reserve(solvers.size());
   for (const auto& [step, names] : solvers)
     parts.push_back(fmt::format("{} below {}", joined_up_to(2, names), quantity_text(step, "s")));
   return rockstack::joined(parts);
