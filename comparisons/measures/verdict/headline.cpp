@@ -144,20 +144,18 @@ First first_of(const std::vector<RankedSet>& ranking) {
   return first;
 }
 
-/// Who is alone nearest at single steps, where that is not one set at all of them.
+/// Who is alone nearest at single steps, of several that are nearest over all of them.
 std::string alone_at_steps(const std::vector<ReplicatedRow>& rows) {
   std::map<double, std::vector<ReplicatedRow>, std::greater<>> steps;
   for (const ReplicatedRow& one : rows)
     if (one.row.dt) steps[*one.row.dt].push_back(one);
-  std::set<std::string> sets;
   std::vector<std::string> texts;
   for (const auto& [dt, own] : steps) {
     const First first = first_of(rank_all(own));
     if (first.all || first.sets.size() != 1) continue;
-    sets.insert(first.sets[0]);
     texts.push_back(fmt::format("{} at {}", first.sets[0], quantity_text(dt, "s")));
   }
-  return sets.size() < 2 ? "" : " (alone nearest: " + joined(texts) + ")";
+  return texts.empty() ? "" : " (alone nearest: " + joined(texts) + ")";
 }
 
 /// Scenes by who is first in them.
