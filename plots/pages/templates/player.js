@@ -396,18 +396,20 @@ class Player {
     if (this.filming) return this.toggle();
     const type = ["video/mp4", "video/webm"].find((one) => MediaRecorder.isTypeSupported(one));
     const recorder = new MediaRecorder(this.find("stage").captureStream(), { mimeType: type, videoBitsPerSecond: 8e6 }), parts = [];
-    recorder.ondataavailable = ({ data }) => parts.push(data);
+    recorder.ondataavailable = ({ data }) => {
+      parts.push(data);
+      this.filmed = new Blob(parts, { type });
+    };
     recorder.onstop = () => {
       this.filming = null;
       this.find("film").textContent = "● Film";
       const link = document.createElement("a"), name = this.title.replace(/[^\p{L}\p{N}]+/gu, "-");
-      this.filmed = new Blob(parts, { type });
       Object.assign(link, { href: URL.createObjectURL(this.filmed), download: `${name}.${type.slice(6)}` }).click();
       setTimeout(() => URL.revokeObjectURL(link.href), 60000);
     };
     this.filming = recorder;
     this.find("film").textContent = "■ Save film";
-    recorder.start();
+    recorder.start(100);
     if (!this.playing) this.toggle();
   }
 

@@ -101,12 +101,12 @@ TEST(Lesson, ItsPlayerSavesAFilmOfWhatItPlays) {
   const fs::path folder = lesson_folder("{{player:sample}}");
   write_lesson(folder, read_comparison(folder));
   const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "lesson.html"), R"(
-    const film = player.find("film"), before = player.frames;
+    const film = player.find("film");
     film.click();
     const words = film.textContent;
-    while (player.frames < before + 20) await wait(10);
+    while (!(player.filmed?.size > 1000)) await wait(10);
     film.click();
-    while (!player.filmed) await wait(10);
+    while (player.filming) await wait(10);
     const paper = Array.from(player.find("stage").getContext("2d").getImageData(1, 1, 1, 1).data);
     return { words, after: film.textContent, playing: player.playing, type: player.filmed.type, size: player.filmed.size, paper };)");
   EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
