@@ -4,11 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
+#include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/suites/shipped.hpp"
+#include "engines/body_record.hpp"
+#include "engines/scene_setup.hpp"
 #include "engines/worker/registry.hpp"
 
 namespace rockstack {
@@ -170,6 +177,86 @@ TEST(Canon, TellsTheFrictionOfTwoLawsApart) {
     const CanonAnswer other = answer_canon(suite, scene, find_engine("ode:step"), "tuned");
     EXPECT_EQ(other.verdict, "another law") << name << ": " << other.reason;
     EXPECT_GT(other.deviations.back().time, canon_agreement * 1e-3) << name;
+  }
+}
+
+// Engines whose law is known because the solver is in their place: on each scene of the canon, at every step.
+
+/// What is read of an engine that moves so, m and rad.
+History as_of_engine(const Scene& scene, double dt, const History& motion) {
+  Trajectory trajectory{
+      .angles = motion.angles, .velocities = motion.velocities, .bodies = {}, .contacts = {}, .warnings = 0};
+  for (std::size_t i = 0; i + 1 < motion.centres.size(); i += 2)
+    trajectory.bodies.push_back({.x = motion.centres[i],
+                                 .y = motion.centres[i + 1],
+                                 .velocity_x = motion.centre_velocities[i],
+                                 .velocity_y = motion.centre_velocities[i + 1]});
+  return account_of(scene, set_up(scene, dt, {}), std::move(trajectory), true).history;
+}
+
+/// What is judged of a scene where `engine` gives the motion at each step's times.
+template <class Engine>
+CanonAnswer judged_as(const NamedScene& scene, const Engine& engine) {
+  std::vector<CanonErrors> errors;
+  for (const double step : canon_steps) {
+    const std::vector<double> times = regular_times(step, scene.scene.duration);
+    const History read = as_of_engine(scene.scene, step, engine(scene.scene, times));
+    const History exact = solve(scene.scene, {.sample_times = read.times});
+    errors.push_back({step, {deviations(scene.scene, exact, read)}});
+  }
+  return judge_canon(scene.name, errors);
+}
+
+/// Springs at corners in the place of rigid contact; each interface sinks under what it bears by three times
+/// what is told.
+History soft(Scene scene, const std::vector<double>& times) {
+  scene.law = Law::compliant;
+  scene.initial.preloaded = false;
+  const double sinking = 3 * told_sinking * least_height(scene.blocks);
+  double weight = 0;
+  for (auto block = scene.blocks.rbegin(); block != scene.blocks.rend(); ++block) {
+    weight += scene.gravity * block->mass;
+    const double stiffness = weight / (2 * sinking);
+    scene.springs.stiffness.insert(scene.springs.stiffness.begin(), stiffness);
+    scene.springs.damping.insert(scene.springs.damping.begin(), 0.01 * stiffness);
+  }
+  return solve(scene, {.sample_times = times});
+}
+
+/// The exact motion, told so much later, s; until then all is as at the start.
+History late(const Scene& scene, const std::vector<double>& times, double delay) {
+  std::vector<double> before;
+  before.reserve(times.size());
+  for (const double time : times) before.push_back(std::max(0.0, time - delay));
+  return solve(scene, {.sample_times = before});
+}
+
+TEST(Canon, SpringsThatSinkAreAnotherLawInEveryScene) {
+  for (const NamedScene& scene : read_suite(find_file("canon", "suites"), {}).scenes) {
+    const CanonAnswer answer = judged_as(scene, soft);
+    EXPECT_EQ(answer.verdict, "another law") << scene.name << ": " << answer.reason;
+  }
+}
+
+// What lies still is never late; where something moves at its fastest for a while, 5 ms are 5 ms at any step.
+TEST(Canon, WhatIsLateBySoMuchAtAnyStepIsAnotherLaw) {
+  int moving = 0;
+  for (const NamedScene& scene : read_suite(find_file("canon", "suites"), {}).scenes) {
+    const CanonAnswer answer = judged_as(
+        scene, [](const Scene& of, const std::vector<double>& times) { return late(of, times, 5e-3); });
+    const bool moves = answer.deviations.back().time > canon_resolution;
+    EXPECT_EQ(answer.verdict, moves ? "another law" : "agrees") << scene.name << ": " << answer.reason;
+    moving += moves ? 1 : 0;
+  }
+  EXPECT_GE(moving, 12);
+}
+
+TEST(Canon, WhatIsLateByTwoStepsFollowsTheLaw) {
+  for (const NamedScene& scene : read_suite(find_file("canon", "suites"), {}).scenes) {
+    const CanonAnswer answer = judged_as(scene, [](const Scene& of, const std::vector<double>& times) {
+      return late(of, times, 2 * (times[1] - times[0]));
+    });
+    EXPECT_EQ(answer.verdict, "agrees") << scene.name << ": " << answer.reason;
   }
 }
 
