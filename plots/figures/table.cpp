@@ -196,7 +196,7 @@ std::vector<Figure> study_figures() {
 std::vector<Figure> all_figures() {
   std::vector<Figure> list{
       {"agreement", "Until when engines agree", "Until when does each engine agree, and how far off is it?",
-       "A row a solver and set, a line a time step, the coarser the paler; a column a scene, as far as its motion. Above, the "
+       "Each row is a solver with one set, each line a time step, the coarser the fainter; each column is a scene, as far as its motion. Above, the "
        "time until which angles and centres stay within the tolerance, with quartiles over replicates in "
        "black; a line to the right edge agrees to the end; grey is what lies beyond the scene's horizon of predictability, where nothing is compared. "
        "Below, the largest difference up to there: of an angle in rad, or of a centre as a share of the "

@@ -82,9 +82,7 @@ void add_toppled(const fs::path& results, Sentences& sentences) {
     ++(is_done ? done : failed);
     if (is_done && !stands) ++fell;
   });
-  if (done > 0)
-    sentences.push_back(fmt::format("Of {} {} topple, {:.3g} %.", counted(done, "run"), fell,
-                                    100.0 * static_cast<double>(fell) / static_cast<double>(done)));
+  if (done > 0) sentences.push_back(fmt::format("Of {} {} topple.", counted(done, "run"), fell));
   if (failed > 0) sentences.push_back(fmt::format("{} failed; runs.csv says why.", failed));
 }
 
@@ -93,10 +91,11 @@ void add_fit(const fs::path& results, const std::string& intensity, Sentences& s
   if (!fs::exists(file)) return;
   const auto fit = read_columns(file, {"median", "beta"});
   if (fit[0].empty()) return;
-  sentences.insert(sentences.begin(),
-                   fmt::format("Half of the runs topple at a {} of {:.4g}, by the fitted lognormal "
-                               "curve; its logarithmic spread β is {:.3g}.",
-                               intensity, fit[0][0], fit[1][0]));
+  sentences.insert(
+      sentences.begin(),
+      fmt::format(
+          "Half of the runs topple at {}, by the fitted lognormal curve; its logarithmic spread β is {:.3g}.",
+          value_on(intensity, fit[0][0]), fit[1][0]));
 }
 
 void add_outcomes(const fs::path& results, Sentences& sentences) {
@@ -201,12 +200,13 @@ void write_record_report(const fs::path& results) {
     const Json& span = json.at("significant_5_95");
     return Study{
         "Record " + fs::path(text_at(json, "file")).filename().string(),
-        {fmt::format("The peak acceleration is {}, {:.4g} g.", peak(json.at("peak_acceleration"), "m/s²"),
-                     most / gravity),
+        {fmt::format("The peak acceleration is {:.3g} g: {}.", most / gravity,
+                     peak(json.at("peak_acceleration"), "m/s²")),
          fmt::format("The peak velocity is {}, the peak displacement {}.",
                      peak(json.at("peak_velocity"), "m/s"), peak(json.at("peak_displacement"), "m")),
-         fmt::format("Strong shaking lasts {:.4g} s, from 5 to 95 % of the Arias intensity of {:.4g} m/s.",
-                     span.at("length").get<double>(), json.at("arias_intensity").get<double>())}};
+         fmt::format(
+             "The significant duration is {:.4g} s, from 5 to 95 % of the Arias intensity of {:.4g} m/s.",
+             span.at("length").get<double>(), json.at("arias_intensity").get<double>())}};
   });
 }
 

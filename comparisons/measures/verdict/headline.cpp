@@ -50,22 +50,22 @@ std::vector<double> reported_steps(const EndsOfSteps& steps) {
   return all;
 }
 
-/// Of many the worst alone says little of the others.
-std::string until(Ends ends) {
+/// After how long engines leave the exact motion. Of many the first alone says little of the others.
+std::string leaving(Ends ends) {
   constexpr std::size_t many = 8;
   std::ranges::sort(ends.times);
   const double first = ends.times.front(), last = ends.times.back();
-  const char* const whole = ends.beyond ? "to the horizon" : "to the end";
-  if (std::isinf(first)) return whole;
+  const char* const stays = ends.beyond ? "not before the horizon" : "not at all";
   const auto text = [](double time) { return fmt::format("{:.2g}", time); };
+  if (std::isinf(first)) return stays;
   if (ends.times.size() > many) {
     const double half = ends.times[ends.times.size() / 2];
-    return fmt::format("until {} s at worst and for half of them {}", text(first),
-                       std::isinf(half) ? whole : fmt::format("until {} s or longer", text(half)));
+    return fmt::format("the first after {} s and half of them {}", text(first),
+                       std::isinf(half) ? stays : fmt::format("after {} s or later", text(half)));
   }
-  if (std::isinf(last)) return fmt::format("until {} s or longer", text(first));
-  return text(first) == text(last) ? fmt::format("until {} s", text(first))
-                                   : fmt::format("until {} to {} s", text(first), text(last));
+  if (std::isinf(last)) return fmt::format("after {} s or {}", text(first), stays);
+  return text(first) == text(last) ? fmt::format("after {} s", text(first))
+                                   : fmt::format("after {} to {} s", text(first), text(last));
 }
 
 /// "5.86 s in spanos-synthetic" of each scene that ends before its horizon.
@@ -153,9 +153,9 @@ std::string alone_at_steps(const std::vector<ReplicatedRow>& rows) {
   for (const auto& [dt, own] : steps) {
     const First first = first_of(rank_all(own));
     if (first.all || first.sets.size() != 1) continue;
-    texts.push_back(fmt::format("{} at {}", first.sets[0], quantity_text(dt, "s")));
+    texts.push_back(fmt::format("at {} it is {}", quantity_text(dt, "s"), first.sets[0]));
   }
-  return texts.empty() ? "" : " (alone nearest: " + joined(texts) + ")";
+  return texts.empty() ? "" : ", but " + joined(texts) + " alone";
 }
 
 /// Scenes by who is first in them.
@@ -198,8 +198,8 @@ std::string place(const First& first) {
 
 std::string part(const First& first, const std::string& by) {
   if (first.sets.size() == 1) return place(first) + first.sets[0] + " is nearest to the exact motion";
-  if (first.all) return place(first) + "no set can be told to be nearest, by " + by + first.steps;
-  return fmt::format("{}{} are nearest and cannot be told apart by {}{}", place(first),
+  if (first.all) return fmt::format("{}{} cannot tell which set is nearest{}", place(first), by, first.steps);
+  return fmt::format("{}{} are nearest, which {} cannot tell apart{}", place(first),
                      joined_up_to(most_named, first.sets), by, first.steps);
 }
 
@@ -210,7 +210,7 @@ std::string furthest(const std::vector<RankedSet>& ranking) {
   if (last.failed > 0)
     return fmt::format("; {} fails in {}", set_name(last.engine, last.solver, last.settings),
                        counted(static_cast<std::size_t>(last.failed), "cell"));
-  return fmt::format("; {} is furthest, its errors {:.2g} times the least in the mean",
+  return fmt::format("; {} is furthest, its errors on average {:.2g} times the least",
                      set_name(last.engine, last.solver, last.settings), last.score);
 }
 
@@ -250,14 +250,15 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
   if (steps.empty()) return "";
   std::vector<std::string> parts;
   for (const double dt : reported_steps(steps))
-    parts.push_back(fmt::format("{} at a step of {}", until(steps.at(dt)), quantity_text(dt, "s")));
+    parts.push_back(fmt::format("{} {}", quantity_text(dt, "s"), leaving(steps.at(dt))));
   const double tolerance = scenes.front().scale.tolerance;
   const bool of_replicates =
       std::ranges::any_of(rows, [](const ReplicatedRow& one) { return one.errors.size() > 1; });
-  return fmt::format("{} stay within {} and {:g} % of the least block height of the exact motion {}{}.",
-                     of_replicates ? "In the median of replicates engines" : "Engines",
-                     quantity_text(tolerance, "rad"), 100 * tolerance,
-                     fmt::format("{}", fmt::join(parts, ", ")), horizons(rows, scenes));
+  return fmt::format(
+      "Engines leave the exact motion at a time step of {}{}; to leave it is to be off by more than {} or {:g} % of the least block "
+      "height{}.",
+      fmt::join(parts, ", at "), horizons(rows, scenes), quantity_text(tolerance, "rad"), 100 * tolerance,
+      of_replicates ? ", in the median of replicates" : "");
 }
 
 std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes,

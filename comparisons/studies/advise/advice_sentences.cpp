@@ -48,24 +48,24 @@ std::vector<std::string> advice_sentences(const AdviceRequest& request, const Ad
                                           double duration) {
   std::vector<std::string> sentences;
   const std::string error =
-      fmt::format("{:g} rad of the exact angles, and {:g} % of the least block height of the exact centres",
-                  request.error, 100 * request.error);
+      fmt::format("{} of the exact angles and {:g} % of the least block height of the exact centres",
+                  quantity_text(request.error, "rad"), 100 * request.error);
   if (advice.pick < 0) {
     sentences.push_back(
         fmt::format("No solver stays within {}, at a step that was tried.{}", error, nearest(advice.trials)));
   } else {
     const Trial& pick = advice.trials[static_cast<std::size_t>(advice.pick)];
     sentences.push_back(
-        fmt::format("Take {} with tuned settings: the cheapest that was tried and stays within {}.",
+        fmt::format("Take {} with tuned settings: of all that was tried the cheapest that stays within {}.",
                     solver_at_step(pick), error));
-    sentences.push_back(fmt::format("Of {} replicates at nearby steps {} are within; nine of ten must be.",
-                                    pick.replicates + pick.confirming, pick.within + pick.confirmed));
+    sentences.push_back(fmt::format("{} of {} replicates at nearby steps are within; nine of ten must be.",
+                                    pick.within + pick.confirmed, pick.replicates + pick.confirming));
   }
   if (advice.predictable_time < duration)
     sentences.push_back(
         fmt::format("This holds until {:.4g} s, the horizon of predictability.", advice.predictable_time));
   if (!advice.untried.empty())
-    sentences.push_back(fmt::format("As the search had {:g} s, it has not tried {}; --within gives it more.",
+    sentences.push_back(fmt::format("In {:g} s the search has not come to {}; --within gives it more.",
                                     request.within, listed(advice.untried)));
   return sentences;
 }
