@@ -59,7 +59,7 @@ QUANTITIES = (
     ("rise after a flat landing (mm)", "0", lambda _: falling(), rise),
     ("creep in 1 s on a slope that holds (mm)", "0",
      lambda _: rockstack.Scene.read("canon/held-on-slope").replace({"duration": 1.0}), lambda motion, _: 1e3 * abs(motion.slips[-1, 0])),
-    ("sinking of a column at rest in 0.3 s (mm)", "0",
+    ("largest overlap in a column at rest for 0.3 s (mm)", "0",
      lambda _: rockstack.Scene.read("canon/rest").replace({"duration": 0.3}), lambda motion, _: 1e3 * max(0.0, -motion.gaps.min())),
 )
 

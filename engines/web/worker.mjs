@@ -16,7 +16,7 @@ export * from './simulation.mjs';
 const replyDescriptor = 3;
 
 /** After so many steps no engine here becomes faster: what is compiled while it runs is compiled. */
-const warmUp = 5000;
+const warmUp = 10000;
 /** Of one process: what libraries keep of a run is not given back. */
 const mostRuns = 20;
 
