@@ -1,5 +1,7 @@
-// What bare programs of npm's libraries share: the words on standard input, as bare_box2d.cpp tells them, and where the
-// libraries are. Nothing of the adapters is read here.
+// What bare programs of npm's libraries share: the words on standard input, and where the libraries are. Nothing of the
+// adapters is read here. The words are those of bare_box2d.cpp, and one more, which Rapier and Jolt hear:
+//
+//   moving 0.5 -1 0.1   (of the block before it: velocity right and up, m/s, and clockwise, rad/s)
 
 import { readFileSync } from 'node:fs';
 
@@ -13,6 +15,7 @@ export function readQuestion() {
     const word = words.shift();
     if (word === 'solver') question.solver = words.shift();
     else if (word === 'block') question.blocks.push(Object.fromEntries(fields.map((field) => [field, number()])));
+    else if (word === 'moving') Object.assign(question.blocks.at(-1), { right: number(), up: number(), spin: number() });
     else if (word === 'set') question.set[words.shift()] = number();
     else if (word === 'shake') question.shaking.push([number(), number()]);
     else question[word] = number();
