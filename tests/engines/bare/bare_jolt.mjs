@@ -46,9 +46,11 @@ const body = (shape, x, y, angle, type, layer, more = () => {}) => {
 };
 const box = (width, height, depth) => new jolt.BoxShape(new jolt.Vec3(width / 2, height / 2, depth / 2), set.mConvexRadius ?? 0.05);
 body(box(2 * reach, 2 * reach, 2 * reach), 0, -reach, 0, jolt.EMotionType_Static, 0);
-const bodies = question.blocks.map(({ width, height, depth, x, y, angle, mass, aboutX, aboutY, aboutZ }) =>
+const bodies = question.blocks.map(({ width, height, depth, x, y, angle, mass, aboutX, aboutY, aboutZ, right = 0, up = 0, spin = 0 }) =>
   body(box(width, height, depth), x, y, angle, jolt.EMotionType_Dynamic, 1, (made) => {
     made.mAllowedDOFs = jolt.EAllowedDOFs_Plane2D;
+    made.mLinearVelocity.Set(right, up, 0);
+    made.mAngularVelocity.Set(0, 0, -spin);
     made.mOverrideMassProperties = jolt.EOverrideMassProperties_MassAndInertiaProvided;
     made.mMassPropertiesOverride.mMass = mass;
     const { mInertia } = made.mMassPropertiesOverride;

@@ -273,5 +273,44 @@ TEST(WebEngines, RapierHasAnotherFrequencyOnTheGround) {
   EXPECT_GT(sinking_in_rapier(*engine, 2, 5), 1.5 * sinking_in_rapier(*engine, 2, 300));
 }
 
+/// Jolt turns a body by no less than 1e-6 rad in a step: what is slower stays as it is.
+TEST(WebEngines, JoltTurnsNothingByLessThanAMicroradianInAStep) {
+  const WorkerEngine* engine = there("jolt:sequential-impulse");
+  if (engine == nullptr) GTEST_SKIP() << "Jolt is not there";
+  for (const double dt : {1e-2, 1e-3, 1e-4}) {
+    for (const double share : {0.97, 1.03}) {
+      Scene scene = slender_block(100.5 * dt);
+      scene.gravity = 1e-9;
+      scene.initial.velocities = {share * 1e-6 / dt};
+      const std::string question = moving_question(*engine, scene, dt, engine->default_parameters());
+      // 100 roundings of an angle of 0.1 rad in single precision.
+      EXPECT_NEAR(bare_angles(engine->name, question).at(100) - scene.initial.angles.at(0),
+                  share > 1 ? 100 * share * 1e-6 : 0, 1e-6)
+          << dt;
+    }
+  }
+}
+
+/// The largest error of a block that begins to fall at so many microradians a step, before it lands, rad.
+double error_in_jolt(const WorkerEngine& engine, double dt, double microradians, const Parameters& set) {
+  Scene scene = slender_block(0.4);
+  scene.initial.velocities = {-1e-6 * microradians / dt};
+  return error_of({scene, dt}, bare_angles(engine.name, moving_question(engine, scene, dt, set)));
+}
+
+/// From rest a block therefore waits, and lags by an angle that is inverse to the step's square. One that
+/// turns fast enough at once does not.
+TEST(WebEngines, JoltLetsABlockAtRestWait) {
+  const WorkerEngine* engine = there("jolt:sequential-impulse");
+  if (engine == nullptr) GTEST_SKIP() << "Jolt is not there";
+  for (const Parameters& set : {engine->default_parameters(), engine->tuned_parameters()}) {
+    const double waiting = error_in_jolt(*engine, 5e-5, 0, set),
+                 turning = error_in_jolt(*engine, 5e-5, 1.1, set);
+    EXPECT_NEAR(waiting / error_in_jolt(*engine, 1e-4, 0, set), 4, 0.4);
+    EXPECT_GT(waiting, 5 * turning);
+    EXPECT_GT(error_in_jolt(*engine, 5e-5, 0.5, set), 5 * turning);
+  }
+}
+
 }  // namespace
 }  // namespace rockstack
