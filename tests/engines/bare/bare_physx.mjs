@@ -1,5 +1,8 @@
 #!/usr/bin/env node
-// A stack of blocks in PhysX by its own calls alone. What is not set stays as the library has it.
+// A stack of blocks in PhysX by its own calls alone. What is not set stays as the library has it. Two words more:
+//
+//   bits 1    (by so many last bits is an element of the quaternion that turns the ground larger)
+//   along 1   (the output is centres' x, m, in place of angles)
 
 import { readFileSync } from 'node:fs';
 import { inPackage, printAngles, readQuestion } from './question.mjs';
@@ -32,7 +35,9 @@ const shape = (geometry) => {
   return made;
 };
 const pose = (x, y, turn) => new px.PxTransform(new px.PxVec3(x, y, 0), new px.PxQuat(0, 0, Math.sin(turn / 2), Math.cos(turn / 2)));
-const ground = physics.createRigidStatic(pose(0, 0, Math.PI / 2));
+const quarter = Math.fround(Math.SQRT1_2);
+const facingUp = new px.PxQuat(0, 0, quarter, quarter + (question.bits ?? 0) * 2 ** -24);
+const ground = physics.createRigidStatic(new px.PxTransform(new px.PxVec3(0, 0, 0), facingUp));
 ground.attachShape(shape(new px.PxPlaneGeometry()));
 scene.addActor(ground);
 const bodies = question.blocks.map((block) => {
@@ -54,7 +59,8 @@ printAngles(question, (x, y) => {
   scene.simulate(question.dt);
   scene.fetchResults(true);
 }, (k) => {
-  const { q } = bodies[k].getGlobalPose();
+  const { p, q } = bodies[k].getGlobalPose();
+  if (question.along) return p.x;
   const z = q.z;
   return -2 * Math.atan2(z, q.w);
 });

@@ -312,5 +312,36 @@ TEST(WebEngines, JoltLetsABlockAtRestWait) {
   }
 }
 
+/// How fast a block creeps in PhysX on ground that accelerates by 0.364 g, which a friction of 0.5 holds,
+/// m/s.
+double creep_in_physx(const WorkerEngine& engine, const Block& block, double dt, int bits) {
+  Scene scene = slender_block(0.2);
+  scene.blocks = {block};
+  scene.initial = {{0}, {0}};
+  scene.engine.friction = 0.5;
+  scene.horizontal.interval = 10;
+  scene.horizontal.samples = {0.364 * scene.gravity, 0.364 * scene.gravity};
+  const std::string question =
+      bare_question(engine, scene, dt, engine.default_parameters()) + fmt::format("along 1 bits {}\n", bits);
+  const std::vector<double> places = bare_angles(engine.name, question);
+  return std::abs(places.back() - places.front()) / scene.duration;
+}
+
+/// The ground's plane is turned upwards by a quaternion that is rounded. One last bit of an element, a turn
+/// by 1e-7 rad, and nothing creeps.
+TEST(WebEngines, RoundingOfTheGroundsFrameMakesBlocksCreepInPhysX) {
+  const WorkerEngine* engine = there("physx:tgs");
+  if (engine == nullptr) GTEST_SKIP() << "PhysX is not there";
+  for (const Block& block : {make_block(0.2, 0.2, 25), make_block(0.4, 0.3, 2500)}) {
+    double coarser = 0;
+    for (const double dt : {1e-3, 3e-4, 1e-4}) {
+      const double creep = creep_in_physx(*engine, block, dt, 0);
+      EXPECT_GT(creep, 1.5 * coarser) << dt;
+      EXPECT_GT(creep, 10 * creep_in_physx(*engine, block, dt, 1)) << dt;
+      coarser = creep;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rockstack
