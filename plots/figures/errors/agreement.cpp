@@ -146,8 +146,8 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& fr
                      }});
     largest.push_back({"off by (rad, or share)", off.list()});
   }
-  constexpr double first = 20, between = 90;
-  sheet.leave_room_above(from == 0 ? first : between);
+  constexpr double title = 20, between = 90;
+  sheet.leave_room_above(from == 0 ? title : between + title);
   add_rows(sheet, {frame.sets, 0, 1}, times);
   sheet.leave_room_above(between);
   add_rows(sheet, {frame.sets, sizes.low, sizes.high}, largest);
