@@ -150,11 +150,18 @@ std::string end_words(EventKind kind, int block) {
   return block < 3 ? "strikes the ground" : "strikes the ground or a block further down";
 }
 
+/// Of an exact motion whose springs are not loaded at the start, what its bodies would tell.
+Support support_of(const Scene& scene, const History& history) {
+  if (scene.law != Law::compliant || scene.initial.preloaded) return {};
+  std::vector<double> depths;
+  for (std::size_t i = 0; i < history.size(); ++i) depths.push_back(deepest_sinking(scene, history, i));
+  return rockstack::support_of(depths, {});
+}
+
 /// "sinks in by 86 mm", or nothing.
-std::string sinking(const Scene& scene, const Support& support) {
-  return support.sinking > told_sinking * least_height(scene.blocks)
-             ? "sinks in by " + quantity_text(support.sinking, "m", 2)
-             : "";
+std::string sinking(const Scene& scene, double depth) {
+  return depth > told_sinking * least_height(scene.blocks) ? "sinks in by " + quantity_text(depth, "m", 2)
+                                                           : "";
 }
 
 }  // namespace
@@ -269,7 +276,7 @@ std::string motion_verdict(const Scene& scene, const History& history, const Sup
     return fmt::format("{} has fallen off{}{}", support.fallen.substr(0, support.fallen.find(" at ")),
                        support.fallen.substr(support.fallen.find(" at ")), freedom(history));
   const Lean most = largest_lean(scene, peak_angles(history));
-  const std::string sunk = sinking(scene, support);
+  const std::string sunk = sinking(scene, std::max(support.sinking, support_of(scene, history).sinking));
   const std::string going_on = unsettled(scene, history);
   if (history.events.empty() && most.ratio < 1e-3 && going_on.empty())
     return sunk.empty() ? "rests throughout" + freedom(history) : "rests, but " + sunk + freedom(history);

@@ -106,5 +106,21 @@ TEST(MotionVerdict, SinkingIsWhatLasts) {
   EXPECT_EQ(support_of(depths, {INFINITY, 0.5, 0.25}).fallen, "block 3 at 0.25 s");
 }
 
+// Under its own weight a block goes down by m g over the stiffness of both corners, 9.81 mm.
+TEST(MotionVerdict, AnExactMotionOnSpringsThatWereNotLoadedSinks) {
+  Scene scene;
+  scene.duration = 2;
+  scene.law = Law::compliant;
+  scene.blocks = {make_block(1, 2, 2500)};
+  scene.initial = {{0}, {0}};
+  scene.initial.preloaded = false;
+  scene.springs.stiffness = {2.5e6};
+  scene.springs.damping = {5e4};
+  const SolveOptions options{.sample_times = regular_times(0.01, 2)};
+  EXPECT_EQ(motion_verdict(scene, solve(scene, options)).substr(0, 27), "rests, but sinks in by 9.8 ");
+  scene.initial.preloaded = true;
+  EXPECT_EQ(motion_verdict(scene, solve(scene, options)).substr(0, 16), "rests throughout");
+}
+
 }  // namespace
 }  // namespace rockstack
