@@ -19,9 +19,8 @@ constexpr std::array<double, Terms> alternating_reciprocal_factorials(int first)
   long double factorial = 1;
   for (std::size_t i = 0; i < Terms; ++i) {
     const int order = 2 * static_cast<int>(i) + first;
-    for (int j = order - 1; j <= order; ++j) {
+    for (int j = order - 1; j <= order; ++j)
       if (j > 1) factorial *= j;
-    }
     result[i] = static_cast<double>((i % 2 == 0 ? 1 : -1) / factorial);
   }
   return result;

@@ -47,9 +47,8 @@ Pattern closed_pattern(int size);
 
 /// True where every interface is closed.
 inline bool is_closed(const Pattern& pattern) {
-  for (int k = 0; k < pattern.size; ++k) {
+  for (int k = 0; k < pattern.size; ++k)
     if (pattern[k] != Contact::closed) return false;
-  }
   return true;
 }
 

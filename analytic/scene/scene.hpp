@@ -76,6 +76,13 @@ struct InitialState {
   std::vector<double> gap_velocities = {};
 };
 
+/// What only laws take under which blocks leave their pivots, by its key.
+inline constexpr std::pair<const char*, std::vector<double> InitialState::*> of_free_blocks[] = {
+    {"gap_velocities", &InitialState::gap_velocities},
+    {"gaps", &InitialState::gaps},
+    {"offsets", &InitialState::offsets},
+    {"slip_velocities", &InitialState::slip_velocities}};
+
 /// Whether a block starts above what is below it.
 inline bool has_gap(const InitialState& initial, std::size_t block) {
   return !initial.gaps.empty() && initial.gaps[block] > 0;

@@ -1,11 +1,9 @@
 #include <limits>
-#include <map>
 #include <numbers>
 #include <utility>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/scene/pattern.hpp"
-#include "analytic/scene/scene.hpp"
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/scene/spring_checks.hpp"
 
@@ -18,14 +16,10 @@ void validate_block(const Block& block, const std::string& key) {
   require_positive(key + ".mass", block.mass);
   // The mass times the square of a length: of a grain below 0.1 mm it is beyond 10⁻²⁰ kg·m².
   const double square = largest_number * largest_number;
-  if (!(block.inertia >= block.mass / square && block.inertia <= block.mass * square)) {
-    throw FieldError(
-        key + ".inertia", number_text(block.inertia),
-        "a number from " + number_text(block.mass / square) + " to " + number_text(block.mass * square));
-  }
+  require_between(key + ".inertia", block.inertia, block.mass / square, block.mass * square);
   const auto require_inside = [&](const char* entry, double offset, double half) {
     if (!(std::abs(offset) < half))
-      throw FieldError(key + ".center_of_mass." + entry, number_text(offset),
+      throw FieldError(key + ".center_of_mass." + entry, offset,
                        "inside the block, between ±" + number_text(half) + " m");
   };
   require_inside("1", block.offset_x, block.half_width);
@@ -46,28 +40,23 @@ void validate_inclination(const Scene& scene) {
   constexpr double most = 0.25 * std::numbers::pi;
   const double given = scene.inclination;
   if (std::abs(given) <= most) return;
-  throw FieldError("ground.inclination", number_text(given),
+  throw FieldError("ground.inclination", given,
                    "between ±" + number_text(most, 4) + " rad" + in_degrees(given, most));
 }
 
+constexpr const char* as_long = "as long as there are blocks, ";
+
 void validate_restitution(const Scene& scene) {
-  const std::vector<double>& ratios = scene.restitution;
-  if (ratios.empty()) return;
-  if (ratios.size() != scene.blocks.size())
-    throw FieldError("restitution", "an array of " + std::to_string(ratios.size()),
-                     "as long as there are blocks, " + std::to_string(scene.blocks.size()));
-  for (std::size_t k = 0; k < ratios.size(); ++k) {
-    if (!(ratios[k] >= 0 && ratios[k] <= 1))
-      throw FieldError("restitution." + std::to_string(k + 1), number_text(ratios[k]),
-                       "a number from 0 to 1");
-  }
+  if (scene.restitution.empty()) return;
+  require_one_each("restitution", scene.restitution, scene.blocks.size(), as_long);
+  require_each_between("restitution", scene.restitution, 0, 1);
 }
 
 /// Of what only some equations and impacts are made for.
 void validate_off_middle(const Scene& scene) {
   const auto off = std::find_if(scene.blocks.begin(), scene.blocks.end(), is_off_middle);
   if (off == scene.blocks.end()) return;
-  const std::string key = "blocks." + std::to_string(off - scene.blocks.begin() + 1) + ".center_of_mass";
+  const std::string key = entry_key("blocks", off - scene.blocks.begin()) + ".center_of_mass";
   const std::string value = "[" + number_text(off->offset_x) + ", " + number_text(off->offset_y) + "]";
   if (scene.equations == Equations::small_angle)
     throw FieldError(key, value,
@@ -76,34 +65,18 @@ void validate_off_middle(const Scene& scene) {
     throw FieldError(key, value, "[0, 0] beside restitution, whose ratio might add energy otherwise");
 }
 
-void require_all_signed(const std::string& key, const std::vector<double>& values) {
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    if (!(std::abs(values[k]) <= largest_number))
-      require_signed(key + "." + std::to_string(k + 1), values[k]);
-  }
-}
-
-/// What only laws take under which blocks leave their pivots, by their keys.
-std::map<std::string, const std::vector<double>&> of_free_blocks(const InitialState& initial) {
-  return {{"initial.slip_velocities", initial.slip_velocities},
-          {"initial.offsets", initial.offsets},
-          {"initial.gaps", initial.gaps},
-          {"initial.gap_velocities", initial.gap_velocities}};
-}
-
 void validate_gaps(const Scene& scene) {
   const InitialState& initial = scene.initial;
   for (std::size_t k = 0; k < initial.gaps.size(); ++k) {
-    const std::string key = "initial.gaps." + std::to_string(k + 1);
+    const std::string key = entry_key("initial.gaps", k);
     require_between(key, initial.gaps[k], 0);
     if (initial.gaps[k] > 0 && scene.law == Law::compliant && initial.preloaded)
-      throw FieldError(key, number_text(initial.gaps[k]),
+      throw FieldError(key, initial.gaps[k],
                        "0, or beside initial.springs = \"unloaded\": what falls bears on no spring");
   }
   for (std::size_t k = 0; k < initial.gap_velocities.size(); ++k)
     if (initial.gap_velocities[k] != 0 && !has_gap(initial, k))
-      throw FieldError("initial.gap_velocities." + std::to_string(k + 1),
-                       number_text(initial.gap_velocities[k]),
+      throw FieldError(entry_key("initial.gap_velocities", k), initial.gap_velocities[k],
                        "0 where initial.gaps has none: a block that touches turns and slips");
 }
 
@@ -112,29 +85,26 @@ void validate_offsets(const Scene& scene) {
   for (std::size_t k = 1; k < scene.initial.offsets.size(); ++k) {
     const double reach = scene.blocks[k].half_width + scene.blocks[k - 1].half_width;
     if (!(std::abs(scene.initial.offsets[k]) < reach))
-      throw FieldError("initial.offsets." + std::to_string(k + 1), number_text(scene.initial.offsets[k]),
+      throw FieldError(entry_key("initial.offsets", k), scene.initial.offsets[k],
                        "between ±" + number_text(reach) + " m, so that the block is over the one below");
   }
 }
 
 void validate_initial(const Scene& scene) {
   const auto check = [&](const std::string& key, const std::vector<double>& values) {
-    if (values.size() != scene.blocks.size()) {
-      throw FieldError(key, "an array of " + std::to_string(values.size()),
-                       "as long as there are blocks, " + std::to_string(scene.blocks.size()));
-    }
-    require_all_signed(key, values);
+    require_one_each(key, values, scene.blocks.size(), as_long);
+    require_each_between(key, values, -largest_number);
   };
   validate_gaps(scene);
   check("initial.angles", scene.initial.angles);
   check("initial.velocities", scene.initial.velocities);
-  for (const auto& [key, values] : of_free_blocks(scene.initial))
-    if (!values.empty()) check(key, values);
+  for (const auto& [key, values] : of_free_blocks)
+    if (!(scene.initial.*values).empty()) check(std::string("initial.") + key, scene.initial.*values);
   validate_offsets(scene);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const double limit = toppling_angle(scene, k);
     if (const double given = scene.initial.angles[k]; std::abs(given) >= limit)
-      throw FieldError("initial.angles." + std::to_string(k + 1), number_text(given),
+      throw FieldError(entry_key("initial.angles", k), given,
                        "between ±" + number_text(limit) + " for block " + std::to_string(k + 1) +
                            ", its toppling angle" + in_degrees(given, limit));
   }
@@ -143,31 +113,25 @@ void validate_initial(const Scene& scene) {
 void validate_friction(const std::vector<double>& friction, std::size_t blocks) {
   if (friction.empty()) return;
   require_one_each("contact.friction", friction, blocks);
-  for (std::size_t k = 0; k < blocks; ++k) {
-    if (!(friction[k] >= 0 && friction[k] <= largest_friction))
-      throw FieldError("contact.friction." + std::to_string(k + 1), number_text(friction[k]),
-                       "a number from 0 to " + number_text(largest_friction));
-  }
+  require_each_between("contact.friction", friction, 0, largest_friction);
 }
 
 void validate_point_restitution(const Scene& scene) {
   const double given = scene.point_restitution;
-  const auto refuse = [&](const std::string& range) {
-    throw FieldError("contact.restitution", number_text(given), range);
-  };
-  if (!(given >= 0 && given <= 1)) refuse("a number from 0 to 1");
+  require_between("contact.restitution", given, 0, 1);
   if (given == 0 || scene.law == Law::unilateral) return;
-  refuse(scene.law == Law::compliant
-             ? "0 under law compliant, where dashpots decide (contact.damping)"
-             : std::string("0 under law ") + name(scene.law) + ", whose impacts have the ratio restitution");
+  throw FieldError("contact.restitution", given,
+                   std::string("0 under law ") + name(scene.law) +
+                       (scene.law == Law::compliant ? ", where dashpots decide (contact.damping)"
+                                                    : ", whose impacts have the ratio restitution"));
 }
 
 /// Of what is made for some laws alone.
 void validate_law(const Scene& scene) {
   if (!leaves_pivots(scene.law)) {
-    for (const auto& [key, values] : of_free_blocks(scene.initial))
-      if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; }))
-        throw FieldError(key, "not all 0",
+    for (const auto& [key, values] : of_free_blocks)
+      if (std::ranges::any_of(scene.initial.*values, [](double value) { return value != 0; }))
+        throw FieldError(std::string("initial.") + key, "not all 0",
                          std::string("all 0 under law ") + name(scene.law) +
                              ", where nothing slips or lifts: say law = \"unilateral\"");
     return;
@@ -186,11 +150,9 @@ void validate_pulse(const Pulse& pulse, const std::string& key) {
   require_signed(key + ".amplitude", pulse.amplitude);
   require_positive(key + ".period", pulse.period);
   require_between(key + ".start", pulse.start, 0);
-  if (!(pulse.cycles > 1 && pulse.cycles <= 1e6) && pulse.shape == PulseShape::mavroeidis_papageorgiou) {
-    throw FieldError(key + ".cycles", number_text(pulse.cycles), "a number > 1, up to 1e+06");
-  }
-  if (!(pulse.cycles > 0))
-    throw FieldError(key + ".cycles", number_text(pulse.cycles), "a number > 0, or inf");
+  if (!(pulse.cycles > 1 && pulse.cycles <= 1e6) && pulse.shape == PulseShape::mavroeidis_papageorgiou)
+    throw FieldError(key + ".cycles", pulse.cycles, "a number > 1, up to 1e+06");
+  if (!(pulse.cycles > 0)) throw FieldError(key + ".cycles", pulse.cycles, "a number > 0, or inf");
   require_signed(key + ".phase", pulse.phase);
 }
 
@@ -209,7 +171,7 @@ void validate_duration(const Scene& scene) {
       scene.gravity + strongest(scene.horizontal) + strongest(scene.vertical) + turning;
   const double longest = 1e7 * std::sqrt(smallest / acceleration);
   if (scene.duration > longest)
-    throw FieldError("duration", number_text(scene.duration),
+    throw FieldError("duration", scene.duration,
                      "at most " + number_text(longest) +
                          " s, 10⁷ √(half a diagonal of the smallest block / the largest acceleration)");
 }
@@ -220,19 +182,17 @@ void validate(const GroundMotion& motion, const std::string& key) {
   if (motion.empty()) return;
   if (motion.pulse) return validate_pulse(*motion.pulse, key);
   require_positive(key + ".interval", motion.interval);
-  require_all_signed(key + ".samples", motion.samples);
+  require_each_between(key + ".samples", motion.samples, -largest_number);
 }
 
 void validate(const Scene& scene) {
   require_positive("duration", scene.duration);
   require_positive("gravity", scene.gravity);
-  if (scene.blocks.empty() || scene.blocks.size() > static_cast<std::size_t>(max_blocks)) {
+  if (scene.blocks.empty() || scene.blocks.size() > static_cast<std::size_t>(max_blocks))
     throw FieldError("blocks", std::to_string(scene.blocks.size()) + " blocks",
                      "1 to " + std::to_string(max_blocks) + " blocks");
-  }
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    validate_block(scene.blocks[k], "blocks." + std::to_string(k + 1));
-  }
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k)
+    validate_block(scene.blocks[k], entry_key("blocks", k));
   validate_off_middle(scene);
   validate_restitution(scene);
   validate_law(scene);

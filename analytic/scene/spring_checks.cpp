@@ -42,10 +42,6 @@ Foundation foundation_of(const Scene& scene, std::size_t k) {
   return result;
 }
 
-std::string key_at(const char* key, std::size_t interface) {
-  return std::string(key) + "." + std::to_string(interface + 1);
-}
-
 constexpr double rigid = std::numeric_limits<double>::infinity();
 
 void refuse(bool given, const char* key, const std::string& value, const std::string& reason) {
@@ -87,19 +83,12 @@ void require_effect(const CornerSprings& springs) {
                      "another, or contact.stiffness or contact.bed_stiffness given: no interface is soft");
 }
 
-void validate_stiffness(const std::string& key, double value) {
-  if (value != rigid) require_positive(key, value);
-}
-
-void validate_damping(const std::string& key, double value) {
-  require_between(key, value, 0);
-}
-
-void validate_each(const Scene& scene, const char* key, const std::vector<double>& values,
-                   void (*validate_one)(const std::string&, double)) {
+/// Stiffnesses, which are above zero or infinite, or dampings.
+void validate_each(const Scene& scene, const char* key, const std::vector<double>& values, bool stiffness) {
   if (!values.empty()) require_one_each(key, values, scene.blocks.size());
   for (std::size_t k = 0; k < values.size(); ++k)
-    validate_one(std::string(key) + "." + std::to_string(k + 1), values[k]);
+    if (!stiffness || values[k] != rigid)
+      require_between(entry_key(key, k), values[k], stiffness ? 1 / largest_number : 0);
 }
 
 /// `per_stiffness` is what an interface bears for a depth of a metre, of a unit of the key's stiffness.
@@ -111,9 +100,10 @@ void validate_depth(const Scene& scene, std::size_t interface, const char* key, 
   if (interface > 0) height = std::min(height, 2 * scene.blocks[interface - 1].half_height);
   const double weight = mass * scene.gravity * std::cos(scene.inclination);
   const double depth = weight / (per_stiffness * stiffness);
+  constexpr double deepest_share = 0.1;
   const double least = weight / (per_stiffness * deepest_share * height);
   if (stiffness >= least) return;
-  throw FieldError(std::string(key) + "." + std::to_string(interface + 1), number_text(stiffness),
+  throw FieldError(entry_key(key, interface), stiffness,
                    "at least " + number_text(1.005 * least, 3) +
                        ": under the weight above it the interface would give way by " +
                        number_text(depth, 3) + " m, at most a tenth of a block's height, " +
@@ -129,14 +119,55 @@ void validate_depths(const Scene& scene) {
                    2 * interface_half_width(scene, k));
 }
 
+/// Bounds on how fast the springs of a stack may be, 1/s, as it stands upright: nothing swings faster than
+/// √tr M⁻¹K, dies out faster than tr M⁻¹C, or relaxes faster than k/c, where sliders may move. And the scene
+/// file's key of what the largest of them is due to most.
+struct SpringRate {
+  double rate = 0;
+  std::string key;
+  double value = 0;  ///< of that key
+};
+
+SpringRate fastest_spring_rate(const Scene& scene) {
+  const std::vector<double> friction = friction_of(scene);
+  double square = 0;
+  double damped = 0;
+  SpringRate swinging, dying, relaxing;  // `rate` is that of one interface here
+  double across = 0, along = 0;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const Foundation soft = foundation_of(scene, k);
+    if (std::isinf(soft.stiffness)) continue;
+    const double sum = soft.across + soft.along;
+    square += soft.stiffness * sum;
+    damped += soft.damping * sum;
+    across += soft.stiffness * soft.across;
+    along += soft.stiffness * soft.along;
+    if (soft.stiffness * sum > swinging.rate)
+      swinging = {soft.stiffness * sum, entry_key(soft.stiffness_key, k), soft.stiffness};
+    if (soft.damping * sum > dying.rate)
+      dying = {soft.damping * sum, entry_key(soft.damping_key, k), soft.damping};
+    const bool slides = friction[k] > 0 && friction[k] < largest_friction;
+    if (slides && soft.damping > 0 && soft.stiffness / soft.damping > relaxing.rate)
+      relaxing = {soft.stiffness / soft.damping, entry_key(soft.damping_key, k), soft.damping};
+  }
+  swinging.rate = std::sqrt(square);
+  dying.rate = damped;
+  SpringRate& fastest = swinging.rate > dying.rate ? swinging : dying;
+  if (along > across && scene.springs.tangential > 1) {
+    fastest.key = "contact.tangential";
+    fastest.value = scene.springs.tangential;
+  }
+  return relaxing.rate > fastest.rate ? relaxing : fastest;
+}
+
 void validate_steps(const Scene& scene) {
+  constexpr double most = 1e7;  // some minutes
   const SpringRate fastest = fastest_spring_rate(scene);
   const double steps = scene.duration * fastest.rate / steps_per_rate;
-  if (steps > most_spring_steps)
-    throw FieldError(fastest.key, number_text(fastest.value),
-                     "such that springs take at most " + number_text(most_spring_steps) +
-                         " steps: as fast as " + number_text(fastest.rate, 3) + " rad/s, they would take " +
-                         number_text(steps, 3));
+  if (steps > most)
+    throw FieldError(fastest.key, fastest.value,
+                     "such that springs take at most " + number_text(most) + " steps: as fast as " +
+                         number_text(fastest.rate, 3) + " rad/s, they would take " + number_text(steps, 3));
 }
 
 void validate_unloaded(const Scene& scene) {
@@ -162,55 +193,22 @@ double spring_compliance(const Block& block, double half_width, double tangentia
   return across + tangential * along;
 }
 
-SpringRate fastest_spring_rate(const Scene& scene) {
-  const std::vector<double> friction = friction_of(scene);
-  double square = 0;
-  double damped = 0;
-  SpringRate swinging, dying, relaxing;  // `rate` is that of one interface here
-  double across = 0, along = 0;
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    const Foundation soft = foundation_of(scene, k);
-    if (std::isinf(soft.stiffness)) continue;
-    const double sum = soft.across + soft.along;
-    square += soft.stiffness * sum;
-    damped += soft.damping * sum;
-    across += soft.stiffness * soft.across;
-    along += soft.stiffness * soft.along;
-    if (soft.stiffness * sum > swinging.rate)
-      swinging = {soft.stiffness * sum, key_at(soft.stiffness_key, k), soft.stiffness};
-    if (soft.damping * sum > dying.rate)
-      dying = {soft.damping * sum, key_at(soft.damping_key, k), soft.damping};
-    const bool slides = friction[k] > 0 && friction[k] < largest_friction;
-    if (slides && soft.damping > 0 && soft.stiffness / soft.damping > relaxing.rate)
-      relaxing = {soft.stiffness / soft.damping, key_at(soft.damping_key, k), soft.damping};
-  }
-  swinging.rate = std::sqrt(square);
-  dying.rate = damped;
-  SpringRate& fastest = swinging.rate > dying.rate ? swinging : dying;
-  if (along > across && scene.springs.tangential > 1) {
-    fastest.key = "contact.tangential";
-    fastest.value = scene.springs.tangential;
-  }
-  return relaxing.rate > fastest.rate ? relaxing : fastest;
-}
-
-void require_one_each(const char* key, const std::vector<double>& values, std::size_t blocks) {
+void require_one_each(const std::string& key, const std::vector<double>& values, std::size_t blocks,
+                      const std::string& allowed) {
   if (values.size() != blocks)
-    throw FieldError(key, "an array of " + std::to_string(values.size()),
-                     "a number, or as many as there are blocks, " + std::to_string(blocks));
+    throw FieldError(key, "an array of " + std::to_string(values.size()), allowed + std::to_string(blocks));
 }
 
 void validate_springs(const Scene& scene) {
   if (scene.law != Law::compliant) return require_no_springs(scene);
   const CornerSprings& springs = scene.springs;
-  validate_each(scene, "contact.stiffness", springs.stiffness, validate_stiffness);
-  validate_each(scene, "contact.damping", springs.damping, validate_damping);
-  validate_each(scene, "contact.bed_stiffness", springs.bed_stiffness, validate_stiffness);
-  validate_each(scene, "contact.bed_damping", springs.bed_damping, validate_damping);
+  validate_each(scene, "contact.stiffness", springs.stiffness, true);
+  validate_each(scene, "contact.damping", springs.damping, false);
+  validate_each(scene, "contact.bed_stiffness", springs.bed_stiffness, true);
+  validate_each(scene, "contact.bed_damping", springs.bed_damping, false);
   for (std::size_t k = 0; k < std::min(springs.stiffness.size(), springs.bed_stiffness.size()); ++k)
     if (springs.stiffness[k] != rigid && springs.bed_stiffness[k] != rigid)
-      throw FieldError("contact.bed_stiffness." + std::to_string(k + 1),
-                       number_text(springs.bed_stiffness[k]),
+      throw FieldError(entry_key("contact.bed_stiffness", k), springs.bed_stiffness[k],
                        "inf where contact.stiffness is not: an interface has springs at corners or a bed");
   require_positive("contact.tangential", springs.tangential);
   require_effect(springs);

@@ -10,9 +10,8 @@ namespace {
 
 std::string name_of(const SyntheticMotion& motion) {
   std::string name = "synthetic " + std::to_string(motion.seed);
-  for (const double number : {motion.duration, motion.interval, motion.frequency, motion.damping}) {
+  for (const double number : {motion.duration, motion.interval, motion.frequency, motion.damping})
     name += " " + number_text(number);
-  }
   return name;
 }
 

@@ -3,18 +3,10 @@
 namespace rockstack {
 
 double length(const Pulse& pulse) {
-  switch (pulse.shape) {
-    case PulseShape::half_sine:
-      return pulse.period / 2;
-    case PulseShape::ricker:
-      return 4 * pulse.period;
-    case PulseShape::sine:
-    case PulseShape::cosine:
-    case PulseShape::mavroeidis_papageorgiou:
-      return pulse.cycles * pulse.period;
-    default:
-      return pulse.period;
-  }
+  if (pulse.shape == PulseShape::half_sine) return pulse.period / 2;
+  if (pulse.shape == PulseShape::rectangle) return pulse.period;
+  if (pulse.shape == PulseShape::ricker) return 4 * pulse.period;
+  return pulse.cycles * pulse.period;
 }
 
 double velocity(const Pulse& pulse, double t) {

@@ -1,8 +1,6 @@
 #include "analytic/scene/ground/synthetic.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -87,22 +85,7 @@ End end_of(const std::vector<double>& samples) {
   return end;
 }
 
-/// Takes off the combination of two shapes that leaves the end at rest.
-void bring_to_rest(std::vector<double>& samples, const std::vector<double>& flat,
-                   const std::vector<double>& rising) {
-  const End end = end_of(samples);
-  const End one = end_of(flat);
-  const End other = end_of(rising);
-  const double determinant = one.velocity * other.displacement - other.velocity * one.displacement;
-  const double flat_part =
-      (end.velocity * other.displacement - other.velocity * end.displacement) / determinant;
-  const double rising_part =
-      (one.velocity * end.displacement - end.velocity * one.displacement) / determinant;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    samples[i] -= flat_part * flat[i] + rising_part * rising[i];
-  }
-}
-
+/// Takes off the combination of two shapes, the envelope and that times time, that leaves the end at rest.
 void correct_base_line(const SyntheticMotion& motion, std::vector<double>& samples) {
   std::vector<double> flat, rising;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -110,11 +93,18 @@ void correct_base_line(const SyntheticMotion& motion, std::vector<double>& sampl
     flat.push_back(synthetic_envelope(motion, t));
     rising.push_back(flat.back() * t / motion.duration);
   }
-  bring_to_rest(samples, flat, rising);
+  const End end = end_of(samples), one = end_of(flat), other = end_of(rising);
+  const double determinant = one.velocity * other.displacement - other.velocity * one.displacement;
+  const double flat_part =
+      (end.velocity * other.displacement - other.velocity * end.displacement) / determinant;
+  const double rising_part =
+      (one.velocity * end.displacement - end.velocity * one.displacement) / determinant;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i] -= flat_part * flat[i] + rising_part * rising[i];
 }
 
 void require(bool allowed, const std::string& key, double value, const std::string& range) {
-  if (!allowed) throw FieldError(key, number_text(value), range);
+  if (!allowed) throw FieldError(key, value, range);
 }
 
 }  // namespace
@@ -155,9 +145,8 @@ std::vector<double> modulated_noise(const SyntheticMotion& motion) {
     }
     add(samples, group);
   }
-  for (std::size_t i = 0; i < samples.size(); ++i) {
+  for (std::size_t i = 0; i < samples.size(); ++i)
     samples[i] *= synthetic_envelope(motion, motion.interval * static_cast<double>(i));
-  }
   return samples;
 }
 

@@ -29,11 +29,6 @@ std::string shown(const Node& node) {
   return "a table";
 }
 
-bool is_control(char letter) {
-  const auto code = static_cast<unsigned char>(letter);
-  return code < 0x20 || code == 0x7f;
-}
-
 std::string two_digits(char letter) {
   static constexpr std::string_view digits = "0123456789abcdef";
   const auto code = static_cast<unsigned char>(letter);
@@ -51,8 +46,7 @@ Node make_child(const Node& parent, std::string name, std::string place) {
 }
 
 const Node* find(const Node& parent, std::string_view name) {
-  const auto found = std::find_if(parent.children.begin(), parent.children.end(),
-                                  [&](const Node& child) { return child.name == name; });
+  const auto found = std::ranges::find(parent.children, name, &Node::name);
   return found == parent.children.end() ? nullptr : &*found;
 }
 
@@ -80,7 +74,8 @@ std::string toml_text(std::string_view text) {
   std::string result = "\"";
   for (const char letter : text) {
     if (letter == '"' || letter == '\\') result += '\\';
-    result += is_control(letter) ? "\\u00" + two_digits(letter) : std::string(1, letter);
+    const bool control = (letter >= 0 && letter < 0x20) || letter == 0x7f;
+    result += control ? "\\u00" + two_digits(letter) : std::string(1, letter);
   }
   return result + '"';
 }

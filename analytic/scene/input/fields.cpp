@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
@@ -17,8 +16,7 @@ std::string whole_text(double value) {
 void require_table(const Node& node, const KeyTable& allowed) {
   if (node.kind != Node::Kind::table) throw wrong_value(node, "a table");
   for (const Node& child : node.children) {
-    const auto known = [&](const InputKey& key) { return child.name == key.name; };
-    if (std::any_of(allowed.keys.begin(), allowed.keys.end(), known)) continue;
+    if (std::ranges::find(allowed.keys, child.name, &InputKey::name) != allowed.keys.end()) continue;
     std::vector<std::string> names;
     std::string list;
     for (const InputKey& key : allowed.keys) {

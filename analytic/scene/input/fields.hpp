@@ -56,7 +56,18 @@ std::vector<double> numbers(const Node& node);
 
 const std::string& text(const Node& node);
 
-/// The meaning of a text that is one of a few names.
+/// The meaning of a text that is one of a few names, which may be that of its place among them.
+template <class Choice>
+Choice choice(const Node& node, std::initializer_list<const char*> names) {
+  std::string allowed;
+  int place = 0;
+  for (const char* name : names) {
+    if (node.kind == Node::Kind::text && node.text == name) return static_cast<Choice>(place);
+    allowed += (place++ == 0 ? "" : " or ") + quoted(name);
+  }
+  throw wrong_value(node, allowed);
+}
+
 template <class Choice>
 Choice choice(const Node& node, std::initializer_list<std::pair<const char*, Choice>> choices) {
   std::string allowed;

@@ -51,11 +51,10 @@ std::string why_unreadable(std::string_view bytes, bool text, const Levels& foun
     return "is cut short, after " + std::to_string(bytes.size()) + " bytes";
   const std::string position = std::to_string(found.position());
   const std::string_view rest = bytes.substr(found.position() > 0 ? found.position() - 1 : 0);
-  for (const char* bare : {"NaN", "Infinity"}) {
+  for (const char* bare : {"NaN", "Infinity"})
     if (text && rest.starts_with(bare))
       return std::string("has a bare ") + bare + " at byte " + position +
              "; must be a text there, \"nan\", \"inf\" or \"-inf\"";
-  }
   if (text) return "is no JSON from byte " + position + " on";
   return "is no JSON, which begins with '{', and no MessagePack";
 }

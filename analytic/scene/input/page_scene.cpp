@@ -1,10 +1,6 @@
 #include "analytic/scene/input/page_scene.hpp"
 
-#include <cmath>
-#include <limits>
 #include <utility>
-
-#include "analytic/scene/input/document.hpp"
 
 namespace rockstack {
 namespace {

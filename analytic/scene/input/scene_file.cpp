@@ -1,12 +1,78 @@
 #include "analytic/scene/input/scene_file.hpp"
 
-#include "analytic/scene/input/fields.hpp"
-#include "analytic/scene/input/ground_reader.hpp"
+#include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 
 namespace rockstack {
 namespace {
+
+GroundMotion from_record(const Node& table, const Node& node, const std::filesystem::path& folder,
+                         MotionLibrary& library) {
+  require_table(table, record_keys);
+  const std::filesystem::path name = folder / text(node);
+  const std::filesystem::path file = record_file(name);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored))
+    throw wrong_value(node, "a record's file, none is at " + one_line(file.string()));
+  GroundMotion motion = *library.record(name);
+  motion.source = node.text + " (" + motion.source + ")";
+  return motion;
+}
+
+GroundMotion from_samples(const Node& table, const Node& samples) {
+  require_table(table, samples_keys);
+  GroundMotion motion{required_number(table, "interval"), numbers(samples), "samples in the scene file"};
+  if (motion.empty()) throw wrong_value(samples, "at least one number");
+  return motion;
+}
+
+GroundMotion from_pulse(const Node& table, const Node& shape) {
+  Pulse pulse;
+  pulse.shape = choice<PulseShape>(
+      shape, {"sine", "cosine", "half-sine", "rectangle", "ricker", "mavroeidis-papageorgiou"});
+  if (pulse.shape == PulseShape::mavroeidis_papageorgiou) {
+    require_table(table, near_fault_keys);
+    pulse.cycles = required_number(table, "cycles");
+    pulse.phase = number_or(table, "phase", pulse.phase);
+  } else if (pulse.shape == PulseShape::sine || pulse.shape == PulseShape::cosine) {
+    require_table(table, harmonic_keys);
+    pulse.cycles = number_or(table, "cycles", pulse.cycles);
+  } else {
+    require_table(table, pulse_keys);
+  }
+  pulse.amplitude = required_number(table, "amplitude");
+  pulse.period = required_number(table, "period");
+  pulse.start = number_or(table, "start", pulse.start);
+  GroundMotion motion;
+  motion.source = shape.text + " pulse";
+  motion.pulse = pulse;
+  return motion;
+}
+
+GroundMotion from_synthetic(const Node& table, const Node& seed, MotionLibrary& library) {
+  require_table(table, synthetic_keys);
+  SyntheticMotion motion;
+  motion.seed = static_cast<std::uint64_t>(whole_number(seed, 0, largest_seed));
+  motion.peak = required_number(table, "peak");
+  motion.duration = number_or(table, "duration", motion.duration);
+  motion.interval = number_or(table, "interval", motion.interval);
+  motion.frequency = number_or(table, "frequency", motion.frequency);
+  motion.damping = number_or(table, "damping", motion.damping);
+  validate(motion, table.key);
+  GroundMotion result = *library.synthetic(motion);
+  for (double& sample : result.samples) sample *= motion.peak;
+  return result;
+}
+
+void scale_to_peak(GroundMotion& motion, const Node& node) {
+  const double wanted = number(node);
+  require_positive(node.key, wanted);
+  const double largest = peak(motion);
+  if (largest == 0) throw wrong_value(node, "left out where every sample is zero");
+  // Divided first, so that the largest sample comes out as the peak to the last bit.
+  for (double& sample : motion.samples) sample = sample / largest * wanted;
+}
 
 double read_mass(const Node& table, const Block& block) {
   const Node* density = find(table, "density");
@@ -60,15 +126,10 @@ InitialState read_initial(const Node& root, std::size_t size) {
   require_table(*table, initial_keys);
   if (const Node* angles = find(*table, "angles")) initial.angles = numbers(*angles);
   if (const Node* velocities = find(*table, "velocities")) initial.velocities = numbers(*velocities);
-  const std::pair<const char*, std::vector<double>*> of_free_blocks[] = {
-      {"slip_velocities", &initial.slip_velocities},
-      {"offsets", &initial.offsets},
-      {"gaps", &initial.gaps},
-      {"gap_velocities", &initial.gap_velocities}};
   for (const auto& [key, values] : of_free_blocks)
-    if (const Node* array = find(*table, key)) *values = one_each(*array);
+    if (const Node* array = find(*table, key)) initial.*values = one_each(*array);
   if (const Node* springs = find(*table, "springs"))
-    initial.preloaded = choice<bool>(*springs, {{"loaded", true}, {"unloaded", false}});
+    initial.preloaded = !choice<bool>(*springs, {"loaded", "unloaded"});
   return initial;
 }
 
@@ -77,25 +138,20 @@ void read_ground(const SceneDocument& document, MotionLibrary& library, Scene& s
   if (ground == nullptr) return;
   require_table(*ground, ground_keys);
   scene.inclination = number_or(*ground, "inclination", scene.inclination);
-  if (const Node* table = find(*ground, "horizontal")) {
-    scene.horizontal = read_ground_motion(*table, document.folder, library);
-  }
-  if (const Node* table = find(*ground, "vertical")) {
-    scene.vertical = read_ground_motion(*table, document.folder, library);
-  }
+  for (const auto& [axis, motion] :
+       {std::pair("horizontal", &scene.horizontal), {"vertical", &scene.vertical}})
+    if (const Node* table = find(*ground, axis))
+      *motion = read_ground_motion(*table, document.folder, library);
 }
 
 /// Of each interface: the numbers given, or the one number for all; none where the key is left out.
-std::vector<double> read_each(const Node& table, std::string_view key, std::size_t size) {
+/// Stiffnesses may be infinite, of a rigid interface.
+std::vector<double> read_each(const Node& table, std::string_view key, std::size_t size,
+                              bool stiffness = false) {
   const Node* node = find(table, key);
   if (node == nullptr) return {};
-  return node->kind == Node::Kind::array ? one_each(*node) : std::vector<double>(size, number(*node));
-}
-
-/// The same of stiffnesses, where `inf` is a rigid interface.
-std::vector<double> read_stiffness(const Node& table, std::string_view key, std::size_t size) {
-  const Node* node = find(table, key);
-  if (node == nullptr || node->kind != Node::Kind::array) return read_each(table, key, size);
+  if (node->kind != Node::Kind::array) return std::vector<double>(size, number(*node));
+  if (!stiffness) return one_each(*node);
   std::vector<double> values;
   for (const Node& entry : entries(*node, "a number for each block")) values.push_back(number(entry));
   return values;
@@ -109,14 +165,13 @@ void read_contact(const Node& root, Scene& scene) {
   scene.friction = read_each(*table, "friction", size);
   scene.point_restitution = number_or(*table, "restitution", 0);
   if (const Node* law = find(*table, "restitution_law")) {
-    scene.restitution_law = choice<RestitutionLaw>(
-        *law, {{"newton", RestitutionLaw::newton}, {"poisson", RestitutionLaw::poisson}});
+    scene.restitution_law = choice<RestitutionLaw>(*law, {"newton", "poisson"});
     if (scene.restitution_law != RestitutionLaw::newton && find(*table, "restitution") == nullptr)
       throw wrong_value(*law, "left out where contact.restitution is, whose law it is");
   }
-  scene.springs.stiffness = read_stiffness(*table, "stiffness", size);
+  scene.springs.stiffness = read_each(*table, "stiffness", size, true);
   scene.springs.damping = read_each(*table, "damping", size);
-  scene.springs.bed_stiffness = read_stiffness(*table, "bed_stiffness", size);
+  scene.springs.bed_stiffness = read_each(*table, "bed_stiffness", size, true);
   scene.springs.bed_damping = read_each(*table, "bed_damping", size);
   scene.springs.tangential = number_or(*table, "tangential", scene.springs.tangential);
 }
@@ -145,20 +200,11 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
   scene.title = title == nullptr ? document.title : text(*title);
   scene.duration = required_number(root, "duration");
   scene.gravity = number_or(root, "gravity", scene.gravity);
-  if (const Node* law = find(root, "law")) {
-    scene.law = choice<Law>(*law, {{"paper", Law::paper},
-                                   {"consistent", Law::consistent},
-                                   {"unilateral", Law::unilateral},
-                                   {"compliant", Law::compliant}});
-  }
-  if (const Node* equations = find(root, "equations")) {
-    scene.equations = choice<Equations>(*equations, {{"nonlinear", Equations::nonlinear},
-                                                     {"linear", Equations::linear},
-                                                     {"small-angle", Equations::small_angle}});
-  }
-  if (const Node* restitution = find(root, "restitution")) {
-    scene.restitution = one_each(*restitution);
-  }
+  if (const Node* law = find(root, "law"))
+    scene.law = choice<Law>(*law, {"paper", "consistent", "unilateral", "compliant"});
+  if (const Node* equations = find(root, "equations"))
+    scene.equations = choice<Equations>(*equations, {"nonlinear", "linear", "small-angle"});
+  if (const Node* restitution = find(root, "restitution")) scene.restitution = one_each(*restitution);
   scene.blocks = read_blocks(root);
   scene.initial = read_initial(root, scene.blocks.size());
   read_ground(document, library, scene);
@@ -168,6 +214,28 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
 }
 
 }  // namespace
+
+GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& folder,
+                                MotionLibrary& library) {
+  if (const Node* pulse = find(table, "pulse")) return from_pulse(table, *pulse);
+  if (const Node* seed = find(table, "synthetic")) return from_synthetic(table, *seed, library);
+  const Node* record = find(table, "record");
+  const Node* samples = find(table, "samples");
+  if (record == nullptr && samples == nullptr)
+    throw missing_key(table, "record",
+                      "given, or samples and interval, or a pulse or synthetic in its place");
+  GroundMotion motion =
+      record != nullptr ? from_record(table, *record, folder, library) : from_samples(table, *samples);
+  const Node* scale = find(table, "scale");
+  const Node* wanted_peak = find(table, "peak");
+  if (scale != nullptr && wanted_peak != nullptr) throw excluded_key(*wanted_peak, *scale);
+  if (scale != nullptr) {
+    require_signed(scale->key, number(*scale));
+    for (double& sample : motion.samples) sample *= scale->number;
+  }
+  if (wanted_peak != nullptr) scale_to_peak(motion, *wanted_peak);
+  return motion;
+}
 
 SceneDocument read_document(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   SceneDocument document{read_toml(file), file.parent_path(), file.stem().string()};

@@ -34,4 +34,11 @@ SceneDocument read_document(const std::filesystem::path& file,
 /// @throws InputError as read_scene().
 Scene make_scene(const SceneDocument& document, MotionLibrary& library);
 
+/// The motion that a table [ground.horizontal] or [ground.vertical] describes: a record or samples, then
+/// scaled by a factor or to a peak, or a pulse, or a synthetic motion. Paths of records are relative to
+/// `folder`; records and synthetic motions come from `library`.
+/// @throws InputError with place, key, value and what is allowed; FieldError for a number out of range.
+GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& folder,
+                                MotionLibrary& library);
+
 }  // namespace rockstack

@@ -120,13 +120,7 @@ std::string trimmed(const std::string& text) {
 /// The parts of a dotted key; an empty part stays, for the caller to refuse.
 std::vector<std::string> parts(const std::string& key) {
   std::vector<std::string> result(1);
-  for (const char letter : key) {
-    if (letter == '.') {
-      result.emplace_back();
-    } else {
-      result.back() += letter;
-    }
-  }
+  for (const char letter : key) letter == '.' ? result.emplace_back() : result.back() += letter;
   return result;
 }
 
@@ -163,7 +157,7 @@ Node& target(Node& root, const std::vector<std::string>& path, const std::string
 
 /// Whether a scene may have such a key; none has more than a few parts.
 bool is_key(const std::vector<std::string>& path) {
-  return path.size() <= most_levels && std::find(path.begin(), path.end(), "") == path.end();
+  return path.size() <= most_levels && std::ranges::find(path, "") == path.end();
 }
 
 }  // namespace
@@ -201,36 +195,22 @@ void apply_override(Node& root, const std::string& override_text) {
   const std::string place = "--set " + one_line(override_text);
   const auto equals = override_text.find('=');
   const auto path = parts(trimmed(override_text.substr(0, equals)));
-  if (equals == std::string::npos || !is_key(path)) {
+  if (equals == std::string::npos || !is_key(path))
     throw InputError(place + ": must be key=value, e.g. blocks.1.height=3 or law=consistent");
-  }
   Node& node = target(root, path, place);
-  Node fresh;
-  fresh.name = node.name;
-  fresh.key = node.key;
-  fresh.place = place;
-  const std::string text = trimmed(override_text.substr(equals + 1));
-  if (auto value = parse_toml_value(text, fresh)) {
-    node = std::move(*value);
-  } else {
-    fresh.kind = Node::Kind::text;
-    fresh.text = text;
-    node = std::move(fresh);
-  }
+  Node fresh{Node::Kind::text, node.name, node.key, place, 0, trimmed(override_text.substr(equals + 1)), {}};
+  const Node empty{fresh.kind, fresh.name, fresh.key, place, 0, {}, {}};
+  if (auto value = parse_toml_value(fresh.text, empty)) fresh = *std::move(value);
+  node = std::move(fresh);
 }
 
 void set_value(Node& root, const std::string& key, const Node& value) {
   const auto path = parts(key);
-  if (!is_key(path)) {
+  if (!is_key(path))
     throw InputError(value.place + ": key = " + one_line(key) +
                      ": must be a scene's key, e.g. blocks.1.height");
-  }
   Node& node = target(root, path, value.place);
-  node.kind = value.kind;
-  node.place = value.place;
-  node.number = value.number;
-  node.text = value.text;
-  node.children = value.children;
+  node = {value.kind, node.name, node.key, value.place, value.number, value.text, value.children};
 }
 
 }  // namespace rockstack

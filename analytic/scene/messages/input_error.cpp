@@ -31,10 +31,12 @@ std::size_t letters_apart(std::string_view one, std::string_view other) {
 FieldError::FieldError(std::string field, const std::string& value, const std::string& allowed)
     : std::invalid_argument(field + " = " + value + ": must be " + allowed), key(std::move(field)) {}
 
-void require_between(const std::string& key, double value, double least) {
-  if (!(value >= least && value <= largest_number))
-    throw FieldError(key, number_text(value),
-                     "a number from " + number_text(least) + " to " + number_text(largest_number));
+FieldError::FieldError(std::string field, double value, const std::string& allowed)
+    : FieldError(std::move(field), number_text(value), allowed) {}
+
+void require_between(const std::string& key, double value, double least, double most) {
+  if (!(value >= least && value <= most))
+    throw FieldError(key, value, "a number from " + number_text(least) + " to " + number_text(most));
 }
 
 void require_positive(const std::string& key, double value) {
@@ -43,6 +45,17 @@ void require_positive(const std::string& key, double value) {
 
 void require_signed(const std::string& key, double value) {
   require_between(key, value, -largest_number);
+}
+
+std::string entry_key(const std::string& array, std::size_t k) {
+  return array + "." + std::to_string(k + 1);
+}
+
+void require_each_between(const std::string& array, const std::vector<double>& values, double least,
+                          double most) {
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (!(values[k] >= least && values[k] <= most))
+      require_between(entry_key(array, k), values[k], least, most);
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {

@@ -18,6 +18,7 @@ class InputError : public std::invalid_argument {
 class FieldError : public std::invalid_argument {
  public:
   FieldError(std::string field, const std::string& value, const std::string& allowed);
+  FieldError(std::string field, double value, const std::string& allowed);
   std::string key;
 };
 
@@ -25,11 +26,16 @@ class FieldError : public std::invalid_argument {
 /// what blocks are like, and such that products of several stay in the range of a double.
 inline constexpr double largest_number = 1e20;
 
-/// The ranges that a scene's numbers have: up to largest_number, from `least`, from 1/largest_number, or from
+/// The ranges that a scene's numbers have: from `least` to `most`, from 1/largest_number, or from
 /// −largest_number. @throws FieldError.
-void require_between(const std::string& key, double value, double least);
+void require_between(const std::string& key, double value, double least, double most = largest_number);
 void require_positive(const std::string& key, double value);
 void require_signed(const std::string& key, double value);
+/// The key of an array's entry k from 0; files count from 1.
+std::string entry_key(const std::string& array, std::size_t k);
+/// As require_between(), of each entry of an array.
+void require_each_between(const std::string& array, const std::vector<double>& values, double least,
+                          double most = largest_number);
 
 /// "; did you mean NAME?" for the name nearest to a word, by letters put in, left out, replaced or changed
 /// with their neighbours (Damerau's distance), where these are at most a third of its letters; else empty.

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "analytic/scene/ground/motion_library.hpp"
-#include "analytic/scene/ground/records/units.hpp"
-#include "analytic/scene/input/ground_reader.hpp"
+#include "analytic/scene/ground/records/format.hpp"
+#include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/interfaces/python/module.hpp"

@@ -1,11 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
-#include "analytic/scene/ground/records/derivative.hpp"
 #include "analytic/scene/ground/records/format.hpp"
-#include "analytic/scene/ground/records/units.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack::records {
@@ -135,10 +132,9 @@ double constant_step(const Cursor& cursor, const Table& table) {
   checked_interval(cursor, step);
   for (std::size_t k = 1; k < times.size(); ++k) {
     const double expected = times.front() + static_cast<double>(k) * step;
-    if (std::abs(times[k] - expected) > step_tolerance * step) {
+    if (std::abs(times[k] - expected) > step_tolerance * step)
       cursor.fail_at(table.lines[k], "time " + number_text(times[k]) + " where a constant step gives " +
                                          number_text(expected));
-    }
   }
   return step;
 }
@@ -151,13 +147,12 @@ bool has_times(const Table& table) {
   return first.size() > 2 && std::is_sorted(first.begin(), first.end(), std::less_equal<>());
 }
 
-/// What columns hold without times: a series, a component each, or a series from line to line.
-std::vector<std::vector<double>> series_of(const Cursor& cursor, const Header& header, const Table& table) {
+/// What columns hold without times: a component each, or a series from line to line.
+std::vector<std::vector<double>> series_of(const Cursor& cursor, const Table& table, bool times,
+                                           bool one_each) {
   std::vector<std::vector<double>> series;
-  if (table.columns() == 1 || header.names == table.columns()) {
-    for (std::size_t k = 0; k < table.columns(); ++k) series.push_back(table.column(k));
-    return series;
-  }
+  for (std::size_t k = times ? 1 : 0; one_each && k < table.columns(); ++k) series.push_back(table.column(k));
+  if (one_each) return series;
   constexpr std::size_t most_components = 4;
   if (table.columns() <= most_components)
     cursor.fail_at(table.lines.front(),
@@ -189,10 +184,10 @@ Record accelerogram(const Cursor& cursor, Record record, int derivatives) {
   if (record.samples.size() < 2)
     cursor.fail("one sample of a velocity or displacement gives no acceleration");
   const bool velocity = derivatives == 1;
-  auto motion = velocity ? acceleration_of_velocity(record.interval, record.samples)
-                         : acceleration_of_displacement(record.interval, record.samples);
-  return {motion.interval, std::move(motion.samples),
-          record.format + (velocity ? " of velocity" : " of displacement")};
+  Record motion = velocity ? acceleration_of_velocity(record.interval, record.samples)
+                           : acceleration_of_displacement(record.interval, record.samples);
+  motion.format = record.format + (velocity ? " of velocity" : " of displacement");
+  return motion;
 }
 
 std::vector<Record> read(Cursor cursor) {
@@ -203,32 +198,25 @@ std::vector<Record> read(Cursor cursor) {
     if (trimmed(line).empty()) continue;
     if (is_header(line)) {
       read_header(cursor, line, header);
-      continue;
+    } else {
+      if (table.rows.size() == 1 && words(line, ",;").size() != table.columns())
+        take_count(cursor, header, table);
+      read_row(cursor, line, table);
     }
-    if (table.rows.size() == 1 && words(line, ",;").size() != table.columns())
-      take_count(cursor, header, table);
-    read_row(cursor, line, table);
   }
   const Unit unit = header.unit.unit(cursor);
   const bool times = has_times(table);
-  if (!times && !header.interval) {
+  if (!times && !header.interval)
     cursor.fail_at(table.lines.front(),
                    (table.columns() == 1 ? "one column" : std::to_string(table.columns()) + " columns") +
                        std::string(", and no time step in the header: say e.g. \"# dt = 0.01\" (s)"));
-  }
-  const bool one_each = times || header.names == table.columns();
+  const bool one_each = times || table.columns() == 1 || header.names == table.columns();
   if (one_each && table.rows.back().size() < table.columns()) fail_uneven(cursor, table);
   const double step = times ? constant_step(cursor, table) : *header.interval;
-  if (header.interval && std::abs(step - *header.interval) > step_tolerance * step) {
+  if (header.interval && std::abs(step - *header.interval) > step_tolerance * step)
     cursor.fail("times step by " + number_text(step) +
                 " s, the header says dt = " + number_text(*header.interval));
-  }
-  std::vector<std::vector<double>> series;
-  if (times) {
-    for (std::size_t k = 1; k < table.columns(); ++k) series.push_back(table.column(k));
-  } else {
-    series = series_of(cursor, header, table);
-  }
+  std::vector<std::vector<double>> series = series_of(cursor, table, times, one_each);
   if (header.count > 0) check_count(cursor, series.front().size(), header.count, header.count_line);
   std::vector<Record> records;
   records.reserve(series.size());

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "analytic/scene/ground/records/format.hpp"
-#include "analytic/scene/ground/records/units.hpp"
 
 namespace rockstack::records {
 namespace {
@@ -55,19 +54,11 @@ void skip_comments(Cursor& cursor) {
 }
 
 double header_interval(const Cursor& cursor, const std::vector<double>& reals, double null) {
-  if (reals.size() >= interval_place && reals[interval_place - 1] != null) {
+  if (reals.size() >= interval_place && reals[interval_place - 1] != null)
     return checked_interval(cursor, reals[interval_place - 1] * second_per_millisecond);
-  }
-  if (reals.size() < raw_interval_place || reals[raw_interval_place - 1] == null) {
+  if (reals.size() < raw_interval_place || reals[raw_interval_place - 1] == null)
     cursor.fail("the real header gives no time step, neither value 62 nor value 34");
-  }
   return checked_interval(cursor, reals[raw_interval_place - 1]);
-}
-
-std::optional<double> code_factor(double code) {
-  if (code == 2) return standard_gravity;
-  if (code == 4) return centimetre_per_second_squared;
-  return std::nullopt;
 }
 
 /// The unit of "7000  acceleration pts, approx   70 secs, units=cm/sec2(04),Format=(8F10.5)".
@@ -76,9 +67,8 @@ double data_factor(const Cursor& cursor, std::string_view line, const std::vecto
   const std::string_view unit = field.substr(0, field.find('('));
   const auto factor = unit_factor(unit);
   if (!factor) cursor.fail("units " + quoted(unit) + " are not known as acceleration: g and cm/sec2 are");
-  const auto coded =
-      integers.size() < units_code_place ? std::nullopt : code_factor(integers[units_code_place - 1]);
-  if (coded && *coded != *factor)
+  const double code = integers.size() < units_code_place ? 0 : integers[units_code_place - 1];
+  if ((code == 2 && *factor != standard_gravity) || (code == 4 && *factor != centimetre_per_second_squared))
     cursor.fail("units " + quoted(unit) + " contradict the integer header's unit code");
   return *factor;
 }
@@ -121,10 +111,8 @@ const Format cosmos{is_cosmos, read_cosmos};
 namespace {
 
 constexpr std::size_t smc_text_lines = 11;
-constexpr std::size_t smc_integers = 48;
 constexpr std::size_t smc_reals = 50;
-constexpr std::size_t comments_index = 15;
-constexpr std::size_t samples_index = 16;
+constexpr std::size_t integer_lines = 6, comments_line = 2, comments_place = 7, samples_line = 3;
 
 /// "2 CORRECTED ACCELEROGRAM", "3 VELOCITY" …
 bool is_smc(Cursor cursor) {
@@ -134,47 +122,39 @@ bool is_smc(Cursor cursor) {
          contains(line, "spectr");
 }
 
-std::string_view smc_field(std::string_view line, std::size_t place, std::size_t width) {
+std::string_view smc_field(std::string_view line, std::size_t place) {
+  constexpr std::size_t width = 10;
   return line.size() <= place * width ? std::string_view() : line.substr(place * width, width);
 }
 
-/// The number of comment lines, which may be 0, and of samples, from the third line of integers.
+/// The number of comment lines, which may be 0, and of samples, from the lines of integers.
 struct SmcCounts {
-  std::size_t comments = 0;
-  std::size_t samples = 0;
+  std::size_t comments = 0, samples = 0;
 };
 
 SmcCounts read_counts(Cursor& cursor) {
-  constexpr std::size_t per_line = 8;
-  constexpr std::size_t width = 10;
   SmcCounts counts;
-  for (std::size_t first = 0; first < smc_integers; first += per_line) {
+  for (std::size_t k = 1; k <= integer_lines; ++k) {
     const std::string_view line = cursor.next("the 48 integers of the header");
-    if (first <= comments_index && comments_index < first + per_line) {
-      const std::string_view text = smc_field(line, comments_index - first, width);
-      if (number(cursor, text) != 0) counts.comments = count(cursor, text);
-    }
-    if (first <= samples_index && samples_index < first + per_line) {
-      counts.samples = count(cursor, smc_field(line, samples_index - first, width));
-    }
+    const std::string_view comments = smc_field(line, comments_place);
+    if (k == comments_line && number(cursor, comments) != 0) counts.comments = count(cursor, comments);
+    if (k == samples_line) counts.samples = count(cursor, smc_field(line, 0));
   }
   return counts;
 }
 
 std::vector<Record> read_smc(Cursor cursor) {
   const std::string_view title = cursor.next("the title");
-  if (!contains(title, "accelerogram")) {
+  if (!contains(title, "accelerogram"))
     cursor.fail("holds " + quoted(trimmed(title)) + ": only an accelerogram can be used");
-  }
   cursor.skip(smc_text_lines - 1, "the header");
   const SmcCounts counts = read_counts(cursor);
   const std::vector<double> header = read_columns(cursor, smc_reals, {5, 15});
   const double null = header[0];
   if (header[1] == null) cursor.fail("the header gives no sampling rate (second of the 50 reals)");
   const double interval = checked_interval(cursor, 1 / header[1]);
-  for (std::size_t k = 0; k < counts.comments; ++k) {
+  for (std::size_t k = 0; k < counts.comments; ++k)
     if (!cursor.next("comment lines").starts_with('|')) cursor.fail("expected a comment line, \"|…\"");
-  }
   std::vector<double> samples = read_columns(cursor, counts.samples, {8, 10}, null);
   cursor.skip_blank();
   if (!cursor.at_end()) {
@@ -204,9 +184,8 @@ bool is_block_header(std::string_view line) {
 }
 
 bool is_volume2(Cursor cursor) {
-  for (std::size_t k = 0; k < longest_volume2_header && !cursor.at_end(); ++k) {
+  for (std::size_t k = 0; k < longest_volume2_header && !cursor.at_end(); ++k)
     if (is_block_header(cursor.next({}))) return true;
-  }
   return false;
 }
 
@@ -268,9 +247,8 @@ std::vector<Record> read_volume2(Cursor cursor) {
   while (!cursor.at_end()) {
     const std::string_view interval = read_volume2_header(cursor);
     while (is_block_header(cursor.peek())) read_block(cursor, interval, series);
-    if (!cursor.at_end() && !trimmed(cursor.peek()).empty() && !is_end_of_data(cursor.next({}))) {
+    if (!cursor.at_end() && !trimmed(cursor.peek()).empty() && !is_end_of_data(cursor.next({})))
       cursor.fail("expected another block of data or its end, \"/&\"");
-    }
     cursor.skip_blank();
   }
   return series;

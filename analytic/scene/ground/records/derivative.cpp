@@ -1,6 +1,4 @@
-#include "analytic/scene/ground/records/derivative.hpp"
-
-#include <cstddef>
+#include "analytic/scene/ground/records/format.hpp"
 
 namespace rockstack::records {
 namespace {
@@ -26,12 +24,12 @@ void solve_band(const Row& inner, const Row& end, std::vector<double>& b) {
 
 }  // namespace
 
-Accelerations acceleration_of_velocity(double interval, const std::vector<double>& velocities) {
+Record acceleration_of_velocity(double interval, const std::vector<double>& velocities) {
   std::vector<double> middles;
   for (std::size_t k = 0; k + 1 < velocities.size(); ++k)
     middles.push_back((velocities[k + 1] - velocities[k]) / interval);
   if (middles.size() > 1) solve_band({1.0 / 8, 6.0 / 8}, {1.0 / 8, 7.0 / 8}, middles);
-  Accelerations motion{interval / 2, {middles.front()}};
+  Record motion{interval / 2, {middles.front()}, {}};
   for (std::size_t k = 0; k < middles.size(); ++k) {
     motion.samples.push_back(middles[k]);
     motion.samples.push_back(k + 1 < middles.size() ? (middles[k] + middles[k + 1]) / 2 : middles[k]);
@@ -39,7 +37,7 @@ Accelerations acceleration_of_velocity(double interval, const std::vector<double
   return motion;
 }
 
-Accelerations acceleration_of_displacement(double interval, const std::vector<double>& displacements) {
+Record acceleration_of_displacement(double interval, const std::vector<double>& displacements) {
   const std::size_t last = displacements.size() - 1;
   std::vector<double> samples;
   for (std::size_t k = 0; k <= last; ++k) {
@@ -47,7 +45,7 @@ Accelerations acceleration_of_displacement(double interval, const std::vector<do
     samples.push_back((before - 2 * displacements[k] + after) / (interval * interval));
   }
   solve_band({1.0 / 6, 4.0 / 6}, {2.0 / 6, 4.0 / 6}, samples);
-  return {interval, samples};
+  return {interval, samples, {}};
 }
 
 }  // namespace rockstack::records

@@ -2,7 +2,6 @@
 #include <numeric>
 
 #include "analytic/scene/ground/records/format.hpp"
-#include "analytic/scene/ground/records/units.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack::records {
@@ -20,9 +19,8 @@ bool announces_values(std::string_view line) {
 }
 
 bool is_peer(Cursor cursor) {
-  for (int k = 0; k < longest_peer_header && !cursor.at_end(); ++k) {
+  for (int k = 0; k < longest_peer_header && !cursor.at_end(); ++k)
     if (announces_values(cursor.next({}))) return true;
-  }
   return false;
 }
 
@@ -44,20 +42,6 @@ Announced read_announcement(const Cursor& cursor, std::string_view line) {
   return {count(cursor, values), read_interval(cursor, line, interval)};
 }
 
-/// Some copies end with "*** End Data ***"; overflown values are asterisks too, but alone.
-bool is_end_marker(std::string_view line) {
-  return starts_with(line, "***") && contains(line, "end");
-}
-
-std::vector<double> read_samples(Cursor& cursor) {
-  std::vector<double> values;
-  while (!cursor.at_end()) {
-    const std::string_view line = cursor.next({});
-    if (!is_end_marker(line)) append_values(cursor, line, values);
-  }
-  return values;
-}
-
 std::vector<Record> read_peer(Cursor cursor) {
   HeaderUnit unit;
   std::string_view line;
@@ -68,11 +52,10 @@ std::vector<Record> read_peer(Cursor cursor) {
   const Announced announced = read_announcement(cursor, line);
   const double factor = unit.factor(cursor);
   const std::size_t header_end = cursor.line_number();
-  std::vector<double> values = read_samples(cursor);
+  std::vector<double> values = read_values(cursor, true);
   if (values.size() == announced.values + 1) values.pop_back();
-  if (values.empty() || values.size() + 1 != announced.values) {
+  if (values.empty() || values.size() + 1 != announced.values)
     check_count(cursor, values.size(), announced.values, header_end);
-  }
   return {make_record(announced.interval, std::move(values), factor, "PEER AT2")};
 }
 
@@ -100,9 +83,8 @@ struct EsmHeader {
 void read_esm_field(const Cursor& cursor, std::string_view line, EsmHeader& header) {
   const std::string_view key = line.substr(0, line.find(':'));
   const std::string_view value = trimmed(line.substr(key.size() + 1));
-  if (key == "DATA_TYPE" && lower(value) != "acceleration") {
+  if (key == "DATA_TYPE" && lower(value) != "acceleration")
     cursor.fail("DATA_TYPE is " + quoted(value) + ": must be ACCELERATION");
-  }
   if (key == "UNITS") {
     header.factor = unit_factor(value);
     if (!header.factor)
@@ -190,10 +172,9 @@ std::vector<Record> read_knet(Cursor cursor) {
   const double interval = checked_interval(cursor, 1 / header.frequency);
   std::vector<double> samples = read_values(cursor);
   const double announced = header.frequency * header.duration;
-  if (samples.empty() || !(std::abs(static_cast<double>(samples.size()) - announced) < 0.5)) {
+  if (samples.empty() || !(std::abs(static_cast<double>(samples.size()) - announced) < 0.5))
     cursor.fail("the file ends after " + std::to_string(samples.size()) +
                 " values; frequency and duration announce " + number_text(announced));
-  }
   const double sum = std::accumulate(samples.begin(), samples.end(), 0.0);
   const double offset = sum / static_cast<double>(samples.size());
   for (double& sample : samples) sample -= offset;

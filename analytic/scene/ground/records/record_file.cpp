@@ -59,7 +59,7 @@ void check_text(std::string_view file, std::string_view text) {
     return (c >= 0 && c < ' ' && std::string_view("\t\n\v\f\r").find(c) == std::string_view::npos) ||
            c == '\x7F';
   };
-  const auto bad = std::find_if(text.begin(), text.end(), is_binary);
+  const auto bad = std::ranges::find_if(text, is_binary);
   if (bad == text.end()) return;
   const auto line = static_cast<std::size_t>(std::count(text.begin(), bad, '\n')) + 1;
   Cursor(file, text).fail_at(line, "byte " + std::to_string(static_cast<int>(*bad)) + ": not a text file");
@@ -120,16 +120,12 @@ struct Place {
   std::size_t channel = 1;
 };
 
-bool is_there(const std::filesystem::path& file) {
-  std::error_code error;
-  return std::filesystem::exists(file, error);
-}
-
 /// Takes a channel's suffix off a name, unless a file has that very name.
 Place place_of(const std::filesystem::path& name) {
   const std::string text = name.string();
   const std::size_t colon = text.rfind(':');
-  if (colon == std::string::npos || is_there(name)) return {name};
+  std::error_code ignored;
+  if (colon == std::string::npos || std::filesystem::exists(name, ignored)) return {name};
   std::size_t channel = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data() + colon + 1, end, channel);
@@ -146,10 +142,9 @@ std::filesystem::path record_file(const std::filesystem::path& name) {
 Record read_record(const std::filesystem::path& name) {
   const Place place = place_of(name);
   std::vector<Record> series = records::read_series(place.file.string(), file_text(place.file));
-  if (place.channel < 1 || place.channel > series.size()) {
+  if (place.channel < 1 || place.channel > series.size())
     throw InputError(place.file.string() + ": no channel " + std::to_string(place.channel) +
                      ": must be 1 to " + std::to_string(series.size()));
-  }
   return std::move(series[place.channel - 1]);
 }
 

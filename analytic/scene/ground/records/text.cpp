@@ -1,8 +1,6 @@
 #include "analytic/scene/ground/records/text.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "analytic/scene/messages/input_error.hpp"
@@ -22,12 +20,8 @@ bool same(char a, char lower_case) {
   return lower(a) == lower_case;
 }
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 bool is_word_character(char c) {
-  return is_digit(c) || (lower(c) >= 'a' && lower(c) <= 'z') || c == '_';
+  return (c >= '0' && c <= '9') || (lower(c) >= 'a' && lower(c) <= 'z') || c == '_';
 }
 
 std::string_view without_first(std::string_view text, std::size_t length) {
@@ -74,8 +68,8 @@ void Cursor::fail_at(std::size_t line, const std::string& message) const {
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string shown(text.substr(0, longest));
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  std::ranges::replace_if(
+      shown, [](char c) { return c < ' ' || c > '~'; }, '?');
   return "'" + shown + (text.size() > longest ? "…'" : "'");
 }
 
@@ -131,17 +125,15 @@ std::string_view field_after(std::string_view text, std::string_view key) {
 
 double number(const Cursor& cursor, std::string_view field) {
   std::string text(trimmed(field));
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == 'D' || c == 'd'; }, 'E');
+  for (const char exponent : {'D', 'd'}) std::ranges::replace(text, exponent, 'E');
   const std::size_t plus = text.starts_with('+') && !text.starts_with("+-") ? 1 : 0;
   const char* const end = text.data() + text.size();
   double value = 0;
   const auto [rest, error] = std::from_chars(text.data() + plus, end, value);
   if (error == std::errc::invalid_argument || rest != end)
     cursor.fail(quoted(trimmed(field)) + " is not a number");
-  if (error != std::errc() || !(std::abs(value) < largest)) {
+  if (error != std::errc() || !(std::abs(value) < largest))
     cursor.fail(quoted(trimmed(field)) + " is not a finite number below 1e100");
-  }
   return value;
 }
 
@@ -149,16 +141,14 @@ std::size_t count(const Cursor& cursor, std::string_view field) {
   constexpr std::size_t most = 1'000'000'000;
   std::string_view digits = trimmed(field);
   const std::size_t value = take_digits(digits);
-  if (value == 0 || value > most || !digits.empty()) {
+  if (value == 0 || value > most || !digits.empty())
     cursor.fail(quoted(trimmed(field)) + " is not a count: must be an integer from 1 to 1000000000");
-  }
   return value;
 }
 
 double checked_interval(const Cursor& cursor, double interval) {
-  if (!(interval > 0) || !(interval < largest)) {
+  if (!(interval > 0) || !(interval < largest))
     cursor.fail("time step is " + number_text(interval) + " s: must be > 0");
-  }
   return interval;
 }
 
@@ -184,9 +174,8 @@ Columns fortran_columns(const Cursor& cursor, std::string_view line) {
       !rest.empty() && std::string_view("fegid").find(lower(rest.front())) != std::string_view::npos;
   rest = without_first(rest, 1);
   columns.width = take_digits(rest);
-  if (!has_type || columns.per_line == 0 || columns.width == 0) {
+  if (!has_type || columns.per_line == 0 || columns.width == 0)
     cursor.fail(quoted(format) + " is not a Fortran format of the kind (8F10.5)");
-  }
   return columns;
 }
 
@@ -200,9 +189,8 @@ std::vector<double> read_columns(Cursor& cursor, std::size_t count, Columns colu
     for (std::size_t k = 0; k < columns.per_line && values.size() < count; ++k) {
       if (trimmed(rest).empty()) cursor.fail("this line has " + std::to_string(k) + " values, too few");
       values.push_back(number(cursor, rest.substr(0, columns.width)));
-      if (null && values.back() == *null) {
+      if (null && values.back() == *null)
         cursor.fail(quoted(trimmed(rest.substr(0, columns.width))) + " marks missing data");
-      }
       rest = without_first(rest, columns.width);
     }
     if (!trimmed(rest).empty()) cursor.fail("surplus " + quoted(trimmed(rest)) + " at the end of this line");
@@ -210,19 +198,16 @@ std::vector<double> read_columns(Cursor& cursor, std::size_t count, Columns colu
   return values;
 }
 
-void append_values(const Cursor& cursor, std::string_view line, std::vector<double>& values) {
-  for (const std::string_view word : words(line)) values.push_back(number(cursor, word));
-}
-
 bool is_end_of_data(std::string_view line) {
   return starts_with(line, "/&") || starts_with(line, "end-of-data");
 }
 
-std::vector<double> read_values(Cursor& cursor) {
+std::vector<double> read_values(Cursor& cursor, bool marked) {
   std::vector<double> values;
   while (!cursor.at_end()) {
-    const std::string_view line = cursor.next("values");
-    append_values(cursor, line, values);
+    const std::string_view line = cursor.next({});
+    if (marked && starts_with(line, "***") && contains(line, "end")) continue;
+    for (const std::string_view word : words(line)) values.push_back(number(cursor, word));
   }
   return values;
 }

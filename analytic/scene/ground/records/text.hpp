@@ -76,14 +76,12 @@ Columns fortran_columns(const Cursor& cursor, std::string_view line);
 std::vector<double> read_columns(Cursor& cursor, std::size_t count, Columns columns,
                                  std::optional<double> null = std::nullopt);
 
-/// Adds all values of a line, separated by blanks or commas.
-void append_values(const Cursor& cursor, std::string_view line, std::vector<double>& values);
-
 /// "/& ---- End of data for channel 1", or "End-of-data for Chan  1 acceleration".
 bool is_end_of_data(std::string_view line);
 
-/// All values up to the end of the file, as append_values().
-std::vector<double> read_values(Cursor& cursor);
+/// All values up to the end of the file, separated by blanks or commas. `marked`: some copies end with "***
+/// End Data ***"; overflown values are asterisks too, but alone.
+std::vector<double> read_values(Cursor& cursor, bool marked = false);
 
 /// @throws InputError at the last line unless as many values were found as `line` announces.
 void check_count(const Cursor& cursor, std::size_t found, std::size_t announced, std::size_t line);

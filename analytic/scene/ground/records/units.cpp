@@ -1,28 +1,26 @@
-#include "analytic/scene/ground/records/units.hpp"
+#include "analytic/scene/ground/records/format.hpp"
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace rockstack::records {
 namespace {
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
     text.replace(at, from.size(), to);
-  }
 }
 
 bool is_keyword(std::string_view word) {
   constexpr std::array keywords{"unit", "units", "acc", "accel", "acceleration"};
-  return std::find(keywords.begin(), keywords.end(), word) != keywords.end() || word.ends_with("unit");
+  return std::ranges::find(keywords, word) != keywords.end() || word.ends_with("unit");
 }
 
 /// Words that may stand between "acceleration" or "units" and the unit.
 bool is_filler(std::string_view word) {
   constexpr std::array fillers{"of",     "in",      "is",   "are",    "and",  "the",    "s",      "sec",
                                "second", "seconds", "time", "ground", "data", "series", "history"};
-  return is_keyword(word) || std::find(fillers.begin(), fillers.end(), word) != fillers.end();
+  return is_keyword(word) || std::ranges::find(fillers, word) != fillers.end();
 }
 
 /// A unit as files spell it.
@@ -47,10 +45,8 @@ std::optional<Unit> unit_of(std::string_view name) {
   std::string plain = records::lower(name);
   for (const auto& [from, to] : spellings) replace_all(plain, from, to);
   if (plain.ends_with('.')) plain.pop_back();
-  for (const auto& [unit, value] : units) {
-    if (plain == unit) return value;
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(units, plain, &std::pair<std::string_view, Unit>::first);
+  return found == units.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::vector<std::string_view> in_brackets(std::string_view line) {
@@ -73,18 +69,14 @@ std::optional<Unit> find_unit(const std::string& text, bool acceleration) {
   for (const std::string_view word : words(text, ",;:=()[]#")) {
     const std::size_t end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
     const bool defined = end < text.size() && text[end] == '=';  // as in "g=981 cm/s2"
-    if (expected && !defined) {
-      if (const auto unit = wanted(word)) return unit;
-    }
+    if (const auto unit = wanted(word); unit && expected && !defined) return unit;
     expected = is_keyword(word) || (expected && is_filler(word));
   }
   const auto inside = in_brackets(text);
-  const bool beside_time = std::any_of(inside.begin(), inside.end(),
-                                       [](std::string_view name) { return name == "s" || name == "sec"; });
-  for (const std::string_view name : inside) {
-    const auto unit = wanted(name);
-    if (unit && (acceleration || beside_time)) return unit;
-  }
+  const bool beside_time =
+      std::ranges::any_of(inside, [](auto name) { return name == "s" || name == "sec"; });
+  for (const std::string_view name : inside)
+    if (const auto unit = wanted(name); unit && (acceleration || beside_time)) return unit;
   return std::nullopt;
 }
 
@@ -105,19 +97,17 @@ void HeaderUnit::read(const Cursor& cursor, std::string_view line) {
   const std::optional<Unit> unit = find_unit(line);
   if (!unit) return;
   auto& named = unit->derivatives == 0 ? acceleration_ : other_;
-  if (named && named->unit != *unit) {
+  if (named && named->unit != *unit)
     cursor.fail(std::string("names another unit of ") +
                 (unit->derivatives == 0 ? "acceleration" : "velocity or displacement") + " than line " +
                 std::to_string(named->line));
-  }
   if (!named) named = {*unit, cursor.line_number()};
 }
 
 double HeaderUnit::factor(const Cursor& cursor) const {
-  if (!acceleration_) {
+  if (!acceleration_)
     cursor.fail(
         "the header up to here names no unit of acceleration: say e.g. \"units: m/s2\" (or cm/s2, gal, g)");
-  }
   return acceleration_->unit.factor;
 }
 

@@ -1,4 +1,4 @@
-#include "analytic/scene/ground/records/derivative.hpp"
+#include "analytic/scene/ground/records/format.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ struct Path {
   std::vector<double> velocities{0}, displacements{0};
 };
 
-Path integrated(const Accelerations& motion) {
+Path integrated(const Record& motion) {
   Path path;
   const double h = motion.interval;
   for (std::size_t k = 0; k + 1 < motion.samples.size(); ++k) {
@@ -35,7 +35,7 @@ Path integrated(const Accelerations& motion) {
 TEST(AccelerationOfVelocity, PassesThroughEverySample) {
   for (const std::size_t count : {2U, 3U, 4U, 50U}) {
     const std::vector<double> velocities = made_up_samples(count);
-    const Accelerations motion = acceleration_of_velocity(0.02, velocities);
+    const Record motion = acceleration_of_velocity(0.02, velocities);
     EXPECT_EQ(motion.interval, 0.01);
     ASSERT_EQ(motion.samples.size(), 2 * count - 1);
     const Path path = integrated(motion);
@@ -47,14 +47,14 @@ TEST(AccelerationOfVelocity, PassesThroughEverySample) {
 }
 
 TEST(AccelerationOfVelocity, IsExactForAConstantAcceleration) {
-  const Accelerations motion = acceleration_of_velocity(0.25, {1, 1.5, 2, 2.5, 3});
+  const Record motion = acceleration_of_velocity(0.25, {1, 1.5, 2, 2.5, 3});
   for (const double sample : motion.samples) EXPECT_NEAR(sample, 2, 8 * epsilon);
 }
 
 TEST(AccelerationOfDisplacement, PassesThroughEverySampleAndRestsAtBothEnds) {
   for (const std::size_t count : {2U, 3U, 50U}) {
     const std::vector<double> displacements = made_up_samples(count);
-    const Accelerations motion = acceleration_of_displacement(0.02, displacements);
+    const Record motion = acceleration_of_displacement(0.02, displacements);
     ASSERT_EQ(motion.samples.size(), count);
     const Path path = integrated(motion);
     // A rounding of the velocity, 12 ε/h of an acceleration times h, goes on as a drift over all that follow.
@@ -71,8 +71,8 @@ double largest_error(int n, bool displacement) {
   for (int k = 0; k <= n; ++k)
     samples.push_back(displacement ? -std::cos(2 * pi * k / n) / (4 * pi * pi)
                                    : std::sin(2 * pi * k / n) / (2 * pi));
-  const Accelerations motion = displacement ? acceleration_of_displacement(1.0 / n, samples)
-                                            : acceleration_of_velocity(1.0 / n, samples);
+  const Record motion = displacement ? acceleration_of_displacement(1.0 / n, samples)
+                                     : acceleration_of_velocity(1.0 / n, samples);
   double largest = 0;
   for (std::size_t k = 0; k < motion.samples.size(); ++k)
     largest = std::max(
@@ -93,7 +93,7 @@ TEST(Derivatives, EnlargeErrorsOfTheSamplesByWhatIsStated) {
   constexpr double h = 0.02, delta = 1e-3;
   std::vector<double> worst;
   for (int k = 0; k < 101; ++k) worst.push_back(k % 2 == 0 ? delta : -delta);
-  const auto largest = [](const Accelerations& motion) {
+  const auto largest = [](const Record& motion) {
     return std::abs(*std::max_element(motion.samples.begin(), motion.samples.end(),
                                       [](double a, double b) { return std::abs(a) < std::abs(b); }));
   };

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analytic/scene/ground/records/record.hpp"
+#include "analytic/scene/ground/records/record_file.hpp"
 
 namespace rockstack {
 
