@@ -1,10 +1,6 @@
 #include "analytic/branches.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-
-#include "analytic/solve_led.hpp"
 
 namespace rockstack {
 
@@ -23,7 +19,7 @@ Branch follow(const Scene& scene, const SolveOptions& options, const Start& star
   Branching branching{start.list};
   Branch branch{.history = {}, .parent = start.parent, .start = start.fork};
   try {
-    branch.history = solve_led(scene, options, &branching);
+    branch.history = solve(scene, options, &branching);
   } catch (const Unfinished& unfinished) {
     branch.history = unfinished.history;
     branch.unfinished = unfinished.what();
@@ -38,62 +34,44 @@ double height(const Scene& scene) {
   return sum;
 }
 
-/// Samples side by side, in shares of what is alike.
-class Comparison {
- public:
-  Comparison(const Scene& scene, const History& one, const History& other)
-      : one_(one), other_(other), length_(height(scene) * alike) {}
+/// Whether two motions end alike, apart from where.
+bool comparable(const History& one, const History& other) {
+  const auto end = [](const History& history) {
+    return !history.events.empty() && ends_motion(history.events.back().kind);
+  };
+  return one.size() == other.size() && one.size() > 0 && end(one) == end(other);
+}
 
-  /// Whether the two end alike, apart from where.
-  bool comparable() const {
-    const auto end = [](const History& history) {
-      return !history.events.empty() && ends_motion(history.events.back().kind);
-    };
-    return one_.size() == other_.size() && one_.size() > 0 && end(one_) == end(other_);
-  }
-
-  /// The first sample from which they are alike; as many as there are where the last are not.
-  std::size_t alike_from(double side) const {
-    std::size_t first = one_.size();
-    while (first > 0 && alike_at(first - 1, side)) --first;
-    return first;
-  }
-
- private:
-  /// `side`: −1 for a mirror image.
-  bool alike_at(std::size_t sample, double side) const {
-    const auto blocks = static_cast<std::size_t>(one_.blocks);
-    const auto near = [&](const std::vector<double>& first, const std::vector<double>& second, std::size_t i,
-                          double factor, double most) {
-      // Infinite gaps are equal.
-      return first.empty() || first[i] == factor * second[i] ||
-             std::abs(first[i] - factor * second[i]) <= most;
-    };
-    for (std::size_t i = sample * blocks; i < (sample + 1) * blocks; ++i)
-      if (!near(one_.angles, other_.angles, i, side, alike) ||
-          !near(one_.slips, other_.slips, i, side, length_) || !near(one_.gaps, other_.gaps, i, 1, length_) ||
-          !near(one_.centres, other_.centres, 2 * i, side, length_) ||
-          !near(one_.centres, other_.centres, 2 * i + 1, 1, length_))
-        return false;
-    return true;
-  }
-
-  const History& one_;
-  const History& other_;
-  double length_;  ///< m
-};
+/// Whether a sample is; `side`: −1 for a mirror image, `length`: by which places may differ, m.
+bool alike_at(std::size_t sample, const History& one, const History& other, double side, double length) {
+  const auto blocks = static_cast<std::size_t>(one.blocks);
+  const auto near = [&](auto values, std::size_t i, double factor, double most) {
+    const std::vector<double>& first = one.*values;
+    const std::vector<double>& second = other.*values;
+    // Infinite gaps are equal.
+    return first.empty() || first[i] == factor * second[i] || std::abs(first[i] - factor * second[i]) <= most;
+  };
+  for (std::size_t i = sample * blocks; i < (sample + 1) * blocks; ++i)
+    if (!near(&History::angles, i, side, alike) || !near(&History::slips, i, side, length) ||
+        !near(&History::gaps, i, 1, length) || !near(&History::centres, 2 * i, side, length) ||
+        !near(&History::centres, 2 * i + 1, 1, length))
+      return false;
+  return true;
+}
 
 /// The likeness of a branch to an earlier one that begins first.
 std::optional<Likeness> likeness(const Scene& scene, const Branch& branch,
                                  const std::vector<Branch>& earlier) {
+  const double length = height(scene) * alike;
   std::optional<Likeness> found;
   for (std::size_t i = 0; i < earlier.size(); ++i) {
-    const Comparison pair(scene, branch.history, earlier[i].history);
-    if (branch.unfinished != earlier[i].unfinished || !pair.comparable()) continue;
+    const History &one = branch.history, &other = earlier[i].history;
+    if (branch.unfinished != earlier[i].unfinished || !comparable(one, other)) continue;
     for (const double side : {1.0, -1.0}) {
-      const std::size_t first = pair.alike_from(side);
-      if (first == branch.history.size()) continue;
-      const double from = branch.history.times[first];
+      std::size_t first = one.size();
+      while (first > 0 && alike_at(first - 1, one, other, side, length)) --first;
+      if (first == one.size()) continue;
+      const double from = one.times[first];
       if (!found || from < found->from) found = {i, from, side < 0};
     }
   }

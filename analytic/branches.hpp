@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "analytic/scene/branching.hpp"
 #include "analytic/solve.hpp"
 
 namespace rockstack {

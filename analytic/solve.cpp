@@ -1,7 +1,6 @@
 #include "analytic/solve.hpp"
 
 #include "analytic/scene/messages/number_text.hpp"
-#include "analytic/solve_led.hpp"
 #include "analytic/solver/solver.hpp"
 #include "analytic/solver/to_double.hpp"
 #include "analytic/unilateral/solve_contacts.hpp"
@@ -61,7 +60,7 @@ History solve_with_contacts(const Scene& scene, const SolveOptions& options, Bra
 
 }  // namespace
 
-History solve_led(const Scene& scene, const SolveOptions& options, Branching* branching) {
+History solve(const Scene& scene, const SolveOptions& options, Branching* branching) {
   validate(scene);
   if (options.integrator == Integrator::rk4 && scene.duration / options.step > most_steps)
     throw std::invalid_argument("step = " + number_text(options.step) + ": must be at least " +
@@ -72,10 +71,6 @@ History solve_led(const Scene& scene, const SolveOptions& options, Branching* br
   } catch (const IllConditioned&) {
     return to_double(solve_stack_of<long double, Eigen::Dynamic>(scene, options, branching));
   }
-}
-
-History solve(const Scene& scene, const SolveOptions& options) {
-  return solve_led(scene, options, nullptr);
 }
 
 std::vector<double> regular_times(double interval, double duration) {

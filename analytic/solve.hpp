@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "analytic/scene/branching.hpp"
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
 #include "analytic/scene/solve_options.hpp"
@@ -21,8 +22,9 @@ class Unfinished : public std::runtime_error {
 /// @throws FieldError for a scene out of range; std::invalid_argument for options out of range;
 /// Unfinished where the model cannot go on; Stopped where it is cancelled; IllConditioned where masses or
 /// sizes are too far apart for long double too, under law unilateral std::domain_error
-/// (solve_contacts.hpp).
-History solve(const Scene& scene, const SolveOptions& options = {});
+/// (solve_contacts.hpp). `branching` leads it through its forks, and comes to hold them; null: it is led
+/// nowhere.
+History solve(const Scene& scene, const SolveOptions& options = {}, Branching* branching = nullptr);
 
 /// 0, interval, 2 interval, … up to and including the duration (to within a millionth of the interval). s.
 /// @throws std::invalid_argument for an interval that is not > 0, or gives more than 10⁷ samples.

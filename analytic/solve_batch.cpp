@@ -122,11 +122,6 @@ const StepKernels* kernels(InstructionSet set) {
   return nullptr;
 }
 
-/// Whether a batch keeps all that the options ask for.
-bool fits(const SolveOptions& options) {
-  return options.integrator == Integrator::taylor && options.sample_times.empty();
-}
-
 }  // namespace
 
 std::string name(InstructionSet set) {
@@ -149,8 +144,9 @@ const std::vector<InstructionSet>& instruction_sets() {
 
 void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveOptions& options,
                  const Deliver& deliver, InstructionSet set) {
-  const StepKernels* const side_by_side = kernels(set);
-  const StepKernels* const made_by = fits(options) ? side_by_side : nullptr;
+  const StepKernels* made_by = kernels(set);
+  // A batch keeps no samples.
+  if (options.integrator != Integrator::taylor || !options.sample_times.empty()) made_by = nullptr;
   const auto by_itself = [&](std::size_t number, const Scene& scene) {
     Ending ending = alone(scene, options);
     deliver({number, scene, std::move(ending.history), ending.failure});

@@ -112,22 +112,13 @@ struct Roots {
   typename Real::Mask found;
 };
 
-/// As quadratic_root().
-template <class Real>
-Real quadratic_roots(const Polynomial<Real>& polynomial) {
-  const Real square = polynomial.terms > 2 ? polynomial[2] : Real(0);
-  const Real radicand = polynomial[1] * polynomial[1] - 4 * square * polynomial[0];
-  const Real root = 2 * polynomial[0] / (sqrt(radicand) - polynomial[1]);
-  return select((radicand > Real(0)) & (root > Real(0)) & (root < Real(1)), root, Real(0.5));
-}
-
 /// As bracketed_root() over (0, 1), in the lanes that are asked for. Not found where Newton's method creeps.
 template <class Real>
 Roots<Real> bracketed_roots(const Polynomial<Real>& polynomial, const typename Real::Mask& asked) {
   constexpr int most_points = 64;
   const Real rounding = std::numeric_limits<double>::epsilon();
   Real low = 0, high = 1;
-  Real s = quadratic_roots(polynomial);
+  Real s = quadratic_root(polynomial);
   auto open = asked;
   for (int points = 0; any(open) && points < most_points; ++points) {
     const auto [height, slope] = tangent(polynomial, s);

@@ -72,13 +72,14 @@ class Lane {
   void arrive(const StepRows<N>& rows, std::size_t lane) {
     if (!passing_) return;
     passing_ = false;
-    typename Solver<double, blocks>::Place place;
+    Vector<double, blocks> angles, velocities;
+    PerBlock<double, blocks> peaks;
     for (std::size_t k = 0; k < N; ++k) {
-      place.angles[k] = rows.angle[k][lane];
-      place.velocities[k] = rows.velocity[k][lane];
-      place.peaks[k] = rows.peak[k][lane];
+      angles[k] = rows.angle[k][lane];
+      velocities[k] = rows.velocity[k][lane];
+      peaks[k] = rows.peak[k][lane];
     }
-    solver_.arrive(place);
+    solver_.arrive(angles, velocities, peaks);
   }
 
   /// A step that the kernel could not tell all about.
@@ -136,19 +137,18 @@ class Lane {
     return true;
   }
 
-  void describe_scene(StepRows<N>& rows, std::size_t lane) const {
+  void describe_scene(StepRows<N>& rows, std::size_t lane) {
     rows.tolerance[lane] = solver_.steps().tolerance();
     rows.rate[lane] = solver_.steps().rate();
     rows.rounding[lane] = solver_.recorder().rounding();
     const Stack<double, blocks>& stack = solver_.model().stack;
     for (std::size_t k = 0; k < N; ++k) {
-      const auto block = static_cast<int>(k);
-      rows.half_width[k][lane] = stack.half_width[block];
-      rows.half_height[k][lane] = stack.half_height[block];
-      rows.mass[k][lane] = stack.mass[block];
-      rows.inertia[k][lane] = stack.inertia[block];
-      rows.centre_x[k][lane] = stack.centre_x[block];
-      rows.centre_y[k][lane] = stack.centre_y[block];
+      rows.half_width[k][lane] = stack.half_width[k];
+      rows.half_height[k][lane] = stack.half_height[k];
+      rows.mass[k][lane] = stack.mass[k];
+      rows.inertia[k][lane] = stack.inertia[k];
+      rows.centre_x[k][lane] = stack.centre_x[k];
+      rows.centre_y[k][lane] = stack.centre_y[k];
       rows.toppling[k][lane] = solver_.toppling_angles()[k];
       rows.face[k][lane] = stack.overhangs[k] ? 1 : 0;
     }
@@ -158,7 +158,7 @@ class Lane {
     const Pattern& pattern = solver_.state().pattern;
     const Interfaces watched = solver_.ties().may_open(solver_.state());
     for (std::size_t k = 0; k < N; ++k) {
-      rows.side[k][lane] = sign(pattern[static_cast<int>(k)]);
+      rows.side[k][lane] = sign(pattern[k]);
       rows.watched[k][lane] = watched.test(k) ? 1 : 0;
     }
   }
@@ -167,8 +167,8 @@ class Lane {
     const State<double, blocks>& state = solver_.state();
     const History& known = solver_.recorder().so_far();
     for (std::size_t k = 0; k < N; ++k) {
-      rows.angle[k][lane] = state.angles[static_cast<int>(k)];
-      rows.velocity[k][lane] = state.velocities[static_cast<int>(k)];
+      rows.angle[k][lane] = state.angles[k];
+      rows.velocity[k][lane] = state.velocities[k];
       rows.peak[k][lane] = known.peaks.empty() ? std::numeric_limits<double>::infinity() : known.peaks[k];
       if (known.forces.empty()) continue;
       rows.least_normal[k][lane] = known.forces[k].least_normal;

@@ -17,14 +17,13 @@ Real load(const LaneRow& row, std::size_t lane) {
 template <class Real, int N>
 Stack<Real, N> load_stack(const StepRows<static_cast<std::size_t>(N)>& rows, std::size_t lane) {
   Stack<Real, N> stack;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(N); ++k) {
-    const auto block = static_cast<int>(k);
-    stack.half_width[block] = load<Real>(rows.half_width[k], lane);
-    stack.half_height[block] = load<Real>(rows.half_height[k], lane);
-    stack.mass[block] = load<Real>(rows.mass[k], lane);
-    stack.inertia[block] = load<Real>(rows.inertia[k], lane);
-    stack.centre_x[block] = load<Real>(rows.centre_x[k], lane);
-    stack.centre_y[block] = load<Real>(rows.centre_y[k], lane);
+  for (std::size_t k = 0; k < rows.mass.size(); ++k) {
+    stack.half_width[k] = load<Real>(rows.half_width[k], lane);
+    stack.half_height[k] = load<Real>(rows.half_height[k], lane);
+    stack.mass[k] = load<Real>(rows.mass[k], lane);
+    stack.inertia[k] = load<Real>(rows.inertia[k], lane);
+    stack.centre_x[k] = load<Real>(rows.centre_x[k], lane);
+    stack.centre_y[k] = load<Real>(rows.centre_y[k], lane);
   }
   return stack;
 }

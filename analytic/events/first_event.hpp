@@ -72,9 +72,8 @@ void find_closing(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>&
   }
   if (event.closing.none()) return;
   // What rounding has carried past zero by then closes at the same time.
-  for (int k = 0; k < output.start.size(); ++k) {
+  for (int k = 0; k < output.start.size(); ++k)
     if (angles[k].terms > 0 && value(angles[k], event.s) < 0) event.closing.set(k);
-  }
 }
 
 template <class Real, int N>

@@ -9,12 +9,12 @@ namespace rockstack {
 template <class Real, int N>
 struct RestOfChatter {
   int interface;
-  Real duration;                                    ///< s
-  PatternSolution<Real, N> impact;                  ///< the last one that is followed
-  PatternSolution<Real, N> closure;                 ///< the one that stands for all others
-  Vector<Real, N> angles;                           ///< at both, rad
-  Real fastest;                                     ///< no relative angle accelerates more, rad/s²
-  std::array<PatternSolution<Real, N>, 2> flights;  ///< accelerations and forces, on either side
+  Real duration;                                         ///< s
+  PatternSolution<Real, N> impact;                       ///< the last one that is followed
+  PatternSolution<Real, N> closure;                      ///< the one that stands for all others
+  Vector<Real, N> angles;                                ///< at both, rad
+  Real fastest;                                          ///< no relative angle accelerates more, rad/s²
+  std::array<PatternSolution<Real, N>, 2> flights = {};  ///< accelerations and forces, on either side
 
   /// By how much velocities differ from those of the closed stack at most, rad/s.
   Vector<Real, N> thrown() const { return impact.relative - closure.relative; }
@@ -80,14 +80,9 @@ class ZenoSummation {
     const Real speed = abs(landing.after.relative[interface_]);
     const Real duration = duration_ * (speed / speed_) / (1 - ratio_);
     if (duration > landing.piece.length - landing.offset) return std::nullopt;
-    RestOfChatter<Real, N> rest{
-        interface_,
-        duration,
-        landing.after,
-        velocities_after(model_, landing.before, closed(landing.after.pattern, interface_)),
-        landing.impact.before.angles,
-        fastest,
-        {}};
+    const auto closure = velocities_after(model_, landing.before, closed(landing.after.pattern, interface_));
+    RestOfChatter<Real, N> rest{interface_, duration, landing.after, closure, landing.impact.before.angles,
+                                fastest};
     if (!others_stay_open(rest)) return std::nullopt;
     const Real change = most_change(landing, rest, speed);
     State<Real, N> flight{landing.after.pattern, rest.angles, rest.closure.relative};

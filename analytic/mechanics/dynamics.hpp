@@ -51,9 +51,7 @@ struct State {
 
   Interfaces closed() const {
     Interfaces result;
-    for (int k = 0; k < size(); ++k) {
-      if (pattern[k] == Contact::closed) result.set(k);
-    }
+    for (int k = 0; k < size(); ++k) result.set(k, pattern[k] == Contact::closed);
     return result;
   }
 };
@@ -148,16 +146,11 @@ Vector<Real, N> nearest_allowed(const Stack<Real, N>& stack, const Pattern& patt
     momenta[k] = momentum[k];
   }
   ConstrainedMass<Real, N> constrained;
-  constrained.factorise(static_cast<std::size_t>(size), open, [&](std::size_t i, std::size_t j) {
-    return mass(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-  });
-  for (int k = 0; k < size; ++k) {
-    if (pattern[k] != Contact::closed &&
-        !(constrained.diagonal(static_cast<std::size_t>(k)) > mass(k, k) * least_diagonal_share<Real>)) {
+  constrained.factorise(size, open, [&](std::size_t i, std::size_t j) { return mass(i, j); });
+  for (int k = 0; k < size; ++k)
+    if (pattern[k] != Contact::closed && !(constrained.diagonal(k) > mass(k, k) * least_diagonal_share<Real>))
       throw IllConditioned(
           "block masses or sizes are too far apart: rounding would leave energies fewer than nine digits");
-    }
-  }
   const PerBlock<Real, N> motions = constrained.solve(momenta);
   return Eigen::Map<const Vector<Real, N>>(motions.data(), size);
 }

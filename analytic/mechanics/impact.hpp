@@ -110,9 +110,8 @@ std::optional<PatternSolution<Real, N>> consistent_solution(const Model<Real, N>
                                                             const Impact<Real, N>& impact,
                                                             const BeforeImpact<Real, N>& before) {
   Pattern guess = impact.before.pattern;
-  for (int k = 0; k < impact.before.size(); ++k) {
+  for (int k = 0; k < impact.before.size(); ++k)
     if (impact.impacting.test(k)) guess[k] = opposite(guess[k]);
-  }
   auto solution =
       find_admissible(model.stack, guess, impact.touching(), Real(0),
                       [&](const Pattern& pattern) { return velocities_after(model, before, pattern); });
@@ -130,9 +129,7 @@ std::optional<PatternSolution<Real, N>> consistent_solution(const Model<Real, N>
 template <class Real, int N, class Evaluate>
 PatternSolution<Real, N> paper_solution(const Impact<Real, N>& impact, const Evaluate& evaluate) {
   const Interfaces touching = impact.touching();
-  int lowest = 0;
-  while (!impact.impacting.test(lowest)) ++lowest;
-  const Contact side = opposite(impact.before.pattern[lowest]);
+  const Contact side = opposite(impact.before.pattern[lowest(impact.impacting)]);
   Pattern open = impact.before.pattern;
   Pattern joined = impact.before.pattern;
   Pattern closed = impact.before.pattern;

@@ -85,29 +85,28 @@ Linkage<Real, N> make_linkage(const Stack<Real, N>& stack, const Sides& pattern)
   Real above = 0;  // mass, kg
   Real next = 0;   // where the pivot above is, from the middle, m
   for (std::size_t k = linkage.size(); k-- > 0;) {
-    const auto block = static_cast<int>(k);
-    const Real mass = stack.mass[block];
-    const Real pivots = side<Real>(pattern, block);
-    const Real pivot = pivots * stack.half_width[block];
-    const Real height = stack.half_height[block];
+    const Real mass = stack.mass[k];
+    const Real pivots = side<Real>(pattern, k);
+    const Real pivot = pivots * stack.half_width[k];
+    const Real height = stack.half_height[k];
     const Real link = next - pivot;
-    const Real centre_x = stack.centre_x[block] - pivot;
-    const Real centre_y = stack.centre_y[block];
+    const Real centre_x = stack.centre_x[k] - pivot;
+    const Real centre_y = stack.centre_y[k];
     linkage.moment_x[k] = above * link + mass * centre_x;
     linkage.moment_y[k] = above * (2 * height) + mass * centre_y;
     linkage.link_x[k] = link;
     linkage.link_y[k] = 2 * height;
-    linkage.inertia[k] = stack.inertia[block] + mass * (centre_x * centre_x + centre_y * centre_y) +
+    linkage.inertia[k] = stack.inertia[k] + mass * (centre_x * centre_x + centre_y * centre_y) +
                          above * (link * link + 4 * height * height);
     above += mass;
     linkage.mass[k] = above;
-    linkage.width[k] = stack.half_width[block];
+    linkage.width[k] = stack.half_width[k];
     linkage.free[k] = pivots * pivots;
     next = pivot;
     if (!stack.small_angles) continue;
     linkage.lever[k] = linkage.moment_x[k];
     linkage.moment_x[k] = linkage.link_x[k] = 0;
-    linkage.inertia[k] = stack.inertia[block] + (mass + 4 * (above - mass)) * (height * height);
+    linkage.inertia[k] = stack.inertia[k] + (mass + 4 * (above - mass)) * (height * height);
   }
   return linkage;
 }
@@ -162,12 +161,10 @@ struct ChainMass {
       for (std::size_t i = 0; i < j; ++i)
         matrix[i][j] = matrix[j][i] = links[i].x * moment.x + links[i].y * moment.y;
     }
-    for (std::size_t i = size - 1; i-- > 0;) {
+    for (std::size_t i = size - 1; i-- > 0;)
       for (std::size_t j = 0; j < size; ++j) matrix[i][j] += matrix[i + 1][j];
-    }
-    for (std::size_t j = size - 1; j-- > 0;) {
+    for (std::size_t j = size - 1; j-- > 0;)
       for (std::size_t i = 0; i < size; ++i) matrix[i][j] += matrix[i][j + 1];
-    }
   }
 };
 

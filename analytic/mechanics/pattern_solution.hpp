@@ -148,9 +148,8 @@ Interfaces pulled_apart(const Stack<Real, N>& stack, const PatternSolution<Real,
 
 /// A pattern with some of its interfaces closed.
 inline Pattern with_closed(Pattern pattern, const Interfaces& closed) {
-  for (int k = 0; k < pattern.size; ++k) {
+  for (int k = 0; k < pattern.size; ++k)
     if (closed.test(k)) pattern[k] = Contact::closed;
-  }
   return pattern;
 }
 
@@ -190,12 +189,8 @@ inline std::vector<Pattern> candidates(const Pattern& pattern, const Interfaces&
   for (int k = 0; k < pattern.size; ++k) {
     if (!touching.test(k)) continue;
     std::vector<Pattern> longer;
-    for (const Contact contact : {Contact::closed, Contact::right, Contact::left}) {
-      for (Pattern candidate : list) {
-        candidate[k] = contact;
-        longer.push_back(candidate);
-      }
-    }
+    for (const Contact contact : {Contact::closed, Contact::right, Contact::left})
+      for (const Pattern& candidate : list) longer.emplace_back(candidate)[k] = contact;
     list = std::move(longer);
   }
   return list;

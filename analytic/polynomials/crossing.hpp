@@ -62,8 +62,8 @@ Real quadratic_root(const Polynomial<Real>& polynomial) {
   using std::sqrt;
   const Real square = polynomial.terms > 2 ? polynomial[2] : Real(0);
   const Real radicand = polynomial[1] * polynomial[1] - 4 * square * polynomial[0];
-  const Real root = radicand > 0 ? 2 * polynomial[0] / (sqrt(radicand) - polynomial[1]) : Real(0);
-  return root > 0 && root < Real(1) ? root : Real(1) / Real(2);
+  const Real root = 2 * polynomial[0] / (sqrt(radicand) - polynomial[1]);
+  return select((radicand > Real(0)) & (root > Real(0)) & (root < Real(1)), root, Real(0.5));
 }
 
 /// The polynomial divided by the power of s that it holds: what is left after a start exactly at zero.

@@ -28,6 +28,15 @@ struct NumberIn {
 template <class Real>
 using Number = typename NumberIn<Real>::type;
 
+// One rule for a number and for a pack of numbers; of the latter, comparisons give a truth of each.
+inline bool any(bool truth) {
+  return truth;
+}
+template <class Real>
+Real select(bool truth, const Real& one, const Real& other) {
+  return truth ? one : other;
+}
+
 /// 1/i.
 template <class Real>
 inline const std::array<Real, max_terms<Real> + 1> reciprocals = [] {
@@ -166,9 +175,8 @@ void add(const Polynomial<Real>& summand, const Real& factor, Polynomial<Real>& 
 /// The quartic through values at s = 0, 1/4, 1/2, 3/4 and 1 (Newton's forward differences).
 template <class Real>
 Polynomial<Real> quartic_through(std::array<Real, 5> values) {
-  for (std::size_t order = 1; order < 5; ++order) {
+  for (std::size_t order = 1; order < 5; ++order)
     for (std::size_t i = 4; i >= order; --i) values[i] -= values[i - 1];
-  }
   const auto& [f, d1, d2, d3, d4] = values;
   return {f, 4 * d1 - 2 * d2 + 4 * d3 / 3 - d4, 8 * d2 - 8 * d3 + 22 * d4 / 3, 32 * d3 / 3 - 16 * d4,
           32 * d4 / 3};
@@ -184,9 +192,8 @@ Polynomial<Real> bernstein(const Polynomial<Real>& polynomial) {
     binomial = binomial * Real(terms - i) / Real(i);
     result[i] /= binomial;
   }
-  for (std::size_t level = 1; level < terms; ++level) {
+  for (std::size_t level = 1; level < terms; ++level)
     for (std::size_t i = terms - 1; i >= level; --i) result[i] += result[i - 1];
-  }
   return result;
 }
 

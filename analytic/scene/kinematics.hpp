@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <bit>
 #include <bitset>
 #include <type_traits>
 
@@ -21,6 +22,12 @@ template <class Real, int N = Eigen::Dynamic>
 using Vector = Eigen::Matrix<Real, N, 1, 0, capacity(N), 1>;
 template <class Real, int N = Eigen::Dynamic>
 using Matrix = Eigen::Matrix<Real, N, N, 0, capacity(N), capacity(N)>;
+template <class Real, int N = Eigen::Dynamic>
+Vector<Real, N> vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
+      .template cast<Real>();
+}
+
 /// One point or plane vector (x, y) a block, as columns.
 template <class Real, int N = Eigen::Dynamic>
 using Points = Eigen::Matrix<Real, 2, N, 0, 2, capacity(N)>;
@@ -29,6 +36,11 @@ using Point = Eigen::Matrix<Real, 2, 1>;
 
 /// A set of interfaces, by index from 0.
 using Interfaces = std::bitset<max_blocks>;
+
+/// Of a set that has any.
+inline int lowest(const Interfaces& interfaces) {
+  return std::countr_zero(interfaces.to_ulong());
+}
 
 /// The constants of a stack in the number type of a calculation. SI units, one entry a block, bottom to top.
 template <class Real, int N = Eigen::Dynamic>

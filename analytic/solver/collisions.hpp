@@ -33,10 +33,9 @@ class Collisions {
         upright_ ? before_impact(model, impact.before) : before_impact(model, impact.before, directions);
     Resolution<Real, N> resolution = resolve(model, impact, before, scene_.law);
     PatternSolution<Real, N>& solution = resolution.solution;
-    if (!scene_.restitution.empty()) {
+    if (!scene_.restitution.empty())
       if (const auto own = restored(model, impact, before, solution.pattern, scene_.restitution))
         solution = *own;
-    }
     const auto without_slow = [&] {
       return end_of_chatter_.without_slow({solution.pattern, impact.before.angles, solution.relative},
                                           impact.touching(), directions, piece.at(offset));
@@ -45,13 +44,12 @@ class Collisions {
       solution = velocities_after(model, before, slow);
       resolution.closes = true;
     }
-    if (sums_chatter_ && !resolution.closes) {
+    if (sums_chatter_ && !resolution.closes)
       if (const auto rest =
               negligible_rest({impact, before, solution, piece, offset, recorder.events()}, recorder)) {
         solution = rest->closure;
         resolution.closes = true;
       }
-    }
     return resolution;
   }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analytic/events/first_event.hpp"
 #include "analytic/events/rest.hpp"
+#include "analytic/events/tie_breaker.hpp"
 #include "analytic/events/zeno_summation.hpp"
 #include "analytic/polynomials/crossing.hpp"
 #include "analytic/scene/solve_options.hpp"
@@ -16,7 +16,7 @@ class Recorder {
  public:
   /// Keeps references to `model` and `options`; `friction` is what each interface has.
   Recorder(const Model<Real, N>& model, const SolveOptions& options, const std::vector<double>& friction)
-      : model_(model), options_(options), friction_(friction.begin(), friction.end()) {
+      : model_(model), options_(options), friction_(friction.begin(), friction.end()), event_limit_(model) {
     const int size = model.stack.size();
     rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model.gravity * model.stack.mass.sum());
     using std::sqrt;
@@ -40,9 +40,8 @@ class Recorder {
   void note_step(const DenseOutput<Real, N>& output, const GroundPiece<Real>& piece, const Real& offset,
                  const FirstEvent<Real>& event, const Cleared& cleared) {
     const Real start = piece.start + offset;
-    for (const auto& [s, kind, interface] : event.grazes) {
+    for (const auto& [s, kind, interface] : event.grazes)
       if (s <= event.s) history_.grazes.push_back({start + s * output.length, kind, interface});
-    }
     sample(output, piece, offset, event.s);
     if (options_.validity && event.s > 0) note_forces(output, piece, offset, event.s, cleared.forces);
     if (options_.peaks) note_peaks(output, event.s, cleared.angles);
@@ -99,8 +98,11 @@ class Recorder {
   }
 
   /// An event from pattern `from` and relative velocities `before` to the state `after`.
+  /// @throws std::runtime_error as EventLimit.
   void note_event(const Real& time, EventKind kind, int interface, const Pattern& from,
-                  const Vector<Real, N>& before, const State<Real, N>& after, Consistency consistency) {
+                  const Vector<Real, N>& before, const State<Real, N>& after,
+                  Consistency consistency = Consistency::consistent) {
+    event_limit_.note_event(time);
     ++events_;
     if (options_.events == EventsKept::summed) {
       BasicEvent<Real> event{time, kind, interface, from, after.pattern, {}, {}, {}, consistency};
@@ -192,7 +194,7 @@ class Recorder {
     using std::abs;
     const Real near = Real(1) / 100;
     if (keeps(rest.closure)) return true;
-    for (const PatternSolution<Real, N>& flight : rest.flights) {
+    for (const PatternSolution<Real, N>& flight : rest.flights)
       for (int k = 0; k < history_.blocks; ++k) {
         const BasicDemand<Real>& known = history_.forces[k];
         const Real normal = flight.reactions.normal[k];
@@ -201,7 +203,6 @@ class Recorder {
             tangential * (1 + near) > known.friction * normal)
           return true;
       }
-    }
     return false;
   }
 
@@ -215,12 +216,8 @@ class Recorder {
       Polynomial<Real> part = angle;
       rescale(part, s);
       if (hull(part).size() <= history_.peaks[k]) continue;
-      for (int side = 0; side < 2; ++side) {
-        if (side > 0) {
-          for (Real& coefficient : part) coefficient = -coefficient;
-        }
-        if (const auto top = maximum(part, history_.peaks[k])) history_.peaks[k] = top->height;
-      }
+      for (const Polynomial<Real>& lean : {part, times(-1, part)})
+        if (const auto top = maximum(lean, history_.peaks[k])) history_.peaks[k] = top->height;
     }
   }
 
@@ -243,6 +240,7 @@ class Recorder {
   std::vector<Real> friction_;  ///< that each interface has
   Real rounding_{};             ///< of forces, N
   Real negligible_impulse_{};   ///< N·s
+  EventLimit<Real> event_limit_;
   std::size_t next_sample_ = 0;
   std::size_t events_ = 0;
   BasicHistory<Real> history_;

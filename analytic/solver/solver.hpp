@@ -1,7 +1,5 @@
 #pragma once
 
-#include "analytic/events/first_event.hpp"
-#include "analytic/events/tie_breaker.hpp"
 #include "analytic/scene/branching.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solver/collisions.hpp"
@@ -23,20 +21,16 @@ class Solver {
         pieces_(scene),
         steps_(model_, options),
         recorder_(model_, options, options.validity ? friction_of(scene) : std::vector<double>()),
-        event_limit_(model_),
         ties_(model_),
         resting_(model_),
         cancelled_(options.cancelled),
         branching_(branching),
         collisions_(scene, model_, options) {
     validate(options);
-    const auto vector = [](const std::vector<double>& values) -> Vector<Real, N> {
-      return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
-          .template cast<Real>();
-    };
-    state_ = {{}, relative(vector(scene.initial.angles)), relative(vector(scene.initial.velocities))};
+    state_ = {{},
+              relative(vector_of<Real, N>(scene.initial.angles)),
+              relative(vector_of<Real, N>(scene.initial.velocities))};
     state_.pattern = pattern_of(state_.angles, state_.velocities);
-    update_directions();
     for (int k = 0; k < model_.stack.size(); ++k) toppling_angles_[k] = Real(toppling_angle(scene, k));
   }
 
@@ -45,10 +39,7 @@ class Solver {
   /// masses or sizes too far apart for the number type.
   BasicHistory<Real> run() {
     start();
-    while (!finished()) {
-      stop_if_cancelled(cancelled_);
-      advance();
-    }
+    for (; !finished(); advance()) stop_if_cancelled(cancelled_);
     return std::move(*this).history();
   }
   /// Once finished().
@@ -60,17 +51,17 @@ class Solver {
   /// What run() does, step by step: start() once, then advance() until finished(). @throws as run().
   void start() {
     // For the IllConditioned that it may throw: steps do not look.
-    accelerations(model_, state_, directions_, pieces_.current().at(offset_));
+    accelerations(model_, state_, directions(), ground());
     make_admissible(state_.pattern);
   }
   bool finished() const { return pieces_.finished() || toppled_; }
-  Real time() const { return pieces_.current().start + offset_; }
+  Real time() const { return pieces_.time(); }
 
   void advance() {
-    if (!(remaining() > 0)) return next_piece();
+    if (!(pieces_.remaining() > 0)) return pieces_.advance();
     if (skip_rest()) return;
-    if (!directed_) update_directions();
-    DenseOutput<Real, N> output = steps_(state_, directions_, linkage(), pieces_.current(), offset_,
+    if (!(linked_ == state_.pattern)) linkage_ = make_linkage(model_.stack, linked_ = state_.pattern);
+    DenseOutput<Real, N> output = steps_(state_, directions(), linkage_, pieces_.current(), pieces_.offset(),
                                          longest_step(), ties_.may_open(state_));
     follow(output);
   }
@@ -78,7 +69,7 @@ class Solver {
   /// Goes on up to a step in which blocks move, and true; or to the end. @throws as run().
   bool seek_motion() {
     while (!finished()) {
-      if (remaining() > 0 && !is_closed(state_.pattern)) return true;
+      if (pieces_.remaining() > 0 && !is_closed(state_.pattern)) return true;
       advance();
     }
     return false;
@@ -92,7 +83,7 @@ class Solver {
   };
   Stretch next_step() const {
     const Real length = steps_.length(pieces_.current(), longest_step());
-    return {length, scaled_body_force(model_.gravity, pieces_.current(), offset_, length)};
+    return {length, scaled_body_force(model_.gravity, pieces_.current(), pieces_.offset(), length)};
   }
 
   /// Goes along a step up to its first event, and through that. @throws as run().
@@ -101,10 +92,10 @@ class Solver {
     const FirstEvent<Real> event = first_event(output, toppling_angles_, cleared);
     state_ = output.at(event.s);
     require_numbers();
-    recorder_.note_step(output, pieces_.current(), offset_, event, cleared);
+    recorder_.note_step(output, pieces_.current(), pieces_.offset(), event, cleared);
     directed_ = false;
-    if (event.happens() && event.closing.none()) update_directions();
-    advance_time(event, output.length);
+    ties_.note_step(event, time());
+    go(event.s, output.length);
     if (event.happens()) handle(event);
   }
 
@@ -112,23 +103,15 @@ class Solver {
   /// steps lead, the caller knows, and tells before it asks for more than them.
   void pass(const Real& length) {
     ties_.note_uneventful_step();
-    if (length >= remaining()) {
-      next_piece();
-    } else {
-      offset_ += length;
-    }
+    go(1, length);
   }
 
-  /// Relative angles and velocities, and all peaks so far.
-  struct Place {
-    PerBlock<Real, N> angles, velocities, peaks;
-  };
-
-  /// Where steps that were passed have led.
-  void arrive(const Place& place) {
-    state_.angles = Eigen::Map<const Vector<Real, N>>(place.angles.data(), state_.size());
-    state_.velocities = Eigen::Map<const Vector<Real, N>>(place.velocities.data(), state_.size());
-    recorder_.raise_peaks(place.peaks);
+  /// Where steps that were passed have led: relative angles and velocities, and all peaks so far.
+  void arrive(const Vector<Real, N>& angles, const Vector<Real, N>& velocities,
+              const PerBlock<Real, N>& peaks) {
+    state_.angles = angles;
+    state_.velocities = velocities;
+    recorder_.raise_peaks(peaks);
     directed_ = false;
   }
 
@@ -138,16 +121,9 @@ class Solver {
     FirstEvent<Real> event;
     event.s = s;
     event.closing.set(interface);
-    advance_time(event, length);
+    ties_.note_step(event, time());
+    go(s, length);
     handle(event);
-  }
-
-  const Linkage<Real, N>& linkage() {
-    if (linkage_.blocks == 0 || !(linked_ == state_.pattern)) {
-      linkage_ = make_linkage(model_.stack, state_.pattern);
-      linked_ = state_.pattern;
-    }
-    return linkage_;
   }
 
   const State<Real, N>& state() const { return state_; }
@@ -156,26 +132,26 @@ class Solver {
   const Recorder<Real, N>& recorder() const { return recorder_; }
   const std::array<Real, max_blocks>& toppling_angles() const { return toppling_angles_; }
   Steps<Real, N>& steps() { return steps_; }
-  const Steps<Real, N>& steps() const { return steps_; }
 
  private:
-  Real remaining() const { return pieces_.current().length - offset_; }
-  Real longest_step() const { return ties_.longest_step(remaining()); }
+  Real longest_step() const { return ties_.longest_step(pieces_.remaining()); }
 
-  /// To the event that ends a step of a length, or to its end.
-  void advance_time(const FirstEvent<Real>& event, const Real& length) {
-    ties_.note_step(event, time());
-    if (length >= remaining() && event.s == 1) {
-      next_piece();
+  /// By a share of a step.
+  void go(const Real& share, const Real& length) {
+    if (share == 1 && length >= pieces_.remaining()) {
+      pieces_.advance();
     } else {
-      offset_ += event.s * length;
+      pieces_.go(share * length);
     }
   }
 
-  /// After a change of angles.
-  void update_directions() {
-    directions_ = directions_at(model_, state_.angles);
+  Point<Real> ground() const { return pieces_.current().at(pieces_.offset()); }
+
+  /// At the state.
+  const Directions<Real, N>& directions() {
+    if (!directed_) directions_ = directions_at(model_, state_.angles);
     directed_ = true;
+    return directions_;
   }
 
   /// Goes on past the ground pieces through whose rest the stack stands still, and nothing of it is to be
@@ -183,43 +159,32 @@ class Solver {
   bool skip_rest() {
     if (!is_closed(state_.pattern) || !ties_.all_clear() || ties_.at_instant()) return false;
     const auto stands = [&] {
-      const Bearing<Real> bears = bearing(model_.gravity, pieces_.current(), offset_);
+      const Bearing<Real> bears = bearing(model_.gravity, pieces_.current(), pieces_.offset());
       return bears.tilt < resting_.critical_tilt && !recorder_.wants(resting_, bears);
     };
     // Of samples it is enough to look at each, where gravity stays as it is.
     const Real quiet = model_.gravity * std::min(resting_.critical_tilt, recorder_.known_friction()) *
                        (1 - 1024 * std::numeric_limits<Real>::epsilon());
     bool skipped = false;
-    for (; !finished() && stands(); skipped = true) {
-      pieces_.advance_past(quiet);
-      offset_ = 0;
-    }
+    for (; !finished() && stands(); skipped = true) pieces_.advance_past(quiet);
     return skipped;
   }
 
-  void next_piece() {
-    pieces_.advance();
-    offset_ = 0;
+  [[noreturn]] void fail(const std::string& what, const char* why = "") const {
+    throw std::runtime_error(what + " at t = " + number_text(static_cast<double>(time())) + " s" + why);
   }
 
   void require_numbers() const {
     const Real size = state_.angles.template lpNorm<1>() + state_.velocities.template lpNorm<1>();
     if (!(size <= std::numeric_limits<Real>::max()))
-      throw std::runtime_error("angles or velocities have become too large for numbers at t = " +
-                               number_text(static_cast<double>(time())) + " s");
-  }
-
-  [[noreturn]] void no_way_on() const {
-    throw std::runtime_error(
-        "no pattern lets the motion go on at t = " + number_text(static_cast<double>(time())) +
-        " s: the blocks would have to lift off");
+      fail("angles or velocities have become too large for numbers");
   }
 
   void handle(const FirstEvent<Real>& event) {
     const Pattern from = state_.pattern;
     if (event.toppling >= 0) {
       toppled_ = true;
-      record_event(EventKind::topple, event.toppling, from, state_.velocities, Consistency::consistent);
+      recorder_.note_event(time(), EventKind::topple, event.toppling + 1, from, state_.velocities, state_);
     } else if (event.closing.any()) {
       ties_.note_closing(event.closing);
       collide(event.closing);
@@ -227,9 +192,8 @@ class Solver {
     } else if (ties_.undecided()) {
       ties_.hold(event.opening);
     } else {
-      for (int k = 0; k < state_.size(); ++k) {
+      for (int k = 0; k < state_.size(); ++k)
         if (event.opening.test(k)) state_.pattern[k] = event.opened[k];
-      }
       ties_.note_opening(event.opening);
       if (event.either.any()) recorder_.note_choices(event.either, time());
       make_admissible(from, event.either);
@@ -243,9 +207,10 @@ class Solver {
       if (collisions_.negligibly_open(state_, k)) closing.set(k);
       if (closing.test(k)) state_.angles[k] = 0;
     }
-    update_directions();
+    directed_ = false;
     const Impact<Real, N> impact{state_, closing};
-    const auto outcome = collisions_.outcome(impact, directions_, pieces_.current(), offset_, recorder_);
+    const auto outcome =
+        collisions_.outcome(impact, directions(), pieces_.current(), pieces_.offset(), recorder_);
     state_.pattern = outcome.solution.pattern;
     state_.velocities = outcome.solution.relative;
     require_numbers();
@@ -253,18 +218,18 @@ class Solver {
     const EventKind kind = !outcome.closes             ? EventKind::impact
                            : is_closed(state_.pattern) ? EventKind::rest
                                                        : EventKind::closure;
-    record_event(kind, first, impact.before.pattern, impact.before.velocities, outcome.consistency);
+    recorder_.note_event(time(), kind, first + 1, impact.before.pattern, impact.before.velocities, state_,
+                         outcome.consistency);
   }
 
   /// Rule 2 at an instant: opens the closed interfaces whose centre of pressure would lie outside. `either`:
   /// have just opened to a side that the other would do for as well.
   void make_admissible(Pattern from, const Interfaces& either = {}) {
     const Interfaces touching = ties_.touching(state_);
-    const Point<Real> ground = pieces_.current().at(offset_);
     Interfaces pulled;
-    const auto evaluate = [&](const Pattern& pattern) {
-      return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, directions_,
-                        ground);
+    const auto evaluate = [&, here = ground()](const Pattern& pattern) {
+      return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, directions(),
+                        here);
     };
     const auto violates = [&](const PatternSolution<Real, N>& present) {
       if (!first_violation(model_.stack, present, touching, ties_.slack())) return false;
@@ -274,7 +239,7 @@ class Solver {
     if (touching.any() && violates(evaluate(state_.pattern))) {
       const auto found = find_admissible(model_.stack, with_closed(state_.pattern, touching), touching,
                                          ties_.slack(), evaluate);
-      if (!found) no_way_on();
+      if (!found) fail("no pattern lets the motion go on", ": the blocks would have to lift off");
       // To rounding, closed may do as well; but an opening taken back would be found again at once.
       if (!ties_.at_instant() || !(found->pattern == from)) state_.pattern = found->pattern;
     }
@@ -287,7 +252,7 @@ class Solver {
         return !first_violation(model_.stack, evaluate(pattern), touching, ties_.slack());
       });
     ties_.note_opening(changed);
-    record_event(EventKind::opening, lowest(changed), from, state_.velocities, Consistency::consistent);
+    recorder_.note_event(time(), EventKind::opening, lowest(changed) + 1, from, state_.velocities, state_);
   }
 
   /// Opens interfaces for which both sides would do, as far as these are admissible, as a branch takes them.
@@ -307,24 +272,11 @@ class Solver {
     state_.pattern = ways[branching_->take(static_cast<double>(time()), ways)];
   }
 
-  static int lowest(const Interfaces& interfaces) {
-    int k = 0;
-    while (!interfaces.test(k)) ++k;
-    return k;
-  }
-
-  void record_event(EventKind kind, int interface, const Pattern& from, const Vector<Real, N>& before,
-                    Consistency consistency) {
-    event_limit_.note_event(time());
-    recorder_.note_event(time(), kind, interface + 1, from, before, state_, consistency);
-  }
-
   const Scene& scene_;
   Model<Real, N> model_;
   GroundPieces<Real> pieces_;
   Steps<Real, N> steps_;
   Recorder<Real, N> recorder_;
-  EventLimit<Real> event_limit_;
   TieBreaker<Real> ties_;
   RestingStack<Real, N> resting_;
   const std::function<bool()>* cancelled_;
@@ -335,8 +287,7 @@ class Solver {
   Directions<Real, N> directions_;  ///< at the state, if it is
   bool directed_ = false;
   std::array<Real, max_blocks> toppling_angles_{};
-  Real offset_ = 0;  ///< into the current piece, s
-  Pattern linked_;   ///< the pattern of linkage_
+  Pattern linked_;  ///< the pattern of linkage_
   bool toppled_ = false;
 };
 

@@ -5,42 +5,38 @@
 namespace rockstack {
 
 template <class Real>
-std::vector<double> in_double(const std::vector<Real>& values) {
-  std::vector<double> result;
+double in_double(const Real& number) {
+  return static_cast<double>(number);
+}
+
+template <class Real>
+Demand in_double(const BasicDemand<Real>& demand) {
+  return {in_double(demand.least_normal),    in_double(demand.least_normal_time),
+          in_double(demand.friction),        in_double(demand.friction_time),
+          in_double(demand.first_pull_time), in_double(demand.first_slip_time)};
+}
+
+template <class Real>
+Reaction in_double(const BasicReaction<Real>& reaction) {
+  return {in_double(reaction.normal), in_double(reaction.tangential), in_double(reaction.centre)};
+}
+
+template <class Real>
+SpringEnergy in_double(const BasicSpringEnergy<Real>& energy) {
+  return {in_double(energy.elastic), in_double(energy.damped), in_double(energy.rubbed)};
+}
+
+template <class Real>
+BasicGraze<double> in_double(const BasicGraze<Real>& graze) {
+  return {in_double(graze.time), graze.kind, graze.interface};
+}
+
+/// Each of a list.
+template <class Wide>
+auto in_double(const std::vector<Wide>& values) {
+  std::vector<decltype(in_double(values.front()))> result;
   result.reserve(values.size());
-  for (const Real& value : values) result.push_back(static_cast<double>(value));
-  return result;
-}
-
-template <class Real>
-std::vector<Demand> in_double(const std::vector<BasicDemand<Real>>& demands) {
-  const auto number = [](const Real& value) { return static_cast<double>(value); };
-  std::vector<Demand> result;
-  result.reserve(demands.size());
-  for (const BasicDemand<Real>& demand : demands)
-    result.push_back({number(demand.least_normal), number(demand.least_normal_time), number(demand.friction),
-                      number(demand.friction_time), number(demand.first_pull_time),
-                      number(demand.first_slip_time)});
-  return result;
-}
-
-template <class Real>
-std::vector<Reaction> in_double(const std::vector<BasicReaction<Real>>& reactions) {
-  std::vector<Reaction> result;
-  result.reserve(reactions.size());
-  for (const BasicReaction<Real>& reaction : reactions)
-    result.push_back({static_cast<double>(reaction.normal), static_cast<double>(reaction.tangential),
-                      static_cast<double>(reaction.centre)});
-  return result;
-}
-
-template <class Real>
-std::vector<SpringEnergy> in_double(const std::vector<BasicSpringEnergy<Real>>& energies) {
-  std::vector<SpringEnergy> result;
-  result.reserve(energies.size());
-  for (const BasicSpringEnergy<Real>& energy : energies)
-    result.push_back({static_cast<double>(energy.elastic), static_cast<double>(energy.damped),
-                      static_cast<double>(energy.rubbed)});
+  for (const Wide& value : values) result.push_back(in_double(value));
   return result;
 }
 
@@ -51,7 +47,6 @@ inline History to_double(History history) {
 /// A history in double precision. What is ordered or equal stays so.
 template <class Real>
 History to_double(const BasicHistory<Real>& history) {
-  const auto number = [](const Real& value) { return static_cast<double>(value); };
   History result;
   result.blocks = history.blocks;
   result.times = in_double(history.times);
@@ -60,13 +55,11 @@ History to_double(const BasicHistory<Real>& history) {
   result.patterns = history.patterns;
   result.events.reserve(history.events.size());
   for (const BasicEvent<Real>& event : history.events)
-    result.events.push_back({number(event.time), event.kind, event.interface, event.from, event.to,
+    result.events.push_back({in_double(event.time), event.kind, event.interface, event.from, event.to,
                              in_double(event.angles), in_double(event.before), in_double(event.after),
                              event.consistency, event.count});
-  for (const BasicGraze<Real>& graze : history.grazes)
-    result.grazes.push_back({number(graze.time), graze.kind, graze.interface});
-  for (const BasicGraze<Real>& choice : history.choices)
-    result.choices.push_back({number(choice.time), choice.kind, choice.interface});
+  result.grazes = in_double(history.grazes);
+  result.choices = in_double(history.choices);
   result.slips = in_double(history.slips);
   result.gaps = in_double(history.gaps);
   result.centres = in_double(history.centres);

@@ -43,25 +43,19 @@ inline const Real convergent_ricker = [] {
 template <class Real>
 Real longest_series(const Pulse& pulse) {
   const Real turn = 2 * pi<Real> / Real(pulse.period);
-  switch (pulse.shape) {
-    case PulseShape::rectangle:
-      return std::numeric_limits<Real>::infinity();
-    case PulseShape::ricker:
-      return convergent_ricker<Real> / (turn / 2);
-    case PulseShape::mavroeidis_papageorgiou:
-      return convergent_sine<Real> / (turn * (1 + 1 / Real(pulse.cycles)));
-    default:
-      return convergent_sine<Real> / turn;
-  }
+  if (pulse.shape == PulseShape::rectangle) return std::numeric_limits<Real>::infinity();
+  if (pulse.shape == PulseShape::ricker) return convergent_ricker<Real> / (turn / 2);
+  if (pulse.shape == PulseShape::mavroeidis_papageorgiou)
+    return convergent_sine<Real> / (turn * (1 + 1 / Real(pulse.cycles)));
+  return convergent_sine<Real> / turn;
 }
 
 /// The same for a ground piece.
 template <class Real>
 Real longest_series(const GroundPiece<Real>& piece) {
   Real longest = std::numeric_limits<Real>::infinity();
-  for (const Pulse* pulse : {piece.horizontal.pulse, piece.vertical.pulse}) {
+  for (const Pulse* pulse : {piece.horizontal.pulse, piece.vertical.pulse})
     if (pulse) longest = std::min(longest, longest_series<Real>(*pulse));
-  }
   return longest;
 }
 

@@ -159,12 +159,11 @@ class ChainSeries {
     PerBlock<Real, N> opposed;
     for (std::size_t k = 0; k < size(); ++k) opposed[k] = -known[k];
     const PerBlock<Real, N> relative = mass_.constrained.solve(opposed);
-    if (margins_) {
+    if (margins_)
       for (std::size_t k = 0; k < size(); ++k) {
         blocks_[k].reaction[n] = known[k];
         for (std::size_t j = 0; j < size(); ++j) blocks_[k].reaction[n] += mass_.matrix[k][j] * relative[j];
       }
-    }
     Real angular_acceleration = 0;
     for (std::size_t k = 0; k < size(); ++k) {
       BlockSeries<Real>& block = blocks_[k];

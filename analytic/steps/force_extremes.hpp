@@ -35,13 +35,12 @@ void note_extremes(const BasicDemand<Real>& demand, const Polynomial<Real>& norm
     if (const auto top = maximum<Real>(sum, least, slack)) note_at(top->s * end);
   };
   note_maximum(-1, 0, rounding - demand.least_normal, rounding);
-  for (const Real& side : {Real(1), Real(-1)}) {
+  for (const Real& side : {Real(1), Real(-1)})
     for (Real before = -1; demand.friction > before && demand.friction <= std::numeric_limits<Real>::max();) {
       before = demand.friction;
       const Real negligible = rounding * (1 + before);
       note_maximum(-before, side, negligible, negligible);
     }
-  }
 }
 
 }  // namespace rockstack

@@ -50,9 +50,15 @@ class GroundPieces {
 
   bool finished() const { return !(piece_.start < duration_); }
   const GroundPiece<Real>& current() const { return piece_; }
+  /// Where a motion has come to within it, and how much is left of it, s.
+  const Real& offset() const { return offset_; }
+  Real remaining() const { return piece_.length - offset_; }
+  Real time() const { return piece_.start + offset_; }
+  void go(const Real& length) { offset_ += length; }
 
   void advance() {
     piece_.start = end_;
+    offset_ = 0;
     find_piece();
   }
 
@@ -130,6 +136,7 @@ class GroundPieces {
   Real downhill_;  ///< gravity along the ground, to the right, m/s²
   GroundPiece<Real> piece_{};
   Real end_ = 0;  ///< of the piece, s
+  Real offset_ = 0;
   std::ptrdiff_t horizontal_sample_ = 0;
   std::ptrdiff_t vertical_sample_ = 0;
 };

@@ -1,20 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include "analytic/polynomials/polynomial.hpp"
 
 namespace rockstack {
-
-// One rule for a number and for a pack of numbers; of the latter, comparisons give a truth of each.
-
-inline bool any(bool truth) {
-  return truth;
-}
-
-template <class Real>
-Real select(bool truth, const Real& one, const Real& other) {
-  return truth ? one : other;
-}
 
 /// The share of a step by whose end an open angle has come back, or all of it, as far as the angle, its rate
 /// and its acceleration at the start can tell, both by the step's length; `rate` is √(g/H). What lies behind

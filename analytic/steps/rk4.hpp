@@ -74,24 +74,18 @@ class Rk4Steps {
   /// The quartics through five points of the step.
   void add_margins(const GroundPiece<Real>& piece, const Real& offset, const Interfaces& watched,
                    DenseOutput<Real, N>& output) const {
-    std::array<std::array<Margins<Real>, nodes>, capacity(N)> values;
+    std::array<std::array<Real, nodes>, capacity(N)> right, left;
     for (std::size_t i = 0; i < nodes; ++i) {
       const Real s = Real(i) / Real(nodes - 1);
       const auto solution = accelerate(model_, output.at(s), piece.at(offset + s * output.length));
       for (int k = 0; k < output.start.pattern.size; ++k) {
-        values[k][i] = margins(model_.stack, solution.reactions, k);
+        const Margins<Real> margin = margins(model_.stack, solution.reactions, k);
+        right[k][i] = margin.right;
+        left[k][i] = margin.left;
       }
     }
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      if (!watched.test(k)) continue;
-      std::array<Real, nodes> right;
-      std::array<Real, nodes> left;
-      for (std::size_t i = 0; i < nodes; ++i) {
-        right[i] = values[k][i].right;
-        left[i] = values[k][i].left;
-      }
-      output.margins[k] = {quartic_through(right), quartic_through(left)};
-    }
+    for (std::size_t k = 0; k < right.size(); ++k)
+      if (watched.test(k)) output.margins[k] = {quartic_through(right[k]), quartic_through(left[k])};
   }
 
   const Model<Real, N>& model_;

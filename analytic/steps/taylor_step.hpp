@@ -30,10 +30,9 @@ struct StepStart {
     using std::max;
     using std::min;
     Real first = 1;
-    for (std::size_t k = 0; k < series.size(); ++k) {
+    for (std::size_t k = 0; k < series.size(); ++k)
       first = min(first, rockstack::landing<Real>(sides[k] * angles[k], sides[k] * advances[k],
                                                   sides[k] * series.relative(k, 0), length, rate));
-    }
     return max(first, Real(1e-6) / (length * rate));
   }
 };
@@ -109,11 +108,10 @@ class TaylorSteps {
     StepStart<Real, N> start{{}, {}, {}, step, rate_};
     typename ChainSeries<Real, N>::Directions block_directions;
     for (std::size_t k = 0; k < linkage.size(); ++k) {
-      const auto block = static_cast<int>(k);
-      start.sides[k] = Real(sign(state.pattern[block]));
-      start.angles[k] = state.angles[block];
-      start.advances[k] = state.velocities[block] * step;
-      block_directions[k] = {directions.cosine[block], directions.sine[block]};
+      start.sides[k] = Real(sign(state.pattern[k]));
+      start.angles[k] = state.angles[k];
+      start.advances[k] = state.velocities[k] * step;
+      block_directions[k] = {directions.cosine[k], directions.sine[k]};
     }
     ChainSeries<Real, N> series(linkage, model_.equations, {forces_, watched.any()}, block_directions,
                                 start.advances);

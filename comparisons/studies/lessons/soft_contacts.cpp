@@ -14,7 +14,7 @@ namespace {
 constexpr double contact_step = 1e-3;  // s
 constexpr double points = 4;           // of a block's bottom face
 constexpr int heights = 15;
-constexpr double lowest = 0.16, highest = 0.44;  // tilts, rad
+constexpr double least_tilt = 0.16, most_tilt = 0.44;  // rad
 
 /// How much of its angular speed a block has again after it has landed flat.
 double rebound(const History& history, const Event& landing) {
@@ -34,7 +34,7 @@ struct Fall {
 std::vector<Fall> falls(Scene scene) {
   std::vector<Fall> list;
   for (int i = 0; i < heights; ++i) {
-    scene.initial.angles = {lowest + (highest - lowest) * i / (heights - 1)};
+    scene.initial.angles = {least_tilt + (most_tilt - least_tilt) * i / (heights - 1)};
     list.push_back({scene, *first_event(exact_answer(scene), EventKind::impact)});
   }
   return list;
@@ -226,8 +226,8 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
                       {"step", fixed(contact_step, 3)},
                       {"after", name(landing.to)},
                       {"heights", std::to_string(heights)},
-                      {"lowest", fixed(lowest, 2)},
-                      {"highest", fixed(highest, 2)},
+                      {"lowest", fixed(least_tilt, 2)},
+                      {"highest", fixed(most_tilt, 2)},
                       {"ode_default", bounces[0]},
                       {"ode_high", bounces[1]},
                       {"ode_tuned", bounces[3]},
