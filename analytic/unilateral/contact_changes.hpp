@@ -11,24 +11,17 @@ namespace rockstack {
 /// A joint as it is at one end, where it touches along all of it.
 template <class Real>
 Joint<Real> end_of(const ContactModel<Real>& stack, int interface, Joint<Real> joint, int side) {
-  if (joint.touch == Touch::flat)
+  if (joint.touch == Contact::closed)
     joint.corner_below = corner_is_below(stack, interface, joint.offset, side, joint.slip);
-  joint.touch = static_cast<Touch>(side);
+  joint.touch = static_cast<Contact>(side);
   return joint;
 }
 
 /// The end of the motion that a change is, if it is one.
 inline std::optional<EventKind> ending(Change change) {
-  switch (change) {
-    case Change::topple:
-      return EventKind::topple;
-    case Change::fall:
-      return EventKind::fall;
-    case Change::strike:
-      return EventKind::strike;
-    default:
-      return {};
-  }
+  static constexpr std::array kinds{EventKind::topple, EventKind::fall, EventKind::strike};
+  if (change < Change::topple) return {};
+  return kinds[static_cast<std::size_t>(change) - static_cast<std::size_t>(Change::topple)];
 }
 
 /// Chatter ends as in analytic/events/chatter.hpp: where what an impact parts would part no further than the
@@ -67,25 +60,23 @@ class ContactChatter {
         respond<Real>({stack_, after, free, ContactLevel::accelerations}, mode).motion;
     const FreeVector<Real> rates = vector_of(after.rate);
     Joints<Real> result = mode;
-    const auto flies = [](const Joint<Real>& joint) { return !joint.touches(); };
-    const bool one_flies = std::count_if(mode.begin(), mode.end(), flies) == 1;
+    const bool one_flies = std::ranges::count(mode, false, &Joint<Real>::touches) == 1;
     for (int k = 0; k < stack_.size(); ++k) {
       const auto slow = [&](const Joint<Real>& held) {
         return parts_slowly(k, held, mode[k], after, acceleration, one_flies);
       };
       std::optional<Joint<Real>> held;
       if (slow(touching[k])) held = touching[k];
-      if (stack_.restitution > 0 && !mode[k].touches() && touching[k].touch == Touch::flat) {
+      if (stack_.restitution > 0 && !mode[k].touches() && touching[k].touch == Contact::closed)
         for (const int side : {-1, 1})
           if (const Joint<Real> end = end_of(stack_, k, touching[k], side); !held && slow(end)) held = end;
-      }
       if (!held) continue;
       Joint<Real>& joint = result[k];
       const int slip = joint.slip;
       joint = *held;
       joint.slip = slip;
       if (mode[k].touches()) continue;
-      const Real speed = kinematics_of(stack_, after, stack_.held_point(k, joint)).slip_row.dot(rates);
+      const Real speed = kinematics_of(stack_, after, k, joint).slip_row.dot(rates);
       const Real still = slow_speed_ * stack_.half_width(k);
       joint.slip = (speed > still) - (speed < -still);
       meet_face(stack_, k, joint);
@@ -97,28 +88,22 @@ class ContactChatter {
   bool parts_slowly(int interface, const Joint<Real>& touching, const Joint<Real>& mode,
                     const Bodies<Real>& after, const FreeVector<Real>& acceleration, bool alone) const {
     using std::abs;
-    const bool bounces =
-        alone && !mode.touches() && stack_.restitution > 0 &&
-        (touching.pivots() ||
-         abs(relative_angle(after.rate, static_cast<std::size_t>(interface))) <= slow_speed_);
+    const bool bounces = alone && !mode.touches() && stack_.restitution > 0 &&
+                         (touching.pivots() || abs(relative_angle(after.rate, interface)) <= slow_speed_);
     const auto slow = [&](const Real& speed, const Real& back, const Real& unit) {
       return speed <= slow_speed_ * unit || (!bounces && speed * speed <= -2 * resolution_ * unit * back);
     };
-    const auto lower = [&](const FreeVector<Real>& vector, int at) -> Real {
-      return interface == 0 ? Real(0) : vector[Eigen::Index{3} * interface - 3 + at];
-    };
     const FreeVector<Real> rates = vector_of(after.rate);
-    if (mode.pivots() && touching.touch == Touch::flat) {
-      const Real speed = abs(rates[Eigen::Index{3} * interface + 2] - lower(rates, 2));
-      return slow(speed,
-                  mode.side() * (acceleration[Eigen::Index{3} * interface + 2] - lower(acceleration, 2)), 1);
+    if (mode.pivots() && touching.touch == Contact::closed) {
+      const FreeRow<Real> turn = angle_row<Real>(stack_, interface);
+      return slow(abs(turn.dot(rates)), mode.side() * turn.dot(acceleration), 1);
     }
     if (mode.touches() || !touching.touches()) return false;
     const Real width = 2 * stack_.half_width(interface);
     for (const int side : {-1, 1}) {
       if (touching.pivots() && side != touching.side()) continue;
       const Joint<Real> end = end_of(stack_, interface, touching, side);
-      const ContactKinematics<Real> rows = kinematics_of(stack_, after, stack_.held_point(interface, end));
+      const ContactKinematics<Real> rows = kinematics_of(stack_, after, interface, end);
       if (!slow(rows.gap_row.dot(rates), rows.gap_row.dot(acceleration) + rows.gap_bias, width)) return false;
     }
     return true;
@@ -140,9 +125,9 @@ void land(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int inter
   const Real angle = relative_angle(bodies.at, interface);
   joint.slip = 0;
   if (abs(angle) <= flat_angle<Real>()) {
-    joint.touch = Touch::flat;
+    joint.touch = Contact::closed;
   } else {
-    joint.touch = angle > 0 ? Touch::right : Touch::left;
+    joint.touch = angle > 0 ? Contact::right : Contact::left;
     joint.corner_below = below;
   }
   joint.offset = offset_of(stack, bodies, interface, joint);
@@ -156,12 +141,12 @@ bool pass_corner(const ContactModel<Real>& stack, const Bodies<Real>& bodies, in
   if (!joint.pivots()) return false;
   joint.corner_below = !joint.corner_below;
   joint.offset = offset_of(stack, bodies, interface, joint);
-  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, stack.held_point(interface, joint));
+  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, interface, joint);
   const FreeVector<Real> rates = vector_of(bodies.rate);
   const Real speed = rows.gap_row.dot(rates);
   const Real rounding = tolerance<Real>(1e-13) * (rows.gap_row.cwiseAbs().dot(rates.cwiseAbs()));
   if (speed > rounding) {
-    joint.touch = Touch::apart;
+    joint.touch = Contact::apart;
     joint.slip = 0;
   }
   return speed < -rounding;
@@ -172,7 +157,7 @@ template <class Real>
 void land_negligible(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
                      const Real& gap, Joints<Real>& joints) {
   using std::abs;
-  const Real angle = relative_angle(bodies.at, static_cast<std::size_t>(interface));
+  const Real angle = relative_angle(bodies.at, interface);
   for (const bool below : {true, false}) {
     if (below && interface == 0) continue;
     for (const int side : {-1, 1}) {
@@ -189,12 +174,11 @@ void land_negligible(const ContactModel<Real>& stack, const Bodies<Real>& bodies
 template <class Real>
 void close_negligible(const ContactModel<Real>& stack, const ContactChatter<Real>& chatter,
                       const Bodies<Real>& bodies, Joints<Real>& joints) {
-  for (std::size_t k = 0; k < joints.size(); ++k) {
-    const auto interface = static_cast<int>(k);
-    const Real gap = chatter.negligible_gap() * stack.half_width(interface);
-    if (!joints[k].touches() && !stack.soft(k)) land_negligible(stack, bodies, interface, gap, joints);
+  for (int k = 0; k < stack.size(); ++k) {
+    const Real gap = chatter.negligible_gap() * stack.half_width(k);
+    if (!joints[k].touches() && !stack.soft(k)) land_negligible(stack, bodies, k, gap, joints);
     if (chatter.negligibly_open(joints[k], relative_angle(bodies.at, k), relative_angle(bodies.rate, k)))
-      joints[k].touch = Touch::flat;
+      joints[k].touch = Contact::closed;
   }
 }
 
@@ -207,7 +191,7 @@ bool apply(const FirstChange<Real>& found, const ContactModel<Real>& stack, cons
     Joint<Real>& joint = joints[guard.interface];
     switch (guard.change) {
       case Change::closing:
-        joint.touch = Touch::flat;
+        joint.touch = Contact::closed;
         meets = true;
         break;
       case Change::landing:

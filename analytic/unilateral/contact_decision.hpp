@@ -18,15 +18,13 @@ struct ContactCollision {
   ShortVector<ContactForce<Real>> impulses;
   Joints<Real> mode;  ///< without what slides or parts too slowly
   Poses<Real> rates;
-  bool closes = false;   ///< something stays together as its chatter ends
-  bool several = false;  ///< others obey as well
-  bool gains = false;    ///< kinetic energy, as Newton's law may with friction
+  EventKind kind = EventKind::impact;  ///< or what its chatter ends with
+  Consistency consistency = Consistency::consistent;
 };
 
 template <class Real>
 bool same_modes(const Joints<Real>& first, const Joints<Real>& second) {
-  return std::equal(first.begin(), first.end(), second.begin(),
-                    [](const Joint<Real>& a, const Joint<Real>& b) { return a.same_mode(b); });
+  return std::ranges::equal(first, second, &Joint<Real>::same_mode);
 }
 
 /// The velocities that joints leave, by impulses of a stack without friction: a projection in the metric of
@@ -45,7 +43,7 @@ Joints<Real> with_slips(const ContactModel<Real>& stack, Joints<Real> mode, cons
   for (int k = 0; k < stack.size(); ++k) {
     Joint<Real>& joint = mode[k];
     if (!joint.touches() || joint.slip == 0) continue;
-    const ContactKinematics<Real> rows = kinematics_of(stack, bodies, stack.held_point(k, joint));
+    const ContactKinematics<Real> rows = kinematics_of(stack, bodies, k, joint);
     const Real rounding = tolerance<Real>(1e-14) * rows.slip_row.cwiseAbs().dot(rates.cwiseAbs());
     if (joint.slip * rows.slip_row.dot(rates) > rounding) continue;
     joint.slip = 0;
@@ -66,13 +64,13 @@ Joints<Real> bounced(const ContactModel<Real>& stack, Joints<Real> mode, const B
     for (const int side : {-1, 1}) {
       if (joint.pivots() && side != joint.side()) continue;
       const Joint<Real> end = end_of(stack, k, joint, side);
-      const FreeRow<Real> row = kinematics_of(stack, after, stack.held_point(k, end)).gap_row;
+      const FreeRow<Real> row = kinematics_of(stack, after, k, end).gap_row;
       if (row.dot(rates) <= tolerance<Real>(1e-13) * row.cwiseAbs().dot(rates.cwiseAbs()))
         stay.push_back(end);
     }
     if (stay.empty())
-      joint = {.touch = Touch::apart, .corner_below = joint.corner_below, .offset = joint.offset};
-    else if (joint.touch == Touch::flat && stay.size() == 1)
+      joint = {.touch = Contact::apart, .corner_below = joint.corner_below, .offset = joint.offset};
+    else if (joint.touch == Contact::closed && stay.size() == 1)
       joint = stay[0];
   }
   return mode;
@@ -115,24 +113,29 @@ std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
   if (stack.bounces_by(RestitutionLaw::poisson)) mode = expand(question, touching, *found, response);
   if (!mode) return std::nullopt;
   ContactCollision<Real> impact{*found, response.forces, *std::move(mode), {}};
-  impact.several = several;
+  if (several) impact.consistency = Consistency::several;
   bodies.rate = poses_of(response.motion);
   Joints<Real> met = touching;
   pass_faces(stack, bodies, impact.mode, met);
   impact.mode = bounced(stack, impact.mode, bodies);
-  impact.gains =
-      twice_energy(stack, response.motion) > (1 + tolerance<Real>(1e-12)) * twice_energy(stack, before);
+  if (twice_energy(stack, response.motion) > (1 + tolerance<Real>(1e-12)) * twice_energy(stack, before))
+    impact.consistency = Consistency::gains;
   for (std::size_t rounds = 0; rounds <= 4 * touching.size(); ++rounds) {
     Joints<Real> held = with_slips(stack, impact.mode, bodies);
     if (same_modes(held, impact.mode)) {
       held = chatter.without_slow(met, impact.mode, bodies, free);
       if (same_modes(held, impact.mode)) break;
-      impact.closes = true;
+      impact.kind = EventKind::closure;
     }
     impact.mode = held;
     bodies.rate = held_rates(smooth, impact.mode, bodies);
   }
   impact.rates = bodies.rate;
+  const auto still = [](const Joint<Real>& joint) {
+    return joint.touch == Contact::closed && joint.slip == 0;
+  };
+  if (impact.kind == EventKind::closure && std::ranges::all_of(impact.mode, still))
+    impact.kind = EventKind::rest;
   return impact;
 }
 
@@ -141,7 +144,7 @@ std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
 template <class Real>
 std::optional<EventKind> change_of(const Joint<Real>& before, const Joint<Real>& after, bool passes) {
   const auto ends = [](const Joint<Real>& joint) {
-    return joint.touch == Touch::flat ? 2 : joint.pivots() ? 1 : 0;
+    return joint.touch == Contact::closed ? 2 : joint.pivots() ? 1 : 0;
   };
   if (passes) return EventKind::corner;
   if (before.touch != after.touch) return ends(after) < ends(before) ? EventKind::part : EventKind::touch;
@@ -152,9 +155,8 @@ std::optional<EventKind> change_of(const Joint<Real>& before, const Joint<Real>&
 /// The lowest interface that differs, from 1, and how.
 template <class Real>
 int lowest_change(const Joints<Real>& from, const Joints<Real>& to) {
-  std::size_t k = 0;
-  while (k + 1 < from.size() && from[k].same_mode(to[k])) ++k;
-  return static_cast<int>(k) + 1;
+  const auto first = std::ranges::mismatch(from, to, &Joint<Real>::same_mode).in1;
+  return static_cast<int>(std::min(first, from.end() - 1) - from.begin()) + 1;
 }
 
 /// What a change of contacts without impact is called: the first of these that any interface does.
@@ -264,7 +266,7 @@ bool turn(const ContactQuestion<Real>& question, const Joints<Real>& joints,
   std::vector<Pattern> patterns;
   for (Joints<Real> way : ways) {
     for (const int k : pairs)
-      if (slides_off(way[k])) way[k] = {.touch = Touch::apart};
+      if (slides_off(way[k])) way[k] = {.touch = Contact::apart};
     patterns.push_back(pattern_of(springs.shown(std::move(way))));
   }
   mode = ways[branching->take(static_cast<double>(time), std::move(patterns))];
@@ -274,11 +276,9 @@ bool turn(const ContactQuestion<Real>& question, const Joints<Real>& joints,
 /// By how much later an event decides, s.
 template <class Real>
 struct LookAhead {
-  Real shortest = 0, longest = 0;
-  Real time = 0;
+  Real shortest, longest, time;
   Real last = -1;  ///< decision, s; negative: none since the last impact
 
-  LookAhead() = default;
   /// From what is given in units of √(H/g), 0: 6.7 √ε, and that unit.
   LookAhead(double given, const Real& unit)
       : shortest((given > 0 ? Real(given) : root_tolerance<Real>(1e-7)) * unit),

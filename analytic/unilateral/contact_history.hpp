@@ -22,13 +22,14 @@ struct ContactEvent {
 /// The motion at one time.
 template <class Real>
 struct ContactSample {
-  Real time;  ///< s
+  Real time = 0;  ///< s
   Bodies<Real> bodies;
   Joints<Real> joints;
-  std::vector<Real> slips, gaps;  ///< of each interface, m; where apart, the slip that it parted with
+  std::vector<Real> slips = {},
+                    gaps = {};  ///< of each interface, m; where apart, the slip that it parted with
   // Of stacks with springs, else empty.
-  std::vector<SpringState<Real>> springs;  ///< of each interface
-  FreeVector<Real> spring_accelerations;   ///< what all springs make of the motion
+  std::vector<SpringState<Real>> springs = {};  ///< of each interface
+  FreeVector<Real> spring_accelerations = {};   ///< what all springs make of the motion
 };
 
 /// A stack's motion under a law that leaves pivots.

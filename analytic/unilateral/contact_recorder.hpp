@@ -18,66 +18,14 @@ void note_bearing(BasicDemand<Real>& demand, const Real& normal, const Real& tan
   raise_demand(demand, bears ? normal : Real(0), bears ? Real(abs(tangential) / normal) : Real(0), time);
 }
 
-/// What acts at the interfaces over a motion: the least normal force, which is zero where blocks part, and
-/// the largest ratio of tangential to normal force. No interface pulls or bears more than its friction.
-template <class Real>
-class ContactDemands {
- public:
-  ContactDemands(const ContactModel<Real>& stack, double gravity)
-      : forces_(stack.blocks.size()), impulses_(forces_) {
-    using std::sqrt;
-    Real mass = 0;
-    for (const Block& block : stack.blocks) mass += block.mass;
-    rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * mass * gravity;
-    negligible_impulse_ = Real(1e-6) * mass * sqrt(gravity * stack.height());
-  }
-
-  /// A step up to `end` of its length; `start` in s.
-  void note_step(const Joints<Real>& joints, const ModeSeries<Real>& series, const Real& end,
-                 const Real& start) {
-    for (std::size_t k = 0; k < forces_.size(); ++k) {
-      if (!joints[k].touches()) {
-        note_bearing<Real>(forces_[k], 0, 0, rounding_, start);
-        continue;
-      }
-      ForceSeries<Real> force = series.forces[k];
-      for (Polynomial<Real>* part : {&force.normal, &force.tangential})
-        for (Real& coefficient : *part) coefficient *= series.force_unit;
-      note_extremes(forces_[k], force.normal, force.tangential, end, rounding_, [&](const Real& s) {
-        note_bearing<Real>(forces_[k], value(force.normal, s), value(force.tangential, s), rounding_,
-                           start + s * series.length);
-      });
-    }
-  }
-
-  /// Impulses of one impact. Of less than a millionth of the momentum that the stack has after falling its
-  /// own size, those of chatter, nothing is told.
-  void note_impact(const ShortVector<ContactForce<Real>>& impulses, const Real& time) {
-    for (std::size_t k = 0; k < impulses_.size(); ++k) {
-      const ContactForce<Real>& impulse = impulses[k];
-      if (impulse.normal > negligible_impulse_)
-        note_bearing(impulses_[k], impulse.normal, impulse.tangential, negligible_impulse_, time);
-    }
-  }
-
-  const std::vector<BasicDemand<Real>>& forces() const { return forces_; }
-  const std::vector<BasicDemand<Real>>& impulses() const { return impulses_; }
-
- private:
-  std::vector<BasicDemand<Real>> forces_, impulses_;
-  Real rounding_{};            ///< of forces, N
-  Real negligible_impulse_{};  ///< N·s
-};
-
 /// The least gap of blocks that are apart, over all corners that are over a face, m; infinite where there are
 /// none, or where one block has turned past a right angle to the other, so that their faces no longer meet.
 template <class Real>
 Real gap_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface) {
   using std::abs;
   Real gap = std::numeric_limits<Real>::infinity();
-  const Real below_angle = interface == 0 ? Real(0) : bodies.at[interface - 1].angle;
-  if (abs(bodies.at[interface].angle - below_angle) >= pi<Real> / 2) return gap;
-  for (const bool below : {false, true}) {
+  if (abs(relative_angle(bodies.at, interface)) >= pi<Real> / 2) return gap;
+  for (const bool below : {false, true})
     for (const int side : {-1, 1}) {
       if (below && interface == 0) continue;
       const CornerOnFace<Real> point = stack.corner(interface, side, below);
@@ -85,7 +33,6 @@ Real gap_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int int
       if (abs(rows.slip) <= stack.half_width(point.face) * (1 + tolerance<Real>(1e-12)))
         gap = std::min(gap, rows.gap);
     }
-  }
   return gap;
 }
 
@@ -96,7 +43,13 @@ class ContactRecorder {
   /// Keeps references to `stack` and `options`.
   ContactRecorder(const Scene& scene, const ContactModel<Real>& stack, const SolveOptions& options)
       : stack_(stack), options_(options), offsets_(scene.initial.offsets) {
-    if (options.validity) demands_.emplace(stack, scene.gravity);
+    using std::sqrt;
+    Real mass = 0;
+    for (const Block& block : stack.blocks) mass += block.mass;
+    rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * mass * scene.gravity;
+    negligible_impulse_ = Real(1e-6) * mass * sqrt(scene.gravity * stack.height());
+    if (options.validity)
+      history_.forces = history_.impulses = std::vector<BasicDemand<Real>>(scene.blocks.size());
     if (options.peaks) history_.peaks = history_.lifts = std::vector<Real>(scene.blocks.size(), Real(0));
   }
 
@@ -110,9 +63,9 @@ class ContactRecorder {
       note_sample({series.at(std::max(s, Real(0))), rigid}, springs, spring_series, std::max(s, Real(0)),
                   series);
     }
-    if (!demands_ && !options_.peaks) return;
+    if (!options_.validity && !options_.peaks) return;
     const Joints<Real> joints = springs.shown(rigid);
-    if (demands_ && end_s > 0) note_demands(joints, series, end_s, start);
+    if (options_.validity && end_s > 0) note_demands(joints, series, end_s, start);
     if (!options_.peaks) return;
     note_peaks(series, end_s);
     for (std::size_t k = 0; k < joints.size(); ++k)
@@ -122,12 +75,11 @@ class ContactRecorder {
   /// Impulses that bring about a mode.
   void note_impact(const Joints<Real>& mode, const Bodies<Real>& bodies,
                    ShortVector<ContactForce<Real>> impulses, const Real& time) {
-    if (!demands_) return;
-    demands_->note_impact(impulses, time);
-    for (const int k : sticking_pairs(mode)) {
+    if (!options_.validity) return;
+    note_impulses(impulses, time);
+    for (const int k : sticking_pairs(mode))
       impulses[k] = on_other_face(impulses[k], mode[k], relative_angle(bodies.at, k));
-    }
-    demands_->note_impact(impulses, time);
+    note_impulses(impulses, time);
   }
 
   void note_event(ContactEvent<Real> event) { history_.events.push_back(std::move(event)); }
@@ -139,10 +91,6 @@ class ContactRecorder {
 
   /// The motion up to where it has come.
   ContactHistory<Real> history(const ContactState<Real>& last, const Real& end_time) && {
-    if (demands_) {
-      history_.forces = demands_->forces();
-      history_.impulses = demands_->impulses();
-    }
     if (options_.peaks)
       for (std::size_t k = 0; k < last.joints.size(); ++k)
         history_.slips_left.push_back(last.joints[k].offset -
@@ -157,18 +105,42 @@ class ContactRecorder {
     return open_pairs(stack_, joints, ContactLevel::accelerations);
   }
 
+  /// What acts over a step up to `end` of its length: the least normal force, which is zero where blocks
+  /// part, and the largest ratio of tangential to normal force. No interface pulls or bears more than its
+  /// friction. `start` in s.
+  void note_forces(const Joints<Real>& joints, const ModeSeries<Real>& series, const Real& end,
+                   const Real& start) {
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      BasicDemand<Real>& demand = history_.forces[k];
+      if (!joints[k].touches()) {
+        note_bearing<Real>(demand, 0, 0, rounding_, start);
+        continue;
+      }
+      const Polynomial<Real> normal = times(series.force_unit, series.forces[k].normal);
+      const Polynomial<Real> tangential = times(series.force_unit, series.forces[k].tangential);
+      note_extremes(demand, normal, tangential, end, rounding_, [&](const Real& s) {
+        note_bearing<Real>(demand, value(normal, s), value(tangential, s), rounding_,
+                           start + s * series.length);
+      });
+    }
+  }
+  /// Of one impact. Of less than a millionth of the momentum that the stack has after falling its own size,
+  /// those of chatter, nothing is told.
+  void note_impulses(const ShortVector<ContactForce<Real>>& impulses, const Real& time) {
+    for (std::size_t k = 0; k < impulses.size(); ++k)
+      if (impulses[k].normal > negligible_impulse_)
+        note_bearing(history_.impulses[k], impulses[k].normal, impulses[k].tangential, negligible_impulse_,
+                     time);
+  }
   /// Pairs of corners need the friction of either face.
   void note_demands(const Joints<Real>& joints, const ModeSeries<Real>& series, const Real& end_s,
                     const Real& start) {
-    demands_->note_step(joints, series, end_s, start);
+    note_forces(joints, series, end_s, start);
     const ShortVector<int> pairs = sticking_pairs(joints);
     if (pairs.empty()) return;
     ModeSeries<Real> others = series;
-    for (const int k : pairs) {
-      ForceSeries<Real>& force = others.forces[k];
-      force = on_upper_face(series, k, force);
-    }
-    demands_->note_step(joints, others, end_s, start);
+    for (const int k : pairs) others.forces[k] = on_upper_face(series, k, series.forces[k]);
+    note_forces(joints, others, end_s, start);
   }
 
   bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
@@ -184,17 +156,11 @@ class ContactRecorder {
 
   void note_sample(ContactState<Real> state, const SpringContacts<Real>& springs) {
     place(stack_, state.joints, state.bodies);
-    std::vector<SpringState<Real>> spring_states = springs.states(state.bodies);
-    FreeVector<Real> spring_accelerations;
-    if (!springs.empty()) spring_accelerations = springs.accelerations(state.bodies);
-    state.joints = springs.shown(std::move(state.joints));
-    ContactSample<Real> sample{Real(options_.sample_times[next_sample_++]),
-                               std::move(state.bodies),
-                               std::move(state.joints),
-                               {},
-                               {},
-                               std::move(spring_states),
-                               std::move(spring_accelerations)};
+    ContactSample<Real> sample{.time = Real(options_.sample_times[next_sample_++]),
+                               .bodies = state.bodies,
+                               .joints = springs.shown(std::move(state.joints)),
+                               .springs = springs.states(state.bodies)};
+    if (!springs.empty()) sample.spring_accelerations = springs.accelerations(state.bodies);
     for (int k = 0; k < stack_.size(); ++k) {
       const Joint<Real>& joint = sample.joints[k];
       sample.slips.push_back(joint.offset);
@@ -224,7 +190,7 @@ class ContactRecorder {
       if (gap < std::numeric_limits<Real>::infinity()) lift = std::max(lift, gap);
     };
     note_at(end_s);
-    for (const bool below : {false, true}) {
+    for (const bool below : {false, true})
       for (const int side : {-1, 1}) {
         if (below && interface == 0) continue;
         const CornerOnFace<Real> point = stack_.corner(interface, side, below);
@@ -233,7 +199,6 @@ class ContactRecorder {
         rescale(gap, end_s);
         if (const auto top = maximum(gap, lift)) note_at(top->s * end_s);
       }
-    }
     for (const int side : {-1, 1}) {
       Polynomial<Real> angle = times(side, series.bodies[interface].angle);
       if (interface > 0) add(series.bodies[interface - 1].angle, Real(-side), angle);
@@ -247,7 +212,8 @@ class ContactRecorder {
   const SolveOptions& options_;
   std::vector<double> offsets_;  ///< at the start, or none
   std::size_t next_sample_ = 0;
-  std::optional<ContactDemands<Real>> demands_;  ///< where they are asked for
+  Real rounding_{};            ///< of forces, N
+  Real negligible_impulse_{};  ///< N·s
   ContactHistory<Real> history_;
 };
 

@@ -27,30 +27,23 @@ class ContactSolver {
         pieces_(scene),
         chatter_(stack_, scene.gravity, options.resolution),
         fresh_(scene.blocks.size()),
+        unit_time_(stack_.fall_time(Real(scene.gravity))),
+        look_ahead_(options.look_ahead, unit_time_),
         state_(initial_contacts(stack_, scene.initial)),
         springs_(scene, stack_, state_),
         recorder_(scene, stack_, options),
         cancelled_(options.cancelled),
         branching_(branching) {
     using std::cos;
-    using std::sqrt;
     require_digits(stack_);
     across_ = Real(scene.gravity) * cos(Real(scene.inclination));
     for (int k = 0; k < stack_.size(); ++k) toppling_angles_.push_back(Real(toppling_angle(scene, k)));
-    unit_time_ = sqrt(stack_.height() / Real(scene.gravity));
-    look_ahead_ = LookAhead<Real>(options.look_ahead, unit_time_);
-    shortest_step_ = tolerance<Real>(1e-13) * unit_time_;
-    longest_ = unit_time_ / 8;
-    longest_burst_ = Real(10000) * stack_.size() / (1 - stack_.restitution);
   }
 
   /// @throws std::runtime_error where the motion cannot go on.
   void run() {
     decide(Joints<Real>(state_.joints), state_.bodies, 0);
-    while (!ended_ && !pieces_.finished()) {
-      stop_if_cancelled(cancelled_);
-      advance();
-    }
+    for (; !ended_ && !pieces_.finished(); advance()) stop_if_cancelled(cancelled_);
     if (!ended_) recorder_.note_rest(state_, springs_, scene_.duration);
   }
 
@@ -63,11 +56,11 @@ class ContactSolver {
  private:
   void advance() {
     const GroundPiece<Real>& piece = pieces_.current();
-    const Real remaining = piece.length - offset_;
-    if (!(remaining > 0)) return next_piece();
-    Real length = std::min<Real>({remaining, longest_, longest_series(piece)});
-    if (!springs_.empty()) length = std::min(length, springs_.longest_step(state_.bodies));
-    const ScaledBodyForce<Real> body_force = scaled_body_force(across_, piece, offset_, length);
+    const Real remaining = pieces_.remaining();
+    if (!(remaining > 0)) return pieces_.advance();
+    const Real length =
+        std::min<Real>({remaining, longest_, longest_series(piece), springs_.longest_step(state_.bodies)});
+    const ScaledBodyForce<Real> body_force = scaled_body_force(across_, piece, pieces_.offset(), length);
     SpringSeries<Real> springs(stack_, springs_.points(), state_.bodies);
     // Decisions look ahead on a step's series, so that it is not much shorter.
     const Real shortest = std::max<Real>(16 * look_ahead_.time, Real(1e-6) * unit_time_);
@@ -92,7 +85,7 @@ class ContactSolver {
     if (!found.guards.empty()) {
       handle(found, step.series);
     } else if (whole) {
-      next_piece();
+      pieces_.advance();
     }
   }
 
@@ -100,33 +93,23 @@ class ContactSolver {
   /// vanishing step of Moreau's.
   void jam() {
     note_stall();
-    const Real length = std::min<Real>(32 * shortest_step_, pieces_.current().length - offset_);
+    const Real length = std::min<Real>(32 * shortest_step_, pieces_.remaining());
     state_.bodies.at = poses_of<Real>(vector_of(state_.bodies.at) + length * vector_of(state_.bodies.rate));
-    offset_ += length;
+    pieces_.go(length);
     place(stack_, state_.joints, state_.bodies);
-    const Joints<Real> before = state_.joints;
     longest_ = unit_time_ / 8;
-    const Joints<Real> following = follow_without_solution(before);
-    decide(following, state_.bodies, 0);
-  }
-
-  void next_piece() {
-    pieces_.advance();
-    offset_ = 0;
+    decide(follow_without_solution(Joints<Real>(state_.joints)), state_.bodies, 0);
   }
 
   /// Goes up to s of a step.
   void go(const ModeSeries<Real>& series, const SpringSeries<Real>& springs, const Real& s) {
-    using std::isfinite;
     Bodies<Real> next = series.at(s);
-    for (const Pose<Real>& rate : next.rate)
-      if (!isfinite(rate.x) || !isfinite(rate.y) || !isfinite(rate.angle))
-        stop("velocities have become too large for numbers at");
+    if (!vector_of(next.rate).allFinite()) stop("velocities have become too large for numbers at", time());
     recorder_.note_step(state_.joints, series, springs_, springs, s, time());
     const Bodies<Real> before = std::exchange(state_.bodies, std::move(next));
     place(stack_, state_.joints, state_.bodies);
     if (!springs_.empty()) springs_.go(springs, s, before, state_.bodies);
-    offset_ += s * series.length;
+    pieces_.go(s * series.length);
     if (s > 0) decided_ = false;
   }
 
@@ -149,8 +132,7 @@ class ContactSolver {
     for (std::size_t k = 0; k < before.size(); ++k)
       if (const auto kind = change_of(before[k], after[k], passes[k]))
         note_shown(*kind, static_cast<int>(k) + 1, before, state_.bodies.rate);
-    const auto touches = [](const Joint<Real>& joint) { return joint.touches(); };
-    if (std::any_of(state_.joints.begin(), state_.joints.end(), touches))
+    if (std::ranges::any_of(state_.joints, &Joint<Real>::touches))
       decide(Joints<Real>(state_.joints), state_.bodies, 0);
   }
 
@@ -167,10 +149,9 @@ class ContactSolver {
     const int interface = found.guards.front().interface + 1;
     if (apply(found, stack_, state_.bodies, touching)) return meet(before, std::move(touching), interface);
     look_ahead_.note_decision(time(), longest_);
-    const auto passes = [](const Guard<Real>& guard) { return guard.change == Change::corner; };
     state_.joints = std::move(touching);
     hold();
-    if (std::any_of(found.guards.begin(), found.guards.end(), passes))
+    if (std::ranges::find(found.guards, Change::corner, &Guard<Real>::change) != found.guards.end())
       note(EventKind::corner, interface, before, state_.bodies.rate);
     decide(before, series.at(found.s + look_ahead_.time / series.length), look_ahead_.time);
   }
@@ -179,8 +160,7 @@ class ContactSolver {
   void hold() {
     const Poses<Real> rates = state_.bodies.rate;
     place(stack_, state_.joints, state_.bodies);
-    state_.bodies.rate = rates;
-    state_.bodies.rate = held_rates(smooth_, state_.joints, state_.bodies);
+    state_.bodies.rate = held_rates(smooth_, state_.joints, {state_.bodies.at, rates});
     place(stack_, state_.joints, state_.bodies);
   }
 
@@ -194,19 +174,12 @@ class ContactSolver {
     const auto impact = collide(
         stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies),
         [&](const auto& question, const auto& joints, auto& mode) { return turn(question, joints, mode); });
-    if (!impact) stop("no impulses end an impact at");
+    if (!impact) stop("no impulses end an impact at", time());
     recorder_.note_impact(impact->found, state_.bodies, impact->impulses, time());
     state_ = {{state_.bodies.at, impact->rates}, impact->mode};
     place(stack_, state_.joints, state_.bodies);
     if (stack_.restitution > 0) fresh_.mark_bounces(touching, impact->mode, time());
-    const auto still = [](const Joint<Real>& joint) { return joint.touch == Touch::flat && joint.slip == 0; };
-    note(!impact->closes                                                ? EventKind::impact
-         : std::all_of(impact->mode.begin(), impact->mode.end(), still) ? EventKind::rest
-                                                                        : EventKind::closure,
-         interface, before, rates,
-         impact->gains     ? Consistency::gains
-         : impact->several ? Consistency::several
-                           : Consistency::consistent);
+    note(impact->kind, interface, before, rates, impact->consistency);
     decide(impact->mode, state_.bodies, 0);
   }
 
@@ -223,7 +196,7 @@ class ContactSolver {
       joints = follow_without_solution(joints);
       bodies = state_.bodies;
       mode = find_mode(question, joints);
-      if (!mode) stop("no forces let the motion go on at");
+      if (!mode) stop("no forces let the motion go on at", time());
     }
     const bool others = turn(question, joints, *mode);
     const Poses<Real> rates = state_.bodies.rate;
@@ -247,7 +220,7 @@ class ContactSolver {
     const FreeVector<Real> velocities = vector_of(rates);
     const FreeVector<Real> kicked = velocities + look_ahead_.shortest * free_acceleration(0, state_.bodies);
     const auto mode = find_mode<Real>({stack_, state_.bodies, kicked, ContactLevel::velocities}, joints);
-    if (!mode) stop("no impulses let the motion go on at");
+    if (!mode) stop("no impulses let the motion go on at", time());
     const ModeResponse<Real> response =
         respond<Real>({stack_, state_.bodies, velocities, ContactLevel::velocities}, *mode);
     recorder_.note_impact(*mode, state_.bodies, response.forces, time());
@@ -264,10 +237,8 @@ class ContactSolver {
 
   /// Without rigid contacts; springs have bodies where they are at that time.
   FreeVector<Real> free_acceleration(const Real& later, const Bodies<Real>& bodies) const {
-    const Point<Real> ground = pieces_.current().at(offset_ + later);
-    FreeVector<Real> result(Eigen::Index{3} * stack_.size());
-    for (int k = 0; k < stack_.size(); ++k)
-      result.template segment<3>(Eigen::Index{3} * k) << -ground.x(), -(across_ + ground.y()), Real(0);
+    const Point<Real> ground = pieces_.current().at(pieces_.offset() + later);
+    FreeVector<Real> result = uniform<Real>(stack_.size(), -ground.x(), -(across_ + ground.y()));
     if (!springs_.empty()) result += springs_.accelerations(bodies);
     return result;
   }
@@ -292,12 +263,11 @@ class ContactSolver {
     if (++burst_ > longest_burst_) stop("events do not come to an end after", burst_start_);
   }
 
-  [[noreturn]] void stop(const char* what) const { stop(what, time()); }
   [[noreturn]] static void stop(const char* what, const Real& time) {
     throw std::runtime_error(std::string(what) + " t = " + std::to_string(static_cast<double>(time)) + " s");
   }
 
-  Real time() const { return pieces_.current().start + offset_; }
+  Real time() const { return pieces_.time(); }
 
   /// In chatter, where more events follow each other, no more branches leave the motion.
   static constexpr int longest_followed_burst = 8;
@@ -309,18 +279,18 @@ class ContactSolver {
   ContactChatter<Real> chatter_;
   FreshJoints<Real> fresh_;
   std::vector<Real> toppling_angles_;
-  Real across_{};     ///< gravity across the ground, m/s²
-  Real unit_time_{};  ///< √(H/g), s
+  Real across_{};   ///< gravity across the ground, m/s²
+  Real unit_time_;  ///< √(H/g), s
   LookAhead<Real> look_ahead_;
-  Real shortest_step_{};  ///< s
-  Real longest_{};        ///< step, s
-  Real offset_ = 0;       ///< into the current piece, s
+  Real shortest_step_ = tolerance<Real>(1e-13) * unit_time_;  ///< s
+  Real longest_ = unit_time_ / 8;                             ///< step, s
   ContactState<Real> state_;
   SpringContacts<Real> springs_;
   bool decided_ = false;  ///< the step starts at an event
   Real burst_start_ = 0;  ///< s
   int burst_ = 0;
-  Real longest_burst_;  ///< events; as many more as bounces take that fall more slowly
+  /// Events; as many more as bounces take that fall more slowly.
+  Real longest_burst_ = Real(10000) * stack_.size() / (1 - stack_.restitution);
   bool ended_ = false;
   ContactRecorder<Real> recorder_;
   const std::function<bool()>* cancelled_;

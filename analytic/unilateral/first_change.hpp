@@ -10,57 +10,52 @@ namespace rockstack {
 template <class Real>
 class FreshJoints {
  public:
-  explicit FreshJoints(std::size_t size)
-      : parted_(size, Real(-1)),
-        slid_(parted_),
-        bounced_(parted_),
-        parted_from_(size),
-        bounced_from_(size),
-        parted_to_(size) {}
+  explicit FreshJoints(std::size_t size) : joints_(size) {}
 
   /// A decision from `joined` joints, which were `before` it. What only comes back to what it was joined to
   /// has not parted.
   void mark(const Joints<Real>& before, const Joints<Real>& joined, const Joints<Real>& after,
             const Real& time) {
     for (std::size_t k = 0; k < after.size(); ++k) {
-      if (before[k].slip == 0 && after[k].slip != 0) slid_[k] = time;
+      Fresh& fresh = joints_[k];
+      if (before[k].slip == 0 && after[k].slip != 0) fresh.slid = time;
       const auto stays = [&](const Joint<Real>& joint) { return joint.touch == after[k].touch; };
       if (stays(before[k]) || stays(joined[k]) || !before[k].touches()) continue;
-      parted_[k] = time;
-      parted_from_[k] = joined[k];
-      parted_to_[k] = after[k].touch;
+      fresh.parted = time;
+      fresh.parted_from = joined[k];
+      fresh.parted_to = after[k].touch;
     }
   }
 
   /// An impact of `touching`, after which points have bounced.
   void mark_bounces(const Joints<Real>& touching, const Joints<Real>& after, const Real& time) {
-    for (std::size_t k = 0; k < after.size(); ++k)
-      if (touching[k].touches() && !after[k].touches()) {
-        bounced_[k] = time;
-        bounced_from_[k] = touching[k];
-      }
+    for (std::size_t k = 0; k < after.size(); ++k) {
+      if (!touching[k].touches() || after[k].touches()) continue;
+      joints_[k].bounced = time;
+      joints_[k].bounced_from = touching[k];
+    }
   }
 
   /// Whether a corner has just bounced, so that it starts on its face, whatever roundings put it at.
   bool bounced(const Guard<Real>& guard, const Real& time) const {
-    const auto k = static_cast<std::size_t>(guard.interface);
-    return guard.change == Change::landing && bounced_[k] == time && may_be(guard, bounced_from_[k]);
+    const Fresh& fresh = joints_[guard.interface];
+    return guard.change == Change::landing && fresh.bounced == time && may_be(guard, fresh.bounced_from);
   }
 
   /// Whether a guard may start at zero because of what was decided at this time; `decided` tells whether the
   /// last event was there.
   bool starts(const Guard<Real>& guard, const Real& time, bool decided) const {
-    const auto k = static_cast<std::size_t>(guard.interface);
+    const Fresh& fresh = joints_[guard.interface];
     switch (guard.change) {
       case Change::force:
       case Change::corner:
         return decided;
       case Change::halt:
-        return slid_[k] == time;
+        return fresh.slid == time;
       case Change::closing:
-        return parted_[k] == time;
+        return fresh.parted == time;
       case Change::landing:
-        return parted_[k] == time && may_be(guard, parted_from_[k]);
+        return fresh.parted == time && may_be(guard, fresh.parted_from);
       default:
         return false;
     }
@@ -70,9 +65,10 @@ class FreshJoints {
   /// since.
   Joints<Real> joined(Joints<Real> joints, const Real& time, const Real& window) const {
     for (std::size_t k = 0; k < joints.size(); ++k) {
-      if (parted_[k] < 0 || time - parted_[k] > window || joints[k].touch != parted_to_[k]) continue;
-      joints[k].touch = parted_from_[k].touch;
-      joints[k].corner_below = parted_from_[k].corner_below;
+      const Fresh& fresh = joints_[k];
+      if (fresh.parted < 0 || time - fresh.parted > window || joints[k].touch != fresh.parted_to) continue;
+      joints[k].touch = fresh.parted_from.touch;
+      joints[k].corner_below = fresh.parted_from.corner_below;
     }
     return joints;
   }
@@ -83,9 +79,12 @@ class FreshJoints {
     return !joint.pivots() || joint.side() == guard.side;
   }
 
-  std::vector<Real> parted_, slid_, bounced_;  ///< when, s
-  Joints<Real> parted_from_, bounced_from_;    ///< what each joint was before
-  std::vector<Touch> parted_to_;
+  struct Fresh {
+    Real parted = -1, slid = -1, bounced = -1;  ///< when, s
+    Joint<Real> parted_from, bounced_from;      ///< what it was before
+    Contact parted_to = Contact::closed;
+  };
+  std::vector<Fresh> joints_;
 };
 
 /// Angles below it are flat, rad.
@@ -105,9 +104,8 @@ struct FirstChange {
 template <class Real>
 Polynomial<Real> from(const Polynomial<Real>& polynomial, const Real& first) {
   Polynomial<Real> shifted = polynomial;
-  for (std::size_t i = 0; i + 1 < shifted.terms; ++i) {
+  for (std::size_t i = 0; i + 1 < shifted.terms; ++i)
     for (std::size_t j = shifted.terms - 1; j > i; --j) shifted[j - 1] += first * shifted[j];
-  }
   rescale<Real>(shifted, 1 - first);
   return shifted;
 }
@@ -119,15 +117,21 @@ bool is_inside(const Polynomial<Real>& within, const Real& s, const Real& roundi
   return distance > rounding || (distance >= -rounding && slope >= 0);
 }
 
+/// Whether that holds of both ends; those of the ground are nowhere.
+template <class Real>
+bool is_over_face(const Guard<Real>& guard, const Real& s) {
+  return guard.within.terms == 0 ||
+         (is_inside(guard.within, s, guard.rounding) && is_inside(guard.within_other, s, guard.rounding));
+}
+
 /// Whether a corner that meets a face is the one that the block above leans to, and on the face.
 template <class Real>
 bool lands(const ModeSeries<Real>& series, const Guard<Real>& guard, const Real& s) {
-  const auto k = static_cast<std::size_t>(guard.interface);
+  const int k = guard.interface;
   const Real angle =
       value(series.bodies[k].angle, s) - (k > 0 ? value(series.bodies[k - 1].angle, s) : Real(0));
   if (guard.side * angle < -flat_angle<Real>()) return false;
-  return guard.within.terms == 0 ||
-         (is_inside(guard.within, s, guard.rounding) && is_inside(guard.within_other, s, guard.rounding));
+  return is_over_face(guard, s);
 }
 
 /// Whether a guard that is negative from s on ends its step: a corner may meet the plane of a face beside it,
@@ -140,8 +144,7 @@ bool ends_step(const ModeSeries<Real>& series, const Guard<Real>& guard, const R
     case Change::fall:
       return guard.other.terms == 0 || value(guard.other, s) < 0;
     case Change::strike:
-      return guard.within.terms == 0 ||
-             (is_inside(guard.within, s, guard.rounding) && is_inside(guard.within_other, s, guard.rounding));
+      return is_over_face(guard, s);
     default:
       return true;
   }
@@ -174,8 +177,7 @@ FirstChange<Real> first_change(std::vector<Guard<Real>> guards, const ModeSeries
     if (lower) rest[0] = 0;
     std::optional<Real> crossing = first_crossing(rest);
     if (crossing) *crossing = first + (1 - first) * *crossing;
-    if (!crossing || *crossing > found.s) continue;
-    if (!ends_step(series, guard, *crossing)) continue;
+    if (!crossing || *crossing > found.s || !ends_step(series, guard, *crossing)) continue;
     if (*crossing < found.s) found = {*crossing, {}};
     found.guards.push_back(std::move(guard));
   }

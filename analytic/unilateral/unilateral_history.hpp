@@ -10,7 +10,7 @@ template <class Real>
 Pattern pattern_of(const Joints<Real>& joints) {
   Pattern pattern = closed_pattern(static_cast<int>(joints.size()));
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    pattern.contacts[k] = static_cast<Contact>(joints[k].touch);
+    pattern.contacts[k] = joints[k].touch;
     if (joints[k].touches()) pattern.slides[k] = static_cast<std::int8_t>(joints[k].slip);
   }
   return pattern;
@@ -30,14 +30,12 @@ std::vector<BasicReaction<Real>> reactions_of(const Scene& scene, const ContactM
                                               const ContactSample<Real>& sample) {
   const Gravity gravity = gravity_of(scene);
   const auto time = static_cast<double>(sample.time);
-  FreeVector<Real> free(Eigen::Index{3} * stack.size());
-  for (int k = 0; k < stack.size(); ++k)
-    free.template segment<3>(Eigen::Index{3} * k)
-        << Real(gravity.along - acceleration(scene.horizontal, time)),
-        Real(-gravity.across - acceleration(scene.vertical, time)), Real(0);
+  FreeVector<Real> free =
+      uniform<Real>(stack.size(), Real(gravity.along - acceleration(scene.horizontal, time)),
+                    Real(-gravity.across - acceleration(scene.vertical, time)));
   Joints<Real> rigid = sample.joints;
   for (std::size_t k = 0; k < rigid.size(); ++k)
-    if (stack.soft(k)) rigid[k].touch = Touch::apart;
+    if (stack.soft(k)) rigid[k].touch = Contact::apart;
   if (!sample.springs.empty()) free += sample.spring_accelerations;
   const ModeResponse<Real> response =
       respond<Real>({stack, sample.bodies, free, ContactLevel::accelerations}, rigid);
@@ -53,7 +51,7 @@ std::vector<BasicReaction<Real>> reactions_of(const Scene& scene, const ContactM
     const int corner = joint.corner_below ? k - 1 : k;
     const Real pivot =
         joint.side() * stack.half_width(corner) - (joint.corner_below ? joint.offset : Real(0));
-    const Real centre = joint.touch == Touch::flat ? Real(-force.moment / force.normal) : pivot;
+    const Real centre = joint.touch == Contact::closed ? Real(-force.moment / force.normal) : pivot;
     reactions.push_back(
         {force.normal, force.tangential, force.normal > 0 ? centre : std::numeric_limits<Real>::quiet_NaN()});
   }

@@ -141,7 +141,7 @@ template <class Real>
 std::optional<ComplementarySolution<Real>> solve_complementarity(const NumberTable<Real>& matrix,
                                                                  const ShortNumbers<Real>& vector) {
   const std::size_t size = vector.size();
-  if (std::all_of(vector.begin(), vector.end(), [](const Real& entry) { return entry >= 0; }))
+  if (std::ranges::all_of(vector, [](const Real& entry) { return entry >= 0; }))
     return ComplementarySolution<Real>{ShortNumbers<Real>(size, 0), vector};
   const ShortNumbers<Real> factors = balance(matrix, size);
   NumberTable<Real> balanced(size, size);

@@ -66,6 +66,13 @@ ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bod
   return rows;
 }
 
+/// Of the point that a joint holds.
+template <class Real>
+ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies,
+                                      int interface, const Joint<Real>& joint) {
+  return kinematics_of(stack, bodies, stack.held_point(interface, joint));
+}
+
 /// How a joint's slip coordinate, that of its held point, differs from its offset.
 template <class Real>
 Real slip_from_offset(const ContactModel<Real>& stack, int interface, const Joint<Real>& joint) {
@@ -77,8 +84,7 @@ Real slip_from_offset(const ContactModel<Real>& stack, int interface, const Join
 template <class Real>
 Real offset_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
                const Joint<Real>& joint) {
-  return kinematics_of(stack, bodies, stack.held_point(interface, joint)).slip -
-         slip_from_offset(stack, interface, joint);
+  return kinematics_of(stack, bodies, interface, joint).slip - slip_from_offset(stack, interface, joint);
 }
 
 /// Puts the upper block of an interface exactly onto its joint, at its offset, with this slip rate.
@@ -91,7 +97,7 @@ void place_upper(const ContactModel<Real>& stack, const Joint<Real>& joint, int 
   const Pose<Real> lower_rate = pose_of(bodies.rate, k - 1);
   Pose<Real>& upper = bodies.at[k];
   Pose<Real>& upper_rate = bodies.rate[k];
-  if (joint.touch == Touch::flat) {
+  if (joint.touch == Contact::closed) {
     upper.angle = lower.angle;
     upper_rate.angle = lower_rate.angle;
   }
@@ -121,7 +127,7 @@ void place(const ContactModel<Real>& stack, Joints<Real>& joints, Bodies<Real>& 
     if (!joint.touches()) continue;
     Real slip_rate = 0;
     if (joint.slip != 0) {
-      const ContactKinematics<Real> rows = kinematics_of(stack, bodies, stack.held_point(k, joint));
+      const ContactKinematics<Real> rows = kinematics_of(stack, bodies, k, joint);
       slip_rate = rows.slip_row.dot(vector_of(bodies.rate));
       joint.offset = rows.slip - slip_from_offset(stack, k, joint);
     }

@@ -15,17 +15,17 @@ ShortVector<Joint<Real>, 10> choices(const ContactQuestion<Real>& question, int 
                                      const Joint<Real>& joint) {
   if (!joint.touches()) return {joint};
   Joint<Real> apart = joint;
-  apart.touch = Touch::apart;
+  apart.touch = Contact::apart;
   apart.slip = 0;
   ShortVector<Joint<Real>, 10> result{apart};
-  for (const Touch touch : {Touch::left, Touch::flat, Touch::right}) {
+  for (const Contact touch : {Contact::left, Contact::closed, Contact::right}) {
     if (joint.pivots() && touch != joint.touch) continue;
     for (const int slip : {-1, 0, 1}) {
       if (question.slip_before(joint) != 0 && slip != joint.slip) continue;
       Joint<Real> next = joint;
       next.touch = touch;
       next.slip = slip;
-      if (joint.touch == Touch::flat && next.pivots())
+      if (joint.touch == Contact::closed && next.pivots())
         next.corner_below = corner_is_below(question.stack, interface, joint.offset, next.side(), slip);
       result.push_back(next);
     }
@@ -45,7 +45,7 @@ bool obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, c
     const ContactForce<Real>& force = forces[contact.interface];
     if (force.normal < -force_rounding) return false;
     if (abs(force.tangential) > contact.friction * force.normal + force_rounding) return false;
-    if (mode[contact.interface].touch != Touch::flat) continue;
+    if (mode[contact.interface].touch != Contact::closed) continue;
     const auto [left, right] = contact.ends;
     const Real moment_rounding = force_rounding * (right - left);
     if (force.normal * right + force.moment < -moment_rounding) return false;
@@ -151,38 +151,33 @@ bool slides_off(const Joint<Real>& pair) {
 }
 
 /// Whether a pair of corners slides off its face, or sticks there where it would slide along the other one.
-/// `joint` is what it becomes, `force` what that takes.
+/// `joint` is what it becomes, at interface k, `forces` what that takes.
 template <class Real>
-bool changes_face(const Joint<Real>& joint, const ContactForce<Real>& force, const Real& relative_angle,
-                  const Real& friction, const Real& rounding) {
+bool changes_face(const ContactQuestion<Real>& question, const ShortVector<ContactForce<Real>>& forces, int k,
+                  const Joint<Real>& joint, const Real& rounding) {
   if (!joint.touches() || joint.slip != 0) return slides_off(joint);
-  const ContactForce<Real> other = on_other_face(force, joint, relative_angle);
+  const auto other = on_other_face(forces[k], joint, relative_angle(question.bodies.at, k));
   const int against = joint.corner_below ? joint.side() : -joint.side();
-  return against * other.tangential > friction * other.normal + rounding;
+  return against * other.tangential > question.stack.friction[k] * other.normal + rounding;
 }
 
 /// The first of `pairs` that changes its face in a mode, or −1.
 template <class Real>
 int first_to_change(const ContactQuestion<Real>& question, const ShortVector<int>& pairs,
                     const Joints<Real>& mode) {
-  const ModeResponse<Real> response = respond(question, mode);
-  const Real rounding = tolerance<Real>(1e-12) * largest_force(response.forces);
-  for (const int k : pairs) {
-    if (changes_face(mode[k], response.forces[k], relative_angle(question.bodies.at, k),
-                     question.stack.friction[k], rounding))
-      return k;
-  }
+  const auto forces = respond(question, mode).forces;
+  const Real rounding = tolerance<Real>(1e-12) * largest_force(forces);
+  for (const int k : pairs)
+    if (changes_face(question, forces, k, mode[k], rounding)) return k;
   return -1;
 }
 
 /// Settles those of `pairs` that stick in a mode, and would slide along their other faces.
 template <class Real>
 void settle(const ContactQuestion<Real>& question, const ShortVector<int>& pairs, Joints<Real>& mode) {
-  const ModeResponse<Real> response = respond(question, mode);
+  const auto forces = respond(question, mode).forces;
   for (const int k : pairs)
-    mode[k].settled =
-        mode[k].sticks() && changes_face(mode[k], response.forces[k], relative_angle(question.bodies.at, k),
-                                         question.stack.friction[k], Real(0));
+    mode[k].settled = mode[k].sticks() && changes_face<Real>(question, forces, k, mode[k], 0);
 }
 
 /// Opens settled pairs again that do not go on to stick in a mode; true where there are any.

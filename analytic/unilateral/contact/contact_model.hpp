@@ -22,10 +22,6 @@ Real root_tolerance(double in_double) {
          sqrt(std::numeric_limits<Real>::epsilon() / Real(std::numeric_limits<double>::epsilon()));
 }
 
-/// Where the block above an interface touches what is below: nowhere, at the left or right end of their
-/// overlap, or along all of it.
-enum class Touch : std::int8_t { left = -1, flat = 0, right = 1, apart = 2 };
-
 /// The contact of one interface under Coulomb friction.
 ///
 /// The offset s is how far the middle of the block above has slipped to the right along the face below. After
@@ -34,15 +30,15 @@ enum class Touch : std::int8_t { left = -1, flat = 0, right = 1, apart = 2 };
 /// face below, or a corner of the block below under the face above; the face gives the normal.
 template <class Real = double>
 struct Joint {
-  Touch touch = Touch::flat;
-  int slip = 0;               ///< the way the upper block slides: −1 left, 1 right; 0: it sticks
-  bool corner_below = false;  ///< the pivot is a corner of the block below
-  bool settled = false;       ///< of a pair of corners that sticks: on this face, whatever the other would do
-  Real offset = 0;            ///< s, m, while it touches
+  Contact touch = Contact::closed;  ///< at an end of the faces' overlap, or along all of it
+  int slip = 0;                     ///< the way the upper block slides: −1 left, 1 right; 0: it sticks
+  bool corner_below = false;        ///< the pivot is a corner of the block below
+  bool settled = false;  ///< of a pair of corners that sticks: on this face, whatever the other would do
+  Real offset = 0;       ///< s, m, while it touches
 
-  bool touches() const { return touch != Touch::apart; }
+  bool touches() const { return touch != Contact::apart; }
   bool sticks() const { return touches() && slip == 0; }
-  bool pivots() const { return touch == Touch::left || touch == Touch::right; }
+  bool pivots() const { return touch == Contact::left || touch == Contact::right; }
   /// The end that the pivot is at, −1 or 1; 0 where there is no pivot.
   int side() const { return pivots() ? static_cast<int>(touch) : 0; }
   /// The same contact, wherever it has slipped to.
@@ -81,19 +77,23 @@ using FreeRow = Eigen::Matrix<Real, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 3 * m
 
 template <class Real>
 FreeVector<Real> vector_of(const Poses<Real>& poses) {
-  FreeVector<Real> vector(3 * static_cast<Eigen::Index>(poses.size()));
+  FreeVector<Real> vector(3 * poses.size());
   for (std::size_t k = 0; k < poses.size(); ++k)
-    vector.template segment<3>(3 * static_cast<Eigen::Index>(k)) << poses[k].x, poses[k].y, poses[k].angle;
+    vector.template segment<3>(3 * k) << poses[k].x, poses[k].y, poses[k].angle;
   return vector;
+}
+
+/// The same x and y for so many blocks, no angle.
+template <class Real>
+FreeVector<Real> uniform(int blocks, const Real& x, const Real& y) {
+  return Eigen::Matrix<Real, 3, 1>(x, y, Real(0)).replicate(blocks, 1);
 }
 
 template <class Real>
 Poses<Real> poses_of(const FreeVector<Real>& vector) {
-  Poses<Real> poses(static_cast<std::size_t>(vector.size() / 3));
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    const auto first = 3 * static_cast<Eigen::Index>(k);
-    poses[k] = {vector[first], vector[first + 1], vector[first + 2]};
-  }
+  Poses<Real> poses(vector.size() / 3);
+  for (std::size_t k = 0; k < poses.size(); ++k)
+    poses[k] = {vector[3 * k], vector[3 * k + 1], vector[3 * k + 2]};
   return poses;
 }
 
@@ -168,6 +168,11 @@ struct ContactModel {
     Real sum = 0;
     for (const Block& block : blocks) sum += 2 * Real(block.half_height);
     return sum;
+  }
+  /// √(H/g), s.
+  Real fall_time(const Real& gravity) const {
+    using std::sqrt;
+    return sqrt(height() / gravity);
   }
   Real half_width(int body) const {
     return body < 0 ? std::numeric_limits<Real>::infinity() : Real(blocks[body].half_width);

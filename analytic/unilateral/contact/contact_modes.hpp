@@ -10,13 +10,13 @@ template <class Real>
 void set_mode(const ContactModel<Real>& stack, const TouchingInterface<Real>& contact,
               const ShortVector<bool>& pushes, int slip, Joint<Real>& joint) {
   if (std::find(pushes.begin(), pushes.end(), true) == pushes.end()) {
-    joint.touch = Touch::apart;
+    joint.touch = Contact::apart;
     joint.slip = 0;
     return;
   }
   joint.slip = slip;
-  if (joint.touch != Touch::flat || (pushes[0] && pushes[1])) return;
-  joint.touch = pushes[0] ? Touch::left : Touch::right;
+  if (joint.touch != Contact::closed || (pushes[0] && pushes[1])) return;
+  joint.touch = pushes[0] ? Contact::left : Contact::right;
   joint.corner_below = corner_is_below(stack, contact.interface, joint.offset, joint.side(), slip);
 }
 

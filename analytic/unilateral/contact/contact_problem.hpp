@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/LU>
+
 #include "analytic/unilateral/contact/touching_contacts.hpp"
 
 namespace rockstack {
@@ -35,7 +37,7 @@ ContactForceRows<Real> held_by(const TouchingContacts<Real>& contacts, const Joi
   for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
     const Joint<Real>& joint = mode[contact.interface];
     if (!joint.touches()) continue;
-    if (joint.touch == Touch::flat) held.push_back({contact.turn()});
+    if (joint.touch == Contact::closed) held.push_back({contact.turn()});
     const bool end = contact.flat && joint.pivots();
     held.push_back({end ? contact.left() + (joint.side() > 0) : contact.gap, contact.slip(),
                     -joint.slip * contact.friction});
@@ -68,7 +70,7 @@ ShortVector<ContactForce<Real>> held_forces(const TouchingContacts<Real>& contac
     const Joint<Real>& joint = mode[contact.interface];
     if (!joint.touches()) continue;
     ContactForce<Real>& force = forces[contact.interface];
-    if (joint.touch == Touch::flat) force.moment = values[at++] * stack.half_width(contact.interface);
+    if (joint.touch == Contact::closed) force.moment = values[at++] * stack.half_width(contact.interface);
     force.normal = values[at++];
     force.tangential = joint.slip == 0 ? values[at++] : Real(-joint.slip * contact.friction * force.normal);
   }
@@ -95,7 +97,6 @@ ModeResponse<Real> respond(const ContactQuestion<Real>& question, const Joints<R
 /// reciprocal condition number, by largest rows' sums, of what forces do, each in the unit of its own effect.
 template <class Real>
 Real conditioning(const ContactModel<Real>& stack) {
-  using std::abs;
   using std::sqrt;
   Joints<Real> joints(stack.blocks.size());
   Bodies<Real> bodies{Poses<Real>(joints.size()), Poses<Real>(joints.size())};
@@ -105,25 +106,12 @@ Real conditioning(const ContactModel<Real>& stack) {
   const TouchingContacts<Real> contacts(question, joints);
   const ContactForceRows<Real> held = held_by(contacts, joints);
   const std::size_t size = held.size();
-  NumberTable<Real> scaled(size, size);
+  const auto effect = [&](std::size_t i, std::size_t j) { return contacts.effect(held[i].row, held[j].row); };
+  Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> scaled(size, size);
   for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = 0; j < size; ++j)
-      scaled(i, j) =
-          contacts.effect(held[i].row, held[j].row) /
-          sqrt(contacts.effect(held[i].row, held[i].row) * contacts.effect(held[j].row, held[j].row));
-  const LinearSystem<Real> system(scaled, size);
-  ShortNumbers<Real> sums(size, 0), inverse_sums(size, 0);
-  for (std::size_t j = 0; j < size; ++j) {
-    ShortNumbers<Real> unit(size, 0);
-    unit[j] = 1;
-    const ShortNumbers<Real> column = system.solve(unit);
-    for (std::size_t i = 0; i < size; ++i) {
-      sums[i] += abs(scaled(i, j));
-      inverse_sums[i] += abs(column[i]);
-    }
-  }
-  return 1 / (*std::max_element(sums.begin(), sums.end()) *
-              *std::max_element(inverse_sums.begin(), inverse_sums.end()));
+    for (std::size_t j = 0; j < size; ++j) scaled(i, j) = effect(i, j) / sqrt(effect(i, i) * effect(j, j));
+  const auto largest_sum = [](const auto& matrix) { return matrix.cwiseAbs().rowwise().sum().maxCoeff(); };
+  return 1 / (largest_sum(scaled) * largest_sum(scaled.inverse().eval()));
 }
 
 /// A rounding of poses over what it makes of the smallest half-size, in shares of that.

@@ -19,8 +19,8 @@ namespace rockstack {
 template <class Real>
 ShortVector<Real> point_impulses(const ContactModel<Real>& stack, int interface, const Joint<Real>& touching,
                                  const Joint<Real>& joint, const ContactForce<Real>& impulse) {
-  if (touching.touch != Touch::flat) return {impulse.normal};
-  if (joint.touch != Touch::flat)
+  if (touching.touch != Contact::closed) return {impulse.normal};
+  if (joint.touch != Contact::closed)
     return {joint.side() < 0 ? impulse.normal : Real(0), joint.side() > 0 ? impulse.normal : Real(0)};
   const auto [left, right] = overlap(stack, interface, joint.offset);
   return {(impulse.normal * right + impulse.moment) / (right - left),

@@ -30,20 +30,19 @@ void add_slips(const ContactModel<Real>& stack, const std::vector<double>& slip_
 template <class Real>
 void lift(const ContactModel<Real>& stack, int block, const Real& gap, const Point<Real>& velocity,
           ContactState<Real>& state) {
-  const auto index = static_cast<std::size_t>(block);
-  const CornerOnFace<Real> held = stack.held_point(block, state.joints[index]);
+  const CornerOnFace<Real> held = stack.held_point(block, state.joints[block]);
   const Point<Real> off = turned<Real>({Real(0), gap}, pose_of(state.bodies.at, held.face).angle);
   const Pose<Real> below = pose_of(state.bodies.at, block - 1);
   const Pose<Real> below_rate = pose_of(state.bodies.rate, block - 1);
-  Pose<Real>& at = state.bodies.at[index];
-  Pose<Real>& rate = state.bodies.rate[index];
+  Pose<Real>& at = state.bodies.at[block];
+  Pose<Real>& rate = state.bodies.rate[block];
   at.x += off.x();
   at.y += off.y();
   const Point<Real> change = quarter_turned<Real>({at.x - below.x, at.y - below.y}) * below_rate.angle +
                              turned<Real>(velocity, below.angle);
   rate.x = below_rate.x + change.x();
   rate.y = below_rate.y + change.y();
-  state.joints[index] = {.touch = Touch::apart, .offset = state.joints[index].offset};
+  state.joints[block] = {.touch = Contact::apart, .offset = state.joints[block].offset};
 }
 
 /// The initial state of a scene: blocks touch as they lean, or as they are about to, or start above.
@@ -57,26 +56,23 @@ ContactState<Real> initial_contacts(const ContactModel<Real>& stack, const Initi
   const std::vector<double> offsets = given(initial.offsets), gaps = given(initial.gaps);
   const std::vector<double> slips = given(initial.slip_velocities), rises = given(initial.gap_velocities);
   ContactState<Real> state{{Poses<Real>(size), Poses<Real>(size)}, Joints<Real>(size)};
-  double below = 0;
-  double below_rate = 0;
+  double below = 0, below_rate = 0;
   for (std::size_t k = 0; k < size; ++k) {
-    const double angle = initial.angles[k];
-    const double rate = initial.velocities[k];
+    const double angle = initial.angles[k], rate = initial.velocities[k];
     // What falls flat may turn as it does.
     const double deciding = angle != below || gaps[k] > 0 ? angle - below : rate - below_rate;
     Joint<Real>& joint = state.joints[k];
-    joint.touch = deciding > 0 ? Touch::right : deciding < 0 ? Touch::left : Touch::flat;
+    joint.touch = contact_of((deciding > 0) - (deciding < 0));
     joint.offset = offsets[k];
     joint.corner_below = joint.pivots() && corner_is_below<Real>(stack, k, joint.offset, joint.side());
     state.bodies.at[k].angle = below = angle;
     state.bodies.rate[k].angle = below_rate = rate;
   }
   for (int k = 0; k < stack.size(); ++k) {
-    const auto block = static_cast<std::size_t>(k);
-    place_upper<Real>(stack, state.joints[block], k, 0, state.bodies);
-    if (gaps[block] == 0) continue;
-    state.bodies.rate[block].angle = initial.velocities[block];
-    lift<Real>(stack, k, gaps[block], {Real(slips[block]), Real(rises[block])}, state);
+    place_upper<Real>(stack, state.joints[k], k, 0, state.bodies);
+    if (gaps[k] == 0) continue;
+    state.bodies.rate[k].angle = initial.velocities[k];
+    lift<Real>(stack, k, gaps[k], {Real(slips[k]), Real(rises[k])}, state);
   }
   add_slips(stack, slips, state);
   return state;

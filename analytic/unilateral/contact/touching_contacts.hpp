@@ -23,9 +23,6 @@ struct ContactQuestion {
   bool of_accelerations() const { return level == ContactLevel::accelerations; }
   /// The way an interface slides: a direction, or 0 where it is to be found.
   int slip_before(const Joint<Real>& joint) const { return of_accelerations() ? joint.slip : 0; }
-  ContactKinematics<Real> kinematics(int interface, const Joint<Real>& joint) const {
-    return kinematics_of(stack, bodies, stack.held_point(interface, joint));
-  }
 };
 
 /// The Jacobian of the angle between an interface's upper and lower block, times a factor.
@@ -121,8 +118,8 @@ class TouchingContacts {
   void add(int k, const Joint<Real>& joint) {
     const ContactModel<Real>& stack = question_.stack;
     const Real bias = question_.of_accelerations() ? 1 : 0;
-    const ContactKinematics<Real> kinematics = question_.kinematics(k, joint);
-    TouchingInterface<Real> contact{k, joint.touch == Touch::flat, rows_.size(), stack.friction[k]};
+    const ContactKinematics<Real> kinematics = kinematics_of(stack, question_.bodies, k, joint);
+    TouchingInterface<Real> contact{k, joint.touch == Contact::closed, rows_.size(), stack.friction[k]};
     const FreeRow<Real>& gap = kinematics.gap_row;
     if (!contact.flat) {
       add_row(gap, bias * kinematics.gap_bias + bounce_of(question_, gap));

@@ -48,7 +48,7 @@ class GuardCollector {
 
   void add_interface(int k) {
     const Joint<Real>& joint = joints_[k];
-    if (joint.touch == Touch::flat) {
+    if (joint.touch == Contact::closed) {
       add_pressure(k);
     } else if (joint.pivots()) {
       push_force(force(k).normal, 1, k);

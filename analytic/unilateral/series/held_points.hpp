@@ -82,7 +82,7 @@ class HeldRows {
            std::size_t interface) {
     const Row row{Kind::gap, joint.slip, interface, point};
     const auto k = static_cast<int>(interface);
-    if (joint.touch == Touch::flat) {
+    if (joint.touch == Contact::closed) {
       // Turned by its half-width, all rows are of one unit.
       const FreeRow<Real> turn = angle_row(stack_, k, stack_.half_width(k));
       push({Kind::turn, row.sliding, interface, point}, turn, turn);

@@ -138,7 +138,7 @@ class SeriesMaker {
     std::size_t point = 0;
     for (std::size_t k = 0; k < joints_.size(); ++k)
       if (joints_[k].touches())
-        held_.add(joints_[k], point++, kinematics_of(stack_, start_, stack_.held_point(k, joints_[k])), k);
+        held_.add(joints_[k], point++, kinematics_of(stack_, start_, k, joints_[k]), k);
     held_.prepare();
   }
 

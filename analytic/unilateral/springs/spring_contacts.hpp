@@ -20,7 +20,7 @@ class SpringContacts {
     points_ = initial_points(stack, state);
     if (scene.initial.preloaded) preload(scene, stack, state, points_);
     for (std::size_t k = 0; k < state.joints.size(); ++k)
-      if (stack.soft(k)) state.joints[k] = {.touch = Touch::apart};
+      if (stack.soft(k)) state.joints[k] = {.touch = Contact::apart};
     show();
   }
 
@@ -115,7 +115,7 @@ class SpringContacts {
     std::vector<int> ends(shown_.size(), 0);
     for (const SpringPoint<Real>& point : points_) {
       if (!point.pushes()) continue;
-      const auto k = static_cast<std::size_t>(point.interface);
+      const int k = point.interface;
       Joint<Real>& joint = shown_[k];
       if (point.is_bed()) {
         ends[k] = 2;
@@ -123,15 +123,15 @@ class SpringContacts {
         continue;
       }
       const bool first = ends[k]++ == 0;
-      joint.touch = static_cast<Touch>(point.side);
+      joint.touch = static_cast<Contact>(point.side);
       joint.corner_below = point.corner_below;
       joint.slip = first || joint.slip == point.slide ? point.slide : 0;
       const Real offset = point.slider - slip_from_offset(stack_, point.interface, joint);
       joint.offset = first ? offset : Real((joint.offset + offset) / 2);
-      if (!first) joint.touch = Touch::flat;
+      if (!first) joint.touch = Contact::closed;
     }
     for (std::size_t k = 0; k < shown_.size(); ++k)
-      if (stack_.soft(k) && ends[k] == 0) shown_[k] = {.touch = Touch::apart, .offset = shown_[k].offset};
+      if (stack_.soft(k) && ends[k] == 0) shown_[k] = {.touch = Contact::apart, .offset = shown_[k].offset};
   }
 
   /// What the springs of each interface do.
@@ -161,10 +161,10 @@ class SpringContacts {
 
  private:
   /// What histories tell of a bed: which of its ends press.
-  static Touch touch_of(const BedState& bed) {
+  static Contact touch_of(const BedState& bed) {
     const auto bound = [&](std::size_t end) { return bound_of(bed, end) == BedBound::end; };
-    if (bound(0) == bound(1)) return Touch::flat;
-    return bound(0) ? Touch::left : Touch::right;
+    if (bound(0) == bound(1)) return Contact::closed;
+    return bound(0) ? Contact::left : Contact::right;
   }
 
   Real bed_width(const SpringPoint<Real>& point) const {
@@ -199,9 +199,7 @@ class SpringContacts {
           here.deep = !above;
           here.at_face = true;
         }
-        if (!depth || law.damping == 0) {
-          here.presses = !above;
-        }
+        if (!depth || law.damping == 0) here.presses = !above;
       }
       if (law.damping > 0 && !bed.at_crossing) bed.crossed = now.crosses();
     }

@@ -71,11 +71,8 @@ PointLaw<Real> law_of(const ContactModel<Real>& stack, int interface) {
 template <class Real>
 std::array<CornerOnFace<Real>, 2> bed_corners(const ContactModel<Real>& stack,
                                               const SpringPoint<Real>& point) {
-  SpringPoint<Real> left = point;
-  SpringPoint<Real> right = point;
-  left.side = -1;
-  right.side = 1;
-  return {corner_of(stack, left), corner_of(stack, right)};
+  const auto at = [&](int side) { return stack.corner(point.interface, side, point.corner_below); };
+  return {at(-1), at(1)};
 }
 
 template <class Real>

@@ -19,12 +19,11 @@ struct GrowingSpring {
   SpringPoint<Real> start;
   PointLaw<Real> law;
   GrowingPoint<Real> point;
-  ForceSeries<Real> force;               ///< in the unit of the step's series
-  Polynomial<Real> depth;                ///< m
-  Polynomial<Real> slip;                 ///< m
-  Polynomial<Real> stretch;              ///< of the tangential spring, m
-  std::vector<BedEndSeries<Real>> ends;  ///< of a bed alone
-  GrowingBed<Real> bed;
+  ForceSeries<Real> force = {};               ///< in the unit of the step's series
+  Polynomial<Real> depth = {}, slip = {};     ///< m
+  Polynomial<Real> stretch = {};              ///< of the tangential spring, m
+  std::vector<BedEndSeries<Real>> ends = {};  ///< of a bed alone
+  GrowingBed<Real> bed = {};
 };
 
 /// The forces of springs along a step: coefficient n of a force is that of kδ + cδ̇, which the places' up to
@@ -47,18 +46,10 @@ class SpringSeries {
       const SpringPoint<Real>& point = points_[i];
       if (!point.pushes()) continue;
       const CornerOnFace<Real> corner = corner_of(stack_, point);
-      growing_.push_back({i,
-                          point,
-                          law_of(stack_, point.interface),
-                          GrowingPoint<Real>(stack_, corner, body_of(corner.face), body_of(corner.body)),
-                          {},
-                          {},
-                          {},
-                          {},
-                          {},
-                          {}});
+      GrowingSpring<Real>& spring = growing_.emplace_back(GrowingSpring<Real>{
+          i, point, law_of(stack_, point.interface),
+          GrowingPoint<Real>(stack_, corner, body_of(corner.face), body_of(corner.body))});
       const ContactKinematics<Real> rows = kinematics_of(stack_, bodies_, corner);
-      GrowingSpring<Real>& spring = growing_.back();
       put(spring.depth, 0, point.at_face ? Real(0) : Real(-rows.gap));
       put(spring.slip, 0, rows.slip);
       put(spring.stretch, 0, rows.slip - point.slider);

@@ -30,10 +30,10 @@ SpringPoint<Real> initial_bed(const ContactModel<Real>& stack, int interface, co
   point.corner_below = stack.half_width(interface - 1) < stack.half_width(interface);
   note_signs(stack, bodies, point);
   for (const int side : {-1, 1})
-    if (joint.touch == Touch::flat || joint.side() == side)
+    if (joint.touch == Contact::closed || joint.side() == side)
       point.bed.ends[side < 0 ? 0 : 1] = {true, true, true};
   if (joint.touches()) point.press = Press::pushing;
-  if (law_of(stack, interface).friction > 0) point.slide = joint.slip;
+  if (stack.friction[interface] > 0) point.slide = joint.slip;
   point.slider = kinematics_of(stack, bodies, point).slip;
   return point;
 }
@@ -43,23 +43,21 @@ SpringPoint<Real> initial_bed(const ContactModel<Real>& stack, int interface, co
 template <class Real>
 SpringPoints<Real> initial_points(const ContactModel<Real>& stack, const ContactState<Real>& state) {
   SpringPoints<Real> points;
-  for (std::size_t k = 0; k < state.joints.size(); ++k) {
+  for (int k = 0; k < stack.size(); ++k) {
     if (!stack.soft(k)) continue;
-    const auto interface = static_cast<int>(k);
     const Joint<Real>& joint = state.joints[k];
-    const PointLaw<Real> law = law_of(stack, interface);
     if (stack.springs[k].bed) {
-      points.push_back(initial_bed(stack, interface, joint, state.bodies));
+      points.push_back(initial_bed(stack, k, joint, state.bodies));
       continue;
     }
     for (const int side : {-1, 1}) {
       SpringPoint<Real> point;
-      point.interface = interface;
+      point.interface = k;
       point.side = side;
-      point.corner_below = corner_is_below<Real>(stack, interface, joint.offset, side);
-      if (joint.touch == Touch::flat || joint.side() == side) {
+      point.corner_below = corner_is_below<Real>(stack, k, joint.offset, side);
+      if (joint.touch == Contact::closed || joint.side() == side) {
         point.press = Press::pushing;
-        point.slide = law.friction > 0 ? joint.slip : 0;
+        point.slide = stack.friction[k] > 0 ? joint.slip : 0;
         point.slider = kinematics_of(stack, state.bodies, point).slip;
         point.at_face = true;
       }
@@ -89,7 +87,7 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
   std::vector<std::size_t> soft;
   for (std::size_t k = 0; k < stack.blocks.size(); ++k)
     if (stack.soft(k)) soft.push_back(k);
-  const auto size = static_cast<Eigen::Index>(3 * soft.size());
+  const std::size_t size = 3 * soft.size();
   FreeVector<Real> weight(Eigen::Index{3} * stack.size());
   const Real height = stack.height();
   for (int k = 0; k < stack.size(); ++k) {
@@ -113,8 +111,7 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
     for (std::size_t c = 0; c < soft.size(); ++c) {
       const Point<Real> about = foot(soft[c]);
       for (std::size_t k = soft[c]; k < bodies.at.size(); ++k) {
-        const auto row = static_cast<Eigen::Index>(3 * k);
-        const auto column = static_cast<Eigen::Index>(3 * c);
+        const std::size_t row = 3 * k, column = 3 * c;
         const Point<Real> turn =
             quarter_turned<Real>({bodies.at[k].x - about.x(), bodies.at[k].y - about.y()});
         motions(row, column) = motions(row + 1, column + 1) = motions(row + 2, column + 2) = 1;
@@ -144,11 +141,9 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
     const FreeVector<Real> forces = weight + forces_of(stack, standing, bodies);
     const FreeVector<Real> change =
         Eigen::PartialPivLU<SquareMatrix<Real>>(stiffness).solve(motions.transpose() * forces);
-    for (std::size_t c = soft.size(); c-- > 0;) {
-      const auto column = static_cast<Eigen::Index>(3 * c);
-      move_above<Real>(soft[c], foot(soft[c]), {change[column], change[column + 1]}, change[column + 2],
+    for (std::size_t c = soft.size(); c-- > 0;)
+      move_above<Real>(soft[c], foot(soft[c]), {change[3 * c], change[3 * c + 1]}, change[3 * c + 2],
                        bodies.at);
-    }
     const Real largest = change.template lpNorm<Eigen::Infinity>();
     // Newton's method ends where rounding does: changes are negligible, and no longer fall.
     if (largest <= 8 * std::numeric_limits<Real>::epsilon() * height && largest >= before / 2) break;
@@ -241,16 +236,14 @@ void preload(const Scene& scene, const ContactModel<Real>& stack, ContactState<R
   bool still = true;
   for (std::size_t k = 0; k < bodies.at.size(); ++k) {
     const Pose<Real>& rate = bodies.rate[k];
-    still = still && state.joints[k].touch == Touch::flat && rate.x == 0 && rate.y == 0 && rate.angle == 0;
+    still =
+        still && state.joints[k].touch == Contact::closed && rate.x == 0 && rate.y == 0 && rate.angle == 0;
   }
   for (SpringPoint<Real>& point : points) point.at_face = false;
-  if (still) {
-    const auto found = find_equilibrium(scene, stack, bodies, points);
-    if (found) bodies.at = *found;
-    still = found.has_value();
-  }
+  const auto found = still ? find_equilibrium(scene, stack, bodies, points) : std::nullopt;
+  if (found) bodies.at = *found;
   for (std::size_t k = 0; k < bodies.at.size(); ++k)
-    if (stack.soft(k) && !still) preload_interface(gravity_of(scene), stack, k, bodies, points);
+    if (stack.soft(k) && !found) preload_interface(gravity_of(scene), stack, k, bodies, points);
   for (SpringPoint<Real>& point : points)
     if (point.is_bed()) note_signs(stack, bodies, point);
 }

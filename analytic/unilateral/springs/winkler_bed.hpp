@@ -74,13 +74,12 @@ struct GrowingBed {
   Polynomial<Real> couple;                   ///< up at the right end, down at the left one, N
 
   void extend(std::size_t n) {
-    const auto here = static_cast<std::size_t>(stretch.from);
-    const std::size_t there = 1 - here;
+    const std::size_t here = stretch.from, there = 1 - here;
     put(normal, n, 0);
     put(couple, n, 0);
     if (!stretch.presses) return;
-    extend_slope(depth[here], depth[there], depth_slope_, n);
-    extend_slope(pressure[here], pressure[there], pressure_slope_, n);
+    put(depth_slope_, n, (depth[here][n] - depth[there][n]) / 2);
+    put(pressure_slope_, n, (pressure[here][n] - pressure[there][n]) / 2);
     extend_bound(near_, stretch.near, 0, here, n);
     extend_bound(far_, stretch.far, 2, here, n);
     put(width_, n, far_.place[n] - near_.place[n]);
@@ -102,12 +101,6 @@ struct GrowingBed {
     Polynomial<Real> place, pressure;
   };
 
-  /// What a quantity loses over u = 1.
-  static void extend_slope(const Polynomial<Real>& here, const Polynomial<Real>& there,
-                           Polynomial<Real>& slope, std::size_t n) {
-    put(slope, n, (here[n] - there[n]) / 2);
-  }
-
   void extend_bound(Bound& bound, BedBound kind, int end, std::size_t here, std::size_t n) const {
     if (kind == BedBound::end) {
       put(bound.place, n, n == 0 ? end : 0);
@@ -127,7 +120,7 @@ struct GrowingBed {
     quotient[n] = (over[n] - convolution(quotient, under, n)) / under[0];
   }
 
-  Polynomial<Real> depth_slope_, pressure_slope_;
+  Polynomial<Real> depth_slope_, pressure_slope_;  ///< what they lose over u = 1
   Bound near_, far_;
   Polynomial<Real> width_, middle_, mean_, rise_, force_, square_;
 };

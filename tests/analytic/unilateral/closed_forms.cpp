@@ -70,12 +70,12 @@ TEST(UnilateralClosedForms, ARockingImpactKeepsItsShareOfTheVelocity) {
     for (const double friction : {0.1, 0.9 * sticks, 1.1 * sticks, 2.0}) {
       const ContactModel<> stack(scene.blocks, {friction});
       Joints<double> joints(1);
-      joints[0].touch = Touch::right;
+      joints[0].touch = Contact::right;
       Bodies<> bodies{{{}}, {{}}};
       bodies.rate[0].angle = -1;
       place(stack, joints, bodies);
       const FreeVector<> before = vector_of(bodies.rate);
-      joints[0].touch = Touch::flat;
+      joints[0].touch = Contact::closed;
       const ContactQuestion<> question{stack, bodies, before, ContactLevel::velocities};
       const auto mode = find_mode(question, joints);
       ASSERT_TRUE(mode);

@@ -11,7 +11,7 @@ template <class Real>
 std::string name(const Joints<Real>& joints) {
   std::string text;
   for (const Joint<Real>& joint : joints) {
-    text += joint.touch == Touch::apart ? '-' : "LCR"[static_cast<int>(joint.touch) + 1];
+    text += joint.touch == Contact::apart ? '-' : "LCR"[static_cast<int>(joint.touch) + 1];
     if (joint.touches() && joint.slip != 0) text += joint.slip > 0 ? '>' : '<';
   }
   return text;

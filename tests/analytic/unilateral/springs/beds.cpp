@@ -106,7 +106,7 @@ TEST(WinklerBed, BearsAnEccentricWeightByATriangle) {
     EXPECT_NEAR(reaction.centre * std::cos(angle), offset * std::cos(angle) + 0.5 * std::sin(angle), 1e-12);
     EXPECT_NEAR(history.samples.back().bodies.at[0].angle, angle, 1e-12);
     const bool triangle = std::abs(reaction.centre) > 0.25 / 3;
-    EXPECT_EQ(history.samples.front().joints.front().touch == Touch::flat, !triangle) << offset;
+    EXPECT_EQ(history.samples.front().joints.front().touch == Contact::closed, !triangle) << offset;
   }
 }
 
