@@ -1,9 +1,5 @@
 #include "engines/body_record.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <span>
 #include <utility>
 
 #include "analytic/scene/kinematics.hpp"

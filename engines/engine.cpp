@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -12,21 +12,14 @@ namespace {
 
 std::string range_of(const Setting& setting) {
   const std::string kind = setting.whole ? "a whole number" : "a number";
-  if (setting.most == std::numeric_limits<double>::infinity()) {
+  if (setting.most == std::numeric_limits<double>::infinity())
     return fmt::format("{} from {} up", kind, setting.least);
-  }
   return fmt::format("{} from {} to {}", kind, setting.least, setting.most);
 }
 
 bool allows(const Setting& setting, double value) {
   const bool inside = value >= setting.least && value <= setting.most;
   return inside && (!setting.whole || value == std::floor(value));
-}
-
-std::string names_of(const std::vector<Setting>& settings) {
-  std::string names;
-  for (const Setting& setting : settings) names += (names.empty() ? "" : ", ") + setting.name;
-  return names;
 }
 
 }  // namespace
@@ -46,11 +39,10 @@ Setting shaking_setting() {
 
 double choice_value(const std::string& engine, const Setting& setting, const std::string& choice) {
   const auto found = std::ranges::find(setting.choices, choice);
-  if (found == setting.choices.end()) {
+  if (found == setting.choices.end())
     throw std::invalid_argument(fmt::format(
         "{}: {} = {}: must be {}", engine, setting.name, choice,
         setting.choices.empty() ? "a number" : fmt::format("{}", fmt::join(setting.choices, " or "))));
-  }
   return static_cast<double>(found - setting.choices.begin());
 }
 
@@ -71,9 +63,11 @@ Parameters values_of(const std::vector<Setting>& settings, double Setting::*set)
 const Setting& find_setting(const std::string& engine, const std::vector<Setting>& settings,
                             const std::string& name) {
   const auto found = std::ranges::find(settings, name, &Setting::name);
-  if (found == settings.end())
+  if (found == settings.end()) {
+    auto names = std::views::transform(settings, &Setting::name);
     throw std::invalid_argument(
-        fmt::format("{}: {}: no such parameter; there are {}", engine, name, names_of(settings)));
+        fmt::format("{}: {}: no such parameter; there are {}", engine, name, fmt::join(names, ", ")));
+  }
   return *found;
 }
 

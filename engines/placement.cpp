@@ -1,10 +1,5 @@
 #include "engines/scene_setup.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "analytic/scene/kinematics.hpp"
@@ -12,18 +7,13 @@
 namespace rockstack {
 namespace {
 
-Vector<double> vector_of(const std::vector<double>& values) {
-  return Vector<double>::Map(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 /// Says what engines have no equivalent of, rather than leave it out.
 void require_for_engines(const Scene& scene) {
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k)
     if (scene.blocks[k].offset_x != 0 || scene.blocks[k].offset_y != 0)
       throw std::runtime_error(
           "blocks." + std::to_string(k + 1) +
           ".center_of_mass: must be left out for engines, which are given uniform boxes");
-  }
 }
 
 /// Of a block or the ground, −1.
@@ -37,8 +27,8 @@ Point<double> turned_by(double along, double across, double angle) {
 
 /// What a block touches at the start, or would without its gap.
 Pattern initial_pattern(const InitialState& initial) {
-  const Vector<double> angles = relative(vector_of(initial.angles));
-  Pattern pattern = pattern_of(angles, relative(vector_of(initial.velocities)));
+  const Vector<double> angles = relative(vector_of<double>(initial.angles));
+  Pattern pattern = pattern_of(angles, relative(vector_of<double>(initial.velocities)));
   for (int k = 0; k < pattern.size; ++k)
     if (has_gap(initial, static_cast<std::size_t>(k)) && angles[k] == 0) pattern[k] = Contact::closed;
   return pattern;
@@ -122,8 +112,8 @@ class Mover {
 
 std::vector<Placement> place(const Scene& scene) {
   require_for_engines(scene);
-  const Vector<double> angles = vector_of(scene.initial.angles);
-  const Vector<double> velocities = vector_of(scene.initial.velocities);
+  const Vector<double> angles = vector_of<double>(scene.initial.angles);
+  const Vector<double> velocities = vector_of<double>(scene.initial.velocities);
   const Pattern pattern = initial_pattern(scene.initial);
   const Chain<double> chain = make_chain(make_stack<double>(scene), pattern, angles);
   const auto [middles, motions] =

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <stdexcept>
 
 namespace rockstack {
 namespace {
@@ -19,9 +17,8 @@ double smooth_moment(const GroundMotion& motion, double from, double to, double 
   const double half = 0.5 * (to - from);
   const auto value = [&](double t) { return (end - t) * acceleration(motion, t); };
   double sum = weights[0] * value(middle);
-  for (std::size_t i = 1; i < points.size(); ++i) {
+  for (std::size_t i = 1; i < points.size(); ++i)
     sum += weights[i] * (value(middle - half * points[i]) + value(middle + half * points[i]));
-  }
   return half * sum;
 }
 

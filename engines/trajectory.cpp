@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
@@ -36,12 +35,6 @@ void append(Trajectory& trajectory, const Simulation& simulation, std::size_t bl
     trajectory.velocities.push_back(body.angular_velocity);
     if (bodies) trajectory.bodies.push_back(body);
   }
-}
-
-double stepping_seconds(Simulation& simulation, std::size_t steps) {
-  const auto start = std::chrono::steady_clock::now();
-  for (std::size_t step = 0; step < steps; ++step) simulation.step();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
@@ -98,12 +91,11 @@ void ContactWatch::add_forces(const std::vector<ContactPoint>& points) {
 }
 
 void ContactWatch::add_counts(const std::vector<Ends>& ends) {
-  for (const Ends& both : ends) {
+  for (const Ends& both : ends)
     for (const End& end : both) {
       counted_ += end.impulse * end.points;
       borne_ += end.impulse;
     }
-  }
   record_.points = borne_ > 0 ? counted_ / borne_ : 1;
 }
 
@@ -138,9 +130,8 @@ void ContactWatch::add_impacts(const std::vector<Ends>& ends, const std::vector<
 bool has_ended(const Setup& setup, const Trajectory& trajectory) {
   const std::size_t blocks = setup.blocks.size();
   const std::span<const double> last = std::span(trajectory.angles).last(blocks);
-  for (std::size_t k = 0; k < blocks; ++k) {
+  for (std::size_t k = 0; k < blocks; ++k)
     if (!(std::abs(last[k]) <= setup.toppling_angles[k])) return true;
-  }
   return false;
 }
 
@@ -194,8 +185,12 @@ std::vector<double> time_stepping(const Engine& engine, const Setup& setup, cons
                                   std::size_t steps, int repeats) {
   std::vector<double> seconds;
   seconds.reserve(static_cast<std::size_t>(repeats));
-  for (int run = 0; run < repeats; ++run)
-    seconds.push_back(stepping_seconds(*engine.start(setup, parameters), steps));
+  for (int run = 0; run < repeats; ++run) {
+    const auto simulation = engine.start(setup, parameters);
+    const auto start = std::chrono::steady_clock::now();
+    for (std::size_t step = 0; step < steps; ++step) simulation->step();
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
   return seconds;
 }
 

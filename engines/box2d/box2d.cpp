@@ -8,9 +8,6 @@
 #include <box2d/box2d.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 #include "engines/engine.hpp"
 

@@ -16,8 +16,6 @@
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 #include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
 
-#include <limits>
-
 #include "engines/bullet/simulation.hpp"
 
 namespace rockstack {
@@ -107,9 +105,7 @@ Engine with(BulletSolver solver, const char* name) {
            .licence = "Zlib",
            .capabilities = {.largest_friction = friction_clamp, .single_precision = single_precision},
            .settings = settings_of(solver)},
-          [solver](const Setup& setup, const Parameters& parameters) {
-            return start_bullet(solver, setup, parameters);
-          }};
+          std::bind_front(start_bullet, solver)};
 }
 
 std::unique_ptr<btMLCPSolverInterface> make_algorithm(BulletSolver solver, const Parameters& parameters) {

@@ -3,10 +3,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
-#include <vector>
 
 namespace rockstack {
 namespace {
@@ -134,10 +131,9 @@ class BulletSimulation final : public ShakenSimulation {
       const double reach = ground_reach(setup.blocks);
       add_ground(make_box(vector(reach, reach, reach), breaking_factor), vector(0, -reach, 0));
     }
-    for (std::size_t k = 0; k < setup.blocks.size(); ++k) {
+    for (std::size_t k = 0; k < setup.blocks.size(); ++k)
       add_block(setup.blocks[k], std::min(setup.friction[k], friction_clamp),
                 shape(half_extents(setup.blocks[k]), breaking_factor));
-    }
   }
 
   BodyState body(std::size_t k) const override {

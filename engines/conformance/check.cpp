@@ -2,11 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string_view>
 #include <utility>
 
 namespace rockstack {
@@ -19,56 +14,29 @@ struct Limit {
   std::string_view checks;
 };
 
-constexpr const char* impulse_bound =
-    "Bullet's Lemke solver takes the coefficient of friction for a bound on the impulse";
-constexpr const char* restless = "with its defaults, Bullet's Lemke solver throws resting blocks about";
-constexpr const char* bounce =
-    "by default an overlap goes into the velocities: the block bounces by a fifth, without restitution";
-/// With solimp at 0.995 alone these checks hold, with solref_dampratio at 6 a block lands flat, and with
-/// masses a hundredth as large PGS has its friction.
-constexpr const char* yielding = "by default contacts give way by a tenth, whatever the step (solimp 0.9)";
-constexpr const char* skin =
-    "by default, not with polygonRadius = 0, Box2D's polygons have a skin of 1 cm: blocks that touch overlap "
-    "by 2 cm and are pushed apart";
-
-constexpr const char* normals =
-    "FCL, DART's own choice of a detector, takes boxes for meshes: corners of faces on each other lack a normal";
-
-/// Each holds, or fails, where this alone is changed in the default or the tuned set (README.md of each
-/// engine).
-constexpr const char* creeping =
-    "by default Simbody's friction fades below 1 cm/s of slip: what sticks creeps (transition_velocity)";
-constexpr const char* hard_for_kilograms =
-    "by default a contact is a spring of 1e8 N/m, in which a block of tonnes sinks by 0.1 mm (stiffness)";
-constexpr const char* undamped =
-    "by default contacts are damped so little that a block bounces by half (dissipation)";
-
-/// With either idealStepTime, at any step; the binary is closed.
-constexpr const char* late = "Havok's blocks turn late about a corner, by a sixth of the time that it takes";
-constexpr const char* slow = "until it moves at 0.1 m/s, a body in Havok has 31/32 of what gravity gives it";
-constexpr const char* soft_for_tonnes =
-    "by default contacts of cannon-es are springs that are soft for tonnes (unitMass, "
-    "contactEquationStiffness, iterations)";
-constexpr const char* impulse_of_a_second =
-    "cannon-es takes friction's bound of a contact point, μ m g, for an impulse: at 1 ms a thousand times as "
-    "much";
-constexpr const char* rounded =
-    "in single precision a place is rounded in each substep: with 50 of them by 80 µm in the end, with one not";
-
 constexpr std::array limits{
-    Limit{"", "mlcp-lemke", "", impulse_bound,
+    Limit{"", "mlcp-lemke", "",
+          "Bullet's Lemke solver takes the coefficient of friction for a bound on the impulse",
           "SlidingBlockStops EachInterfaceHasItsFriction WithoutFrictionBlocksSlideOn"},
-    Limit{"", "mlcp-lemke", "default", restless, ""},
-    Limit{"bullet bullet-single ode", "", "default", bounce, "FlatLandingDoesNotBounce"},
-    Limit{"dart", "", "default", normals,
-          "EachInterfaceHasItsFriction WithoutFrictionBlocksSlideOn PairMeetsTheGroundInTime"},
+    Limit{"", "mlcp-lemke", "default", "with its defaults, Bullet's Lemke solver throws resting blocks about",
+          ""},
+    Limit{"bullet bullet-single ode", "", "default",
+          "by default an overlap goes into the velocities: the block bounces by a fifth, without restitution",
+          "FlatLandingDoesNotBounce"},
+    Limit{
+        "dart", "", "default",
+        "FCL, DART's own choice of a detector, takes boxes for meshes: corners of faces on each other lack a normal",
+        "EachInterfaceHasItsFriction WithoutFrictionBlocksSlideOn PairMeetsTheGroundInTime"},
     Limit{"mujoco mujoco-js", "", "default",
           "by default contacts are damped so little that a block bounces by an eighth (solref_dampratio 1)",
           "FlatLandingDoesNotBounce"},
     Limit{"mujoco mujoco-js", "pgs", "default",
           "with blocks of tonnes MuJoCo's PGS takes small friction in elliptic cones for none",
           "EachInterfaceHasItsFriction"},
-    Limit{"mujoco mujoco-js", "", "default", yielding,
+    // With solimp at 0.995 alone these checks hold, with solref_dampratio at 6 a block lands flat, and with
+    // masses a hundredth as large PGS has its friction.
+    Limit{"mujoco mujoco-js", "", "default",
+          "by default contacts give way by a tenth, whatever the step (solimp 0.9)",
           "FirstStepIsFreeFallOrAHinge WithoutFrictionBlocksSlideOn WeakPushDoesNotRock StrongPushRocks "
           "QuarterPeriodIsHousners QuarterPeriodErrorIsOfFirstOrder ImpactLosesHousnersShare "
           "PairMeetsTheGroundInTime"},
@@ -81,10 +49,13 @@ constexpr std::array limits{
     Limit{"ode", "quickstep", "default",
           "after 20 iterations QuickStep's planar joints still let blocks out of the plane, by 0.2 mm",
           "MotionStaysInThePlane"},
-    Limit{"box2d planck", "", "default", skin,
-          "FreeFallIsTheSchemes BlockAtRestStays StackAtRestStays StackKeepsItsHeight "
-          "WithoutFrictionBlocksSlideOn WeakPushDoesNotRock QuarterPeriodIsHousners "
-          "QuarterPeriodErrorIsOfFirstOrder ImpactLosesHousnersShare PairMeetsTheGroundInTime"},
+    Limit{
+        "box2d planck", "", "default",
+        "by default, not with polygonRadius = 0, Box2D's polygons have a skin of 1 cm: blocks that touch overlap "
+        "by 2 cm and are pushed apart",
+        "FreeFallIsTheSchemes BlockAtRestStays StackAtRestStays StackKeepsItsHeight "
+        "WithoutFrictionBlocksSlideOn WeakPushDoesNotRock QuarterPeriodIsHousners "
+        "QuarterPeriodErrorIsOfFirstOrder ImpactLosesHousnersShare PairMeetsTheGroundInTime"},
     Limit{"chipmunk", "", "default",
           "after 10 iterations, not after 50, Chipmunk's contacts still let a flat block turn: it slides "
           "on down that slope",
@@ -92,12 +63,20 @@ constexpr std::array limits{
     Limit{"siconos", "nsgs", "default",
           "Gauss–Seidel's own tolerance of 1e-4 leaves the block 5 µm off; with 1e-8 it is 0.6 nm",
           "WithoutFrictionBlocksSlideOn"},
-    Limit{"simbody", "", "default", creeping,
-          "FirstStepIsFreeFallOrAHinge QuarterPeriodIsHousners QuarterPeriodErrorIsOfFirstOrder"},
-    Limit{"simbody", "", "default", hard_for_kilograms,
-          "StackKeepsItsHeight WithoutFrictionBlocksSlideOn WeakPushDoesNotRock StrongPushRocks "
-          "ImpactLosesHousnersShare"},
-    Limit{"simbody", "", "default", undamped, "FlatLandingDoesNotBounce PairMeetsTheGroundInTime"},
+    // Each holds, or fails, where this alone is changed in the default or the tuned set (README.md of each
+    // engine).
+    Limit{
+        "simbody", "", "default",
+        "by default Simbody's friction fades below 1 cm/s of slip: what sticks creeps (transition_velocity)",
+        "FirstStepIsFreeFallOrAHinge QuarterPeriodIsHousners QuarterPeriodErrorIsOfFirstOrder"},
+    Limit{
+        "simbody", "", "default",
+        "by default a contact is a spring of 1e8 N/m, in which a block of tonnes sinks by 0.1 mm (stiffness)",
+        "StackKeepsItsHeight WithoutFrictionBlocksSlideOn WeakPushDoesNotRock StrongPushRocks "
+        "ImpactLosesHousnersShare"},
+    Limit{"simbody", "", "default",
+          "by default contacts are damped so little that a block bounces by half (dissipation)",
+          "FlatLandingDoesNotBounce PairMeetsTheGroundInTime"},
     Limit{"simbody", "", "default",
           "an accuracy of 1e-3, Simbody's own, parts a motion from its mirror image; 1e-7 alone does not",
           "MirroredSceneMirrorsMotion"},
@@ -117,19 +96,30 @@ constexpr std::array limits{
           "PairMeetsTheGroundInTime"},
     Limit{"rapier", "", "default", "after 4 iterations, not after 20, Rapier's contacts still give way",
           "StackKeepsItsHeight WeakPushDoesNotRock StrongPushRocks"},
-    Limit{"rapier", "", "", rounded, "WithoutFrictionBlocksSlideOn"},
     Limit{
-        "cannon-es", "", "default", soft_for_tonnes,
+        "rapier", "", "",
+        "in single precision a place is rounded in each substep: with 50 of them by 80 µm in the end, with one not",
+        "WithoutFrictionBlocksSlideOn"},
+    Limit{
+        "cannon-es", "", "default",
+        "by default contacts of cannon-es are springs that are soft for tonnes (unitMass, "
+        "contactEquationStiffness, iterations)",
         "FirstStepIsFreeFallOrAHinge StackKeepsItsHeight PushedBlockDoesNotSlide WithoutFrictionBlocksSlideOn "
         "WeakPushDoesNotRock StrongPushRocks QuarterPeriodIsHousners QuarterPeriodErrorIsOfFirstOrder "
         "ImpactLosesHousnersShare PairMeetsTheGroundInTime"},
-    Limit{"cannon-es", "", "", impulse_of_a_second, "SlidingBlockStops EachInterfaceHasItsFriction"},
+    Limit{
+        "cannon-es", "", "",
+        "cannon-es takes friction's bound of a contact point, μ m g, for an impulse: at 1 ms a thousand times as "
+        "much",
+        "SlidingBlockStops EachInterfaceHasItsFriction"},
     Limit{
         "cannon-es", "", "default",
         "with contactEquationRelaxation = 3, not with 10, cannon-es lets a block bounce by a fifth and more",
         "FlatLandingDoesNotBounce"},
-    Limit{"havok", "", "", slow, "FreeFallIsTheSchemes FirstStepIsFreeFallOrAHinge"},
-    Limit{"havok", "", "", late,
+    Limit{"havok", "", "", "until it moves at 0.1 m/s, a body in Havok has 31/32 of what gravity gives it",
+          "FreeFallIsTheSchemes FirstStepIsFreeFallOrAHinge"},
+    // With either idealStepTime, at any step; the binary is closed.
+    Limit{"havok", "", "", "Havok's blocks turn late about a corner, by a sixth of the time that it takes",
           "StrongPushRocks QuarterPeriodIsHousners QuarterPeriodErrorIsOfFirstOrder ImpactLosesHousnersShare "
           "TopplesFromItsSlenderness PairMeetsTheGroundInTime"},
     Limit{"havok", "", "default",
@@ -227,9 +217,8 @@ double quarter_period(const Housner& block, double start) {
   const int pieces = 200;
   const double width = std::sqrt(start) / pieces;
   double sum = 0;
-  for (int i = 0; i < pieces; ++i) {
+  for (int i = 0; i < pieces; ++i)
     sum += integrand(i * width) + 4 * integrand((i + 0.5) * width) + integrand((i + 1) * width);
-  }
   return sum * width / 6;
 }
 
@@ -275,11 +264,10 @@ const std::vector<Check>& checks() {
 
 std::string known_limit(const std::string& engine, const std::string& solver, const std::string& settings,
                         const std::string& check) {
-  for (const Limit& limit : limits) {
+  for (const Limit& limit : limits)
     if (fits(limit.engines, engine) && fits(limit.solver, solver) && fits(limit.settings, settings) &&
         fits(limit.checks, check))
       return limit.reason;
-  }
   return "";
 }
 

@@ -1,9 +1,6 @@
 // Blocks that stand, that are pushed, and that rock and hit the ground; and two, which show what one cannot:
 // masses.
 
-#include <algorithm>
-#include <cmath>
-
 #include "engines/conformance/check.hpp"
 
 namespace rockstack {
@@ -107,9 +104,8 @@ Judgement strong_push_rocks(const Adapter& adapter) {
 /// Half a step of the scheme, and half a step for an overlap that the pivot keeps.
 Judgement quarter_period_is_housners(const Adapter& adapter) {
   double most = 0;
-  for (const double dt : {2e-3, 1e-3, 5e-4, 1e-4}) {
+  for (const double dt : {2e-3, 1e-3, 5e-4, 1e-4})
     if (dt >= short_step(adapter)) most = std::max(most, quarter_period_error(adapter, dt) / dt);
-  }
   return {std::isnan(quarter_period_error(adapter, 1e-3)) ? HUGE_VAL : most, 1, "error, steps"};
 }
 

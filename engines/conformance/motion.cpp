@@ -2,9 +2,6 @@
 // seen in the engine's own scheme; blocks that slide on each other and on the ground, each interface with a
 // coefficient of its own.
 
-#include <algorithm>
-#include <cmath>
-
 #include "engines/conformance/check.hpp"
 
 namespace rockstack {

@@ -6,7 +6,6 @@
 // 1e-3 DART takes a coefficient of friction for zero.
 
 #include <algorithm>
-#include <cmath>
 #include <dart/collision/CollisionObject.hpp>
 #include <dart/collision/dart/DARTCollisionDetector.hpp>
 #include <dart/collision/fcl/FCLCollisionDetector.hpp>
@@ -20,7 +19,6 @@
 #include <dart/dynamics/TranslationalJoint.hpp>
 #include <dart/dynamics/WeldJoint.hpp>
 #include <dart/simulation/World.hpp>
-#include <vector>
 
 #include "engines/engine.hpp"
 

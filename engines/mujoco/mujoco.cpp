@@ -19,10 +19,8 @@
 #include <mujoco/mujoco.h>
 
 #include <array>
-#include <cstddef>
 #include <cstring>
 #include <stdexcept>
-#include <string>
 
 #include "engines/mujoco/simulation.hpp"
 
@@ -76,9 +74,7 @@ Engine with(MujocoSolver solver, const char* name) {
            .licence = "Apache-2.0",
            .capabilities = {.planar = true},
            .settings = settings_of(solver)},
-          [solver](const Setup& setup, const Parameters& parameters) {
-            return start_mujoco(solver, setup, parameters);
-          }};
+          std::bind_front(start_mujoco, solver)};
 }
 
 /// kg on each of a moving ground's coordinates, on which gravity does not act: whatever presses on it, it
@@ -134,10 +130,9 @@ std::string pairs(const Setup& setup, const Parameters& parameters) {
   std::string text;
   for (std::size_t upper = 1; upper <= setup.blocks.size(); ++upper) {
     const double friction = setup.friction[upper - 1];
-    for (std::size_t lower = 0; lower < upper; ++lower) {
+    for (std::size_t lower = 0; lower < upper; ++lower)
       text += fmt::format("<pair geom1='{}' geom2='{}' condim='{}' friction='{} {} 0 0 0' {}/>", lower, upper,
                           friction > 0 ? 3 : 1, friction, friction, alike);
-    }
   }
   return text;
 }

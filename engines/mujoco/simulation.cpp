@@ -4,11 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace rockstack {
 namespace {
@@ -124,9 +120,8 @@ class MujocoSimulation final : public ShakenSimulation {
 
   /// MuJoCo begins anew where a coordinate is not a number or above 10¹⁰: that is no motion of this stack.
   void require_state() const {
-    for (const mjtWarning lost : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC}) {
+    for (const mjtWarning lost : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC})
       if (data_->warning[lost].number > 0) throw std::runtime_error("mujoco: the motion is not finite");
-    }
   }
 
   /// Of the ground, then the blocks.

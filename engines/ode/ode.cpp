@@ -14,9 +14,7 @@
 #include <array>
 #include <cstdarg>
 #include <cstdio>
-#include <limits>
 #include <stdexcept>
-#include <string>
 
 #include "engines/ode/simulation.hpp"
 
@@ -61,9 +59,7 @@ Engine with(OdeSolver solver) {
            .version = dODE_VERSION ", double precision",
            .licence = "BSD-3-Clause OR LGPL-2.1-or-later",
            .settings = settings_of(solver)},
-          [solver](const Setup& setup, const Parameters& parameters) {
-            return start_ode(solver, setup, parameters);
-          }};
+          std::bind_front(start_ode, solver)};
 }
 
 thread_local std::size_t messages = 0;
@@ -93,9 +89,8 @@ void initialise_ode() {
     dSetMessageHandler(note);
     return dInitODE2(0) != 0;
   }();
-  if (!ready || dAllocateODEDataForThread(dAllocateMaskAll) == 0) {
+  if (!ready || dAllocateODEDataForThread(dAllocateMaskAll) == 0)
     throw std::runtime_error("ode: the library could not be initialised");
-  }
 }
 
 std::size_t ode_messages() {

@@ -3,12 +3,9 @@
 #include <ode/ode.h>
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
-#include <limits>
 #include <optional>
 #include <stdexcept>
-#include <vector>
 
 namespace rockstack {
 namespace {

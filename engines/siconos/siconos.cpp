@@ -8,9 +8,12 @@
 // that depends on time alone (LagrangianRheonomousR), with the velocity of the step under way.
 
 #include "engines/engine.hpp"
-#include "engines/siconos/simulation.hpp"
 
 namespace rockstack {
+
+/// A scene inside Siconos (simulation.cpp, which is C++17: Siconos's headers are no C++20). Precondition:
+/// `parameters` are checked.
+std::unique_ptr<Simulation> start_siconos(const Setup& setup, const Parameters& parameters);
 
 std::vector<Engine> make_siconos() {
   return {{{.name = "siconos",

@@ -1,4 +1,4 @@
-#include "engines/siconos/simulation.hpp"
+#include "engines/engine.hpp"
 
 #include <SiconosConfig.h>
 #include <SolverOptions.h>
@@ -16,9 +16,7 @@
 #include <TimeStepping.hpp>
 #include <Topology.hpp>
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <limits>
 
 /// Null where another BLAS is in use.
 extern "C" void openblas_set_num_threads(int number) __attribute__((weak));
@@ -254,9 +252,8 @@ class SiconosSimulation final : public ShakenSimulation {
       body->fExt()->setValue(1, mass * acceleration_.y);
     }
     std::vector<double> gaps;
-    if (watches_contacts()) {
+    if (watches_contacts())
       for (const Corner& corner : corners_) gaps.push_back(corner.relation->gap(corner.places()));
-    }
     failed_solutions = 0;
     simulation_->computeOneStep();
     failures_ += failed_solutions;

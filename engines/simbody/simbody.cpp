@@ -7,9 +7,13 @@
 // body force: a moving ground's velocity jumps from step to step, on which CPodes gives up.
 
 #include "engines/engine.hpp"
-#include "engines/simbody/simulation.hpp"
 
 namespace rockstack {
+
+/// A stack inside Simbody (simulation.cpp, which is C++17: as C++20 comparisons of its headers are
+/// ambiguous). Precondition: `parameters` are checked. @throws std::exception with the library's own error,
+/// as all functions of the simulation do.
+std::unique_ptr<Simulation> start_simbody(const Setup& setup, const Parameters& parameters);
 
 std::vector<Engine> make_simbody() {
   return {

@@ -1,9 +1,8 @@
-#include "engines/simbody/simulation.hpp"
+#include "engines/engine.hpp"
 
 #include <Simbody.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace rockstack {
 namespace {
@@ -110,9 +109,8 @@ class SimbodySimulation final : public ShakenSimulation {
       SimTK::ContactSurface brick(
           SimTK::ContactGeometry::Brick(Vec3(narrow.width, narrow.height, narrow.depth) / 2), material);
       brick.joinClique(all);
-      for (std::size_t other = 0; other < count; ++other) {
+      for (std::size_t other = 0; other < count; ++other)
         if (other != k) brick.joinClique(cliques[other]);
-      }
       bodies[narrower_below ? k : k + 1].addContactSurface(SimTK::Transform(), brick);
       bodies[narrower_below ? k + 1 : k].addContactSurface(
           narrower_below ? face_at(-above.height / 2, true) : face_at(face, false), plane);

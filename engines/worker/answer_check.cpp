@@ -3,15 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cmath>
-#include <limits>
-#include <set>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/one_line.hpp"
@@ -40,16 +32,11 @@ void require(bool holds, const char* key, const std::string& value, const std::s
   if (!holds) throw std::runtime_error(fmt::format("{} = {}: must be {}", key, value, allowed));
 }
 
-/// Of the settings by which this program itself goes.
-void check_shaking(const Setting& setting) {
-  const Setting must = shaking_setting();
+void check_setting(const Setting& setting) {
+  const Setting must = shaking_setting();  // by which this program itself goes
   require(setting.name != must.name || (setting.whole && setting.choices == must.choices), "setting name",
           setting.name,
           fmt::format("of another one, or of the choices {}", fmt::join(must.choices, " and ")));
-}
-
-void check_setting(const Setting& setting) {
-  check_shaking(setting);
   require(is_word(setting.name, "_-.ABCDEFGHIJKLMNOPQRSTUVWXYZ"), "setting name", setting.name,
           "letters, digits, '_', '-' and '.', at most 60");
   require(is_line(setting.unit), "unit", setting.name, "one line");
@@ -93,12 +80,11 @@ void require_all_samples(const Setup& setup, const Trajectory& made) {
                               "beyond its `toppling_angles`",
                               blocks, setup.steps + 1));
   require_count("velocities", made.velocities.size(), has, "as many as `angles`");
-  for (std::size_t i = 0; i + blocks < has; ++i) {
+  for (std::size_t i = 0; i + blocks < has; ++i)
     if (std::abs(made.angles[i]) > setup.toppling_angles[i % blocks])
       throw std::runtime_error(
           fmt::format("`angles` must end with sample {}, in which block {} is beyond its `toppling_angles`",
                       i / blocks + 1, i % blocks + 1));
-  }
 }
 
 /// To half the digits of single precision, which an angle has that is read back from its cosine.
@@ -144,18 +130,11 @@ void require_contacts(const ContactRecord& contacts, std::size_t samples, const 
   }
 }
 
-void require_status(const std::string& status) {
-  static constexpr std::array<const char*, 4> states{"done", "failed", "not finite", "memory limit"};
-  require(std::ranges::find(states, status) != states.end(),
-          "`status` must be \"done\", \"failed\", \"not finite\" or \"memory limit\"");
-}
-
 /// "ValueError: …", "Exception in thread "main" …: …", "panic: …", "  what():  …"; not the frames of calls,
 /// which Java and JavaScript begin with "at".
 bool names_an_error(std::string_view line) {
   std::string lower(line);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  for (char& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   if (lower.starts_with("at ")) return false;
   static constexpr std::array words{"error", "exception", "panic", "fatal", "what()"};
   return std::ranges::any_of(words, [&](const char* word) {
@@ -199,7 +178,9 @@ void check_descriptions(const std::vector<EngineDescription>& engines) {
 }
 
 void require_answer(const RunReply& reply, const RunRequest& asked) {
-  require_status(reply.status);
+  static constexpr std::array states{"done", "failed", "not finite", "memory limit"};
+  require(std::ranges::find(states, reply.status) != states.end(),
+          "`status` must be \"done\", \"failed\", \"not finite\" or \"memory limit\"");
   require_range("peak_memory", reply.peak_memory, 0);
   if (reply.status != "done") return;
   const Trajectory& made = reply.trajectory;

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "analytic/scene/input/json_reader.hpp"
-#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 namespace {

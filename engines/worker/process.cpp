@@ -10,14 +10,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <stdexcept>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -92,9 +90,8 @@ std::string content(const Descriptor& file) {
 std::string waiting(const Descriptor& pipe) {
   std::string text;
   std::array<char, 4096> buffer{};
-  for (ssize_t size = 0; (size = read(pipe.get(), buffer.data(), buffer.size())) > 0;) {
+  for (ssize_t size = 0; (size = read(pipe.get(), buffer.data(), buffer.size())) > 0;)
     text.append(buffer.data(), static_cast<std::size_t>(size));
-  }
   return text;
 }
 
@@ -148,23 +145,27 @@ void each_process_of(pid_t session, const Use& use) {
   }
 }
 
-/// What the operating system's scheduler has given to the threads of a process that are there, s.
+/// What the operating system's scheduler has given to the threads of a session that are there, s.
 struct Scheduled {
   double run = 0;     ///< with a processor
   double waited = 0;  ///< ready for one, while others had it
 };
 
-void add_scheduled(pid_t process, Scheduled& sum) {
+Scheduled scheduled(pid_t session) {
   constexpr double nanosecond = 1e-9;
-  std::error_code gone;
-  std::filesystem::directory_iterator threads(fmt::format("/proc/{}/task", process), gone);
-  for (; !gone && threads != std::filesystem::directory_iterator(); threads.increment(gone)) {
-    std::ifstream stream(threads->path() / "schedstat");
-    double run = 0, waited = 0;
-    if (!(stream >> run >> waited)) continue;
-    sum.run += nanosecond * run;
-    sum.waited += nanosecond * waited;
-  }
+  Scheduled sum;
+  each_process_of(session, [&](pid_t process) {
+    std::error_code gone;
+    std::filesystem::directory_iterator threads(fmt::format("/proc/{}/task", process), gone);
+    for (; !gone && threads != std::filesystem::directory_iterator(); threads.increment(gone)) {
+      std::ifstream stream(threads->path() / "schedstat");
+      double run = 0, waited = 0;
+      if (!(stream >> run >> waited)) continue;
+      sum.run += nanosecond * run;
+      sum.waited += nanosecond * waited;
+    }
+  });
+  return sum;
 }
 
 /// The time that a child may take. Little passes while this process is stopped.
@@ -189,8 +190,7 @@ class Allowance {
   /// The clock's time but for that in which the session waited for processors that others had; no less than
   /// that in which it had them.
   double used() const {
-    Scheduled sum;
-    each_process_of(child_, [&](pid_t process) { add_scheduled(process, sum); });
+    const Scheduled sum = scheduled(child_);
     return std::max(clock_ - sum.waited, std::min(clock_, sum.run));
   }
 

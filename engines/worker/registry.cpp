@@ -2,19 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <deque>
 #include <iterator>
-#include <map>
 #include <mutex>
-#include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "engines/worker/installation.hpp"
 
 namespace rockstack {
@@ -35,9 +30,8 @@ fs::path find_worker(const std::string& name) {
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> words;
   std::istringstream stream(text);
-  for (std::string word; std::getline(stream, word, ':');) {
+  for (std::string word; std::getline(stream, word, ':');)
     if (!word.empty()) words.push_back(word);
-  }
   return words;
 }
 
@@ -83,7 +77,7 @@ const std::deque<WorkerEngine>& built_engines(const std::string& name) {
 }
 
 bool is_built(const std::string& name) {
-  return std::find(built().begin(), built().end(), name) != built().end();
+  return std::ranges::find(built(), name) != built().end();
 }
 
 /// What programs give, and those that give nothing.
@@ -103,13 +97,11 @@ std::optional<fs::path> program_of(const WorkerEngine& engine, const EngineList&
 }
 
 void add_found(const fs::path& program, Found& found) {
-  for (const WorkerEngine& engine : engines_at(program)) {
+  for (const WorkerEngine& engine : engines_at(program))
     if (const auto other = program_of(engine, found.engines))
       throw std::runtime_error(
           fmt::format("{}: another program has this engine, {}", engine.full_name(), other->string()));
-  }
-  const auto& list = engines_at(program);
-  found.engines.insert(found.engines.end(), list.begin(), list.end());
+  std::ranges::copy(engines_at(program), std::back_inserter(found.engines));
 }
 
 /// Does it, or has the program among the broken ones with the reason why not.
@@ -136,14 +128,11 @@ const Found& found() {
 const Found& all_workers() {
   static const Found made = [] {
     Found all;
-    for (const std::string& name : built()) {
-      try_to_add(prefix + name, all, [&] {
-        const auto& own = built_engines(name);
-        all.engines.insert(all.engines.end(), own.begin(), own.end());
-      });
-    }
-    all.engines.insert(all.engines.end(), found().engines.begin(), found().engines.end());
-    all.broken.insert(all.broken.end(), found().broken.begin(), found().broken.end());
+    for (const std::string& name : built())
+      try_to_add(prefix + name, all,
+                 [&] { std::ranges::copy(built_engines(name), std::back_inserter(all.engines)); });
+    std::ranges::copy(found().engines, std::back_inserter(all.engines));
+    std::ranges::copy(found().broken, std::back_inserter(all.broken));
     return all;
   }();
   return made;
@@ -191,10 +180,8 @@ EngineList engines_called(const std::string& name) {
 
 EngineList usual_engines() {
   EngineList list;
-  for (const char* name : {"bullet", "ode", "bullet-single"}) {
-    const EngineList own = engines_called(name);
-    list.insert(list.end(), own.begin(), own.end());
-  }
+  for (const char* name : {"bullet", "ode", "bullet-single"})
+    std::ranges::copy(engines_called(name), std::back_inserter(list));
   return list;
 }
 
@@ -237,15 +224,12 @@ const WorkerEngine& find_engine(const std::string& name) {
   const std::string file = name.substr(0, name.find(':'));
   const std::string hint =
       fs::is_regular_file(file, ignored) ? fmt::format("; for the file in this folder write ./{}", name) : "";
-  for (const WorkerEngine& engine : engines_called(name.substr(0, name.find(':')))) {
+  for (const WorkerEngine& engine : engines_called(file))
     if (name == engine.name || name == engine.full_name()) return engine;
-  }
-  const EngineList& all = engines();
   std::vector<std::string> there;
-  there.reserve(all.size());
-  for (const WorkerEngine& engine : all) there.push_back(engine.full_name());
+  for (const WorkerEngine& engine : engines()) there.push_back(engine.full_name());
   std::vector<std::string> words = there;
-  for (const WorkerEngine& engine : all) words.push_back(engine.name);
+  for (const WorkerEngine& engine : engines()) words.push_back(engine.name);
   for (const BrokenWorker& broken : broken_workers())
     there.push_back(fmt::format("({}: no worker: {})", broken.program, broken.reason));
   throw InputError(fmt::format("engine = {}: must be one of: {}; left out of this build: {}{}{}", name,

@@ -1,10 +1,7 @@
 #include "engines/worker/request.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 namespace rockstack {

@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <new>
-#include <stdexcept>
 
-#include "engines/trajectory.hpp"
 #include "engines/worker/request.hpp"
 
 namespace rockstack {
@@ -29,10 +28,9 @@ double peak_memory() {
 }
 
 const Engine& find(const std::vector<Engine>& engines, const std::string& solver) {
-  for (const Engine& engine : engines) {
-    if (engine.solver == solver) return engine;
-  }
-  throw std::runtime_error("no such solver: " + solver);
+  const auto found = std::ranges::find(engines, solver, &Engine::solver);
+  if (found == engines.end()) throw std::runtime_error("no such solver: " + solver);
+  return *found;
 }
 
 /// Runs until as many steps as the request wants have been taken, those of the trajectory among them.
@@ -70,17 +68,6 @@ void write_all(int descriptor, std::string_view bytes) {
   }
 }
 
-/// @throws std::runtime_error where no engine has the solver.
-Reply answer(const std::vector<Engine>& engines, const Request& request) {
-  Reply reply;
-  if (request.run) {
-    reply.run = answer_run(find(engines, request.run->solver), *request.run);
-  } else {
-    reply.engines.assign(engines.begin(), engines.end());
-  }
-  return reply;
-}
-
 }  // namespace
 
 int serve(const std::vector<Engine>& engines) {
@@ -88,7 +75,13 @@ int serve(const std::vector<Engine>& engines) {
   try {
     const std::string bytes{std::istreambuf_iterator<char>(std::cin), {}};
     const Request request = read_request(read_message(bytes));
-    write_all(reply_descriptor, to_bytes(answer(engines, request), Form::messagepack));
+    Reply reply;
+    if (request.run) {
+      reply.run = answer_run(find(engines, request.run->solver), *request.run);
+    } else {
+      reply.engines.assign(engines.begin(), engines.end());
+    }
+    write_all(reply_descriptor, to_bytes(reply, Form::messagepack));
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "a worker of rockstack: {}\n", error.what());

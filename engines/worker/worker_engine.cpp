@@ -4,7 +4,6 @@
 
 #include <csignal>
 #include <cstring>
-#include <stdexcept>
 #include <utility>
 
 #include "analytic/scene/messages/one_line.hpp"
@@ -55,9 +54,8 @@ RunRequest request(const WorkerEngine& engine, const Parameters& parameters, std
                    bool bodies) {
   RunRequest asked{engine.solver, {}, parameters, repeats, bodies};
   if (repeats > 0) asked.warm_up = engine.warm_up;
-  for (const Setting& setting : engine.settings) {
+  for (const Setting& setting : engine.settings)
     if (setting.whole) asked.whole.insert(setting.name);
-  }
   return asked;
 }
 
