@@ -10,11 +10,16 @@ namespace rockstack::plots {
 namespace {
 
 constexpr double between = 0.03;
-constexpr double legend_row = 23, legend_gap = 14, axis_height = 80;
+constexpr double legend_gap = 14, axis_height = 80;
+
+/// The height of a row, pixels; on a slide letters are smaller beside what they stand for.
+double legend_row(double width) {
+  return width == slide_width ? 20 : 23;
+}
 
 /// In two columns, or in one where some words are too long for half of the figure.
 std::size_t legend_rows(const Legend& legend, double width) {
-  constexpr double letter = 13;  // pixels, with what stands before the words
+  const double letter = width == slide_width ? 10.5 : 13;  // pixels, with what stands before the words
   const bool wide = std::ranges::any_of(legend, [&](const auto& entry) {
     return letter * static_cast<double>(entry.second.size()) > width / 2;
   });
@@ -23,8 +28,8 @@ std::size_t legend_rows(const Legend& legend, double width) {
 
 /// Without a legend there is room for the words above a panel.
 double legend_height(const Legend& legend, double width) {
-  return legend.empty() ? legend_row
-                        : static_cast<double>(legend_rows(legend, width)) * legend_row + legend_gap;
+  return legend.empty() ? legend_row(width)
+                        : static_cast<double>(legend_rows(legend, width)) * legend_row(width) + legend_gap;
 }
 
 double title_height(const std::string& title) {
@@ -48,25 +53,27 @@ std::string joined(const std::vector<std::string>& elements) {
 
 /// One column of a legend: a plot without data whose only content is the key. The formats measure text
 /// differently, so that columns placed by gnuplot would not be the same in both.
-std::string legend_column(const Legend& legend, std::size_t from, std::size_t to, double left, double top) {
+std::string legend_column(const Legend& legend, std::size_t from, std::size_t to, double left, double top,
+                          const char* font) {
   std::vector<std::string> entries{"NaN notitle"};
   for (std::size_t i = from; i < to; ++i)
     entries.push_back(
         fmt::format("keyentry {} title {} noenhanced", legend[i].first, in_quotes(legend[i].second)));
   return fmt::format(
-      "set key at screen {}, screen {} left top vertical maxcols 1 Left reverse samplen 3.2\n"
+      "set key at screen {}, screen {} left top vertical maxcols 1 Left reverse samplen 3.2 font '{}'\n"
       "plot [0:1][0:1] {}\nunset label\n",
-      plain(left), plain(top), joined(entries));
+      plain(left), plain(top), font, joined(entries));
 }
 
 /// `top` is its upper edge, a share of the figure's height from below.
 std::string legend_plots(const Legend& legend, double top, double width) {
   if (legend.empty()) return "";
   constexpr double first = left_edge - 0.01, second = 0.54;
+  const char* font = width == slide_width ? ",12" : "";
   const std::size_t half = legend_rows(legend, width);
   std::string text = "unset border\nunset tics\nset margins screen 0, screen 1, screen 0, screen 1\n";
-  text += legend_column(legend, 0, half, first, top);
-  if (half < legend.size()) text += legend_column(legend, half, legend.size(), second, top);
+  text += legend_column(legend, 0, half, first, top, font);
+  if (half < legend.size()) text += legend_column(legend, half, legend.size(), second, top, font);
   return text + "set border\nset tics\nunset key\n";
 }
 

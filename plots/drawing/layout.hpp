@@ -23,8 +23,9 @@ std::string data_block(const std::string& name, const Curve& curve);
 using Legend = std::vector<std::pair<std::string, std::string>>;
 
 /// How wide a figure is, pixels: on a page as wide as a desk's screen, there with a player beside it, and on
-/// one as wide as a phone's.
-inline constexpr double full_width = 1200, shared_width = 960, narrow_width = 480;
+/// one as wide as a phone's; and on a slide, which leaves all panels together so many pixels up.
+inline constexpr double full_width = 1200, shared_width = 960, narrow_width = 480, slide_width = 860,
+                        slide_panels = 215;
 
 /// Where panels begin and end, shares of the figure's width, unless a row or second axes say otherwise.
 inline constexpr double left_edge = 0.105, right_edge = 0.975;

@@ -21,10 +21,11 @@ std::string plot_of(const std::string& block, const std::string& style) {
   return fmt::format("${} using 1:2 {} notitle", block, style);
 }
 
-std::string words_of_axes(const SeriesPanel& panel) {
+std::string words_of_axes(const SeriesPanel& panel, double width) {
   const std::string across =
       panel.numbered ? fmt::format("set xlabel {}\n", in_quotes(panel.across)) : without_horizontal_labels();
-  return across + fmt::format("set ylabel {} noenhanced offset 0.5\n", in_quotes(panel.up));
+  return across + fmt::format("set ylabel {} noenhanced offset 0.5\n",
+                              in_quotes(width < full_width ? panel.short_up : panel.up));
 }
 
 /// A rectangle in pixels that is taken by a mark, a word or a piece of a line.
@@ -114,11 +115,11 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
   if (!many) {
     for (const Series& one : series) append(one.plots, plots);
     append(panel.over, plots);
-    sheet.row(
-        panel.height, panel.space,
-        {{"set format x '%g'\n" + panel.axes(panel_width, panel.height) + words_of_axes(panel) + panel.few,
-          plots}},
-        1, panel.left);
+    sheet.row(panel.height, panel.space,
+              {{"set format x '%g'\n" + panel.axes(panel_width - (full_width - sheet.width()), panel.height) +
+                    words_of_axes(panel, sheet.width()) + panel.few,
+                plots}},
+              1, panel.left * full_width / sheet.width());
     return;
   }
   std::vector<Multiple> multiples;

@@ -12,7 +12,7 @@ Sheet FolderSubject::sheet(const std::string& heading, const Legend& legend,
 }
 
 Sheet SceneSubject::sheet(const Legend& legend, const std::string& answer) const {
-  return figure.sheet(heading(scene), legend, answer);
+  return on_slide ? Sheet("", legend, "", slide_width) : figure.sheet(heading(scene), legend, answer);
 }
 
 Drawing SceneSubject::nothing(const std::string& reason) const {

@@ -26,6 +26,7 @@ struct SceneSubject {
   const Figure& figure;
   const Comparison& comparison;
   const ComparedScene& scene;
+  bool on_slide = false;  ///< whether a slide shows it: without words above, in large letters
 
   /// A sheet with the scene's title, the figure's question and the answer.
   Sheet sheet(const Legend& legend, const std::string& answer) const;
@@ -39,6 +40,10 @@ struct SceneSubject {
   TimeAxis time_axis(const std::vector<Run>& runs, Legend& legend) const;
   /// Says under the panels what the marks stand for, where they are of replicates.
   void add_replicates_note(Sheet& sheet) const;
+  /// How wide a panel is, pixels.
+  double panel() const { return panel_width - (on_slide ? full_width - slide_width : 0); }
+  /// How high a panel is, pixels, that is `usual` where all panels together are `all`.
+  double height(double usual, double all) const { return on_slide ? usual / all * slide_panels : usual; }
 };
 
 /// What a figure of all scenes of a comparison is drawn of.

@@ -101,14 +101,13 @@ Frame frame_of(const std::vector<CostLine>& lines, double exact) {
 }
 
 /// The time steps beside their marks: where there is no room, the other runs with that step lie beside it.
-std::string labels(const std::vector<CostLine>& lines, const Frame& frame) {
-  LabelledPanel panel{panel_width, panel_up, {}};
+std::string labels(const std::vector<CostLine>& lines, const Frame& frame, double width, double height) {
+  LabelledPanel panel{width, height, {}};
   for (const CostLine& line : lines) {
     panel.lines.emplace_back();
     for (const Cost& cost : line.costs)
-      panel.lines.back().push_back({frame.across.place(cost.time, panel_width),
-                                    frame.up.place(cost.error, panel_up), cost.label,
-                                    style_of(line.run).colour});
+      panel.lines.back().push_back({frame.across.place(cost.time, width), frame.up.place(cost.error, height),
+                                    cost.label, style_of(line.run).colour});
   }
   return placed_labels(panel);
 }
@@ -226,22 +225,23 @@ Drawing error_time(const SceneSubject& subject) {
     sheet.data(number_block(fmt::format("line_{}", i), numbers_of(lines[i])) +
                number_block(fmt::format("pieces_{}", i), pieces(lines[i], comparable)));
   const std::string guides = slope_guides(lines, frame, !many);
-  const auto axes = [&](double width, double height) {
-    return logarithmic_axes(frame.across, frame.up, width, height);
+  const auto axes = [&](double width, double up) {
+    return logarithmic_axes(frame.across, frame.up, width, up);
   };
+  const double height = subject.height(panel_up, panel_up);
   SeriesPanel panel{many ? "stepping time a second (s)" : "stepping time for one second of motion (s)",
                     "RMS angle difference (rad)",
                     "RMS (rad)",
                     true,
                     axes,
-                    panel_up,
+                    height,
                     0};
   if (!many) panel.under = floors(lines);
-  panel.few = guides + exact_line(exact, true) + labels(lines, frame);
+  panel.few = guides + exact_line(exact, true) + labels(lines, frame, subject.panel(), height);
   panel.many = guides + exact_line(exact, false);
   add_series(sheet, panel, series_of(lines, many), many);
   subject.add_replicates_note(sheet);
-  add_notes(sheet, lines, !guides.empty(), many);
+  if (!subject.on_slide) add_notes(sheet, lines, !guides.empty(), many);
   return sheet.finish();
 }
 

@@ -54,19 +54,23 @@ Reach range_of(const std::vector<Departure>& departures, double tolerance) {
 constexpr double room_for_marks = 1.012;
 
 /// One panel a curve of each run; small ones where runs are many, whose curve is that of all blocks.
-void add_panels(Sheet& sheet, const std::vector<Departure>& departures, const Reach& range,
-                const TimeAxis& axis, double tolerance, bool together) {
+void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Departure>& departures,
+                const TimeAxis& axis, bool together) {
+  const double tolerance = subject.comparison.tolerance;
+  const Reach range = range_of(departures, tolerance);
   const std::size_t panels = departures.front().sizes.size();
+  const double usual = panel_height(static_cast<int>(panels)),
+               height = subject.height(usual, (static_cast<double>(panels) + 1.1) * usual);
   for (std::size_t k = 0; k < panels; ++k) {
     const std::vector<Run> runs = each_of(departures, &Departure::run);
     const auto sizes = each_of(departures, [&](const Departure& one) { return one.sizes[k]; });
     const std::string words =
         together ? "largest |Δθ| (rad)" : fmt::format("|Δ{}| (rad)", angle_name(static_cast<int>(k) + 1));
-    const auto axes = [&](double, double height) {
-      return time_range(axis, room_for_marks) + logarithmic_range("y", range.low, range.high, height) +
+    const auto axes = [&](double, double up) {
+      return time_range(axis, room_for_marks) + logarithmic_range("y", range.low, range.high, up) +
              grid_lines;
     };
-    SeriesPanel panel{"time (s)", words, words, false, axes, panel_height(static_cast<int>(panels)), 20};
+    SeriesPanel panel{"time (s)", words, words, false, axes, height, 20};
     panel.under = {fmt::format("{} with lines {} notitle", plain(tolerance), tolerance_style)};
     add_curves(sheet, panel, runs, sizes, fmt::format("difference_{}", k + 1), {2.5, true});
   }
@@ -74,17 +78,19 @@ void add_panels(Sheet& sheet, const std::vector<Departure>& departures, const Re
 
 /// A row a run: when each replicate first passes the tolerance, and their median, filled.
 void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, const TimeAxis& axis) {
-  constexpr double row_height = 22, room_for_names = 0.34;
+  constexpr double room_for_names = 0.34;
+  const double row_height = sheet.width() < full_width ? 15 : 22;
   const auto rows = static_cast<double>(departures.size());
   const bool named = departures.size() > most_series;
   Plots plots(sheet, "agree");
   std::vector<std::string> names;
   for (const Departure& one : departures) {
     const double row = rows - static_cast<double>(names.size());
-    const Numbers marks = each_of(one.agreement_times, [&](double time) { return std::vector{time, row}; });
+    const auto mark = [&](double time) { return std::vector{std::min(time, axis.end), row}; };
+    const Numbers marks = each_of(one.agreement_times, mark);
     plots.add(marks, {fmt::format("using 1:2 with points pt 2 ps 0.7*mark lw 1 lc rgb '{}'",
                                   style_of(one.run).colour)});
-    plots.add({{value_of(one.run.agreement_time), row}}, {"using 1:2 " + mark_style(one.run, 1.6)});
+    plots.add({mark(value_of(one.run.agreement_time))}, {"using 1:2 " + mark_style(one.run, 1.6)});
     names.push_back(line_label(one.run));
   }
   const std::string words =
@@ -98,7 +104,7 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, cons
                               named ? "agrees until " : "") +
                   grid_lines + words,
               plots.list()}},
-            1, named ? room_for_names : left_edge);
+            1, named ? room_for_names : left_edge * full_width / sheet.width());
 }
 
 /// The first and the last time at which an engine passes the tolerance.
@@ -133,7 +139,7 @@ Drawing differences(const SceneSubject& subject) {
   legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
   Sheet sheet = subject.sheet(legend, answer(departures, scene, tolerance));
-  add_panels(sheet, departures, range_of(departures, tolerance), axis, tolerance, together);
+  add_panels(sheet, subject, departures, axis, together);
   add_agreements(sheet, departures, axis);
   return sheet.finish();
 }

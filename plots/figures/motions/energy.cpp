@@ -108,13 +108,20 @@ Drawing energy(const SceneSubject& subject) {
   plots.push_back(fmt::format("$exact using 1:2 {} notitle", exact_style));
   plots.push_back(exact_core("exact"));
   const std::string across = time_range(axis) + grid_lines;
-  constexpr double tall = 380, low = 260, space = 20;
+  const double tall = subject.height(380, 640), low = subject.height(260, 640);
+  constexpr double space = 20;
   sheet.panel(tall, 0,
               across + range_of(levels, tall) + without_horizontal_labels() +
-                  "set ylabel 'energy above rest (J)' offset 0\n",
+                  fmt::format("set ylabel 'energy{} (J)' offset 0\n", subject.on_slide ? "" : " above rest"),
               plots);
   const auto axes = [&](double, double height) { return across + range_of(differences, height); };
-  SeriesPanel panel{"time (s)", "engine − exact, median (J)", "engine − exact (J)", true, axes, low, space,
+  SeriesPanel panel{"time (s)",
+                    "engine − exact, median (J)",
+                    subject.on_slide ? "apart (J)" : "engine − exact (J)",
+                    true,
+                    axes,
+                    low,
+                    space,
                     {zero_line}};
   add_curves(sheet, panel, shown.engines, differences, "apart", {2, true});
   return sheet.finish();

@@ -19,8 +19,9 @@ std::string impact_ticks(const std::vector<double>& times, double end, double wi
   return text;
 }
 
-/// One box a span, named where it is wide enough; spans under a pixel belong to the one before.
-std::string pattern_band(const std::vector<PatternSpan>& spans, double end) {
+/// One box a span, named where it is wide enough in a figure so many pixels wide; spans under a pixel belong
+/// to the one before.
+std::string pattern_band(const std::vector<PatternSpan>& spans, double end, double width) {
   std::string text;
   std::map<std::string, std::size_t> tint_of;
   double from = 0;
@@ -34,7 +35,7 @@ std::string pattern_band(const std::vector<PatternSpan>& spans, double end) {
         "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '{}' fillstyle solid noborder behind\n",
         plain(from), plain(to), pattern_tint(tint));
     const double letter = end / 95;
-    if (to - from > letter * static_cast<double>(pattern.size() + 1))
+    if (to - from > letter * full_width / width * static_cast<double>(pattern.size() + 1))
       text += fmt::format("set label {} noenhanced at {}, graph 0.5 center font ',12' front\n",
                           in_quotes(shown_pattern(spans[i].pattern)), plain((from + to) / 2));
     from = to;
@@ -50,12 +51,12 @@ void add_band(Sheet& sheet, const History& exact, double end) {
               fmt::format("set xrange [0:{}]\n", plain(end)) + time_numbers +
                   "set yrange [0:1]\nunset ytics\nunset grid\nunset ylabel\n"
                   "set label 'pattern ' at graph -0.004, graph 0.5 right font ',12'\n" +
-                  pattern_band(spans, end),
+                  pattern_band(spans, end, sheet.width()),
               {});
   const auto slides = [](const PatternSpan& span) {
     return name(span.pattern).find_first_of("<>-") != std::string::npos;
   };
-  if (std::any_of(spans.begin(), spans.end(), slides))
+  if (sheet.width() == full_width && std::any_of(spans.begin(), spans.end(), slides))
     sheet.note(
         "patterns from the ground up: C closed, L and R on the left and right corner, – apart, ← → the way "
         "it slides",
@@ -95,14 +96,16 @@ std::string ticks_of(const Run& first, int block, double end, double width) {
 }
 
 /// One panel of all runs, the exact one first.
-void add_angles(Sheet& sheet, const std::vector<Run>& runs, int blocks, int block, const TimeAxis& axis,
-                bool lowest) {
+void add_angles(Sheet& sheet, const SceneSubject& subject, const std::vector<Run>& runs, int block,
+                const TimeAxis& axis, bool lowest) {
+  const int blocks = subject.scene.blocks();
+  const double tall = subject.height(panel_height(blocks), blocks * panel_height(blocks));
   const std::vector<Curve> curves = curves_of(runs, runs.size(), blocks, block);
   const std::string words = angle_name(block + 1) + " (rad)", stem = fmt::format("angle_{}", block + 1);
   const auto axes = [&](double, double height) { return axes_of(runs, curves, axis, height); };
-  SeriesPanel panel{"time (s)", words, words, lowest, axes, panel_height(blocks)};
+  SeriesPanel panel{"time (s)", words, words, lowest, axes, tall};
   if (runs.front().exact() && curves.front().size() > 0) panel.over = {exact_core(stem + "_0")};
-  panel.few = ticks_of(runs.front(), block, axis.end, panel_width);
+  panel.few = ticks_of(runs.front(), block, axis.end, subject.panel());
   add_curves(sheet, panel, runs, curves, stem);
 }
 
@@ -172,7 +175,7 @@ Drawing draw_runs(const SceneSubject& subject, const std::vector<Run>& runs, boo
   const TimeAxis axis = subject.time_axis(runs, legend);
   const bool banded = runs.front().exact() && !pattern_spans(*history_of(runs.front())).empty();
   Sheet sheet = subject.sheet(legend, answer(runs, all));
-  for (int k = 0; k < blocks; ++k) add_angles(sheet, runs, blocks, k, axis, k + 1 == blocks && !banded);
+  for (int k = 0; k < blocks; ++k) add_angles(sheet, subject, runs, k, axis, k + 1 == blocks && !banded);
   if (banded) add_band(sheet, *history_of(runs.front()), axis.end);
   return sheet.finish();
 }
@@ -217,6 +220,7 @@ Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
 Drawing histories(const SceneSubject& subject) {
   const std::vector<Run> exact = subject.shown().exact;
   const std::vector<StepLine> lines = shown_lines(subject.comparison, subject.scene.name);
+  if (subject.on_slide) return draw_runs(subject, all_runs(subject.shown()), false);
   if (!lines.empty() && !subject.scene.alone) return draw_lines(subject, exact, lines);
   return draw_runs(subject, lines.empty() ? exact : lines.front(), false);
 }

@@ -130,7 +130,7 @@ std::string without_matches(const std::vector<Verdicts>& all) {
 }
 
 /// How late each matched impact is, by its number.
-void add_differences(Sheet& sheet, const std::vector<Verdicts>& all, double last) {
+void add_differences(Sheet& sheet, const std::vector<Verdicts>& all, double last, double height) {
   constexpr double few = 40;
   const SignedLog scale = scale_of(all);
   std::vector<Series> series;
@@ -143,11 +143,11 @@ void add_differences(Sheet& sheet, const std::vector<Verdicts>& all, double last
     series.push_back(mark_series(one.run, name, last > few ? 1.1 : 1.6));
     series.back().words += fmt::format(": −{} +{}", one.missed.size(), one.extra.size());
   }
-  const auto axes = [&](double width, double height) {
-    return number_settings(last, width < panel_width ? 8 : most_numbers) +
-           fmt::format("set yrange [-{0}:{0}]\nset ytics ({1})\n", plain(scale.edge()), scale.tics(height));
+  const auto axes = [&](double width, double up) {
+    return number_settings(last, width > multiple_width ? most_numbers : 8) +
+           fmt::format("set yrange [-{0}:{0}]\nset ytics ({1})\n", plain(scale.edge()), scale.tics(up));
   };
-  SeriesPanel panel{number_words, "engine − exact impact time (s)", "late (s)", false, axes, 380, 0,
+  SeriesPanel panel{number_words, "engine − exact impact time (s)", "late (s)", false, axes, height, 0,
                     {zero_line}};
   add_series(sheet, panel, series, all.size() > most_series);
 }
@@ -211,7 +211,7 @@ Drawing impact_times(const SceneSubject& subject) {
     return subject.nothing(without_matches(all));
   Sheet sheet = subject.sheet(mark_legend(runs, 1.6), answer(all));
   const double last = last_number(all);
-  add_differences(sheet, all, last);
+  add_differences(sheet, all, last, subject.height(380, 480));
   if (are_many(runs))
     sheet.note("−: exact impacts that the engine misses; +: impacts of its own that match none");
   else

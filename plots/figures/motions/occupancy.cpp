@@ -124,20 +124,21 @@ Drawing occupancy(const SceneSubject& subject) {
   legend.insert(legend.begin(), {"with boxes fillcolor rgb '#DADADA' fillstyle solid 1 noborder", "exact"});
   Sheet sheet = subject.sheet(legend, answer(all));
   sheet.data(data);
-  const double row = 16 + 8 * static_cast<double>(all.size());
+  const double row = 16 + 8 * static_cast<double>(all.size()),
+               usual = std::max(static_cast<double>(patterns.size()) * row, 120.0);
   SeriesPanel panel{"share of time",
                     "",
                     "",
                     true,
                     [&](double width, double) { return panel_settings(all, patterns, width); },
-                    std::max(static_cast<double>(patterns.size()) * row, 120.0),
+                    subject.height(usual, usual),
                     0,
                     {exact_bar}};
   panel.left = names_room(patterns);
   add_series(sheet, panel, series, are_many(runs));
   if (are_many(runs))
     sheet.note("in percent: for how much of the time each is in the exact pattern");
-  else
+  else if (!subject.on_slide)
     for (const Occupancy& one : all)
       sheet.note(fmt::format("{}: in the exact pattern for {:.1f} % of the time", run_label(one.run),
                              100 * one.same),

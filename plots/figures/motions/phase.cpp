@@ -29,17 +29,17 @@ Reach reach_of(const std::vector<Run>& runs, const std::vector<Curve>& orbits,
   return reach.wider(std::max(0.12 * (reach.high - reach.low), 1e-6));
 }
 
-void add_block(Sheet& sheet, const std::vector<Run>& runs, int block, int blocks,
+void add_block(Sheet& sheet, const std::vector<Run>& runs, int block, double height,
                const std::vector<Curve>& orbits) {
   const Reach across = reach_of(runs, orbits, &Curve::times), up = reach_of(runs, orbits, &Curve::values);
-  const auto axes = [&](double width, double height) {
-    return linear_range("x", across.low, across.high, width) + linear_range("y", up.low, up.high, height) +
+  const auto axes = [&](double width, double tall) {
+    return linear_range("x", across.low, across.high, width) + linear_range("y", up.low, up.high, tall) +
            grid_lines;
   };
   constexpr double space = 78;
   const std::string angle = angle_name(block + 1), rate = fmt::format("d{}/dt (rad/s)", angle);
   const std::string stem = fmt::format("orbit_{}", block + 1);
-  SeriesPanel panel{angle + " (rad)", rate, rate, true, axes, panel_height(blocks), space};
+  SeriesPanel panel{angle + " (rad)", rate, rate, true, axes, height, space};
   if (runs.front().exact() && orbits.front().size() > 0) panel.over = {exact_core(stem + "_0")};
   add_curves(sheet, panel, runs, orbits, stem);
 }
@@ -64,8 +64,9 @@ Drawing phase(const SceneSubject& subject) {
                    few = 8;  // curves, more of which must be coarser for the file to stay small
   const double tolerance = finest * std::max(1.0, curves / few);
   Sheet sheet = subject.sheet(legend_of(runs, curve_style), answer(runs));
+  const double usual = panel_height(scene.blocks()), height = subject.height(usual, scene.blocks() * usual);
   for (int k = 0; k < scene.blocks(); ++k)
-    add_block(sheet, runs, k, scene.blocks(),
+    add_block(sheet, runs, k, height,
               each_of(runs, [&](const Run& run) { return read_orbit(run, k, tolerance); }));
   return sheet.finish();
 }
