@@ -134,7 +134,7 @@ std::string page(const std::string& title, const std::string& kind, const std::s
                   {"kind", kind},
                   {"css", std::string(page_css) + std::string(player_css) + std::string(lesson_css)},
                   {"js", std::string(page_js)},
-                  {"player_js", std::string(player_js)},
+                  {"player_js", std::string(stack_js) + std::string(player_js)},
                   {"solver", solver_of(content)},
                   {"content", content},
                   {"words", kind == "report"

@@ -6,13 +6,13 @@
 namespace rockstack::plots {
 namespace {
 
-/// A lesson's first motions, where its folder is beside the page.
+/// The first figure of a lesson's slides, or its first motions, where its folder is beside the page.
 std::string picture_of(const std::filesystem::path& results, const std::string& lesson) {
-  for (const std::string& name : names_in(results / lesson / "figures", {".png"}))
-    if (name.ends_with(".histories.png"))
-      return fmt::format(
-          "<img src=\"{}/figures/{}\" alt=\"Angles of its blocks over time\" loading=\"lazy\">\n", lesson,
-          name);
+  for (const auto& [folder, ending] : {std::pair{"figures/slides", ".png"}, {"figures", ".histories.png"}})
+    for (const std::string& name : names_in(results / lesson / folder, {".png"}))
+      if (name.ends_with(ending))
+        return fmt::format("<img src=\"{}/{}/{}\" alt=\"A figure of it\" loading=\"lazy\">\n", lesson, folder,
+                           name);
   return "";
 }
 
@@ -23,10 +23,10 @@ std::string entry(const std::filesystem::path& results, const Json& lesson) {
     after +=
         (after.empty() ? " After: " : "; ") + link("#" + escaped_at(one, "name"), escaped_at(one, "title"));
   return fmt::format(
-      "<li id=\"{0}\"><h2><a href=\"{0}/lesson.html\">{1}</a></h2>\n<p class=\"hint\">{2} minutes · "
+      "<li id=\"{0}\"><h2 data-pattern=\"{6}\"><a href=\"{0}/lesson.html\">{1}</a></h2>\n<p class=\"hint\">{2} minutes · "
       "<code>{0}</code> · <a href=\"{0}/slides.html\">slides</a>.{3}</p>\n{5}<ul>\n{4}</ul></li>\n",
       escaped_at(lesson, "name"), escaped_at(lesson, "title"), lesson.at("minutes").dump(), after, aims,
-      picture_of(results, lesson.at("name")));
+      picture_of(results, lesson.at("name")), escaped_at(lesson, "pattern"));
 }
 
 std::string course_page(const std::filesystem::path& results, const Json& course) {

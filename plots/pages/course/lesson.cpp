@@ -79,18 +79,33 @@ std::string prediction_section(const Json& question, Values numbers) {
       filled_in(text_at(part, "why"), numbers));
 }
 
-/// Names with a colon are parts of a page; numbers have none.
-void add_parts(const fs::path& results, const Comparison& comparison, const Json& start, Values& values) {
+/// A figure drawn for a slide.
+std::string slide_figure(const fs::path& results, const Comparison& comparison, const ComparedScene& scene,
+                         const Figure& figure) {
+  const fs::path stem = fs::path("slides") / figure_stem("", scene, figure).filename();
+  draw(std::get<OfScene>(figure.of).draw({figure, comparison, scene, true}), results / "figures" / stem);
+  return drawn_figure(results, stem, figure.name + "-", figure.title + ": " + scene.title);
+}
+
+/// Names with a colon are parts of a page; numbers have none. A figure is drawn for slides where `slides`
+/// asks for it.
+void add_parts(const fs::path& results, const Comparison& comparison, const Json& start,
+               const std::string& slides, Values& values) {
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
     const ComparedScene& scene = comparison.scenes[i];
     if (has_motion(comparison, scene)) values["player:" + scene.name] = player_section(comparison, i, start);
-    for (const Figure* figure : figures_of(scene))
-      values[fmt::format("figure:{}.{}", scene.name, figure->name)] =
-          scene_figure(results, comparison, i, *figure);
+    for (const Figure* figure : figures_of(scene)) {
+      const std::string place = fmt::format("figure:{}.{}", scene.name, figure->name);
+      if (slides.empty())
+        values[place] = scene_figure(results, comparison, i, *figure);
+      else if (slides.find("{{" + place + "}}") != std::string::npos)
+        values[place] = slide_figure(results, comparison, scene, *figure);
+    }
   }
 }
 
-Values values_of(const fs::path& results, const Comparison& comparison, const Json& lesson) {
+Values values_of(const fs::path& results, const Comparison& comparison, const Json& lesson,
+                 const std::string& slides) {
   Values values;
   for (const auto& [name, value] : lesson.at("numbers").items())
     values[name] = escaped(value.get<std::string>());
@@ -98,7 +113,7 @@ Values values_of(const fs::path& results, const Comparison& comparison, const Js
   for (const auto& [name, value] : lesson.at("tables").items()) values["table:" + name] = lesson_table(value);
   for (const Json& question : lesson.at("predictions"))
     values["predict:" + text_at(question, "name")] = prediction_section(question, numbers);
-  add_parts(results, comparison, lesson.value("player", Json()), values);
+  add_parts(results, comparison, lesson.value("player", Json()), slides, values);
   return values;
 }
 
@@ -146,9 +161,17 @@ Values lesson_values(const fs::path& results, const Comparison& comparison, cons
           {"aims", list_of(lesson.at("aims"))},
           {"references", list_of(lesson.at("references"))},
           {"picture", picture(results, comparison, text)},
-          {"text", filled_in(text, values_of(results, comparison, lesson))},
+          {"text", filled_in(text, values_of(results, comparison, lesson, ""))},
           {"command", escaped(comparison.command)},
           {"environment", definition_list(comparison.environment)}};
+}
+
+/// Those written for them, and after them the questions, which end a lesson's text.
+std::string slides_text(const fs::path& results, const Comparison& comparison, const Json& lesson) {
+  const std::string text = text_at(lesson, "text");
+  const std::string slides =
+      text_at(lesson, "slides") + text.substr(std::min(text.rfind("<section>"), text.size()));
+  return filled_in(slides, values_of(results, comparison, lesson, slides));
 }
 
 std::string page_of(const std::string& title, Values values, const char* kind, std::string_view content,
@@ -162,10 +185,12 @@ std::string page_of(const std::string& title, Values values, const char* kind, s
 
 void write_lesson(const std::filesystem::path& results, const Comparison& comparison) {
   read_json(results / "lesson.json", [&](const Json& lesson) {
-    const Values values = lesson_values(results, comparison, lesson);
+    Values values = lesson_values(results, comparison, lesson);
     const std::string title = text_at(lesson, "title");
+    const std::string page = page_of(title, values, "lesson", lesson_html, "", lesson_js);
+    values["text"] = slides_text(results, comparison, lesson);
     const std::string slides = page_of(title, values, "slides", slides_html, slides_css, slides_js);
-    write_file(results / "lesson.html", page_of(title, values, "lesson", lesson_html, "", lesson_js));
+    write_file(results / "lesson.html", page);
     write_file(results / "slides.html", slides);
   });
 }

@@ -2,9 +2,11 @@
 // Plays the motions of one scene: reads the data that stands beside the canvas, draws blocks to scale, and keeps
 // controls, picture and words at the same time.
 const startPlayer = (() => {
+const { Stack, Part, iconOf, drawIcon } = stacks;
 const touching = 2e-4; // rad: engines have no patterns; a smaller relative angle counts as closed
 const clear = 5e-4; // of the stack's height: blocks that are further from each other do not touch
 const steepest = 1.45; // rad: angles are not exaggerated beyond
+const bandHeight = 32; // of the patterns over the rows of impacts, pixels
 const tints = ["#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0", "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"];
 
 const unpack = (text) => {
@@ -22,18 +24,6 @@ const lastBefore = (times, time) => {
     if (times[middle] <= time) low = middle + 1; else high = middle;
   }
   return low - 1;
-};
-
-const turned = (a, c, angle) =>
-  [a * Math.cos(angle) + c * Math.sin(angle), c * Math.cos(angle) - a * Math.sin(angle)];
-
-const plus = ([a, b], [c, d]) => [a + c, b + d];
-const minus = ([a, b], [c, d]) => [a - c, b - d];
-
-// How far a point lies along a face from a point of it, and how far above.
-const seenFrom = (middle, angle, point) => {
-  const [x, y] = minus(point, middle);
-  return [x * Math.cos(angle) - y * Math.sin(angle), x * Math.sin(angle) + y * Math.cos(angle)];
 };
 
 // Kinds of events in words, and what they mean.
@@ -91,109 +81,6 @@ class Track {
     return this.forces.subarray(at, at + width);
   }
 }
-
-class Stack {
-  constructor(blocks) {
-    this.half = blocks.map((block) => [block.width / 2, block.height / 2]);
-    this.offset = blocks.map((block) => block.offset);
-    this.height = blocks.reduce((sum, block) => sum + block.height, 0);
-    this.width = Math.max(...blocks.map((block) => block.width));
-  }
-
-  // Middles of the bases of blocks that touch at these angles and slips, in metres from the middle of the ground's
-  // interface.
-  stand(angles, slips) {
-    let top = [0, 0], face = 0, reach = Infinity;
-    return angles.map((angle, k) => {
-      const [b, h] = this.half[k], side = Math.sign(angle - face);
-      const foot = side > 0 ? Math.min(b, reach - slips[k]) : side < 0 ? Math.max(-b, -reach - slips[k]) : 0;
-      const base = minus(plus(top, turned(foot + slips[k], 0, face)), turned(foot, 0, angle));
-      [top, face, reach] = [plus(base, turned(0, 2 * h, angle)), angle, b];
-      return base;
-    });
-  }
-
-  // The blocks of a track with their angles enlarged to `angles`; flights and falls keep their size.
-  place(track, time, angles) {
-    const slips = track.slips(time), places = track.places(time), real = track.angles(time);
-    let bases = this.stand(angles, slips);
-    if (places) {
-      const touching = this.stand(real, slips);
-      bases = bases.map((base, k) => {
-        const [x, y] = this.offset[k], h = this.half[k][1];
-        return plus(base, minus(minus(places[k], turned(x, y + h, real[k])), touching[k]));
-      });
-    }
-    const parts = [];
-    bases.forEach((base, k) => parts.push(new Part(base, angles[k], this.half[k], k > 0 ? parts[k - 1] : null)));
-    return parts;
-  }
-}
-
-// A block in its place, and how it touches the one below, or the ground.
-class Part {
-  constructor(base, angle, [b, h], below) {
-    Object.assign(this, { base, angle, b, below });
-    this.top = plus(base, turned(0, 2 * h, angle));
-    this.corners = [[-b, 0], [b, 0], [b, 2 * h], [-b, 2 * h]].map(([a, c]) => plus(base, turned(a, c, angle)));
-  }
-
-  under(x) { return plus(this.base, turned(x, 0, this.angle)); }
-
-  // A point as seen from the middle of the base: along it, and up.
-  local(point) { return seenFrom(this.base, this.angle, point); }
-
-  // Where the faces that meet end on a side, along the base from its middle: at its own corner or at that below.
-  end(side) {
-    if (!this.below) return side * this.b;
-    const [along] = seenFrom(this.base, this.angle, plus(this.below.top, turned(side * this.below.b, 0, this.below.angle)));
-    return side * Math.min(this.b, side * along);
-  }
-
-  // The angle of the face that a corner touches.
-  face(side) {
-    const rounding = 1e-5 * this.b;
-    const own = side !== 0 && Math.abs(this.end(side)) < this.b - rounding;
-    return own ? this.angle : this.below ? this.below.angle : 0;
-  }
-
-  // The least distance between the faces, Infinity where neither is over the other.
-  gap() {
-    if (!this.below) return Math.min(this.corners[0][1], this.corners[1][1]);
-    const { top, angle, b } = this.below;
-    const over = (point, middle, turn, reach, sign) => {
-      const [along, up] = seenFrom(middle, turn, point);
-      return Math.abs(along) <= reach ? sign * up : Infinity;
-    };
-    return Math.min(...[-1, 1].flatMap((side) => [over(this.under(side * this.b), top, angle, b, 1),
-      over(plus(top, turned(side * b, 0, angle)), this.base, this.angle, this.b, -1)]));
-  }
-}
-
-// A pattern as a small stack: which way each block leans on the one below, with its pivots; apart: above it.
-const iconOf = (svg, sides) => {
-  const lean = 0.2, apart = 0.25, size = sides.length, stack = new Stack(sides.map(() => ({ width: 1, height: 1, offset: [0, 0] })));
-  const angles = [];
-  sides.forEach((side) => angles.push((angles.at(-1) ?? 0) + (Math.abs(side) === 1 ? side * lean : 0)));
-  let lift = 0;
-  const name = (tag, attributes) => {
-    const element = document.createElementNS(svg.namespaceURI, tag);
-    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-    return element;
-  };
-  const blocks = [];
-  stack.stand(angles, sides.map(() => 0)).forEach(([x, y], k) => {
-    if (sides[k] === 2) lift += apart;
-    const part = new Part([x, y + lift], angles[k], [0.5, 0.5], blocks.at(-1)?.part ?? null);
-    const pivot = Math.abs(sides[k]) === 1 ? part.under(sides[k] * 0.5) : null;
-    blocks.push({ part, pivot });
-  });
-  svg.setAttribute("viewBox", `${-0.55 - 0.25 * size} ${-size - 0.35} ${1.1 + 0.5 * size} ${size + 0.5}`);
-  svg.replaceChildren(name("line", { x1: -1, y1: 0, x2: 1, y2: 0 }),
-    ...blocks.map(({ part }) => name("polygon", { points: part.corners.map(([x, y]) => `${x.toFixed(3)},${(-y).toFixed(3)}`).join(" ") })),
-    ...blocks.filter(({ pivot }) => pivot).map(({ pivot: [x, y] }) => name("circle", { cx: x, cy: -y, r: 0.09 })));
-  return svg;
-};
 
 class Player {
   constructor(root, data) {
@@ -340,7 +227,7 @@ class Player {
       button.type = "button";
       button.textContent = stop[0].toFixed(4) + " s";
       button.addEventListener("click", () => this.goTo(stop[0]));
-      item.append(button, iconOf(this.find("icon").cloneNode(false), this.sidesAt(stop[0])[2]), " " + this.told(stop));
+      item.append(button, iconOf(null, ...this.sidesAt(stop[0]).slice(2)), " " + this.told(stop));
       return item;
     });
     this.find("event-list").replaceChildren(...items);
@@ -471,7 +358,7 @@ class Player {
     const strip = this.find("strip"), stage = this.find("stage");
     this.type = parseFloat(getComputedStyle(stage).fontSize) / 16;
     if (stage.clientWidth === 0 && this.band) return; // hidden: what was drawn may still be printed
-    strip.style.height = (24 + 11 * this.shown().length) * this.type + "px";
+    strip.style.height = (bandHeight + 4 + 11 * this.shown().length) * this.type + "px";
     for (const canvas of [stage, strip]) {
       canvas.width = Math.round(canvas.clientWidth * sharp);
       canvas.height = Math.round(canvas.clientHeight * sharp);
@@ -491,7 +378,7 @@ class Player {
     this.find("scrub").setAttribute("aria-valuetext", this.words());
     if (this.playing) this.find("now").textContent = this.words();
     const sides = this.sides();
-    if (sides && sides !== this.pictured) iconOf(this.find("icon"), (this.pictured = sides)[2]);
+    if (sides && sides !== this.pictured) iconOf(this.find("icon"), ...(this.pictured = sides).slice(2));
     const rows = this.find("values").tBodies[0].rows;
     this.shown().forEach((track, i) => this.fillRow(rows[i], track));
     this.drawStage();
@@ -518,8 +405,10 @@ class Player {
     const contacts = this.contacts(track, this.stack.place(track, this.time, angles), angles);
     const words = { "-1": "left", 0: "closed", 1: "right", 2: "apart" };
     angles.forEach((angle, k) => { row.cells[k + 1].textContent = signed(angle, 5); });
-    row.cells[angles.length + 1].textContent = this.time > track.end + 1e-9 ? "ended"
-      : contacts.map(({ side, slide }) => words[side] + (slide ? slide < 0 ? " ←" : " →" : "")).join(", ");
+    const ended = this.time > track.end + 1e-9, cell = row.cells[angles.length + 1];
+    const told = ended ? "ended" : contacts.map(({ side, slide }) => words[side] + (slide ? slide < 0 ? " ←" : " →" : "")).join(", ");
+    if (cell.textContent !== told)
+      cell.replaceChildren(...ended ? [] : [iconOf(null, contacts.map(({ side }) => side), contacts.map(({ slide }) => slide))], told);
     if (track.slipped) track.slips(this.time).forEach((slip, k) => {
       row.cells[angles.length + 2 + k].textContent = signed(slip, 4);
     });
@@ -611,11 +500,11 @@ class Player {
     pen.stroke();
     const at = Math.max(0, lastBefore(this.ground.times, this.time));
     const push = this.ground.values[at] / 9.81;
-    arrow(pen, x(0), y(0) + 21, x(0) + push * room * 0.4, y(0) + 21, "#6b4e00", 2);
+    arrow(pen, x(0), y(0) + 15, x(0) + push * room * 0.4, y(0) + 15, "#6b4e00", 2);
     pen.fillStyle = "#6b4e00";
     pen.font = "11px 'DejaVu Sans', sans-serif";
     pen.textAlign = "left";
-    pen.fillText(`ground ${signed(push, 2)} g`, middle - room / 2 + 8, y(0) + 25);
+    pen.fillText(`ground ${signed(push, 2)} g`, middle - room / 2 + 8, y(0) + 31);
   }
 
   // Those that a hand holds, before the motion from there is known.
@@ -725,8 +614,8 @@ class Player {
     pen.lineTo(bar, y(0) - full);
     pen.stroke();
     pen.font = "11px 'DejaVu Sans', sans-serif";
-    pen.textAlign = "center";
-    pen.fillText("weight", bar, y(0) - full - 5);
+    pen.textAlign = "right";
+    pen.fillText("weight", Math.max(bar + 4, 48), y(0) - full - 5);
   }
 
   // What friction can hold: forces within the angle of friction from the face's normal.
@@ -753,19 +642,21 @@ class Player {
     const wide = width / sharp, x = (time) => time / this.end * wide;
     pen.font = "12px 'DejaVu Sans', sans-serif";
     pen.textAlign = "center";
-    this.events.spans.forEach(([from, name], i) => {
+    this.events.spans.forEach(([from, name, sides, slides], i) => {
       const to = i + 1 < this.events.spans.length ? this.starts[i + 1] : this.tracks[0].end;
       pen.fillStyle = this.tint.get(name);
-      pen.fillRect(x(from), 0, x(to) - x(from) + 0.5, 20);
+      pen.fillRect(x(from), 0, x(to) - x(from) + 0.5, bandHeight);
+      const room = x(to) - x(from) - 4, least = 6, icon = 26, middle = (x(from) + x(to)) / 2; // of a letter, of a picture
+      const wide = room > least ? pen.measureText(name).width : Infinity, both = room > wide + icon;
+      if (both || room > icon) drawIcon(pen, middle - (both ? wide / 2 : 0), bandHeight - 2, bandHeight - 4, sides, slides);
       pen.fillStyle = "#1a1a1a";
-      const room = x(to) - x(from) - 4, least = 6; // of a letter
-      if (room > least && room > pen.measureText(name).width) pen.fillText(name, (x(from) + x(to)) / 2, 14);
+      if (both || room > wide && room <= icon) pen.fillText(name, middle + (both ? icon / 2 : 0), bandHeight / 2 + 4);
     });
     this.shown().forEach((track, row) => {
       pen.strokeStyle = track.colour;
       pen.lineWidth = 1.5;
       pen.beginPath();
-      for (const time of track.impacts) { pen.moveTo(x(time), 23 + 11 * row); pen.lineTo(x(time), 32 + 11 * row); }
+      for (const time of track.impacts) { pen.moveTo(x(time), bandHeight + 3 + 11 * row); pen.lineTo(x(time), bandHeight + 12 + 11 * row); }
       pen.stroke();
     });
     return sheet;

@@ -301,14 +301,15 @@ for (const root of document.querySelectorAll(".player")) {
 }
 // Pictures that move -------------------------------------------------------------------------------------------
 
-// Of a word: the exact motion of its own scene, and some whose sizes hardly differ.
+// Of a word: the exact motion of its own scene, some whose sizes hardly differ, and the engine's at a step.
 const makeMoving = async (home, place) => {
-  const { scene: text, speed, gain = 1, members = 0, spread = 0 } = home.dataset, scene = JSON.parse(text), interval = scene.duration / samples;
+  const { scene: text, speed, gain = 1, members = 0, spread = 0, step } = home.dataset, scene = JSON.parse(text), interval = scene.duration / samples;
   const answer = await pageSolver.ask(home, { scene, interval }), tracks = [answer.track];
   for (let member = 1; member <= members; ++member) {
     const { track } = await pageSolver.ask(home, { scene, interval, member, spread: Number(spread) });
     tracks.push({ ...track, label: `replicate ${member}`, colour: colours[member % colours.length], dash: "solid", shown: true, exact: false, impacts: [] });
   }
+  if (step) tracks.push(await trackOf(await pageEngine.run(await pageSolver.ask(home, { ...await engineAsked(), scene, dt: Number(step) }))));
   const root = blankPlayer.cloneNode(true);
   Object.assign(root, { id: `moving-${place}`, hidden: false });
   root.classList.add("compact");
@@ -317,7 +318,7 @@ const makeMoving = async (home, place) => {
   startPlayer(root, { ...answer.stage, tracks, start: { time: 0, speed, gain, overlaid: true, chatter: false } });
 };
 
-document.querySelectorAll(".moving").forEach((home, place) => {
+document.querySelectorAll(pageEngine ? ".moving" : ".moving:not([data-step])").forEach((home, place) => {
   const watch = new IntersectionObserver(([{ isIntersecting }]) => {
     if (!isIntersecting) return;
     watch.disconnect();

@@ -49,12 +49,8 @@ double drawn(const DrawnRange& range, std::mt19937_64& generator) {
   return std::round(value * digits) / digits;
 }
 
-fs::path file_of(const Lesson& lesson, const char* ending) {
-  return shipped("studies/lessons") / (lesson.name + ending);
-}
-
-std::string text_of(const Lesson& lesson) {
-  return file_text(file_of(lesson, ".html"));
+fs::path file_of(const Lesson& lesson, const char* ending, const char* folder = "") {
+  return shipped("studies/lessons") / folder / (lesson.name + ending);
 }
 
 std::size_t place_of(const std::string& name) {
@@ -73,6 +69,7 @@ Json summary(const Lesson& lesson, const CourseEntry& course) {
           {"number", place_of(lesson.name) + 1},
           {"count", lessons().size()},
           {"minutes", course.minutes},
+          {"pattern", course.pattern},
           {"aims", course.aims},
           {"after", after}};
 }
@@ -92,7 +89,8 @@ Json lesson_json(const Lesson& lesson, const LessonValues& values, bool in_cours
   json["predictions"] = Json::array();
   for (const Problem& problem : course.predictions)
     json["predictions"].push_back(answered(problem, values.measured));
-  json["text"] = text_of(lesson);
+  json["text"] = file_text(file_of(lesson, ".html"));
+  json["slides"] = file_text(file_of(lesson, ".html", "slides"));
   json["numbers"] = values.numbers;
   json["tables"] = Json::object();
   for (const auto& [name, table] : values.tables)

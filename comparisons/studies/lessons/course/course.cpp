@@ -14,10 +14,11 @@ constexpr InputKey named_key(const char* name) {
   return {name, "", "", "", "", ""};
 }
 
-constexpr KeyTable course_keys{"",
-                               "a lesson as part of a course",
-                               {named_key("minutes"), named_key("after"), named_key("aims"),
-                                named_key("references"), named_key("predictions"), named_key("problems")}};
+constexpr KeyTable course_keys{
+    "",
+    "a lesson as part of a course",
+    {named_key("minutes"), named_key("pattern"), named_key("after"), named_key("aims"),
+     named_key("references"), named_key("predictions"), named_key("problems")}};
 
 constexpr KeyTable problem_keys{"[[problems]]",
                                 "a question with its scene",
@@ -104,6 +105,7 @@ CourseEntry read_course(const std::string& lesson) {
   CourseEntry course;
   constexpr double longest = 600;
   course.minutes = static_cast<int>(whole_number(required(root, "minutes", "a whole number"), 1, longest));
+  course.pattern = text(required(root, "pattern", "a pattern's name"));
   course.after = texts(root, "after");
   course.aims = texts(root, "aims");
   course.references = texts(root, "references");

@@ -51,6 +51,7 @@ struct Problem {
 struct CourseEntry {
   std::vector<std::string> aims;
   int minutes = 0;                 ///< in class
+  std::string pattern;             ///< that it is about, whose picture its entry has
   std::vector<std::string> after;  ///< lessons that come first
   std::vector<std::string> references;
   std::vector<Problem> predictions, problems;

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A made-up comparison with a lesson's text beside it.
-fs::path lesson_folder(const std::string& text) {
+fs::path lesson_folder(const std::string& text, const std::string& slides = "") {
   fs::path folder = testing::fresh_folder();
   testing::write_sample(folder, {});
   nlohmann::json lesson = nlohmann::json::parse(R"json({
@@ -29,10 +29,12 @@ fs::path lesson_folder(const std::string& text) {
       {"name": "time", "text": "", "parts": [{"ask": "When?", "choices": [], "unit": "s", "within": 0.05,
         "value": 2, "shown": "2.00 s", "why": ""}]}],
     "tables": {"steps": {"columns": ["step (s)", "error"], "rows": [["0.01", "2"], ["0.001", "1"]]},
+               "patterns": {"columns": ["pattern"], "rows": [["1a → 2b"], ["L←C"], ["none"]]},
                "near": {"columns": ["time (s)"], "rows": [["0.12345671"], ["0.12345682"]]}},
     "player": {"time": 1.25, "speed": 0.05, "gain": 10, "overlaid": true, "chatter": true}
   })json");
   lesson["text"] = text;
+  lesson["slides"] = slides;
   std::ofstream(folder / "lesson.json") << lesson.dump();
   draw_figures(folder, read_comparison(folder));
   return folder;
@@ -144,12 +146,15 @@ TEST(Lesson, WhatFollowsAPredictionIsHiddenUntilItIsMade) {
     [true, false, "Your prediction holds.", true, true], [true, "It is less than you predicted."], "24px"])"));
 }
 
-TEST(Lesson, ItsSlidesHoldWhatIsMarkedAndFitTheScreen) {
+TEST(Lesson, ItsSlidesAreThoseWrittenForItWithItsQuestionsAndFitTheScreen) {
   if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
   const fs::path folder = lesson_folder(
-      "<section><h2>First</h2>{{predict:side}}<p>Long. <span class=\"key\">short:</span></p>{{table:steps}}"
-      "{{player:sample}}{{figure:sample.histories}}</section><section><h2>Questions</h2>"
-      "<details class=\"question\"><summary>Why?</summary><p>So.</p></details></section>");
+      "<section><h2>First</h2><p>Long.</p>{{figure:sample.histories}}</section><section><h2>Questions</h2>"
+      "<details class=\"question\"><summary>Why?</summary><p>So.</p></details></section>",
+      "<section>{{predict:side}}</section><section><h2>Short</h2><p>{{least}}</p></section>"
+      "<section><h2>Steps</h2>{{table:steps}}</section><section><h2>Motion</h2>{{player:sample}}</section>"
+      "<section><h2>Figure</h2>{{figure:sample.histories}}</section>"
+      "<section><h2>Try</h2><div class=\"try\" hidden></div></section>");
   write_lesson(folder, read_comparison(folder));
   const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "slides.html"), R"(
     const { slides } = slideShow, small = slides.filter((one) => {
@@ -164,15 +169,50 @@ TEST(Lesson, ItsSlidesHoldWhatIsMarkedAndFitTheScreen) {
     const stage = document.querySelector(".slide:not(.now) .player .stage");
     const drawn = stage.width > 0 && new Set(stage.getContext("2d").getImageData(0, 0, stage.width, stage.height).data).size > 9;
     return { drawn, names: slides.map((one) => one.getAttribute("aria-label")), overflowing: small.length,
-      place: document.getElementById("place").textContent, told: slides[3].querySelector("li").textContent };)");
+      place: document.getElementById("place").textContent, wide: document.querySelector("figure svg").viewBox.baseVal.width };)");
   EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
   EXPECT_EQ(answer.result["names"],
-            nlohmann::json::parse(R"(["Title", "Predict", "Predict", "First", "First", "First", "First",
-    "Questions", "Questions", "References"])"));
+            nlohmann::json::parse(R"(["A lesson on <signs>", "Predict", "Predict", "Short", "Steps", "Motion",
+    "Figure", "Question", "Question", "References"])"));
   EXPECT_EQ(answer.result["overflowing"], 0);
   EXPECT_EQ(answer.result["place"], "2 of 10");
-  EXPECT_EQ(answer.result["told"], "Short.") << "a point begins and ends as a sentence";
+  EXPECT_EQ(answer.result["wide"], 860) << "a figure is drawn for the slide";
   EXPECT_EQ(answer.result["drawn"], true) << "what is printed of a player is its picture";
+}
+
+// As a page made where there is no em++: its player moves, and what would ask the solver is not offered.
+TEST(Lesson, WithoutASolverItsPageHasThePlayerAlone) {
+  if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const fs::path folder =
+      lesson_folder("<section>{{player:sample}}<div class=\"try\" hidden><p>Try it.</p></div></section>");
+  write_lesson(folder, read_comparison(folder));
+  std::string page = testing::bytes_of(folder / "lesson.html");
+  if (const std::size_t solver = page.find("<script type=\"application/gzip\""); solver != std::string::npos)
+    page.erase(solver, page.find("</body>") - solver);
+  const testing::Answer answer = testing::ask_browser(page, R"js(
+    player.find("play").click();
+    for (let i = 0; i < 500 && player.frames < 3; ++i) await wait(20);
+    return { moves: player.frames >= 3, offered: document.querySelectorAll(".release").length, tries: document.querySelectorAll(".try:not([hidden])")
+                                     .length
+};)js");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result, nlohmann::json::parse(R"({"moves": true, "offered": 0, "tries": 0})"));
+}
+
+// One picture, whoever names the pattern.
+TEST(Lesson, PatternsHaveTheirPictureInTablesAndInThePlayer) {
+  if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const fs::path folder = lesson_folder("{{player:sample}}{{table:patterns}}");
+  write_lesson(folder, read_comparison(folder));
+  const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "lesson.html"), R"js(
+    const named = player.events.spans.filter(([, name, ...contacts]) => JSON.stringify(stacks.contactsOf(name)) !== JSON.stringify(contacts));
+    const cells = [...document.querySelectorAll("main table:not(.values) td")].map((cell) => [cell.textContent, cell.querySelectorAll(".icon").length]);
+    const picture = (pattern) => stacks.iconOf(null, ...stacks.contactsOf(pattern)).innerHTML;
+    return { named, cells, same: player.find("icon").innerHTML === picture(player.pattern()), strange: stacks.contactsOf("none") };)js");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result,
+            nlohmann::json::parse(R"({"named": [], "cells": [["1a → 2b", 2], ["L←C", 1], ["none", 0]],
+    "same": true, "strange": null})"));
 }
 
 }  // namespace
