@@ -106,16 +106,16 @@ const shapeOf = (sides, slides) => {
 };
 
 const iconOf = (svg, sides, slides) => {
-  const { half, top, low, outlines, pivots, arrows } = shapeOf(sides, slides), points = (list) => list.map(([x, y]) => `${x.toFixed(3)},${(-y).toFixed(3)}`).join(" ");
-  const made = (tag, attributes) => {
-    const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
-    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-    return element;
-  };
-  svg ??= made("svg", { class: "icon", "aria-hidden": true });
+  const { half, top, low, outlines, pivots, arrows } = shapeOf(sides, slides);
+  const line = (tag, list) => `<${tag} points="${list.map(([x, y]) => `${x.toFixed(3)},${(-y).toFixed(3)}`).join(" ")}"/>`;
+  if (!svg) {
+    const home = document.createElement("template");
+    home.innerHTML = '<svg class="icon" aria-hidden="true"></svg>';
+    svg = home.content.firstChild;
+  }
   svg.setAttribute("viewBox", `${-half} ${-top} ${2 * half} ${top + low}`);
-  svg.replaceChildren(made("line", { x1: -half, y1: 0, x2: half, y2: 0 }), ...outlines.map((one) => made("polygon", { points: points(one) })),
-    ...arrows.map((one) => made("polyline", { points: points(one) })), ...pivots.map(([x, y]) => made("circle", { cx: x, cy: -y, r: 0.09 })));
+  svg.innerHTML = line("polyline", [[-half, 0], [half, 0]]) + outlines.map((one) => line("polygon", one)).join("") + arrows.map((one) => line("polyline", one)).join("")
+    + pivots.map(([x, y]) => `<circle cx="${x}" cy="${-y}" r="0.09"/>`).join("");
   return svg;
 };
 
