@@ -46,15 +46,19 @@ TEST(Course, ItsIndexHasEveryLesson) {
   }
 }
 
-TEST(Course, EachPredictionStandsOnceInItsText) {
+TEST(Course, EachPredictionStandsOnceInItsTextAndOnceInItsSlides) {
   for (const Lesson& lesson : lessons()) {
     const CourseEntry entry = read_course(lesson.name);
     const std::string text = text_of_lesson(lesson.name);
+    const std::string slides = text_of_lesson("slides/" + lesson.name);
     EXPECT_EQ(count(text, "{{predict:"), entry.predictions.size()) << lesson.name;
+    EXPECT_EQ(count(slides, "{{predict:"), entry.predictions.size()) << lesson.name;
     EXPECT_GE(entry.predictions.size(), 1U) << lesson.name;
-    EXPECT_GE(count(text, "class=\"key\""), 3U) << lesson.name << ": its slides have nothing to say";
+    EXPECT_EQ(count(slides, "<section>"), count(slides, "<h2>") + entry.predictions.size())
+        << lesson.name << ": a slide has no heading of its own";
     for (const Problem& problem : entry.predictions) {
-      EXPECT_EQ(count(text, "{{predict:" + problem.name + "}}"), 1U) << lesson.name << problem.name;
+      for (const std::string& one : {text, slides})
+        EXPECT_EQ(count(one, "{{predict:" + problem.name + "}}"), 1U) << lesson.name << problem.name;
       EXPECT_EQ(problem.parts.size(), 1U);
     }
   }
