@@ -225,20 +225,19 @@ const releaseControls = (player, trial) => {
 
 // Sliders in the text --------------------------------------------------------------------------------------------
 
-const unpacked = (track) => {
-  const { times, values, blocks } = track;
-  return Array.from({ length: blocks }, (_, k) => Array.from(times, (_, i) => values[i * blocks + k]));
-};
+// A curve for each block: its angle, or how far its centre has risen over the ground.
+const unpacked = ({ times, values, placed, blocks }, rises) => Array.from({ length: blocks }, (_, k) =>
+  Array.from(times, (_, i) => rises ? placed ? placed[2 * (i * blocks + k) + 1] - placed[2 * k + 1] : 0 : values[i * blocks + k]));
 
-// The angles of all blocks over time, those of the page in grey.
-const drawAngles = (canvas, trial, first) => {
+// These curves of the motion, those of the page in grey.
+const drawCurves = (canvas, trial, first) => {
   const [track, ...others] = trial.player.tracks, lines = [];
-  for (const y of unpacked(first)) lines.push({ x: first.times, y, colour: "#b0b0b0", width: 3 });
+  for (const y of unpacked(first, trial.rises)) lines.push({ x: first.times, y, colour: "#b0b0b0", width: 3 });
   const beside = trial.engine && trial.player.tracks.find((one) => one.label === trial.beside?.label);
-  if (beside) for (const y of unpacked(beside)) lines.push({ x: beside.times, y, colour: "#1a1a1a", width: 1.5, dash: [6, 3] });
-  if (track !== first) unpacked(track).forEach((y, k) => lines.push({ x: track.times, y, colour: colours[k % colours.length], width: 1.5 }));
+  if (beside) for (const y of unpacked(beside, trial.rises)) lines.push({ x: beside.times, y, colour: "#1a1a1a", width: 1.5, dash: [6, 3] });
+  if (track !== first) unpacked(track, trial.rises).forEach((y, k) => lines.push({ x: track.times, y, colour: colours[k % colours.length], width: 1.5 }));
   for (const other of others.slice(0, trial.others))
-    for (const y of unpacked(other)) lines.push({ x: other.times, y, colour: other.colour, width: 1.5, dash: [2, 3] });
+    for (const y of unpacked(other, trial.rises)) lines.push({ x: other.times, y, colour: other.colour, width: 1.5, dash: [2, 3] });
   looks.delete(canvas);
   drawChart(canvas, { lines, end: Math.max(first.end, track.end) });
 };
@@ -249,7 +248,7 @@ const firstEvents = (player) => {
 };
 
 const makeTrial = async (home, page) => {
-  const withEngine = home.dataset.engine !== undefined;
+  const withEngine = home.dataset.engine !== undefined, rises = home.dataset.rises !== undefined, what = rises ? "Rise of the centre" : "Angles";
   if (withEngine && !pageEngine) return;
   const data = { ...page, tracks: page.tracks.filter((track) => track.exact).slice(0, 1), scene: { ...page.scene, ...JSON.parse(home.dataset.scene ?? "{}") } };
   const root = blankPlayer.cloneNode(true), id = `try-${document.querySelectorAll(".try .player").length + 1}`;
@@ -261,14 +260,15 @@ const makeTrial = async (home, page) => {
   canvas.setAttribute("role", "img");
   told.setAttribute("role", "status");
   home.append(made("div", {}, sliders, made("figure", {}, canvas, made("figcaption",
-    { textContent: `Angles of ${data.blocks.map((_, k) => `block ${k + 1}`).join(", ")} over time, rad. Grey: as in the text.${withEngine ? " Dashed: the engine." : ""}${home.dataset.branches !== undefined ? " Dotted: other motions that obey." : ""}` })), told), root);
+    { textContent: `${what} of ${data.blocks.map((_, k) => `block ${k + 1}`).join(", ")} over time, ${rises ? "m" : "rad"}. Grey: as in the text.${withEngine ? " Dashed: the engine." : ""}${home.dataset.branches !== undefined ? " Dotted: other motions that obey." : ""}` })), told), root);
   home.hidden = false;
   const player = startPlayer(root, data), trial = new Trial(player, data), first = player.tracks[0];
   trial.branches = home.dataset.branches !== undefined;
+  trial.rises = rises;
   if (trial.branches) player.find("view").value = "over";
   const asInText = `Grey is the motion of the text. ${firstEvents(player)}`;
   told.textContent = asInText;
-  const draw = () => { if (canvas.clientWidth) drawAngles(canvas, trial, first); };
+  const draw = () => { if (canvas.clientWidth) drawCurves(canvas, trial, first); };
   letDrag(player, (edit) => trial.change(edit));
   if (withEngine) {
     trial.engine = await engineAsked();
@@ -284,7 +284,7 @@ const makeTrial = async (home, page) => {
   trial.shows.push((answer) => {
     for (const fit of fits) fit();
     told.textContent = answer ? `${answer.verdict.startsWith("block") ? "B" + answer.verdict.slice(1) : "It " + answer.verdict}.${trial.others ? ` Motions that obey beside it: ${trial.others}.` : ""} ${firstEvents(player)}` : asInText;
-    canvas.setAttribute("aria-label", "Angles over time. " + told.textContent);
+    canvas.setAttribute("aria-label", `${what} over time. ${told.textContent}`);
     draw();
   });
   new ResizeObserver(draw).observe(canvas);
