@@ -161,10 +161,10 @@ void add_lines(Sheet& sheet, const std::vector<Run>& runs, const std::vector<Cur
         one.plots.push_back(plot(at, fmt::format("{} lc rgb '{}'", at < last ? coarse : fine, one.colour)));
     multiples.push_back(std::move(one));
   }
-  add_multiples(
-      sheet, multiples, context,
-      axes_of(runs, curves, axis, multiple_height) + ticks_of(runs.front(), block, axis.end, multiple_width),
-      "time (s)", angle_name(block + 1) + " (rad)");
+  add_multiples(sheet, multiples, context,
+                axes_of(runs, curves, axis, multiple_height) + linear_tics("x", 0, axis.end, multiple_width) +
+                    ticks_of(runs.front(), block, axis.end, multiple_width),
+                "time (s)", angle_name(block + 1) + " (rad)");
 }
 
 /// All runs in one panel a block; `all`: the answer is of each.
