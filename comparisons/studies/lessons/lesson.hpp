@@ -36,8 +36,8 @@ ValuesOf housner_values, projection_values, separation_values, still_base_values
     complementarity_values, contact_models_values, experiment_values, reading_values;
 
 /// A lesson: a suite, NAME.toml, a text with places for values, NAME.html, and what computes the values once
-/// the suite has been run. Both files are in this folder; the text of its slides is in slides/, and what makes
-/// a course of them is in course/.
+/// the suite has been run. Both files are in this folder; the text of its slides is in slides/, and what
+/// makes a course of them is in course/.
 struct Lesson {
   std::string name;
   ValuesOf* values;
