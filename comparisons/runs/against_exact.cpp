@@ -123,7 +123,7 @@ CornerSpring corner_of(const ContactRecord& contacts) {
 void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   const double scale = energy_scale(scene);
   row.energy_gain = largest_gain(energy_balance(bodies.energy, bodies.input, elastic_energy(bodies))) / scale;
-  row.penetration = *std::max_element(bodies.penetration.begin(), bodies.penetration.end());
+  row.penetration = *std::ranges::max_element(bodies.penetration);
   row.gap = bodies.gap;
   row.slip = bodies.slip;
   row.out_of_plane = bodies.out_of_plane;
@@ -161,8 +161,7 @@ std::vector<ImpactTime> told_impacts(const std::vector<ContactImpact>& impacts, 
   for (const ContactImpact& impact : impacts)
     if (impact.speed >= slowest)
       list.push_back({impact.time, impact.interface, side_of(impact.after, slowest)});
-  std::stable_sort(list.begin(), list.end(),
-                   [](const ImpactTime& a, const ImpactTime& b) { return a.time < b.time; });
+  std::ranges::stable_sort(list, [](const ImpactTime& a, const ImpactTime& b) { return a.time < b.time; });
   return list;
 }
 

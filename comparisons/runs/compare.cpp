@@ -96,8 +96,8 @@ class RowTeller {
     const auto place = [](const RunMetrics& one) {
       return std::tuple(one.status != RunStatus::done, one.rank.value_or(0), one.error.value_or(0));
     };
-    std::stable_sort(rows.begin(), rows.end(),
-                     [&](const RunMetrics& a, const RunMetrics& b) { return place(a) < place(b); });
+    std::ranges::stable_sort(rows,
+                             [&](const RunMetrics& a, const RunMetrics& b) { return place(a) < place(b); });
     options_.rows(rows);
     rows_.erase(cell);
   }
@@ -115,9 +115,8 @@ class RowTeller {
 
 /// Empty where the scene cannot be solved.
 Json predictable_json(const std::string& scene, const std::vector<RunMetrics>& rows) {
-  const auto exact = std::find_if(rows.begin(), rows.end(), [&](const RunMetrics& row) {
-    return row.scene == scene && row.engine == "exact";
-  });
+  const auto exact = std::ranges::find_if(
+      rows, [&](const RunMetrics& row) { return row.scene == scene && row.engine == "exact"; });
   return exact != rows.end() && exact->horizon ? Json(*exact->horizon) : Json();
 }
 
@@ -282,8 +281,7 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   write_ground(suites, folder);
   if (!evidence.distances.empty()) write_file(folder / "distributions.csv", csv_of(Json(evidence.distances)));
   if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(Json(evidence.fits)));
-  if (std::any_of(jobs.begin(), jobs.end(), is_replicated))
-    write_file(folder / "spread.csv", spread_csv(made.rows));
+  if (std::ranges::any_of(jobs, is_replicated)) write_file(folder / "spread.csv", spread_csv(made.rows));
   if (const auto ranking = rank_sets(evidence.rows); !ranking.empty())
     write_file(folder / "ranking.csv", ranking_csv(ranking));
   write_file(folder / "comparison.csv", comparison_csv(result.rows));

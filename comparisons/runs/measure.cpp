@@ -12,9 +12,6 @@
 #include "analytic/scene/input/page_scene.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/branches.hpp"
-#include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/histories.hpp"
 #include "comparisons/measures/results/provenance.hpp"
@@ -50,8 +47,7 @@ std::vector<double> acting_friction(const EngineSeries& series, const Scene& sce
 /// where all are alike.
 Json all_parameters(const EngineSeries& series, const Scene& scene) {
   const std::vector<double> friction = acting_friction(series, scene);
-  const bool alike =
-      std::adjacent_find(friction.begin(), friction.end(), std::not_equal_to<>()) == friction.end();
+  const bool alike = std::ranges::adjacent_find(friction, std::not_equal_to<>()) == friction.end();
   Json parameters = with_restitution(*series.engine, scene, series.parameters);
   parameters["friction"] = alike ? Json(friction.front()) : Json(friction);
   return parameters;
@@ -75,11 +71,6 @@ std::vector<double> time_solving(const Scene& scene, int repeats, const SolveOpt
   return seconds;
 }
 
-/// How long a solved motion lasts, s.
-double motion_time(const Scene& scene, const History& history) {
-  return reported_toppling(history).empty() ? scene.duration : history.events.back().time;
-}
-
 /// `seconds`: wall times of stepping, one or more; `motion`: the time that was simulated, s.
 void set_time(const std::vector<double>& seconds, double motion, RunMetrics& row) {
   const auto [least, most] = std::ranges::minmax(seconds);
@@ -95,30 +86,22 @@ void add_history(const History& history, RunFiles& files) {
   files["events.csv"] = events_csv(history);
 }
 
-/// The files of one motion by itself; what shows it needs the scene as it was run.
+/// Writes the files of one motion by itself; what shows it needs the scene as it was run.
 void write_motion(const NamedScene& scene, const History& history, const Support& support, Json summary,
-                  const std::filesystem::path& folder) {
-  write_file(folder / "history.csv", history_csv(history));
-  write_file(folder / "events.csv", events_csv(history));
+                  RunFiles files, const std::filesystem::path& folder) {
+  add_history(history, files);
   if (!scene.scene.horizontal.empty() || !scene.scene.vertical.empty())
-    write_file(folder / "ground.csv", ground_csv(scene.scene));
+    files["ground.csv"] = ground_csv(scene.scene);
   if (summary.at("status") == name(RunStatus::done))
     summary["verdict"] = motion_verdict(scene.scene, history, support);
   summary["scene_as_run"] = scene_json(scene.scene);
   summary["page"] = page_text(scene.document, scene.scene);
+  for (const auto& [name, text] : files) write_file(folder / name, text);
   write_file(folder / summary_name, summary.dump(2) + "\n");
 }
 
-/// What the exact solver was asked for by itself.
-struct Asked {
-  const NamedScene& scene;
-  const SolveOptions& options;
-  const std::vector<std::string>& histories;
-  const std::string& command;
-};
-
 /// `failure`: why the motion was not followed to its end, or nothing.
-void write_solved(const Asked& asked, const History& history, const std::string& failure,
+void write_solved(const SolveJob& asked, const History& history, const std::string& failure,
                   const std::filesystem::path& folder) {
   const bool baseline = asked.options.integrator == Integrator::rk4;
   RunMetrics row = describe({{}, asked.scene, {}});
@@ -126,22 +109,11 @@ void write_solved(const Asked& asked, const History& history, const std::string&
   if (!failure.empty()) row.status = RunStatus::failed;
   row.reason = failure;
   row.toppled = reported_toppling(history);
-  for (const auto& [name, text] : histories_csv(asked.scene.scene, history, asked.histories))
-    write_file(folder / name, text);
   Json json = summary(row, asked.scene, baseline ? Parameters{{"step", asked.options.step}} : Parameters{},
                       {}, asked.command);
   add_validity(asked.scene.scene, history, json);
-  write_motion(asked.scene, history, {}, std::move(json), folder);
-}
-
-/// Where the motion is not followed to its end, what is known of it is kept.
-History solve_keeping_known(const Scene& scene, const SolveOptions& options, RunFiles& files) {
-  try {
-    return solve(scene, options);
-  } catch (const Unfinished& unfinished) {
-    add_history(unfinished.history, files);
-    throw;
-  }
+  write_motion(asked.scene, history, {}, std::move(json),
+               histories_csv(asked.scene.scene, history, asked.histories), folder);
 }
 
 /// Makes the runs of perturbed scenes, where they are asked for; one that fails leaves an empty tally.
@@ -171,13 +143,18 @@ Json run_solver(const Job& job, RunMetrics& row, const std::string& command, Run
   SolveOptions options = timed;
   options.sample_times = regular_times(sample_interval, scene.duration);
   options.validity = true;
-  const History history = solve_keeping_known(scene, options, files);
+  History history;
+  try {
+    history = solve(scene, options);
+  } catch (const Unfinished& unfinished) {
+    add_history(unfinished.history, files);  // what is known of it
+    throw;
+  }
   row.toppled = reported_toppling(history);
   const auto impacts = reported_impacts(history, chatter_speed(scene));
   if (job.variant != nullptr) {
-    compare_with_exact(job.scene.scene, job.suite,
-                       {history, sample_interval, impacts, !row.toppled.empty(), {}}, horizon_of(job), row,
-                       files);
+    compare_with_exact(job.scene.scene, job.suite, {history, sample_interval, impacts, !row.toppled.empty()},
+                       horizon_of(job), row, files);
     files["events.csv"] = events_csv(history);
   } else {
     row.horizon = horizon_of(job);
@@ -190,7 +167,8 @@ Json run_solver(const Job& job, RunMetrics& row, const std::string& command, Run
   compare_with_test(job, scene, history, {}, row, files);
   run_perturbed(
       job, [&](const Scene& other) { return exact_tally(as_run(other)); }, files);
-  set_time(time_solving(scene, job.suite.repeats, timed), motion_time(scene, history), row);
+  set_time(time_solving(scene, job.suite.repeats, timed),
+           row.toppled.empty() ? scene.duration : history.events.back().time, row);
   Json json = summary(row, job.scene, Json::object(), {}, command);
   add_validity(scene, history, json);
   return json;
@@ -202,12 +180,9 @@ Json run_measured(const Job& job, RunMetrics& row, const std::string& command, R
   const std::size_t steps = history.size() - 1;
   row.steps = static_cast<int>(steps);
   row.toppled = observed_toppling(job.scene.scene, history);
-  compare_with_exact(job.scene.scene, job.suite,
-                     {history,
-                      (history.times.back() - history.times.front()) / static_cast<double>(steps),
-                      observed_impacts(history, chatter_speed(job.scene.scene)),
-                      !row.toppled.empty(),
-                      {}},
+  const double interval = (history.times.back() - history.times.front()) / static_cast<double>(steps);
+  const auto impacts = observed_impacts(history, chatter_speed(job.scene.scene));
+  compare_with_exact(job.scene.scene, job.suite, {history, interval, impacts, !row.toppled.empty()},
                      horizon_of(job), row, files);
   return summary(row, job.scene, Json::object(), {}, command);
 }
@@ -219,9 +194,8 @@ Json run_engine(const Job& job, RunMetrics& row, const std::string& command, Run
   row = engine_metrics(job, scene, job.dt, job.suite.repeats, files);
   row.runs_at_a_time = sharing;
   if (row.status == RunStatus::done) {
-    const auto times = regular_times(job.dt, scene.duration);
-    row.exact_sampled_time =
-        std::ranges::min(time_solving(scene, job.suite.repeats, {.sample_times = times}));
+    const SolveOptions sampled{.sample_times = regular_times(job.dt, scene.duration)};
+    row.exact_sampled_time = std::ranges::min(time_solving(scene, job.suite.repeats, sampled));
     run_perturbed(
         job,
         [&](const Scene& other) {
@@ -284,31 +258,26 @@ RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at
   return files;
 }
 
-History solve_into(const NamedScene& scene, const SolveOptions& options,
-                   const std::vector<std::string>& histories, const std::filesystem::path& folder,
-                   const std::string& command) {
+History solve_into(const SolveJob& job) {
   try {
-    History history = solve(scene.scene, options);
-    write_solved({scene, options, histories, command}, history, "", folder);
+    History history = solve(job.scene.scene, job.options);
+    write_solved(job, history, "", job.folder);
     return history;
   } catch (const Unfinished& unfinished) {
-    write_solved({scene, options, histories, command}, unfinished.history, unfinished.what(), folder);
+    write_solved(job, unfinished.history, unfinished.what(), job.folder);
     throw std::runtime_error(
-        fmt::format("{}; the motion up to there is in {}", unfinished.what(), folder.string()));
+        fmt::format("{}; the motion up to there is in {}", unfinished.what(), job.folder.string()));
   }
 }
 
-BranchTree solve_branches_into(const NamedScene& scene, const SolveOptions& options, std::size_t most,
-                               const std::vector<std::string>& histories, const std::filesystem::path& folder,
-                               const std::string& command) {
-  BranchTree tree = solve_branches(scene.scene, options, most);
+BranchTree solve_branches_into(const SolveJob& job, std::size_t most) {
+  BranchTree tree = solve_branches(job.scene.scene, job.options, most);
   for (std::size_t i = 0; i < tree.branches.size(); ++i) {
-    const auto own = i == 0 ? folder : folder / "branches" / std::to_string(i + 1);
+    const auto own = i == 0 ? job.folder : job.folder / "branches" / std::to_string(i + 1);
     std::filesystem::create_directories(own);
-    write_solved({scene, options, histories, command}, tree.branches[i].history, tree.branches[i].unfinished,
-                 own);
+    write_solved(job, tree.branches[i].history, tree.branches[i].unfinished, own);
   }
-  write_file(folder / "branches.csv", csv_of(branches_json(scene.scene, tree)));
+  write_file(job.folder / "branches.csv", csv_of(branches_json(job.scene.scene, tree)));
   return tree;
 }
 
@@ -323,7 +292,8 @@ SimulatedMotion simulate_into(const NamedScene& scene, const EngineSeries& serie
   history.patterns = sampled_patterns(scene.scene, history);
   row.fallen = support.fallen;
   write_motion(scene, history, support,
-               summary(row, scene, all_parameters(series, scene.scene), {series.engine}, command), folder);
+               summary(row, scene, all_parameters(series, scene.scene), {series.engine}, command), {},
+               folder);
   return {std::move(history), support};
 }
 

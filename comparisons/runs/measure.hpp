@@ -21,11 +21,11 @@ namespace rockstack {
 /// A motion that is compared with the exact one of a scene.
 struct CandidateMotion {
   const History& history;
-  double interval = 0;                ///< between its samples, s
-  std::vector<ImpactTime> impacts;    ///< at the chatter speed or more
-  bool topples = false;               ///< within the scene
-  std::optional<BodyRecord> bodies;   ///< of an engine
-  std::vector<double> friction = {};  ///< that acts in an engine, of each interface
+  double interval = 0;                    ///< between its samples, s
+  std::vector<ImpactTime> impacts;        ///< at the chatter speed or more
+  bool topples = false;                   ///< within the scene
+  std::optional<BodyRecord> bodies = {};  ///< of an engine
+  std::vector<double> friction = {};      ///< that acts in an engine, of each interface
 };
 
 /// Sets a candidate beside the exact solution at its own times: fills in the columns that the suite wants, of
@@ -77,19 +77,23 @@ RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at
 RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int repeats, RunFiles& files,
                           History* motion = nullptr);
 
-/// Solves a scene and writes history.csv, events.csv, those of `histories` (results/histories.hpp) and
-/// summary.json into a folder. Where the motion could
-/// not be followed to its end, the files hold it up to there, and the summary's status is "failed".
-/// @throws as solve(), with the files written.
-History solve_into(const NamedScene& scene, const SolveOptions& options,
-                   const std::vector<std::string>& histories, const std::filesystem::path& folder,
-                   const std::string& command);
+/// A scene to be solved by itself.
+struct SolveJob {
+  const NamedScene& scene;
+  const SolveOptions& options;
+  const std::vector<std::string>& histories;  ///< kinds to be kept (results/histories.hpp)
+  const std::filesystem::path& folder;
+  const std::string& command;
+};
+
+/// Solves it and writes history.csv, events.csv, its `histories` and summary.json into its folder. Where the
+/// motion could not be followed to its end, the files hold it up to there, and the summary's status is
+/// "failed". @throws as solve(), with the files written.
+History solve_into(const SolveJob& job);
 
 /// The same of all branches: the first into the folder, others into folder/branches/2 and so on; and
 /// branches.csv, branches_json() as a table. @throws as solve_branches().
-BranchTree solve_branches_into(const NamedScene& scene, const SolveOptions& options, std::size_t most,
-                               const std::vector<std::string>& histories, const std::filesystem::path& folder,
-                               const std::string& command);
+BranchTree solve_branches_into(const SolveJob& job, std::size_t most);
 
 /// An engine's motion, and how its blocks end on what they stand on.
 struct SimulatedMotion {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
+#include <type_traits>
 
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
@@ -20,20 +22,17 @@ Verdict verdict(bool holds) {
   return holds ? Verdict::holds : Verdict::fails;
 }
 
-std::string shown(double number) {
-  return fmt::format("{:.4g}", number);
-}
-
-const std::string& shown(const std::string& text) {
-  return text;
-}
-
 /// "exact 1.0, bullet 1.1, ode 1.2" for a number, or a text, of each answer.
 template <class Value>
 std::string each(const std::vector<Answer>& answers, const Value& value) {
   std::string list;
-  for (const Answer& answer : answers)
-    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", answer.name, shown(value(answer.history)));
+  for (const auto& [name, history] : answers) {
+    list += fmt::format("{}{} ", list.empty() ? "" : ", ", name);
+    if constexpr (std::is_arithmetic_v<decltype(value(history))>)
+      list += fmt::format("{:.4g}", static_cast<double>(value(history)));
+    else
+      list += value(history);
+  }
   return list;
 }
 
@@ -45,31 +44,35 @@ bool base_comes_to_rest(const Event& event) {
   return event.interface == 1 && event.to[0] == Contact::closed;
 }
 
+bool moves_base(const Event& event) {
+  return event.from[0] == Contact::closed && event.to[0] != Contact::closed;
+}
+
+bool hits_base(const Event& event) {
+  return moves_base(event) && event.kind != EventKind::opening;
+}
+
 /// Precondition: there is one.
 const Event& first_of(const History& exact, bool (*wanted)(const Event&)) {
-  return *std::find_if(exact.events.begin(), exact.events.end(), wanted);
+  return *std::ranges::find_if(exact.events, wanted);
 }
 
 Statement turns_as_one(const Evidence& evidence) {
-  const History& exact = evidence.free_exact();
-  const double impact = first_of(exact, lands).time;
-  const Event& first = exact.events.front();
-  const bool opens = first.kind == EventKind::opening && first.time < impact;
-  return {"Fig. 18", "The stack turns as one body until the base meets the ground.", verdict(!opens),
+  const double impact = first_of(evidence.free_exact(), lands).time;
+  const Event& first = evidence.free_exact().events.front();
+  return {"Fig. 18", "The stack turns as one body until the base meets the ground.",
+          verdict(first.kind != EventKind::opening || first.time >= impact),
           "no event before the first ground impact",
           fmt::format("the top block opens at {:.4f} s, by the paper's own Eq. (29); its angle relative to "
-                      "the base at the ground "
-                      "impact ({:.4f} s), rad: {}",
+                      "the base at the ground impact ({:.4f} s), rad: {}",
                       first.time, impact, each(evidence.free_answers, [&](const History& history) {
                         return angle_at(history, top, impact) - angle_at(history, base, impact);
                       }))};
 }
 
 Statement goes_to_1b(const Evidence& evidence) {
-  const auto& events = evidence.free_exact().events;
   const Event& impact = first_of(evidence.free_exact(), lands);
-  const auto next = std::find_if(events.begin(), events.end(),
-                                 [&](const Event& event) { return event.time > impact.time; });
+  const auto next = std::ranges::upper_bound(evidence.free_exact().events, impact.time, {}, &Event::time);
   return {"Fig. 18",
           "At the first ground impact the top block starts to rock about its left corner, pattern 1b.",
           verdict(name(impact.to) == "1b"), "the pattern after the first ground impact is 1b",
@@ -107,12 +110,9 @@ Statement base_rests_early(const Evidence& evidence) {
 }
 
 Statement base_is_hit(const Evidence& evidence) {
-  int onsets = 0, by_impact = 0;  // of the base's motion
-  for (const Event& event : evidence.free_exact().events) {
-    if (event.from[0] != Contact::closed || event.to[0] == Contact::closed) continue;
-    ++onsets;
-    if (event.kind != EventKind::opening) ++by_impact;
-  }
+  const auto& events = evidence.free_exact().events;
+  const auto onsets = std::ranges::count_if(events, moves_base),
+             by_impact = std::ranges::count_if(events, hits_base);
   return {
       "Fig. 18", "The base rocks again a few times, as a rule because the top block hits it.",
       verdict(2 * by_impact > onsets), "most onsets of base motion are impacts between the blocks",
@@ -124,11 +124,8 @@ Statement amplitudes(const Evidence& evidence) {
   bool falls = list.size() > 4 && list[1].peak > list[0].peak;
   for (std::size_t i = 2; i < 5 && falls; ++i) falls = list[i].peak < list[i - 1].peak;
   const auto first_four = [](const History& history) {
-    std::vector<std::string> peaks;
-    for (const Swing& swing : swings(history, top)) {
-      if (peaks.size() < 4) peaks.push_back(fmt::format("{:.4f}", swing.peak));
-    }
-    return fmt::format("{}", fmt::join(peaks, " "));
+    auto peaks = swings(history, top) | std::views::take(4) | std::views::transform(&Swing::peak);
+    return fmt::format("{:.4f}", fmt::join(peaks, " "));
   };
   return {
       "Fig. 18", "The top block's swings get smaller, except the second.", verdict(falls),
@@ -147,8 +144,7 @@ Statement angle_at_one_second(const Evidence& evidence) {
 
 Statement impact_alone(const Evidence& evidence) {
   const auto& events = evidence.free_exact().events;
-  const auto openings = std::count_if(events.begin(), events.end(),
-                                      [](const Event& event) { return event.kind == EventKind::opening; });
+  const auto openings = std::ranges::count(events, EventKind::opening, &Event::kind);
   return {"Fig. 18", "In free rocking, patterns change by impact alone.", verdict(openings == 0),
           "no opening without impact",
           fmt::format("exact: {} opening, of the top block at {:.4f} s", openings, events.front().time)};
@@ -169,13 +165,12 @@ Statement linear_deviates(const Evidence& evidence) {
   const History& exact = evidence.free_exact();
   std::array<double, 2> largest{};
   std::array<int, 2> beyond{};
-  for (std::size_t i = 0; i < exact.size(); ++i) {
+  for (std::size_t i = 0; i < exact.size(); ++i)
     for (const std::size_t block : {base, top}) {
       const double apart = std::abs(exact.angles_at(i)[block] - evidence.free_linear.angles_at(i)[block]);
       largest[block] = std::max(largest[block], apart);
       if (apart > 0.1 * evidence.free.initial.angles[block]) ++beyond[block];
     }
-  }
   const auto share = [&](std::size_t block) {
     return 100.0 * beyond[block] / static_cast<double>(exact.size());
   };
@@ -186,11 +181,10 @@ Statement linear_deviates(const Evidence& evidence) {
                       largest[base], share(base), largest[top], share(top))};
 }
 
-double peak_ratio(const History& history) {
-  return largest_swing(history, base).peak / largest_swing(history, top).peak;
-}
-
 Statement base_moves_less(const Evidence& evidence) {
+  const auto peak_ratio = [](const History& history) {
+    return largest_swing(history, base).peak / largest_swing(history, top).peak;
+  };
   return {"Fig. 22", "The base moves much less than the top block.",
           verdict(peak_ratio(evidence.shaken_exact()) < 0.5), "its peak is below half the top block's",
           fmt::format("peak of base over peak of top: {}", each(evidence.shaken_answers, peak_ratio))};
@@ -199,8 +193,7 @@ Statement base_moves_less(const Evidence& evidence) {
 Statement peaks_come_late(const Evidence& evidence) {
   const History& exact = evidence.shaken_exact();
   const auto& samples = evidence.shaken.horizontal.samples;
-  const auto strongest = std::max_element(samples.begin(), samples.end(),
-                                          [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const auto strongest = std::ranges::max_element(samples, {}, [](double one) { return std::abs(one); });
   const double shock = evidence.shaken.horizontal.interval * static_cast<double>(strongest - samples.begin());
   const auto peak_time = [](std::size_t block) {
     return [block](const History& history) { return largest_swing(history, block).peak_time; };
@@ -216,39 +209,30 @@ Statement peaks_come_late(const Evidence& evidence) {
 }
 
 Statement hit_base_rocks_as_one(const Evidence& evidence) {
-  int hits = 0;
-  int as_one = 0;
-  for (const Event& event : evidence.shaken_exact().events) {
-    if (event.kind == EventKind::opening || event.from[0] != Contact::closed ||
-        event.to[0] == Contact::closed)
-      continue;
-    ++hits;
-    if (event.to[1] == Contact::closed) ++as_one;
-  }
+  const auto& events = evidence.shaken_exact().events;
+  const auto hits = std::ranges::count_if(events, hits_base);
+  const auto as_one = std::ranges::count_if(
+      events, [](const Event& event) { return hits_base(event) && event.to[1] == Contact::closed; });
   return {"Fig. 22", "Where the top block hits the base and sets it in motion, the stack rocks as one body.",
           verdict(hits > 0 && as_one == hits), "the pattern after each such impact is 3a or 3b",
           fmt::format("exact: {} of {} such impacts", as_one, hits)};
 }
 
 Statement ends_before_the_record(const Evidence& evidence) {
-  const History& exact = evidence.shaken_exact();
-  const bool rests = !exact.events.empty() && is_closed(exact.events.back().to);
-  return {
-      "Fig. 22", "Rocking ends before the record does.",
-      verdict(rests && exact.events.back().time < evidence.shaken.horizontal.end()),
-      "the last event is rest, before the last sample",
-      fmt::format("exact: last event at {:.2f} s, the motion of the ground ends at {:.2f} s",
-                  exact.events.empty() ? 0.0 : exact.events.back().time, evidence.shaken.horizontal.end())};
+  const auto& events = evidence.shaken_exact().events;
+  const double end = evidence.shaken.horizontal.end(), last = events.empty() ? 0 : events.back().time;
+  return {"Fig. 22", "Rocking ends before the record does.",
+          verdict(!events.empty() && is_closed(events.back().to) && last < end),
+          "the last event is rest, before the last sample",
+          fmt::format("exact: last event at {:.2f} s, the motion of the ground ends at {:.2f} s", last, end)};
 }
 
 std::vector<Answer> answers(const Suite& suite, const Scene& scene) {
   std::vector<Answer> list{{"exact", solve(scene, {.sample_times = regular_times(1e-4, scene.duration)})}};
   for (const EngineSeries& series : suite.series) {
     if (series.settings != "tuned") continue;
-    const double step =
-        *std::min_element(series.steps.begin(), series.steps.end(), [](double one, double other) {
-          return std::abs(std::log(one / usual_step)) < std::abs(std::log(other / usual_step));
-        });
+    const double step = *std::ranges::min_element(
+        series.steps, {}, [](double one) { return std::abs(std::log(one / usual_step)); });
     try {
       list.push_back({series.engine->name, simulate(*series.engine, scene, step, series.parameters).history});
     } catch (const std::runtime_error&) {
@@ -261,16 +245,14 @@ std::vector<Answer> answers(const Suite& suite, const Scene& scene) {
 /// What keeps scenes from being held against what the paper says of its own; empty where nothing does.
 std::string unlike_the_papers(const Evidence& evidence) {
   const auto& events = evidence.free_exact().events;
-  const auto has = [&](bool (*wanted)(const Event&)) {
-    return std::any_of(events.begin(), events.end(), wanted);
-  };
   const auto rocks = [](const std::vector<Answer>& answers) {
-    return std::all_of(answers.begin(), answers.end(), [](const Answer& answer) {
+    return std::ranges::all_of(answers, [](const Answer& answer) {
       return largest_swing(answer.history, base).peak > 0 && largest_swing(answer.history, top).peak > 0;
     });
   };
-  if (!has(lands)) return "in the free scene no block lands on the ground";
-  if (!has(base_comes_to_rest) || events.back().time <= first_of(evidence.free_exact(), lands).time)
+  if (std::ranges::none_of(events, lands)) return "in the free scene no block lands on the ground";
+  if (std::ranges::none_of(events, base_comes_to_rest) ||
+      events.back().time <= first_of(evidence.free_exact(), lands).time)
     return "in the free scene the base does not come to rest";
   if (!rocks(evidence.free_answers)) return "in the free scene not both blocks rock";
   if (!rocks(evidence.shaken_answers)) return "in the shaken scene not both blocks rock";
@@ -303,13 +285,11 @@ std::vector<Statement> judge(const Evidence& evidence) {
   std::vector<Statement> statements;
   for (const auto statement :
        {turns_as_one, goes_to_1b, faster_after_impact, base_rests_early, base_is_hit, amplitudes,
-        angle_at_one_second, impact_alone, periods_change, linear_deviates}) {
+        angle_at_one_second, impact_alone, periods_change, linear_deviates})
     statements.push_back(statement(evidence));
-  }
   for (const auto statement :
        {base_moves_less, peaks_come_late, hit_base_rocks_as_one, ends_before_the_record}) {
-    statements.push_back(statement(evidence));
-    Statement& last = statements.back();
+    Statement& last = statements.emplace_back(statement(evidence));
     last.computed = fmt::format("under {}, where the paper has Simi Valley 1994: {}",
                                 evidence.shaken.horizontal.source, last.computed);
     if (evidence.shaken.horizontal.made_up) last.verdict = Verdict::undecidable;

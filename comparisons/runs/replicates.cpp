@@ -64,10 +64,6 @@ RunMetrics make_replicate(const Job& job, int number, const std::vector<double>&
   return row;
 }
 
-bool out_of_bounds(const RunMetrics& row) {
-  return row.status == RunStatus::time_limit || row.status == RunStatus::memory_limit;
-}
-
 std::vector<double> values_of(const Column& column, const RunMetrics& nominal,
                               const std::vector<RunMetrics>& replicates) {
   std::vector<double> values;
@@ -76,7 +72,7 @@ std::vector<double> values_of(const Column& column, const RunMetrics& nominal,
     if (const Json cell = column.cell(row); cell.is_number()) values.push_back(cell.get<double>());
   };
   add(nominal);
-  std::for_each(replicates.begin(), replicates.end(), add);
+  std::ranges::for_each(replicates, add);
   return values;
 }
 
@@ -129,7 +125,8 @@ MadeReplicates make_replicates(const Job& job, std::size_t threads) {
     return std::string();
   };
   const auto deliver = [&](std::size_t i, const std::string& /*text*/) {
-    if (out_of_bounds(rows[i])) end = rows[i];
+    const RunStatus status = rows[i].status;
+    if (status == RunStatus::time_limit || status == RunStatus::memory_limit) end = rows[i];
   };
   make_threads(threads)->run(parts, {compute, deliver, [&] { return end.has_value(); }});
   for (RunMetrics& row : rows) {
@@ -169,7 +166,7 @@ void write_replicates(const std::string& packed, const RunMetrics& nominal,
 void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal) {
   const RunMetrics first = nominal;
   const auto count = [&](const auto& counts) {
-    return static_cast<int>(std::count_if(replicates.begin(), replicates.end(), counts));
+    return static_cast<int>(std::ranges::count_if(replicates, counts));
   };
   nominal.replicates = static_cast<int>(replicates.size()) + 1;
   nominal.replicates_failed = count([](const RunMetrics& row) { return row.status != RunStatus::done; });

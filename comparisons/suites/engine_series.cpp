@@ -17,9 +17,8 @@ namespace {
 
 bool left_out(const std::string& name) {
   const auto missing = engines_left_out();
-  return std::any_of(missing.begin(), missing.end(), [&](const std::string& engine) {
-    return name == engine || name.starts_with(engine + ":");
-  });
+  return std::ranges::any_of(
+      missing, [&](const std::string& engine) { return name == engine || name.starts_with(engine + ":"); });
 }
 
 std::vector<double> read_steps(const Node& table) {

@@ -69,7 +69,7 @@ Measurement read_measurement(const Node& table, const std::filesystem::path& fol
 
 bool Measurement::is_motion(std::size_t blocks) const {
   return !point && columns.size() == blocks && times.size() > 1 &&
-         std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+         std::ranges::none_of(values, [](double value) { return std::isnan(value); });
 }
 
 History motion_of(const Measurement& measured) {

@@ -22,7 +22,7 @@ std::vector<std::string> shipped_names(const std::string& kind) {
   for (const auto& entry : std::filesystem::directory_iterator(shipped(kind))) {
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 

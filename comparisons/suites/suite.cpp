@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <initializer_list>
 #include <map>
 #include <string_view>
@@ -15,6 +14,7 @@
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/statistics/ranking.hpp"
 #include "comparisons/suites/shipped.hpp"
@@ -32,13 +32,10 @@ constexpr std::string_view friction_key = "friction=";
 
 /// Of a text that begins with friction_key.
 Variant read_friction(const Node& node) {
-  const std::string_view digits = std::string_view(node.text).substr(friction_key.size());
-  Variant variant{Variant::Choice::friction};
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), variant.friction);
-  const bool whole = error == std::errc() && end == digits.data() + digits.size();
-  if (!whole || !(variant.friction >= 0 && variant.friction <= largest_friction))
+  const auto friction = number_in(std::string_view(node.text).substr(friction_key.size()));
+  if (!friction || !(*friction >= 0 && *friction <= largest_friction))
     throw wrong_value(node, fmt::format("{}MU with a number from 0 to {}", friction_key, largest_friction));
-  return variant;
+  return {Variant::Choice::friction, 0, *friction};
 }
 
 Variant read_variant(const Node& node) {
@@ -55,9 +52,9 @@ std::vector<Variant> read_variants(const Node& array) {
   if (array.kind != Node::Kind::array) throw wrong_value(array, "an array of names, e.g. [\"linear\"]");
   std::vector<Variant> variants;
   for (const Node& child : array.children) {
-    variants.push_back(read_variant(child));
-    if (std::find(variants.begin(), variants.end() - 1, variants.back()) != variants.end() - 1)
-      throw wrong_value(child, "named once");
+    const Variant variant = read_variant(child);
+    if (std::ranges::find(variants, variant) != variants.end()) throw wrong_value(child, "named once");
+    variants.push_back(variant);
   }
   return variants;
 }
@@ -148,9 +145,8 @@ PaperScenes read_statements(const Node& table, const Suite& suite) {
   require_table(table, statements_keys);
   const auto scene = [&](const char* key) {
     const Node& node = required(table, key, "the name of a scene of the suite");
-    for (const NamedScene& named : suite.scenes) {
+    for (const NamedScene& named : suite.scenes)
       if (named.name == text(node) && named.scene.blocks.size() == 2) return node.text;
-    }
     throw wrong_value(node, "the name of a scene of the suite with two blocks");
   };
   return {scene("free"), scene("shaken")};
@@ -189,15 +185,13 @@ std::string Variant::name() const {
 }
 
 const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name) {
-  return *std::find_if(scenes.begin(), scenes.end(),
-                       [&](const NamedScene& scene) { return scene.name == name; });
+  return *std::ranges::find(scenes, name, &NamedScene::name);
 }
 
 std::vector<std::string> names_of(const Wanted& wanted) {
   std::vector<std::string> names;
-  for (const auto& [name, field] : result_names) {
+  for (const auto& [name, field] : result_names)
     if (wanted.*field) names.emplace_back(name);
-  }
   return names;
 }
 
@@ -215,7 +209,7 @@ InputKind kind_of(const std::filesystem::path& file) {
   const Node root = read_toml(file);
   if (const Node* study = find(root, "study"))
     return study->text == "stability" ? InputKind::stability_study : InputKind::impact_law_study;
-  const bool suite = std::any_of(suite_keys.keys.begin(), suite_keys.keys.end(), [&](const InputKey& key) {
+  const bool suite = std::ranges::any_of(suite_keys.keys, [&](const InputKey& key) {
     return find(root, key.name) != nullptr && std::string_view(key.name) != "title";
   });
   return suite ? InputKind::suite : InputKind::scene;

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "analytic/scene/pattern.hpp"
 #include "comparisons/measures/results/csv.hpp"
 
@@ -13,17 +11,17 @@ namespace {
 namespace fs = std::filesystem;
 
 void read_cells(const fs::path& file, LawResults& results) {
-  each_row(file, [&](const TableRow& row) {
-    results.cells.push_back({whole_number(row.text("blocks"), row.place(), "blocks", 1, max_blocks),
-                             row.text("kind"), row.value("aspect_ratio_from"), row.value("aspect_ratio_to"),
+  for (CsvLine row(file); row.next();)
+    results.cells.push_back({row.whole(row.index("blocks"), 1, max_blocks), row.text("kind"),
+                             row.value("aspect_ratio_from"), row.value("aspect_ratio_to"),
                              row.value("mass_ratio_from"), row.value("mass_ratio_to"), row.value("impacts"),
                              row.value("differ"), row.value("none")});
-  });
 }
 
 void read_runs(const fs::path& file, LawResults& results) {
-  results.columns = read_table(file).columns;
-  each_row(file, [&](const TableRow& row) {
+  CsvLine row(file);
+  results.columns = row.names();
+  while (row.next()) {
     LawRun& one = results.runs.emplace_back();
     one.run.scene = row.text("case");
     one.run.engine = row.text("engine");
@@ -32,11 +30,11 @@ void read_runs(const fs::path& file, LawResults& results) {
     one.run.status = row.text("status") == "done" ? RunStatus::done : RunStatus::failed;
     one.run.reason = row.text("reason");
     one.run.dt = row.value("dt");
-    one.cells = row.table.rows[row.index];
+    one.cells = row.cells();
     one.follows = row.text("follows");
     one.from_paper = row.value("from_paper");
     one.from_consistent = row.value("from_consistent");
-  });
+  }
 }
 
 /// The entry of that name, added at the end where there is none.

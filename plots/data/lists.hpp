@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <iterator>
 #include <string>
@@ -36,25 +35,6 @@ template <class Part, class Is>
 Part& found_or_added(std::vector<Part>& list, const Is& is, Part added) {
   const auto found = std::ranges::find_if(list, is);
   return found == list.end() ? list.emplace_back(std::move(added)) : *found;
-}
-
-/// A row of a table, by the names of its columns. Keeps references to table and file.
-struct TableRow {
-  const Table& table;
-  const std::filesystem::path& file;
-  std::size_t index;
-
-  /// Both throw InputError naming the file and what is missing, or is no number there.
-  const std::string& text(const char* name) const { return table.rows[index][column(table, name, file)]; }
-  double value(const char* name) const { return number(text(name), place(), name); }
-  std::string place() const { return file.string() + ":" + std::to_string(index + 2); }
-};
-
-/// Calls `use` with each row of a file. @throws InputError as read_table().
-template <class Use>
-void each_row(const std::filesystem::path& file, const Use& use) {
-  const Table table = read_table(file);
-  for (std::size_t i = 0; i < table.rows.size(); ++i) use(TableRow{table, file, i});
 }
 
 }  // namespace rockstack::plots

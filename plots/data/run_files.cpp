@@ -136,10 +136,9 @@ std::map<std::string, SpreadRange> ranges_of(const std::filesystem::path& result
   const auto file = results / "spread.csv";
   std::map<std::string, SpreadRange> ranges;
   if (!std::filesystem::exists(file)) return ranges;
-  each_row(file, [&](const TableRow& row) {
+  for (CsvLine row(file); row.next();)
     if (row.text("quantity") == quantity)
       ranges[row.text("run")] = {row.value("least"), row.value("greatest")};
-  });
   return ranges;
 }
 

@@ -18,10 +18,6 @@ double cell(const Comparison&, const Run& run) {
   return value_of(run.*field);
 }
 
-bool same_series(const Run& a, const Run& b) {
-  return a.scene == b.scene && solver_name(a) == solver_name(b) && a.settings == b.settings;
-}
-
 /// Its error over the least that any set has in its scene at its step; none where the scene is at rest.
 double times_the_least(const Comparison& comparison, const Run& run) {
   if (!run.error || run.motion.value_or(0) <= rest_extent) return std::nan("");
@@ -45,7 +41,7 @@ double left_of_error(const Comparison& comparison, const Run& run) {
 StepEnds step_ends(const Comparison& comparison, const Run& run) {
   StepEnds ends{&run, &run};
   for (const Run& other : comparison.runs) {
-    if (!is_compared(other) || !same_series(other, run)) continue;
+    if (!is_compared(other) || other.scene != run.scene || line_label(other) != line_label(run)) continue;
     if (other.dt > ends.coarsest->dt) ends.coarsest = &other;
     if (other.dt < ends.finest->dt) ends.finest = &other;
   }

@@ -33,10 +33,6 @@ std::string settings_of_line(const Run& run) {
   return settings;
 }
 
-bool comes_before(const Run& a, const Run& b) {
-  return a.dt != b.dt ? a.dt < b.dt : iterations_of(a) > iterations_of(b);
-}
-
 /// Whether the runs that a suite gave iterations have one step: these make a line then, and else steps do.
 bool iterations_make_lines(const std::vector<Run>& runs) {
   const Run* given = nullptr;
@@ -46,12 +42,6 @@ bool iterations_make_lines(const std::vector<Run>& runs) {
     given = &run;
   }
   return given != nullptr;
-}
-
-bool has_tuned(const std::vector<StepLine>& lines, const Run& run) {
-  return std::ranges::any_of(lines, [&](const StepLine& line) {
-    return same_solver(line.front(), run) && line.front().settings == "tuned";
-  });
 }
 
 }  // namespace
@@ -68,6 +58,9 @@ std::vector<StepLine> step_lines(const Comparison& comparison, const std::string
     };
     found_or_added(lines, is_own, {}).push_back(run);
   }
+  const auto comes_before = [](const Run& a, const Run& b) {
+    return a.dt != b.dt ? a.dt < b.dt : iterations_of(a) > iterations_of(b);
+  };
   for (StepLine& line : lines) std::ranges::stable_sort(line, comes_before);
   return lines;
 }
@@ -81,11 +74,14 @@ bool varies_iterations(const StepLine& line) {
 }
 
 std::vector<StepLine> shown_lines(const Comparison& comparison, const std::string& scene) {
-  const std::vector<StepLine> lines = step_lines(comparison, scene);
-  std::vector<StepLine> shown;
+  std::vector<StepLine> lines = step_lines(comparison, scene);
+  std::set<std::string> tuned;
   for (const StepLine& line : lines)
-    if (line.front().settings != "default" || !has_tuned(lines, line.front())) shown.push_back(line);
-  return shown;
+    if (line.front().settings == "tuned") tuned.insert(solver_name(line.front()));
+  std::erase_if(lines, [&](const StepLine& line) {
+    return line.front().settings == "default" && tuned.contains(solver_name(line.front()));
+  });
+  return lines;
 }
 
 Shown shown_runs(const Comparison& comparison, const std::string& scene) {

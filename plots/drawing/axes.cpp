@@ -69,10 +69,6 @@ double end_of_motion(const History& history, double tolerance) {
   return history.size() == 0 ? 0 : history.times[std::min(row, history.size() - 1)];
 }
 
-double last_time(const History& history) {
-  return history.times.empty() ? 0 : history.times.back();
-}
-
 }  // namespace
 
 std::string logarithmic_tics(const std::string& axis, double low, double high, double pixels) {
@@ -150,7 +146,7 @@ TimeAxis time_axis(const ComparedScene& scene, const std::vector<Run>& runs) {
   for (const Run& run : runs) {
     const auto history = history_of(run);
     moves = std::max(moves, end_of_motion(*history, tolerance));
-    end = std::max(end, last_time(*history));
+    if (!history->times.empty()) end = std::max(end, history->times.back());
   }
   if (moves > 0) end = std::min(end, room * moves);
   return scene.horizon() < scene.duration ? TimeAxis{end, scene.horizon()} : TimeAxis{.end = end};

@@ -42,11 +42,6 @@ constexpr auto fresh_panel =
     "unset ylabel\nset xtics autofreq font '' textcolor rgb '#000000'\n"
     "set ytics autofreq font '' textcolor rgb '#000000'\n";
 
-/// Numbers that are not to be seen, while their grid is.
-std::string without_vertical_labels() {
-  return fmt::format("set ytics textcolor rgb '{}'\nunset ylabel\n", unseen);
-}
-
 std::string joined(const std::vector<std::string>& elements) {
   return fmt::format("{}", fmt::join(elements, ", \\\n  "));
 }
@@ -274,7 +269,7 @@ void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std:
       words += i + columns < series.size() ? without_horizontal_labels()
                                            : fmt::format("set xlabel {}\n", in_quotes(across));
       words += i == from ? fmt::format("set ylabel {} noenhanced offset 0.5\n", in_quotes(up))
-                         : without_vertical_labels();
+                         : fmt::format("set ytics textcolor rgb '{}'\nunset ylabel\n", unseen);
       cells.push_back({words, plots});
     }
     sheet.row(multiple_height, from == 0 ? before : gap + further_lines, cells, columns, left);

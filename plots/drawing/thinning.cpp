@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "comparisons/measures/statistics/samples.hpp"
+
 namespace rockstack::plots {
 namespace {
 
@@ -68,9 +70,7 @@ double distance(const Place& point, const Place& from, const Place& to) {
 }  // namespace
 
 double Curve::largest() const {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
+  return largest_magnitude(values);
 }
 
 Curve thin(const Curve& curve, std::size_t bins) {

@@ -1,5 +1,4 @@
 #include "plots/pages/html.hpp"
-#include "plots/pages/show.hpp"
 
 namespace rockstack::plots {
 namespace {

@@ -4,7 +4,6 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <stdexcept>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/csv.hpp"

@@ -82,10 +82,6 @@ void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::
                     all.none_percent()));
 }
 
-std::string name_of_solver(const LawRun& one) {
-  return line_label(one.run);
-}
-
 /// "a (22 of 24 runs), b (1 of 24 runs)" for the states where `count` is largest.
 std::string states_by(const LawResults& results, int LawTally::*count) {
   constexpr std::size_t most = 3;
@@ -108,9 +104,9 @@ void add_patterns(const LawResults& results, const LawTally& all, std::vector<st
        tallies_by(results.runs, [](const LawRun& one) { return duration_text(value_of(one.run.dt)); }))
     steps.push_back(fmt::format("{} of {} with steps of {}", step.consistent, step.runs(), step.of));
   sentences.push_back(fmt::format("Law consistent's pattern by time step: {}.", joined(steps)));
-  const auto solvers = ranked(tallies_by(results.runs, name_of_solver), [](const LawTally& tally) {
-    return static_cast<double>(tally.consistent) / tally.runs();
-  });
+  const auto solvers =
+      ranked(tallies_by(results.runs, [](const LawRun& one) { return line_label(one.run); }),
+             [](const LawTally& tally) { return static_cast<double>(tally.consistent) / tally.runs(); });
   sentences.push_back(fmt::format("By solver: most often {} ({} of {}), least often {} ({} of {}).",
                                   solvers.front().of, solvers.front().consistent, solvers.front().runs(),
                                   solvers.back().of, solvers.back().consistent, solvers.back().runs()));

@@ -5,7 +5,6 @@
 #include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/law_results.hpp"
 #include "plots/pages/sections.hpp"
-#include "plots/pages/show.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -169,15 +168,10 @@ std::string maps(const fs::path& results, const std::vector<LawCell>& cells) {
   return text;
 }
 
-/// "ode:step, tuned".
-std::string set_of(const Json& engine) {
-  return fmt::format("{}:{}, {}", text_at(engine, "engine"), text_at(engine, "solver"),
-                     text_at(engine, "settings"));
-}
-
 std::string content(const fs::path& folder, const LawResults& results, const Json& json) {
   const std::string parameters = text_of_each(json.at("engines"), [](const Json& engine) {
-    return details(escaped(set_of(engine)), definition_list(facts_of(engine.at("parameters"))));
+    return details(escaped(solver_named(engine) + ", " + text_at(engine, "settings")),
+                   definition_list(facts_of(engine.at("parameters"))));
   });
   std::string definitions;
   for (const auto& [file, columns] : json.at("definitions").items())

@@ -67,4 +67,12 @@ nlohmann::ordered_json player_scene(const PlayerScene& scene, nlohmann::ordered_
 /// Text that ends no element, whatever it holds.
 std::string for_script(const nlohmann::ordered_json& data);
 
+// Of a motion that has just been computed.
+
+/// The scene, with the patterns and events of a motion of it where that is exact.
+nlohmann::ordered_json stage_of(const Scene& scene, const History& history);
+
+/// What interfaces carry at the samples of an exact motion.
+InterfaceForces forces_of(const Scene& scene, const History& history);
+
 }  // namespace rockstack::plots

@@ -2,7 +2,6 @@
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/csv.hpp"
-#include "plots/data/patterns.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/drawing/style.hpp"
 #include "plots/pages/player_data.hpp"

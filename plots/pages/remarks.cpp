@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <iterator>
 #include <map>
 
 #include "comparisons/measures/results/sentences.hpp"
@@ -39,8 +38,8 @@ std::vector<double> steps_of(const Comparison& comparison, const Run& run) {
 class Ranking {
  public:
   Ranking(const Comparison& comparison, const std::string& name)
-      : question_(*std::find_if(solver_questions().begin(), solver_questions().end(),
-                                [&](const SolverQuestion& one) { return one.name == name; })),
+      : question_(*std::ranges::find_if(solver_questions(),
+                                        [&](const SolverQuestion& one) { return one.name == name; })),
         all_(scores(comparison, question_)) {
     std::map<std::string, bool> tuned;
     for (const Score& score : all_)

@@ -42,18 +42,14 @@ std::string text_of(const Run& run, std::size_t column) {
   return cell_text(columns()[column].cell(run));
 }
 
-bool any_value(const Comparison& comparison, std::size_t column) {
-  return std::ranges::any_of(comparison.runs, [&](const Run& run) { return !text_of(run, column).empty(); });
-}
-
 Order order_of(const Comparison& comparison) {
   Order order{{0}};
   for (const char* name : wanted) {
-    const auto found = std::find_if(columns().begin(), columns().end(), [&](const Column& column) {
-      return std::string_view(column.name) == name;
-    });
+    const auto found =
+        std::ranges::find_if(columns(), [&](const Column& column) { return column.name == name; });
     const auto column = static_cast<std::size_t>(found - columns().begin());
-    if (order.columns.size() < shown_columns && any_value(comparison, column))
+    const auto has_value = [&](const Run& run) { return !text_of(run, column).empty(); };
+    if (order.columns.size() < shown_columns && std::ranges::any_of(comparison.runs, has_value))
       order.columns.push_back(column);
   }
   order.shown = order.columns.size();

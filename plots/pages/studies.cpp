@@ -7,7 +7,6 @@
 #include "comparisons/measures/results/sentences.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
 #include "plots/pages/html.hpp"
-#include "plots/pages/show.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -77,11 +76,11 @@ std::vector<double> sums(const fs::path& file, const std::vector<std::string>& n
 
 void add_toppled(const fs::path& results, Sentences& sentences) {
   std::size_t done = 0, fell = 0, failed = 0;
-  each_row(results / "runs.csv", [&](const TableRow& row) {
+  for (CsvLine row(results / "runs.csv"); row.next();) {
     const bool is_done = row.text("status") == "done", stands = row.text("toppled") == "0";
     ++(is_done ? done : failed);
     if (is_done && !stands) ++fell;
-  });
+  }
   if (done > 0) sentences.push_back(fmt::format("Of {} {} topple.", counted(done, "run"), fell));
   if (failed > 0) sentences.push_back(fmt::format("{} failed; runs.csv says why.", failed));
 }
@@ -116,9 +115,8 @@ void add_outcomes(const fs::path& results, Sentences& sentences) {
 std::string verdicts(const fs::path& results) {
   std::map<std::string, std::size_t> counts;
   std::size_t all = 0;
-  each_row(results / "stability.csv", [&](const TableRow& row) {
+  for (CsvLine row(results / "stability.csv"); row.next();)
     if (!row.text("dt").empty()) ++counts[row.text("verdict")], ++all;
-  });
   Sentences parts;
   for (const char* name : {"sound", "inexact", "unstable", "failed"})
     if (counts[name] > 0)
@@ -129,10 +127,9 @@ std::string verdicts(const fs::path& results) {
 /// The largest stable step of each solver over the study's values.
 void add_stable_steps(const fs::path& results, const std::string& axis, Sentences& sentences) {
   std::map<std::string, std::vector<double>> lists;
-  each_row(results / "steps.csv", [&](const TableRow& row) {
+  for (CsvLine row(results / "steps.csv"); row.next();)
     lists[fmt::format("{} {}, {}", row.text("engine"), row.text("solver"), row.text("settings"))].push_back(
         row.value("largest_stable_step"));
-  });
   const auto words = [](double step) { return step > 0 ? duration_text(step) : std::string("none"); };
   for (const auto& [name, list] : lists) {
     const auto [least, most] = std::ranges::minmax_element(list);

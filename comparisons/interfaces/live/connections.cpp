@@ -40,8 +40,8 @@ void Connections::leave(int socket) {
 
 void Connections::make_room(int except) {
   if (open_ <= threads_) return;
-  const auto silent = std::find_if(sockets_.begin(), sockets_.end(),
-                                   [&](int socket) { return socket != except && is_silent(socket); });
+  const auto silent =
+      std::ranges::find_if(sockets_, [&](int socket) { return socket != except && is_silent(socket); });
   if (silent == sockets_.end()) return;
   shutdown(*silent, SHUT_RDWR);
   sockets_.erase(silent);

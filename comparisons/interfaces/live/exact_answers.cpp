@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
@@ -17,7 +16,7 @@
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/suites/suite.hpp"
-#include "plots/pages/motion_data.hpp"
+#include "plots/pages/player_data.hpp"
 
 namespace rockstack::live {
 namespace {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/page_scene.hpp"
@@ -69,15 +68,10 @@ void require_named_records(const Node& scene, const std::set<std::string>& recor
   }
 }
 
-/// Refused before anything is made of it.
-void require_few_blocks(const Node& scene) {
-  const Node* blocks = find(scene, "blocks");
-  if (blocks != nullptr && blocks->children.size() > most_blocks)
-    throw wrong_value(*blocks, fmt::format("at most {} blocks on a live page", most_blocks));
-}
-
 Scene read_live_scene(const Node& scene, const std::set<std::string>& records, MotionLibrary& library) {
-  require_few_blocks(scene);
+  // Refused before anything is made of it.
+  if (const Node* blocks = find(scene, "blocks"); blocks != nullptr && blocks->children.size() > most_blocks)
+    throw wrong_value(*blocks, fmt::format("at most {} blocks on a live page", most_blocks));
   require_named_records(scene, records);
   Scene made = make_scene({scene, {}, "Live scene"}, library);
   if (made.duration > longest_duration)
@@ -152,7 +146,7 @@ std::string state_suite_text(const Json& json, const LiveState& state, const std
            (letter >= '0' && letter <= '9') || letter == '-';
   };
   constexpr std::size_t longest = 60;
-  if (name.empty() || name.size() > longest || !std::all_of(name.begin(), name.end(), is_plain))
+  if (name.empty() || name.size() > longest || !std::ranges::all_of(name, is_plain))
     throw InputError(fmt::format("the page: name = {}: must be 1 to {} letters, digits and dashes",
                                  rockstack::quoted(name), longest));
   std::string text = fmt::format(

@@ -9,7 +9,6 @@
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/scene.hpp"
 #include "comparisons/suites/suite.hpp"
-#include "engines/worker/worker_engine.hpp"
 
 namespace rockstack::live {
 
@@ -42,11 +41,5 @@ std::size_t kept_stride(const LiveState& state);
 std::string state_scene_text(const nlohmann::ordered_json& json);
 std::string state_suite_text(const nlohmann::ordered_json& json, const LiveState& state,
                              const std::string& name, int runs);
-
-/// An engine's run as exact_answers.hpp has a motion, of `stride` samples one.
-nlohmann::ordered_json engine_answer(const LiveState& state, const WorkerRun& run, std::size_t stride);
-
-/// Times and angles alone.
-nlohmann::ordered_json engine_member(const WorkerRun& run, std::size_t stride);
 
 }  // namespace rockstack::live

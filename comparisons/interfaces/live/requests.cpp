@@ -9,10 +9,13 @@
 #include <utility>
 
 #include "analytic/scene/input/json_reader.hpp"
+#include "comparisons/interfaces/live/exact_answers.hpp"
 #include "comparisons/interfaces/live/live_state.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/suites/suite.hpp"
 #include "engines/worker/process.hpp"
+#include "plots/pages/player_data.hpp"
 
 namespace rockstack::live {
 namespace {
@@ -60,6 +63,24 @@ Json failure(const std::string& reason) {
   return {{"failure", reason}};
 }
 
+/// An engine's run as exact_answers.hpp has a motion, of `stride` samples one; of a member of a cloud times
+/// and angles alone.
+Json told(const LiveState& state, const WorkerRun& run, std::size_t stride, bool member) {
+  const History& history = run.run.history;
+  if (member) return {{"track", plots::player_track(history, stride)}};
+  Json answer;
+  add_track(answer,
+            plots::player_track(history, stride,
+                                {state.series.engine->full_name(), "#0072b2", "(8,3)", true, false}),
+            observed_impacts(history, chatter_speed(state.scene)));
+  const auto& bodies = run.run.bodies;
+  if (bodies) add_energies(answer, state.scene, history.times, bodies->energy, stride);
+  answer["verdict"] = motion_verdict(
+      state.scene, history, bodies ? support_of(bodies->penetration, bodies->unsupported_since) : Support{});
+  answer["warnings"] = run.run.warnings;
+  return answer;
+}
+
 Json solved(const std::filesystem::path& solver, const LiveRequest& request, const Limits& limits) {
   const LiveState& state = request.read;
   const Json asked{{"scene", request.state.at("scene")},
@@ -83,8 +104,7 @@ Json simulated(const LiveRequest& request, const Limits& limits) {
       run_in_worker(*state.series.engine, scene, state.dt, state.series.parameters, 0, limits, !member);
   if (run.status == "stopped") return {{"dropped", true}};
   if (run.status != "done") return failure(run.status + ": " + run.reason);
-  const std::size_t stride = kept_stride(state);
-  return member ? engine_member(run, stride) : engine_answer(state, run, stride);
+  return told(state, run, kept_stride(state), member);
 }
 
 }  // namespace

@@ -155,12 +155,6 @@ const char* media_type(const std::filesystem::path& file) {
   return type == types.end() ? "text/plain; charset=utf-8" : type->second;
 }
 
-void send_file(httplib::Response& response, const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return refuse(response, 404, "the file is no longer there");
-  response.set_content(std::string{std::istreambuf_iterator<char>(in), {}}, media_type(file));
-}
-
 class LiveServer : public httplib::Server {
  public:
   LiveServer(Requests& requests, LivePage page, int port) : page_(std::move(page)) {
@@ -193,7 +187,9 @@ class LiveServer : public httplib::Server {
       const std::size_t root = course_path().size();
       const auto file = page_.course.files.find(request.path.size() < root ? "" : request.path.substr(root));
       if (file == page_.course.files.end()) return refuse(response, 404, "there is no such page");
-      send_file(response, file->second);
+      std::ifstream in(file->second, std::ios::binary);
+      if (!in) return refuse(response, 404, "the file is no longer there");
+      response.set_content(std::string{std::istreambuf_iterator<char>(in), {}}, media_type(file->second));
     });
     Post("/answer", [&requests](const httplib::Request& request, httplib::Response& response) {
       const auto has_left = [] { return !current->is_writable(); };

@@ -66,7 +66,7 @@ std::vector<Check> checks_named(const std::vector<std::string>& names) {
   there.reserve(list.size());
   for (const Check& check : list) there.emplace_back(check.name);
   const auto is_in = [](const std::vector<std::string>& all, const std::string& name) {
-    return std::find(all.begin(), all.end(), name) != all.end();
+    return std::ranges::find(all, name) != all.end();
   };
   for (const std::string& name : names)
     if (!is_in(there, name))

@@ -11,10 +11,7 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/build.hpp"
 #include "comparisons/suites/shipped.hpp"
-#include "engines/engine.hpp"
-#include "engines/scene_setup.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
-#include "plots/figures/figure.hpp"
 #include "plots/pages/show.hpp"
 #endif
 
@@ -78,7 +75,7 @@ std::string shell_word(const std::string& word) {
     return std::isalnum(static_cast<unsigned char>(letter)) != 0 || (letter & 0x80) != 0 ||
            std::string_view("-_./=:+,@%").find(letter) != std::string_view::npos;
   };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  if (!word.empty() && std::ranges::all_of(word, plain)) return word;
   std::string quoted = "'";
   for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
   return quoted + "'";

@@ -15,6 +15,10 @@
 #include "comparisons/suites/suite.hpp"
 #include "engines/worker/registry.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace rockstack {
 
 /// What every command takes.
@@ -210,6 +214,23 @@ void print_report(const std::filesystem::path& folder, const Common& common);
 
 /// Draws the figures and the report of a folder, as far as this build can, and says where they are.
 void show_report(const std::filesystem::path& folder, const Common& common);
+
+// The table of a comparison on standard output; nothing where it is not wanted.
+
+/// What the columns mean, and how many runs there will be.
+void print_legend(const std::vector<Suite>& suites, const Common& common);
+
+/// Has rows printed as they are told. `common` must outlive the options.
+void print_rows(const std::vector<Suite>& suites, const Common& common, CompareOptions& options);
+
+/// A subcommand with what it does once its options are read.
+struct Command {
+  CLI::App* app;
+  std::function<int()> run;
+};
+
+/// Adds every subcommand with its options to the program, which must outlive what is returned.
+std::vector<Command> add_commands(CLI::App& app, const Common& common);
 
 /// The program's name and version.
 std::string version_text();

@@ -8,7 +8,6 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
-#include "comparisons/interfaces/program/rows.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/runs/job.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
@@ -123,9 +122,9 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   write_results(study, results, out, common.command);
   print_impact_laws(results, out, common);
   show_report(out, common);
-  const bool failed = std::any_of(results.cases.begin(), results.cases.end(), [](const ImpactCase& asked) {
-    return std::any_of(asked.verdicts.begin(), asked.verdicts.end(),
-                       [](const EngineVerdict& verdict) { return !verdict.failure.empty(); });
+  const bool failed = std::ranges::any_of(results.cases, [](const ImpactCase& asked) {
+    return std::ranges::any_of(asked.verdicts,
+                               [](const EngineVerdict& verdict) { return !verdict.failure.empty(); });
   });
   return failed ? 1 : 0;
 }
@@ -142,8 +141,8 @@ void print_comparison(const CompareResult& result, const std::filesystem::path& 
   }
   if (common.quiet) return;
   fmt::print("\n");
-  if (std::any_of(result.rows.begin(), result.rows.end(),
-                  [](const RunMetrics& row) { return row.runs_at_a_time.value_or(1) > 1; }))
+  if (std::ranges::any_of(result.rows,
+                          [](const RunMetrics& row) { return row.runs_at_a_time.value_or(1) > 1; }))
     fmt::print("times are those of runs that shared the machine\n");
   if (result.reused > 0) fmt::print("{} of {} runs were there already\n", result.reused, result.rows.size());
   for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
@@ -191,8 +190,8 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
 #endif
   print_report(arguments.out, common);
   print_comparison(result, arguments.out, common);
-  const auto failed = std::count_if(result.rows.begin(), result.rows.end(),
-                                    [](const RunMetrics& row) { return row.status != RunStatus::done; });
+  const auto failed =
+      std::ranges::count_if(result.rows, [](const RunMetrics& row) { return row.status != RunStatus::done; });
   return end_of_runs(static_cast<std::size_t>(failed), result.rows.size(), "comparison.csv");
 }
 

@@ -18,10 +18,6 @@ std::string settings_of(const RowChange& row) {
   return before == now ? before : before + " > " + now;
 }
 
-std::string solver_of(const RowChange& row) {
-  return row.old_row.solver.empty() ? row.old_row.engine : row.old_row.engine + ":" + row.old_row.solver;
-}
-
 std::string spread_text(const ValueSpread& spread) {
   return spread.values > 1 ? fmt::format("{:.2e} ({:.1e}…{:.1e})", spread.median, spread.lower, spread.upper)
                            : fmt::format("{:.2e}", spread.median);
@@ -33,7 +29,7 @@ std::vector<std::string> cells_of(const TurnedNumber& number) {
   const QuantityChange& change = *number.change;
   return {name(change.turn),
           row.old_row.scene,
-          solver_of(row),
+          row.old_row.engine + (row.old_row.solver.empty() ? "" : ":" + row.old_row.solver),
           settings_of(row),
           row.old_row.dt ? fmt::format("{}", *row.old_row.dt) : "",
           change.quantity,
@@ -45,7 +41,7 @@ std::vector<std::string> cells_of(const TurnedNumber& number) {
 
 std::size_t letters_of(const std::string& text) {
   return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char letter) { return (letter & 0xC0) != 0x80; }));
+      std::ranges::count_if(text, [](char letter) { return (letter & 0xC0) != 0x80; }));
 }
 
 void print_table(const std::vector<TurnedNumber>& numbers) {
@@ -77,9 +73,8 @@ void print_tests(const ResultsChange& result) {
 }
 
 void print_singles(const ResultsChange& result, const ChangeOptions& options) {
-  const auto single = std::count_if(result.rows.begin(), result.rows.end(), [](const RowChange& row) {
-    return !row.replicated && row.old_row.steps;
-  });
+  const auto single = std::ranges::count_if(
+      result.rows, [](const RowChange& row) { return !row.replicated && row.old_row.steps; });
   if (single == 0) return;
   if (options.single)
     fmt::print("rows of single runs: {}; a number of theirs is reported from {} times on\n", single,
@@ -95,9 +90,7 @@ void print_names(const char* what, const std::vector<std::string>& names) {
 }
 
 void print_change(const ResultsChange& result, const ChangeOptions& options) {
-  const auto count = [&](const auto& counts) {
-    return std::count_if(result.rows.begin(), result.rows.end(), counts);
-  };
+  const auto count = [&](const auto& counts) { return std::ranges::count_if(result.rows, counts); };
   const auto turned = turned_numbers(result);
   if (!turned.empty()) print_table(turned);
   fmt::print("rows in both: {}, to the bit {}; worse {}, better alone {}\n", result.rows.size(),

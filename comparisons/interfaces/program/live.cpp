@@ -19,12 +19,6 @@
 namespace rockstack {
 namespace {
 
-/// The first engine that is usual where nobody names one, if it is there.
-std::string usual_engine() {
-  const EngineList usual = usual_engines();
-  return usual.empty() ? "" : usual.front().get().name;
-}
-
 /// The scene of a lesson's suite.
 std::filesystem::path lesson_scene(const std::string& name) {
   const std::filesystem::path suite = find_file(name, "studies/lessons");
@@ -35,7 +29,7 @@ std::filesystem::path lesson_scene(const std::string& name) {
 live::PageStart start_of(const LiveArguments& arguments, const Common& common) {
   live::PageStart start;
   start.overrides = common.overrides;
-  start.engine = usual_engine();
+  if (const EngineList usual = usual_engines(); !usual.empty()) start.engine = usual.front().get().name;
   start.records = arguments.records;
   for (const Lesson& lesson : lessons()) start.lessons[lesson.name] = lesson_scene(lesson.name);
   if (live::has_course_files(arguments.input)) {

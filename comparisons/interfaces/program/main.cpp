@@ -1,6 +1,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <initializer_list>
@@ -11,7 +12,7 @@
 
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/messages/input_error.hpp"
-#include "comparisons/interfaces/program/options.hpp"
+#include "comparisons/interfaces/program/commands.hpp"
 #include "engines/worker/registry.hpp"
 
 namespace {

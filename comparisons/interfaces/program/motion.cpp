@@ -11,7 +11,6 @@
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/runs/measure.hpp"
-#include "engines/engine.hpp"
 #include "engines/scene_setup.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/figures/figure.hpp"
@@ -26,7 +25,7 @@ using Json = nlohmann::ordered_json;
 /// What is said of other motions that obey.
 struct Branches {
   std::vector<std::string> lines = {};
-  Json json = {};  ///< added to that of the motion
+  Json json = Json::object();  ///< added to that of the motion
 };
 
 /// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are.
@@ -57,16 +56,14 @@ void print_history(const Scene& scene, const History& history, const Support& su
 }
 
 /// Follows all motions; returns 1 where one was given up.
-int solve_all(const SolveArguments& arguments, const NamedScene& scene, const SolveOptions& options,
-              const Common& common) {
-  const std::size_t most = arguments.most_branches;
-  const BranchTree tree =
-      solve_branches_into(scene, options, most, arguments.histories, arguments.out, common.command);
-  print_history(scene.scene, tree.branches.front().history, {}, arguments.out, common,
-                {branch_lines(scene.scene, tree, most),
-                 {{"branches", branches_json(scene.scene, tree)}, {"branches_left_out", tree.left_out}}});
+int solve_all(const SolveJob& job, std::size_t most, const Common& common) {
+  const BranchTree tree = solve_branches_into(job, most);
+  const Scene& scene = job.scene.scene;
+  print_history(scene, tree.branches.front().history, {}, job.folder, common,
+                {branch_lines(scene, tree, most),
+                 {{"branches", branches_json(scene, tree)}, {"branches_left_out", tree.left_out}}});
   const auto given_up = [](const Branch& branch) { return !branch.unfinished.empty(); };
-  return std::any_of(tree.branches.begin(), tree.branches.end(), given_up) ? 1 : 0;
+  return std::ranges::any_of(tree.branches, given_up) ? 1 : 0;
 }
 
 /// Which one it was where a name stands for several.
@@ -93,13 +90,12 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
       .tolerance = arguments.tolerance,
       .step = arguments.step};
   const ResultsFolder folder(arguments.out, Results::motion);
+  const SolveJob job{scene, options, arguments.histories, arguments.out, common.command};
   int code = 0;
-  if (arguments.branches) {
-    code = solve_all(arguments, scene, options, common);
-  } else {
-    const History history = solve_into(scene, options, arguments.histories, arguments.out, common.command);
-    print_history(scene.scene, history, {}, arguments.out, common);
-  }
+  if (arguments.branches)
+    code = solve_all(job, arguments.most_branches, common);
+  else
+    print_history(scene.scene, solve_into(job), {}, arguments.out, common);
   if (arguments.plots) show_report(arguments.out, common);
   return code;
 }

@@ -1,7 +1,6 @@
-#include "comparisons/interfaces/program/options.hpp"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <utility>
 
 #include "comparisons/interfaces/program/commands.hpp"

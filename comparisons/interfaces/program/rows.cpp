@@ -1,5 +1,3 @@
-#include "comparisons/interfaces/program/rows.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <string_view>
 
 #include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
 

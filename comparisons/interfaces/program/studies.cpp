@@ -11,6 +11,8 @@
 
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/studies/canon/canon.hpp"
+#include "comparisons/studies/fit/fit.hpp"
 #include "comparisons/studies/stability/study.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/shipped.hpp"
@@ -60,12 +62,6 @@ std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const 
   };
 }
 
-/// How far a sweep came that was stopped, and how to go on; on standard error.
-void print_stopped(const SweepResult& result, const Common& common) {
-  fmt::print(stderr, "{}rockstack: stopped after {} of {} runs; the same command goes on from there\n",
-             shows_progress(common) ? "\n" : "", result.done, result.runs);
-}
-
 /// Runs done, and where the results are.
 void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common) {
   if (common.json) {
@@ -97,6 +93,12 @@ void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem
   fmt::print("{}\n{}\n", (out / "stability.csv").string(), (out / "steps.csv").string());
 }
 
+void print(const CanonRow& row, const CanonAnswer& answer) {
+  fmt::print("{:<28} {:<8} {:<16} {:<12} {}\n", row.engine->full_name(), row.settings, answer.scene,
+             answer.verdict, answer.reason);
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 int sweep_command(const SweepArguments& arguments, const Common& common) {
@@ -111,7 +113,8 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
       sweep(ensemble, library, *executor,
             {arguments.out, common.command, sweep_progress(common), [] { return interrupted.load(); }});
   if (!result.finished()) {
-    print_stopped(result, common);
+    fmt::print(stderr, "{}rockstack: stopped after {} of {} runs; the same command goes on from there\n",
+               shows_progress(common) ? "\n" : "", result.done, result.runs);
     return 1;
   }
   print_sweep(result, arguments.out, common);
@@ -132,6 +135,68 @@ int stability_command(const std::filesystem::path& file, const std::filesystem::
   const auto failed = std::count_if(
       rows.begin(), rows.end(), [](const StabilityRun& row) { return row.row.status != RunStatus::done; });
   return end_of_runs(static_cast<std::size_t>(failed), rows.size(), "stability.csv");
+}
+
+int fit_command(const FitArguments& arguments, const Common& common) {
+  std::vector<FitParameter> parameters;
+  for (const std::string& each : arguments.vary) parameters.push_back(fit_parameter(each));
+  const SceneDocument document = read_document(input_file(arguments.scene, {"scenes"}), common.overrides);
+  if (!document.measured) throw missing_key(document.root, "measured", "given, a table of what was measured");
+  MotionLibrary library;
+  const Scene scene = make_scene(document, library);
+  const Measurement measured = read_measurement(document.measured.value(), document.folder, scene);
+  const ResultsFolder folder(arguments.out, Results::fit);
+  const Fit found = fit(document, measured, parameters);
+  write_fit(scene.title, measured, found, arguments.out, common.command);
+  if (common.json) fmt::print("{}\n", fit_json(scene.title, measured, found, common.command).dump(2));
+  if (common.talks()) {
+    std::string changes;
+    for (const FittedParameter& one : found.parameters) {
+      fmt::print("{:<32} {:.6g}  95 %: {:.6g} to {:.6g}\n", one.parameter.key, one.value, one.lower,
+                 one.upper);
+      changes += " --set " + shell_word(fmt::format("{}={}", one.parameter.key, one.value));
+    }
+    for (const std::string& sentence : meaning(found, measured)) fmt::print("{}\n", sentence);
+    fmt::print("\nrockstack solve {}{}\n", shell_word(arguments.scene), changes);
+  }
+  show_report(arguments.out, common);
+  return 0;
+}
+
+int canon_command(const CanonArguments& arguments, const Common& common) {
+  Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
+  const std::vector<const WorkerEngine*> asked = engines_named(arguments.engines, [] { return engines(); });
+  const std::vector<std::string> sets = both_if_empty(arguments.settings);
+  const ResultsFolder folder(arguments.out, Results::canon);
+  const bool talk = !common.quiet && !common.json;
+  if (talk)
+    fmt::print("{:<28} {:<8} {:<16} {:<12} by a fit over steps of {:g} to {:g} ms\n", "engine", "set",
+               "scene", "verdict", 1e3 * canon_steps.front(), 1e3 * canon_steps.back());
+  const auto show = progress(common);
+  const std::size_t total = asked.size() * sets.size() * suite.scenes.size();
+  std::size_t done = 0, off = 0;
+  std::vector<CanonRow> rows;
+  for (const WorkerEngine* engine : asked) {
+    for (const std::string& settings : sets) {
+      CanonRow& row = rows.emplace_back(CanonRow{engine, settings, {}});
+      for (const NamedScene& scene : suite.scenes) {
+        const std::string what = fmt::format("{} {} {}", engine->full_name(), settings, scene.name);
+        show({done++, total, "", what, {}});
+        row.answers.push_back(kept_canon_answer(suite, scene, *engine, settings, arguments.out / "answers"));
+        if (!follows_law(row.answers.back())) ++off;
+        clear_progress(common);
+        if (talk) print(row, row.answers.back());
+      }
+    }
+  }
+  const std::string json = canon_json(suite, rows, common.command);
+  write_file(arguments.out / "canon.csv", canon_csv(rows));
+  write_file(arguments.out / "canon.json", json);
+  if (common.json) fmt::print("{}", json);
+  show_report(arguments.out, common);
+  if (talk)
+    fmt::print("{} of {} answers neither agree nor converge{}\n", off, total, off > 0 ? ": exit code 1" : "");
+  return off == 0 ? 0 : 1;
 }
 
 }  // namespace rockstack

@@ -32,11 +32,6 @@ void print_files(const Json& paths, const Common& common) {
   for (const auto& [name, file] : paths.items()) fmt::print("{}: {}\n", name, file.get<std::string>());
 }
 
-/// Those of "all", or the one of that name.
-std::vector<Lesson> lessons_named(const std::string& name) {
-  return name == "all" ? lessons() : std::vector<Lesson>{find_lesson(name)};
-}
-
 /// The pages of a results folder with a lesson, and slides as PDF where they are asked for.
 Json write_pages(const fs::path& out, bool pdf) {
 #ifdef ROCKSTACK_WITH_PLOTS
@@ -60,7 +55,7 @@ int teach(const Lesson& lesson, const fs::path& out, const TeachArguments& argum
                                                   {.command = common.command, .progress = progress(common)});
   print_files(write_pages(out, arguments.pdf), common);
   const auto is_done = [](const RunMetrics& row) { return row.status == RunStatus::done; };
-  return std::all_of(rows.begin(), rows.end(), is_done) ? 0 : 1;
+  return std::ranges::all_of(rows, is_done) ? 0 : 1;
 }
 
 int teach_all(const TeachArguments& arguments, const Common& common) {
@@ -98,7 +93,8 @@ int write_sheets(const std::vector<Lesson>& chosen, const TeachArguments& argume
 int teach_command(const TeachArguments& arguments, const Common& common) {
   refuse_overrides(common, "a lesson's text is about its own scenes; `rockstack compare` takes it");
   if (arguments.lesson.empty() || arguments.lesson == "list") return list_lessons(common);
-  const std::vector<Lesson> chosen = lessons_named(arguments.lesson);
+  const std::vector<Lesson> chosen =
+      arguments.lesson == "all" ? lessons() : std::vector<Lesson>{find_lesson(arguments.lesson)};
   if (arguments.sheet) return write_sheets(chosen, arguments, common);
   if (arguments.lesson == "all") return teach_all(arguments, common);
   return teach(chosen.front(), arguments.out, arguments, common);

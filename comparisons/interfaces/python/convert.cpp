@@ -56,11 +56,6 @@ void read_number(const py::handle& value, Node& target) {
   target.number = std::numeric_limits<double>::infinity();
 }
 
-void read_text(const py::handle& value, Node& target) {
-  target.kind = Node::Kind::text;
-  target.text = py::str(py::module_::import("os").attr("fspath")(value)).cast<std::string>();
-}
-
 /// Of numpy's arrays and numbers, and of what is like them.
 void read_array(const py::handle& value, Node& target, int depth) {
   if (py::hasattr(value, "mask") && py::module_::import("numpy.ma").attr("is_masked")(value).cast<bool>())
@@ -80,23 +75,20 @@ bool is_number(const py::handle& value, const py::handle& type) {
          (py::hasattr(type, "__float__") && !py::hasattr(type, "__array__") && !py::hasattr(type, "__len__"));
 }
 
-/// Truth values are numbers to Python, and none to a scene.
-bool is_truth(const py::handle& value) {
-  return PyBool_Check(value.ptr()) || std::string_view(Py_TYPE(value.ptr())->tp_name) == "numpy.bool_";
-}
-
 void read(const py::handle& value, Node& target, int depth) {
   if (depth > most_levels)
     throw InputError(target.place + ": " + one_line(target.key) + ": must be nested at most " +
                      std::to_string(most_levels) + " deep");
   const py::handle type = py::type::handle_of(value);
-  if (is_truth(value)) {
+  // Truth values are numbers to Python, and none to a scene.
+  if (PyBool_Check(value.ptr()) || std::string_view(Py_TYPE(value.ptr())->tp_name) == "numpy.bool_") {
     target.kind = Node::Kind::other;
     target.text = value.cast<bool>() ? "true" : "false";
   } else if (is_number(value, type)) {
     read_number(value, target);
   } else if (py::isinstance<py::str>(value) || py::hasattr(type, "__fspath__")) {
-    read_text(value, target);
+    target.kind = Node::Kind::text;
+    target.text = py::str(py::module_::import("os").attr("fspath")(value)).cast<std::string>();
   } else if (py::hasattr(type, "__array__")) {
     read_array(value, target, depth);
   } else if (py::hasattr(type, "items")) {

@@ -39,12 +39,6 @@ py::dict to_dict(const WorkerEngine& engine) {
                   "licence"_a = engine.licence, "settings"_a = settings);
 }
 
-py::list list_engines() {
-  py::list list;
-  for (const WorkerEngine& engine : engines()) list.append(to_dict(engine));
-  return list;
-}
-
 /// Without the interpreter's lock, as an engine may answer from another thread of it.
 const WorkerEngine& engine_named(const std::string& name) {
   const py::gil_scoped_release free;
@@ -100,8 +94,8 @@ py::list canon(const std::string& engine_name, const std::string& settings,
   if (scenes) {
     std::vector<NamedScene> chosen;
     for (const std::string& name : *scenes) {
-      const auto found = std::find_if(suite.scenes.begin(), suite.scenes.end(),
-                                      [&](const NamedScene& scene) { return scene.name == name; });
+      const auto found =
+          std::ranges::find_if(suite.scenes, [&](const NamedScene& scene) { return scene.name == name; });
       if (found == suite.scenes.end()) throw InputError("scenes: " + name + ": must be a scene of the canon");
       chosen.push_back(*found);
     }
@@ -182,16 +176,14 @@ std::string compare_all(const std::vector<Input>& inputs, const std::filesystem:
   return rows.dump();
 }
 
-py::dict meanings() {
-  py::dict list;
-  for (const Column& column : columns()) list[column.name] = column.definition;
-  return list;
-}
-
 }  // namespace
 
 void add_engines(py::module_& core) {
-  core.def("engines", &list_engines);
+  core.def("engines", [] {
+    py::list list;
+    for (const WorkerEngine& engine : engines()) list.append(to_dict(engine));
+    return list;
+  });
   core.def("simulate", &simulate_one);
   core.def("canon", &canon);
   py::class_<SceneChoice>(core, "SceneChoice")
@@ -200,7 +192,11 @@ void add_engines(py::module_& core) {
             return SceneChoice{std::move(engines), std::move(steps), quick, softness};
           }));
   core.def("compare", &compare_all);
-  core.def("column_meanings", &meanings);
+  core.def("column_meanings", [] {
+    py::dict list;
+    for (const Column& column : columns()) list[py::str(column.name)] = column.definition;
+    return list;
+  });
 }
 
 }  // namespace rockstack::python

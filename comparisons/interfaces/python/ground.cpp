@@ -1,6 +1,5 @@
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <utility>
 
 #include "analytic/scene/ground/motion_library.hpp"

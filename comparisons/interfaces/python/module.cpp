@@ -7,7 +7,6 @@
 #include <exception>
 #include <future>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include "analytic/scene/input/scene_keys.hpp"

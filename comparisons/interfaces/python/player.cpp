@@ -12,7 +12,7 @@
 
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "plots/pages/html.hpp"
-#include "plots/pages/motion_data.hpp"
+#include "plots/pages/player_data.hpp"
 
 namespace rockstack::python {
 namespace {

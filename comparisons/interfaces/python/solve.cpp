@@ -147,8 +147,7 @@ std::vector<Outcome> solve_all(const std::vector<ScenePointer>& scenes, const So
           return std::string();
         };
         const std::vector<std::size_t> parts(threads);
-        make_threads(threads)->run(parts,
-                                   {work, [](std::size_t, const std::string&) {}, [] { return false; }});
+        make_threads(threads)->run(parts, {work});
       },
       progress);
   return outcomes;

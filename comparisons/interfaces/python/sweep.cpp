@@ -11,7 +11,6 @@
 #include <numeric>
 #include <optional>
 
-#include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/interfaces/python/module.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
@@ -111,7 +110,7 @@ class SweepTable {
   /// The values that runs have of one variation: numbers, or texts by their number in a list.
   void add_variation(const Variation& variation, std::size_t index) {
     const auto is_number = [](const Value& value) { return value.node.kind == Node::Kind::number; };
-    if (std::all_of(variation.values.begin(), variation.values.end(), is_number))
+    if (std::ranges::all_of(variation.values, is_number))
       return add<double>(variation.name(),
                          [index](const RunResult& result) { return result.values[index].node.number; });
     std::map<std::string, std::int32_t> codes;

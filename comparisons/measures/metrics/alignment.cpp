@@ -124,7 +124,7 @@ double widest_window(const std::vector<ImpactTime>& exact, std::size_t number) {
 
 /// The largest difference of an interface's relative angle in a stretch of time, rad.
 double largest_relative(const Difference& apart, std::size_t interface, double begin, double end) {
-  const auto first = std::lower_bound(apart.times.begin(), apart.times.end(), begin);
+  const auto first = std::ranges::lower_bound(apart.times, begin);
   double largest = 0;
   for (auto i = static_cast<std::size_t>(first - apart.times.begin());
        i < apart.times.size() && apart.times[i] <= end; ++i) {

@@ -78,11 +78,14 @@ std::vector<ImpactTime> up_to(std::vector<ImpactTime> impacts, double time) {
   return impacts;
 }
 
+bool is_impact(EventKind kind) {
+  return kind == EventKind::impact || kind == EventKind::closure || kind == EventKind::rest;
+}
+
 std::vector<ImpactTime> reported_impacts(const History& history, double slowest) {
   std::vector<ImpactTime> impacts;
   for (const Event& event : history.events) {
-    if (event.kind != EventKind::impact && event.kind != EventKind::closure && event.kind != EventKind::rest)
-      continue;
+    if (!is_impact(event.kind)) continue;
     const auto interface = static_cast<std::size_t>(event.interface - 1);
     const double approach = std::abs(relative_at(event.before, interface));
     if (approach < slowest) continue;

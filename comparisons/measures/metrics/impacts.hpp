@@ -37,6 +37,9 @@ double relative_at(std::span<const double> values, std::size_t interface);
 /// Those up to a time, s.
 std::vector<ImpactTime> up_to(std::vector<ImpactTime> impacts, double time);
 
+/// Whether an event is an impact: those that close an interface for good are.
+bool is_impact(EventKind kind);
+
 /// The impacts that a solver reported, at `slowest` rad/s of relative speed or more.
 std::vector<ImpactTime> reported_impacts(const History& history, double slowest);
 

@@ -1,5 +1,3 @@
-#include <string_view>
-
 #include "comparisons/measures/results/run_metrics.hpp"
 
 namespace rockstack {
@@ -13,27 +11,23 @@ Column measured(const char* name, Column::Field field, const char* definition) {
   return {.name = name, .definition = definition, .field = field, .measured = true};
 }
 
-/// Of a number that every replicate has its own of: their median.
-Column median(const char* name, Column::Field field, const char* definition) {
-  return {.name = name, .definition = definition, .field = field, .replicated = true};
+/// Of a number that every replicate has its own of: their median, and where they have columns its quartiles.
+Column median(const char* name, Column::Field field, const char* definition,
+              const std::optional<Column::Field>& lower = {},
+              const std::optional<Column::Field>& upper = {}) {
+  return {name, definition, field, false, true, lower, upper};
 }
 
-/// Of the column before it, with the upper one behind it.
-Column lower_quartile(const char* name, Column::Field field) {
-  return plain(name, field, "lower quartile of the same over replicates");
-}
-
-Column upper_quartile(const char* name, Column::Field field) {
-  return plain(name, field, "upper quartile");
-}
-
-std::vector<Column> with_quartiles(std::vector<Column> list) {
-  for (std::size_t i = 1; i + 1 < list.size(); ++i) {
-    if (!std::string_view(list[i].name).ends_with("_lower")) continue;
-    list[i - 1].lower = list[i].field;
-    list[i - 1].upper = list[i + 1].field;
+/// With the columns of quartiles behind the one that they are of.
+std::vector<Column> with_quartiles(const std::vector<Column>& list) {
+  std::vector<Column> all;
+  for (const Column& one : list) {
+    all.push_back(one);
+    if (!one.lower) continue;
+    all.push_back({one.name + "_lower", "lower quartile of the same over replicates", *one.lower});
+    all.push_back({one.name + "_upper", "upper quartile", *one.upper});
   }
-  return list;
+  return all;
 }
 
 using M = RunMetrics;
@@ -104,27 +98,23 @@ const std::vector<Column>& columns() {
       // How far the motion is off.
       median("largest_angle_difference", &M::largest_angle_difference,
              "largest absolute difference of any block's angle, at the engine's own times up to the horizon, "
-             "rad"),
-      lower_quartile("largest_angle_difference_lower", &M::largest_angle_difference_lower),
-      upper_quartile("largest_angle_difference_upper", &M::largest_angle_difference_upper),
+             "rad",
+             &M::largest_angle_difference_lower, &M::largest_angle_difference_upper),
       median("rms_angle_difference", &M::rms_angle_difference,
              "root of the mean square of that difference over all times up to the horizon and all blocks, "
-             "rad"),
-      lower_quartile("rms_angle_difference_lower", &M::rms_angle_difference_lower),
-      upper_quartile("rms_angle_difference_upper", &M::rms_angle_difference_upper),
+             "rad",
+             &M::rms_angle_difference_lower, &M::rms_angle_difference_upper),
       median("largest_position_difference", &M::largest_position_difference,
              "largest distance of a block's centre of mass from the exact one, up to the horizon, m"),
       median("rms_position_difference", &M::rms_position_difference,
-             "root of the mean square of that distance over all times up to the horizon and all blocks, m"),
-      lower_quartile("rms_position_difference_lower", &M::rms_position_difference_lower),
-      upper_quartile("rms_position_difference_upper", &M::rms_position_difference_upper),
+             "root of the mean square of that distance over all times up to the horizon and all blocks, m",
+             &M::rms_position_difference_lower, &M::rms_position_difference_upper),
       median("relative_position_difference", &M::relative_position_difference,
              "the largest distance of a centre as a share of the least block height"),
       median("error", &M::error,
              "what rows are ranked by: the RMS angle difference (rad), or the RMS distance of centres as a "
-             "share of the least block height, whichever is larger"),
-      lower_quartile("error_lower", &M::error_lower),
-      upper_quartile("error_upper", &M::error_upper),
+             "share of the least block height, whichever is larger",
+             &M::error_lower, &M::error_upper),
       plain("rank", &M::rank,
             "one more than there are rows of engines, of this scene and step, that are nearer and that a "
             "test of replicates tells from this one (ranking_definition in comparison.json); empty where "
@@ -149,9 +139,8 @@ const std::vector<Column>& columns() {
              "one, as a share of the exact one"),
       median("agreement_time", &M::agreement_time,
              "time until which no angle differs by more than the tolerance; the horizon where none does "
-             "before, s"),
-      lower_quartile("agreement_time_lower", &M::agreement_time_lower),
-      upper_quartile("agreement_time_upper", &M::agreement_time_upper),
+             "before, s",
+             &M::agreement_time_lower, &M::agreement_time_upper),
       median("position_agreement_time", &M::position_agreement_time,
              "time until which no centre is further off than the tolerance times the least block height; the "
              "horizon where none is before, s"),

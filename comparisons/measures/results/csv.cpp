@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <limits>
 
@@ -13,10 +12,6 @@ namespace rockstack {
 namespace {
 
 using Cells = std::vector<std::string>;
-
-std::string place(const std::filesystem::path& file, std::size_t line) {
-  return fmt::format("{}:{}", file.string(), line);
-}
 
 /// Takes one quoted cell from the front of `rest`, which starts with the opening quote.
 std::string take_quoted(std::string_view& rest, const std::string& where) {
@@ -34,15 +29,15 @@ std::string take_quoted(std::string_view& rest, const std::string& where) {
   throw InputError(where + ": a quote is not closed");
 }
 
-/// Splits a line into `cells`, whose memory is used again.
-void split(std::string_view rest, Cells& cells, const std::string& file, std::size_t line) {
+/// Splits a line into `cells`, whose memory is used again. `where` is file:line for errors.
+void split(std::string_view rest, Cells& cells, const std::string& where) {
   cells.clear();
   for (bool more = true; more;) {
     std::string quoted;
     const bool is_quoted = !rest.empty() && rest.front() == '"';
-    if (is_quoted) quoted = take_quoted(rest, place(file, line));
+    if (is_quoted) quoted = take_quoted(rest, where);
     const std::size_t end = std::min(rest.find(','), rest.size());
-    if (is_quoted && end != 0) throw InputError(place(file, line) + ": text after a closing quote");
+    if (is_quoted && end != 0) throw InputError(where + ": text after a closing quote");
     cells.push_back(is_quoted ? std::move(quoted) : std::string(rest.substr(0, end)));
     if (cells.back().starts_with('\'') && needs_guard(cells.back())) cells.back().erase(0, 1);
     more = end < rest.size();
@@ -50,61 +45,39 @@ void split(std::string_view rest, Cells& cells, const std::string& file, std::si
   }
 }
 
-/// Calls `header` with the names, then `row` with the cells and number of each line.
-void read_rows(const std::filesystem::path& file, const std::function<void(const Cells&)>& header,
-               const std::function<void(const Cells&, std::size_t line)>& row) {
-  std::ifstream in(file);
-  if (!in) throw InputError(file.string() + ": cannot be read");
-  std::string text;
-  Cells cells;
-  std::size_t width = 0;
-  for (std::size_t line = 1; std::getline(in, text); ++line) {
-    if (!text.empty() && text.back() == '\r') text.pop_back();
-    split(text, cells, file.string(), line);
-    if (line == 1) {
-      width = cells.size();
-      header(cells);
-    } else if (cells.size() != width) {
-      throw InputError(fmt::format("{}: {} cells; must be {}", place(file, line), cells.size(), width));
-    } else {
-      row(cells, line);
-    }
-  }
-  if (width == 0) throw InputError(place(file, 1) + ": empty; must start with a header line");
-}
-
 }  // namespace
 
 Table read_table(const std::filesystem::path& file) {
-  Table table;
-  read_rows(
-      file, [&](const Cells& cells) { table.columns = cells; },
-      [&](const Cells& cells, std::size_t) { table.rows.push_back(cells); });
+  CsvLine line(file);
+  Table table{line.names(), {}};
+  while (line.next()) table.rows.push_back(line.cells());
   return table;
 }
 
-std::size_t column(const Table& table, const std::string& name, const std::filesystem::path& file) {
-  const auto found = std::find(table.columns.begin(), table.columns.end(), name);
-  if (found == table.columns.end()) throw InputError(fmt::format("{}: no column {}", place(file, 1), name));
-  return static_cast<std::size_t>(found - table.columns.begin());
+CsvLine::CsvLine(const std::filesystem::path& file) : file_(file), in_(file) {
+  if (!in_) throw InputError(file.string() + ": cannot be read");
+  if (!next()) throw InputError(fmt::format("{}:1: empty; must start with a header line", file.string()));
+  names_ = cells_;
 }
 
-void CsvLine::read(const std::function<void()>& header, const std::function<void()>& row) {
-  read_rows(
-      file_,
-      [&](const Cells& names) {
-        header_.columns = names;
-        header();
-      },
-      [&](const Cells& cells, std::size_t number) {
-        cells_ = &cells;
-        number_ = number;
-        row();
-      });
+bool CsvLine::next() {
+  if (!std::getline(in_, line_)) return false;
+  ++number_;
+  if (!line_.empty() && line_.back() == '\r') line_.pop_back();
+  split(line_, cells_, place());
+  if (number_ > 1 && cells_.size() != names_.size())
+    throw InputError(fmt::format("{}: {} cells; must be {}", place(), cells_.size(), names_.size()));
+  return true;
 }
 
 bool CsvLine::has(const std::string& name) const {
-  return std::ranges::find(names(), name) != names().end();
+  return std::ranges::find(names_, name) != names_.end();
+}
+
+std::size_t CsvLine::index(const std::string& name) const {
+  const auto found = std::ranges::find(names_, name);
+  if (found == names_.end()) throw InputError(fmt::format("{}:1: no column {}", file_.string(), name));
+  return static_cast<std::size_t>(found - names_.begin());
 }
 
 CsvLine::Indices CsvLine::indices(const std::vector<std::string>& names) const {
@@ -115,7 +88,8 @@ CsvLine::Indices CsvLine::indices(const std::vector<std::string>& names) const {
 
 double CsvLine::value(std::size_t index) const {
   if (const std::optional<double> value = number_in(text(index))) return *value;
-  return number(text(index), place(), names()[index]);
+  if (text(index).empty()) return std::numeric_limits<double>::quiet_NaN();
+  throw InputError(fmt::format("{}: {} = \"{}\": must be a number", place(), names_[index], text(index)));
 }
 
 std::optional<double> CsvLine::known(std::size_t index) const {
@@ -123,7 +97,11 @@ std::optional<double> CsvLine::known(std::size_t index) const {
 }
 
 int CsvLine::whole(std::size_t index, int least, int most) const {
-  return whole_number(text(index), place(), names()[index], least, most);
+  const double number = value(index);
+  if (!(number >= least && number <= most) || number != std::floor(number))
+    throw InputError(fmt::format("{}: {} = \"{}\": must be a whole number from {} to {}", place(),
+                                 names_[index], text(index), least, most));
+  return static_cast<int>(number);
 }
 
 void CsvLine::add(const Indices& columns, std::vector<double>& list) const {
@@ -131,18 +109,16 @@ void CsvLine::add(const Indices& columns, std::vector<double>& list) const {
 }
 
 std::string CsvLine::place() const {
-  return rockstack::place(file_, number_);
+  return fmt::format("{}:{}", file_.string(), number_);
 }
 
 std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
                                               const std::vector<std::string>& names) {
   std::vector<std::vector<double>> columns(names.size());
   CsvLine line(file);
-  CsvLine::Indices indices;
-  line.read([&] { indices = line.indices(names); },
-            [&] {
-              for (std::size_t i = 0; i < names.size(); ++i) columns[i].push_back(line.value(indices[i]));
-            });
+  const CsvLine::Indices indices = line.indices(names);
+  while (line.next())
+    for (std::size_t i = 0; i < names.size(); ++i) columns[i].push_back(line.value(indices[i]));
   return columns;
 }
 
@@ -162,22 +138,6 @@ std::optional<double> number_in(std::string_view cell) {
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   return error == std::errc() && end == cell.data() + cell.size() ? std::optional(value) : std::nullopt;
-}
-
-double number(std::string_view cell, const std::string& where, const std::string& column_name) {
-  if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const std::optional<double> value = number_in(cell);
-  if (!value) throw InputError(fmt::format("{}: {} = \"{}\": must be a number", where, column_name, cell));
-  return *value;
-}
-
-int whole_number(std::string_view cell, const std::string& where, const std::string& column_name, int least,
-                 int most) {
-  const double value = number(cell, where, column_name);
-  if (!(value >= least && value <= most) || value != std::floor(value))
-    throw InputError(fmt::format("{}: {} = \"{}\": must be a whole number from {} to {}", where, column_name,
-                                 cell, least, most));
-  return static_cast<int>(value);
 }
 
 void CsvWriter::end_line() {

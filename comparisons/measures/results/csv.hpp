@@ -2,13 +2,12 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
+#include <fstream>
 #include <optional>
 #include <ranges>
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
@@ -26,27 +25,28 @@ struct Table {
 /// quote.
 Table read_table(const std::filesystem::path& file);
 
-/// The index of a column. @throws InputError naming the file and the column that is missing.
-std::size_t column(const Table& table, const std::string& name, const std::filesystem::path& file);
-
 /// One line of a file after the other, whose columns are found by their names. All throw InputError as
-/// read_table(), and naming file, line and column of what is malformed.
+/// read_table(), and naming file, line and column of what is missing or malformed.
 class CsvLine {
  public:
   using Indices = std::vector<std::size_t>;  ///< of columns
 
-  explicit CsvLine(std::filesystem::path file) : file_(std::move(file)) {}
+  /// Stands at the header.
+  explicit CsvLine(const std::filesystem::path& file);
 
-  /// Calls `row` for each line under the header, which `header` has looked at.
-  void read(const std::function<void()>& header, const std::function<void()>& row);
+  /// Goes on to the next line; false at the end.
+  bool next();
 
-  const std::vector<std::string>& names() const { return header_.columns; }
+  const std::vector<std::string>& names() const { return names_; }
   bool has(const std::string& name) const;
-  std::size_t index(const std::string& name) const { return column(header_, name, file_); }
+  std::size_t index(const std::string& name) const;
   Indices indices(const std::vector<std::string>& names) const;
 
-  const std::string& text(std::size_t index) const { return (*cells_)[index]; }
+  const std::vector<std::string>& cells() const { return cells_; }
+  const std::string& text(std::size_t index) const { return cells_[index]; }
+  const std::string& text(const std::string& name) const { return text(index(name)); }
   double value(std::size_t index) const;  ///< NaN where the cell is empty
+  double value(const std::string& name) const { return value(index(name)); }
   std::optional<double> known(std::size_t index) const;
   int whole(std::size_t index, int least, int most) const;
   /// Adds the numbers of some columns to a list.
@@ -57,7 +57,7 @@ class CsvLine {
     try {
       return read(text(index));
     } catch (const std::invalid_argument& error) {
-      throw InputError(place() + ": " + header_.columns[index] + " = " + error.what());
+      throw InputError(place() + ": " + names_[index] + " = " + error.what());
     }
   }
 
@@ -65,9 +65,10 @@ class CsvLine {
   std::string place() const;
 
   std::filesystem::path file_;
-  Table header_;
-  const std::vector<std::string>* cells_ = nullptr;
-  std::size_t number_ = 1;
+  std::ifstream in_;
+  std::string line_;
+  std::vector<std::string> names_, cells_;
+  std::size_t number_ = 0;
 };
 
 /// Reads only the named columns, each as one vector of numbers; an empty cell is NaN. Meant for long files.
@@ -84,14 +85,6 @@ bool needs_guard(std::string_view text);
 
 /// A cell as a number, none where it is something else.
 std::optional<double> number_in(std::string_view cell);
-
-/// A cell as a number, NaN where it is empty. `place` is file:line for the error.
-/// @throws InputError naming place, column and text.
-double number(std::string_view cell, const std::string& place, const std::string& column_name);
-
-/// A cell as a whole number from `least` to `most`. @throws InputError likewise.
-int whole_number(std::string_view cell, const std::string& place, const std::string& column_name, int least,
-                 int most);
 
 /// Comma-separated values as text that grows cell by cell. Numbers read back to the same double; texts are
 /// quoted and guarded where they have to be, line breaks in them are blanks; an empty optional is an empty

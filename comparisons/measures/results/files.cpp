@@ -26,6 +26,15 @@ namespace {
   throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
 }
 
+void write_all(int descriptor, std::string_view text, const std::filesystem::path& file) {
+  while (!text.empty()) {
+    const ssize_t written = write(descriptor, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail(file);
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
 /// A file that grows beside its place, and goes away unless it is finished.
 class PartialFile {
  public:
@@ -43,13 +52,7 @@ class PartialFile {
   PartialFile(const PartialFile&) = delete;
   PartialFile& operator=(const PartialFile&) = delete;
 
-  void append(std::string_view text) {
-    while (!text.empty()) {
-      const ssize_t written = write(descriptor_, text.data(), text.size());
-      if (written < 0 && errno != EINTR) fail(file_);
-      text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
-    }
-  }
+  void append(std::string_view text) { write_all(descriptor_, text, file_); }
 
   /// On the disk first, then in its place: a machine that stops leaves it whole or not there.
   void finish() {
@@ -216,7 +219,7 @@ ResultsFolder::~ResultsFolder() {
 
 Journal::Journal(const std::filesystem::path& folder, const std::string& identity)
     : file_(folder / "runs.journal"),
-      descriptor_(open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666)) {
+      descriptor_(open(file_.c_str(), O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666)) {
   if (descriptor_.number() < 0) fail(file_);
   const std::string head = fmt::format("rockstack sweep {:016x}\n", checksum(identity));
   std::ifstream in(file_, std::ios::binary);
@@ -241,13 +244,8 @@ Journal::Journal(const std::filesystem::path& folder, const std::string& identit
 }
 
 void Journal::write(std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = pwrite(descriptor_.number(), text.data(), text.size(), static_cast<off_t>(end_));
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) fail(file_);
-    end_ += static_cast<std::uint64_t>(written);
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
+  write_all(descriptor_.number(), text, file_);
+  end_ += text.size();
 }
 
 void Journal::append(std::size_t part, const std::string& text) {

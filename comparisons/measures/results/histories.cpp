@@ -7,7 +7,6 @@
 #include <cmath>
 #include <span>
 
-#include "analytic/scene/ground/ground_motion.hpp"
 #include "analytic/scene/kinematics.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"

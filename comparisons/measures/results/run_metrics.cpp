@@ -64,7 +64,7 @@ std::string name(RunStatus status) {
 }
 
 RunStatus run_status(const std::string& name) {
-  const auto found = std::find(status_names.begin(), status_names.end(), name);
+  const auto found = std::ranges::find(status_names, name);
   if (found == status_names.end()) throw std::invalid_argument(fmt::format("{}: no status of a run", name));
   return static_cast<RunStatus>(found - status_names.begin());
 }

@@ -78,7 +78,7 @@ struct Column {
       std::variant<std::string RunMetrics::*, std::optional<double> RunMetrics::*,
                    std::optional<int> RunMetrics::*, RunStatus RunMetrics::*, TopplingVerdict RunMetrics::*>;
 
-  const char* name;
+  std::string name;
   const char* definition;
   Field field;
   bool measured = false;    ///< time or memory that the machine took: another run gives another value

@@ -49,7 +49,7 @@ std::vector<double> ground_times(const Scene& scene) {
     add_edges(*motion, times);
   }
   std::ranges::sort(times);
-  times.erase(std::upper_bound(times.begin(), times.end(), scene.duration), times.end());
+  times.erase(std::ranges::upper_bound(times, scene.duration), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }

@@ -70,21 +70,17 @@ std::string tallies_csv(const std::vector<MotionTally>& tallies, int blocks) {
 std::vector<MotionTally> read_tallies(const std::filesystem::path& file) {
   std::vector<MotionTally> tallies;
   CsvLine line(file);
-  CsvLine::Indices peaks;
-  line.read(
-      [&] {
-        const auto is_peak = [](const std::string& name) { return name.starts_with("peak_"); };
-        peaks =
-            line.indices(numbered("peak_", static_cast<int>(std::ranges::count_if(line.names(), is_peak))));
-      },
-      [&] {
-        MotionTally& tally = tallies.emplace_back();
-        const std::size_t impacts = line.index("impacts");
-        if (line.text(impacts).empty()) return;
-        tally.impacts = line.whole(impacts, 0, std::numeric_limits<int>::max());
-        tally.topples = line.value(line.index("toppled")) != 0;
-        line.add(peaks, tally.peaks);
-      });
+  const auto is_peak = [](const std::string& name) { return name.starts_with("peak_"); };
+  const auto blocks = static_cast<int>(std::ranges::count_if(line.names(), is_peak));
+  const CsvLine::Indices peaks = line.indices(numbered("peak_", blocks));
+  while (line.next()) {
+    MotionTally& tally = tallies.emplace_back();
+    const std::size_t impacts = line.index("impacts");
+    if (line.text(impacts).empty()) continue;
+    tally.impacts = line.whole(impacts, 0, std::numeric_limits<int>::max());
+    tally.topples = line.value("toppled") != 0;
+    line.add(peaks, tally.peaks);
+  }
   return tallies;
 }
 

@@ -3,6 +3,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <numeric>
 
@@ -84,8 +85,8 @@ Ranks ranks_of(const Stratum& stratum) {
   std::ranges::sort(sorted);
   Ranks ranks{doubled_ranks(sorted), stratum.second.size()};
   for (const double value : stratum.second)
-    ranks.sum += ranks.all[static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), value) -
-                                                    sorted.begin())];
+    ranks.sum +=
+        ranks.all[static_cast<std::size_t>(std::ranges::lower_bound(sorted, value) - sorted.begin())];
   return ranks;
 }
 
@@ -104,71 +105,46 @@ std::vector<double> ways_of(const Ranks& ranks) {
   return choices[ranks.count];
 }
 
-/// Of sums over all strata.
-class ExactSums {
- public:
-  explicit ExactSums(const std::vector<Ranks>& strata) {
-    for (const Ranks& ranks : strata) {
-      const std::vector<double> own = ways_of(ranks);
-      std::vector<double> both(ways_.size() + own.size() - 1);
-      for (std::size_t i = 0; i < ways_.size(); ++i)
-        for (std::size_t j = 0; ways_[i] > 0 && j < own.size(); ++j) both[i + j] += ways_[i] * own[j];
-      ways_ = both;
-    }
-  }
+/// The tails at a sum over all strata.
+using TailsAt = std::function<Tails(std::size_t sum)>;
 
-  Tails at(std::size_t sum) const {
-    const auto begin = ways_.begin(), here = begin + static_cast<std::ptrdiff_t>(sum);
+TailsAt exact_tails(const std::vector<Ranks>& strata) {
+  std::vector<double> ways{1};  // by sum
+  for (const Ranks& ranks : strata) {
+    const std::vector<double> own = ways_of(ranks);
+    std::vector<double> both(ways.size() + own.size() - 1);
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      for (std::size_t j = 0; ways[i] > 0 && j < own.size(); ++j) both[i + j] += ways[i] * own[j];
+    ways = both;
+  }
+  return [ways](std::size_t sum) -> Tails {
+    const auto begin = ways.begin(), here = begin + static_cast<std::ptrdiff_t>(sum);
     const double below = std::accumulate(begin, here, 0.0),
-                 above = std::accumulate(here + 1, ways_.end(), 0.0);
+                 above = std::accumulate(here + 1, ways.end(), 0.0);
     const double all = below + *here + above;
     return {(below + *here) / all, (above + *here) / all};
-  }
+  };
+}
 
- private:
-  std::vector<double> ways_{1};  ///< by sum
-};
-
-/// The normal limit of the same.
-class NormalSums {
- public:
-  explicit NormalSums(const std::vector<Ranks>& strata) {
-    double variance = 0;
-    for (const Ranks& ranks : strata) {
-      const auto all = static_cast<double>(ranks.all.size()), own = static_cast<double>(ranks.count);
-      const double mean = all + 1;
-      const double squares = std::accumulate(
-          ranks.all.begin(), ranks.all.end(), 0.0,
-          [&](double sum, std::size_t rank) { return sum + std::pow(static_cast<double>(rank) - mean, 2); });
-      mean_ += own * mean;
-      variance += own * (all - own) / all / (all - 1) * squares;
-    }
-    deviation_ = std::sqrt(variance);
-  }
-
-  Tails at(std::size_t sum) const {
-    const auto tail = [&](double apart) {
-      return deviation_ > 0 ? std::erfc((apart - 1) / deviation_ / std::numbers::sqrt2) / 2 : 1;
-    };
-    const double apart = static_cast<double>(sum) - mean_;
-    return {tail(-apart), tail(apart)};
-  }
-
- private:
-  double mean_ = 0, deviation_ = 0;
-};
-
-template <class Sums>
-MannWhitney compare_sums(const Sums& sums, const std::vector<Ranks>& strata) {
-  std::size_t sum = 0, least = 0, most = 0;
-  double won = 0, pairs = 0;
+/// Their normal limit.
+TailsAt normal_tails(const std::vector<Ranks>& strata) {
+  double mean_sum = 0, variance = 0;
   for (const Ranks& ranks : strata) {
-    const auto own = static_cast<double>(ranks.count);
-    sum += ranks.sum, least += ranks.least(), most += ranks.most();
-    won += static_cast<double>(ranks.sum) / 2 - own * (own + 1) / 2;
-    pairs += own * static_cast<double>(ranks.all.size() - ranks.count);
+    const auto all = static_cast<double>(ranks.all.size()), own = static_cast<double>(ranks.count);
+    const double mean = all + 1;
+    const double squares = std::accumulate(
+        ranks.all.begin(), ranks.all.end(), 0.0,
+        [&](double sum, std::size_t rank) { return sum + std::pow(static_cast<double>(rank) - mean, 2); });
+    mean_sum += own * mean;
+    variance += own * (all - own) / all / (all - 1) * squares;
   }
-  return {won / pairs, sums.at(sum).p_value(), std::min(sums.at(least).p_value(), sums.at(most).p_value())};
+  return [mean_sum, deviation = std::sqrt(variance)](std::size_t sum) -> Tails {
+    const auto tail = [&](double apart) {
+      return deviation > 0 ? std::erfc((apart - 1) / deviation / std::numbers::sqrt2) / 2 : 1;
+    };
+    const double apart = static_cast<double>(sum) - mean_sum;
+    return {tail(-apart), tail(apart)};
+  };
 }
 
 constexpr int chance_draws = 101;  // an odd number, whose median is one of them
@@ -232,15 +208,20 @@ MannWhitney mann_whitney(const std::vector<double>& first, const std::vector<dou
 }
 
 MannWhitney mann_whitney(const std::vector<Stratum>& strata) {
-  std::vector<Ranks> ranks;
-  std::size_t values = 0;
+  std::vector<Ranks> all;
+  std::size_t values = 0, sum = 0, least = 0, most = 0;
+  double won = 0, pairs = 0;
   for (const Stratum& stratum : strata) {
-    ranks.push_back(ranks_of(stratum));
-    values += ranks.back().all.size();
+    const Ranks& ranks = all.emplace_back(ranks_of(stratum));
+    const auto own = static_cast<double>(ranks.count);
+    values += ranks.all.size();
+    sum += ranks.sum, least += ranks.least(), most += ranks.most();
+    won += static_cast<double>(ranks.sum) / 2 - own * (own + 1) / 2;
+    pairs += own * static_cast<double>(ranks.all.size() - ranks.count);
   }
   constexpr std::size_t most_exact = 50;
-  if (values > most_exact) return compare_sums(NormalSums(ranks), ranks);
-  return compare_sums(ExactSums(ranks), ranks);
+  const TailsAt tails = values > most_exact ? normal_tails(all) : exact_tails(all);
+  return {won / pairs, tails(sum).p_value(), std::min(tails(least).p_value(), tails(most).p_value())};
 }
 
 ChanceMatches chance_matches(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,

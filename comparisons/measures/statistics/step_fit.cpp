@@ -121,20 +121,6 @@ Found best_curve(const Data& data) {
   return curve.sum < power.sum ? curve : power;
 }
 
-/// The sum of squares with the order given.
-double sum_at_order(const Data& data, double order) {
-  const auto sum = [&](double turn, double) { return data.rest(order, turn).sum; };
-  return std::min(least(sum, data.turns(), {0, 0}).sum, data.rest(order, no_turn).sum);
-}
-
-/// The sum of squares with ln of the model error given.
-double sum_at_model_error(const Data& data, double model_error) {
-  const auto sum = [&](double order, double turn) {
-    return data.sum(order, turn, model_error - order * turn);
-  };
-  return least(sum, {least_order, most_order}, data.turns()).sum;
-}
-
 /// Where a profile leaves the limit between a place inside and one further out; that one if it is inside too.
 double edge(const std::function<double(double)>& profile, double limit, double inside, double outside) {
   if (profile(outside) <= limit) return outside;
@@ -146,14 +132,22 @@ double edge(const std::function<double(double)>& profile, double limit, double i
 }
 
 Bounded order_bounds(const Data& data, const Found& best, double limit) {
-  const auto profile = [&](double order) { return sum_at_order(data, order); };
+  const auto profile = [&](double order) {
+    const auto sum = [&](double turn, double) { return data.rest(order, turn).sum; };
+    return std::min(least(sum, data.turns(), {0, 0}).sum, data.rest(order, no_turn).sum);
+  };
   return {best.x, edge(profile, limit, best.x, least_order), edge(profile, limit, best.x, most_order)};
 }
 
 /// Model errors from a thousandth of the least error to the largest error; below it one counts as none.
 Bounded model_error_bounds(const Data& data, double model_error, double power_sum, double limit,
                            Range errors) {
-  const auto profile = [&](double logarithm) { return sum_at_model_error(data, logarithm); };
+  const auto profile = [&](double logarithm) {
+    const auto sum = [&](double order, double turn) {
+      return data.sum(order, turn, logarithm - order * turn);
+    };
+    return least(sum, {least_order, most_order}, data.turns()).sum;
+  };
   const double smallest = std::log(1e-3 * errors.low);
   const double inside = std::max(smallest, model_error > 0 ? std::log(model_error) : smallest);
   const double low = power_sum <= limit ? 0 : std::exp(edge(profile, limit, inside, smallest));

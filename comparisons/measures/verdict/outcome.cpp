@@ -24,10 +24,6 @@ std::string share_of_replicates(const RunMetrics& row) {
   return other > 0 && other < all ? fmt::format("in {} of {} replicates", other, all) : "";
 }
 
-bool is_at_rest(const RunMetrics& row) {
-  return row.motion && *row.motion <= rest_extent;
-}
-
 std::string at_rest(const RunMetrics& row, const SceneScale& scale, const std::string& event) {
   const bool turns = row.largest_angle_difference.value_or(0) > scale.tolerance;
   const bool sinks = event.starts_with("sinks");
@@ -89,7 +85,7 @@ std::string outcome(const RunMetrics& row, const SceneScale& scale) {
   if (row.status != RunStatus::done) return name(row.status) + ": " + row.reason;
   if (!row.error) return "";
   const std::string event = event_of(row, scale);
-  if (is_at_rest(row)) return at_rest(row, scale, event);
+  if (row.motion && *row.motion <= rest_extent) return at_rest(row, scale, event);
   const double horizon = row.horizon.value_or(scale.duration);
   const std::string until = !agrees(row, scale) ? "until " + quantity_text(agreement_end(row, scale), "s")
                             : horizon < scale.duration ? "to the horizon"

@@ -94,11 +94,6 @@ void add_sequences(const std::vector<ReplicatedRow>& rows, std::vector<std::stri
                                                : fmt::format("{} have", all)));
 }
 
-/// Whether replicates show a row's largest angles to be others than the exact ones.
-bool has_other_peaks(const ReplicatedRow& one) {
-  return !one.peaks.empty() && mann_whitney(one.exact_peaks, one.peaks).p_value <= separation_level;
-}
-
 void add_beyond(const std::vector<ReplicatedRow>& rows, const SceneScale& scale,
                 std::vector<std::string>& sentences) {
   std::vector<std::string> other;
@@ -108,7 +103,8 @@ void add_beyond(const std::vector<ReplicatedRow>& rows, const SceneScale& scale,
     if (!can_be_ranked(one)) continue;
     horizon = one.row.horizon.value_or(horizon);
     ++compared;
-    if (has_other_peaks(one)) other.push_back(phrase(one.row));
+    if (!one.peaks.empty() && mann_whitney(one.exact_peaks, one.peaks).p_value <= separation_level)
+      other.push_back(phrase(one.row));
   }
   if (compared == 0 || horizon >= scale.duration) return;
   sentences.push_back(

@@ -10,9 +10,11 @@ namespace rockstack {
 
 /// Work in tasks that can be worked on in any order.
 struct Work {
-  std::function<std::string(std::size_t task)> compute;               ///< from any thread
-  std::function<void(std::size_t task, const std::string&)> deliver;  ///< from one thread at a time
-  std::function<bool()> stopped;  ///< true: no further task is begun, those begun are finished
+  std::function<std::string(std::size_t task)> compute;  ///< from any thread
+  /// From one thread at a time.
+  std::function<void(std::size_t task, const std::string&)> deliver = [](std::size_t, const std::string&) {};
+  /// True: no further task is begun, those begun are finished.
+  std::function<bool()> stopped = [] { return false; };
   /// True for a task that need not be made after all, by what was delivered so far.
   std::function<bool(std::size_t task)> needless = [](std::size_t) { return false; };
 };

@@ -1,51 +1,13 @@
 #include <algorithm>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "comparisons/runs/execution/executor.hpp"
 
 namespace rockstack {
 namespace {
-
-/// The tasks not yet begun, and the first failure.
-class Queue {
- public:
-  Queue(const std::vector<std::size_t>& tasks, const Work& work) : tasks_(tasks), work_(work) {}
-
-  /// What each thread does.
-  void work() {
-    try {
-      for (std::size_t task = 0; next(task);) {
-        const std::string text = work_.compute(task);
-        const std::lock_guard lock(mutex_);
-        work_.deliver(task, text);
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-    }
-  }
-
-  void rethrow() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
- private:
-  bool next(std::size_t& task) {
-    const std::lock_guard lock(mutex_);
-    while (next_ < tasks_.size() && work_.needless(tasks_[next_])) ++next_;
-    if (failure_ || next_ == tasks_.size() || work_.stopped()) return false;
-    task = tasks_[next_++];
-    return true;
-  }
-
-  const std::vector<std::size_t>& tasks_;
-  const Work& work_;
-  std::mutex mutex_;
-  std::size_t next_ = 0;
-  std::exception_ptr failure_;
-};
 
 class Threads : public Executor {
  public:
@@ -58,12 +20,33 @@ class Threads : public Executor {
   bool leads() const override { return true; }
 
   void run(const std::vector<std::size_t>& tasks, const Work& work) override {
-    Queue queue(tasks, work);
+    std::mutex mutex;
+    std::exception_ptr failure;
+    auto left = tasks.begin();
+    const auto next = [&]() -> std::optional<std::size_t> {
+      while (left != tasks.end() && work.needless(*left)) ++left;
+      if (failure || left == tasks.end() || work.stopped()) return std::nullopt;
+      return *left++;
+    };
+    const auto make_tasks = [&] {
+      std::unique_lock lock(mutex);  // but while a task is computed
+      try {
+        while (const auto task = next()) {
+          lock.unlock();
+          const std::string text = work.compute(*task);
+          lock.lock();
+          work.deliver(*task, text);
+        }
+      } catch (...) {
+        if (!lock) lock.lock();
+        if (!failure) failure = std::current_exception();
+      }
+    };
     {
       std::vector<std::jthread> threads;
-      for (std::size_t i = 0; i < count_; ++i) threads.emplace_back([&queue] { queue.work(); });
+      for (std::size_t i = 0; i < count_; ++i) threads.emplace_back(make_tasks);
     }
-    queue.rethrow();
+    if (failure) std::rethrow_exception(failure);
   }
 
   void serve(const std::function<std::string(std::size_t task)>& /*compute*/) override {}

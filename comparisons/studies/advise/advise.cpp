@@ -43,8 +43,8 @@ RunMetrics nominal_run(const Job& job, const std::filesystem::path& folder, cons
 }
 
 int count_within(const std::vector<RunMetrics>& replicates, double error) {
-  return static_cast<int>(std::count_if(replicates.begin(), replicates.end(),
-                                        [&](const RunMetrics& row) { return meets(row, error); }));
+  return static_cast<int>(
+      std::ranges::count_if(replicates, [&](const RunMetrics& row) { return meets(row, error); }));
 }
 
 /// Replicates about the step itself, for a trial that passes without them.

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "analytic/scene/input/json_reader.hpp"
@@ -33,12 +32,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double usual_step = 1e-3;  ///< s
 constexpr double vanishing = 1e-9;   ///< a deviation that is less is none, s
-
-double largest_magnitude(const std::vector<double>& values) {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
 
 /// Of each block's slips or gaps between samples, m/s; over nothing there is no gap.
 double largest_speed(const History& history, const std::vector<double>& ways) {
@@ -83,9 +76,7 @@ CanonErrors errors_at(const Suite& suite, const NamedScene& scene, const EngineS
     errors.replicates[replicate] = deviations(drawn, solve(drawn, {.sample_times = engine.times}), engine);
     return std::string();
   };
-  const auto nothing = [](std::size_t /*replicate*/, const std::string& /*text*/) {};
-  const auto never = [] { return false; };
-  make_threads(std::max(1U, std::thread::hardware_concurrency()))->run(replicates, {compute, nothing, never});
+  make_threads(all_cores())->run(replicates, {compute});
   return errors;
 }
 
@@ -107,18 +98,15 @@ std::string amount_text(double time, const Deviation& kind) {
   return quantity_text(time * kind.speed, kind.unit(), 2);
 }
 
-/// The least and the largest by time of the three finest steps, which differ by four: under any order from a
-/// half on, the error falls by a factor of two or more between them.
-std::pair<double, double> range_of_finest(const std::vector<Deviation>& deviations) {
-  const auto [least, most] = std::minmax_element(deviations.end() - 3, deviations.end(), sooner);
-  return {least->time, most->time};
-}
-
 /// Verdict and reason, from the fit and what the medians are.
 void judge(CanonAnswer& answer, const StepFit& fit) {
   const Deviation& finest = answer.deviations.back();
   const Bounded& left = fit.model_error;
-  const auto [least, most] = range_of_finest(answer.deviations);
+  // Of the three finest steps, which differ by four: under any order from a half on, the error falls by a
+  // factor of two or more between them.
+  const auto [finest_least, finest_most] =
+      std::minmax_element(answer.deviations.end() - 3, answer.deviations.end(), sooner);
+  const double least = finest_least->time, most = finest_most->time;
   const bool falls = finest.time <= 0.5 * answer.deviations.front().time;
   if (most <= canon_resolution) {
     answer.verdict = "agrees";
@@ -171,13 +159,6 @@ Json json_of(const CanonAnswer& answer) {
   return json;
 }
 
-/// What json_of() leaves out.
-Json whole_json_of(const CanonAnswer& answer, const std::string& identity) {
-  Json json{{"identity", identity}, {"answer", json_of(answer)}, {"deviations", Json::array()}};
-  for (const Deviation& one : answer.deviations) json["deviations"].push_back({one.time, one.speed, one.of});
-  return json;
-}
-
 /// The answer of that identity in a file, or none.
 std::optional<CanonAnswer> kept_answer(const fs::path& file, const std::string& identity) {
   const auto whole = [&](const Json& json) -> std::optional<CanonAnswer> {
@@ -193,13 +174,6 @@ std::optional<CanonAnswer> kept_answer(const fs::path& file, const std::string& 
   } catch (const InputError&) {
     return {};
   }
-}
-
-/// Of the answer to all steps.
-std::string identity_of(const Suite& suite, const NamedScene& scene, const EngineSeries& series) {
-  std::string text;
-  for (const double step : canon_steps) text += replicates_identity({suite, scene, step, &series});
-  return fmt::format("{:016x}", checksum(text));
 }
 
 }  // namespace
@@ -222,8 +196,7 @@ std::vector<Deviation> deviations(const Scene& scene, const History& exact, cons
 CanonAnswer judge_canon(const std::string& scene, const std::vector<CanonErrors>& errors) {
   const std::vector<std::string> from_best{"agrees", "converges", "cannot tell", "another law"};
   const auto off = [&](const CanonAnswer& answer) {
-    return std::pair(std::find(from_best.begin(), from_best.end(), answer.verdict),
-                     answer.deviations.back().time);
+    return std::pair(std::ranges::find(from_best, answer.verdict), answer.deviations.back().time);
   };
   std::vector<CanonAnswer> answers;
   for (std::size_t quantity = 0; quantity < errors.front().replicates.front().size(); ++quantity) {
@@ -235,8 +208,8 @@ CanonAnswer judge_canon(const std::string& scene, const std::vector<CanonErrors>
     }
     judge(answers.back(), fit_steps(medians));
   }
-  return *std::max_element(answers.begin(), answers.end(),
-                           [&](const auto& one, const auto& other) { return off(one) < off(other); });
+  return *std::ranges::max_element(answers,
+                                   [&](const auto& one, const auto& other) { return off(one) < off(other); });
 }
 
 CanonAnswer answer_canon(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
@@ -254,7 +227,10 @@ CanonAnswer answer_canon(const Suite& suite, const NamedScene& scene, const Work
 
 CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
                               const std::string& settings, const fs::path& folder) {
-  const std::string identity = identity_of(suite, scene, make_series(engine, settings, {}));
+  const EngineSeries series = make_series(engine, settings, {});
+  std::string text;
+  for (const double step : canon_steps) text += replicates_identity({suite, scene, step, &series});
+  const std::string identity = fmt::format("{:016x}", checksum(text));
   const fs::path file =
       folder /
       (folder_name(fmt::format("{}-{}-{}-{}", engine.name, engine.solver, settings, scene.name)) + ".json");
@@ -262,7 +238,9 @@ CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const
   CanonAnswer answer = answer_canon(suite, scene, engine, settings);
   if (answer.deviations.empty()) return answer;
   fs::create_directories(folder);
-  write_file(file, whole_json_of(answer, identity).dump(2) + "\n");
+  Json whole{{"identity", identity}, {"answer", json_of(answer)}, {"deviations", Json::array()}};
+  for (const Deviation& one : answer.deviations) whole["deviations"].push_back({one.time, one.speed, one.of});
+  write_file(file, whole.dump(2) + "\n");
   return answer;
 }
 

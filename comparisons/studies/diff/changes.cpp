@@ -123,8 +123,7 @@ Turn RowChange::worst() const {
 }
 
 bool ResultsChange::worse() const {
-  return std::any_of(rows.begin(), rows.end(),
-                     [](const RowChange& row) { return row.worst() == Turn::worse; });
+  return std::ranges::any_of(rows, [](const RowChange& row) { return row.worst() == Turn::worse; });
 }
 
 std::size_t ResultsChange::replicates_needed() const {
@@ -205,8 +204,8 @@ std::vector<TurnedNumber> turned_numbers(const ResultsChange& result) {
   const auto rank = [](const TurnedNumber& number) {
     return std::tuple(number.change->turn, std::abs(std::log(std::abs(number.ratio()))));
   };
-  std::stable_sort(turned.begin(), turned.end(),
-                   [&](const TurnedNumber& a, const TurnedNumber& b) { return rank(a) > rank(b); });
+  std::ranges::stable_sort(turned,
+                           [&](const TurnedNumber& a, const TurnedNumber& b) { return rank(a) > rank(b); });
   return turned;
 }
 

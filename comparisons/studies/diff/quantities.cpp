@@ -13,8 +13,8 @@ namespace {
 using Better = ReportedQuantity::Better;
 
 const Column& column_of(const std::string& name) {
-  const auto found = std::find_if(columns().begin(), columns().end(),
-                                  [&](const Column& column) { return column.name == name; });
+  const auto found =
+      std::ranges::find_if(columns(), [&](const Column& column) { return column.name == name; });
   if (found == columns().end()) throw std::logic_error(name + ": no column of a comparison");
   return *found;
 }
@@ -84,7 +84,7 @@ std::vector<double> values_of(const ReportedQuantity& quantity, const RecordedRu
   if (run.replicates.empty())
     add(run.row);
   else
-    std::for_each(run.replicates.begin(), run.replicates.end(), add);
+    std::ranges::for_each(run.replicates, add);
   return values;
 }
 

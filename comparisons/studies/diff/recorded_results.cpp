@@ -47,7 +47,7 @@ using Key = std::vector<std::string>;
 using Across = std::vector<std::string>;
 
 bool crosses(const Across& across, const std::string& name) {
-  return std::find(across.begin(), across.end(), name) != across.end();
+  return std::ranges::find(across, name) != across.end();
 }
 
 Key key_of(const RunMetrics& row, const Across& across) {

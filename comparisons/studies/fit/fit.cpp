@@ -81,8 +81,7 @@ std::vector<Place> best_places(const Shares& shares) {
       left /= parts;
     }
     place.sum = shares.fitted.residuals(shares.at(place.shares)).squaredNorm();
-    best.insert(std::find_if(best.begin(), best.end(), [&](const Place& one) { return place.sum < one.sum; }),
-                place);
+    best.insert(std::ranges::find_if(best, [&](const Place& one) { return place.sum < one.sum; }), place);
     if (best.size() > kept) best.pop_back();
   }
   return best;

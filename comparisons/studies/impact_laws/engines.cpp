@@ -44,7 +44,7 @@ LawRun run_law(Scene scene, Law law) {
   const Event impact = events.events.front();
   const History history = solve(scene, {.sample_times = {impact.time + follow / 2, impact.time + follow}});
   if (history.size() < 2) throw std::runtime_error("a block topples");
-  const auto count = std::count_if(events.events.begin(), events.events.end(), [&](const Event& event) {
+  const auto count = std::ranges::count_if(events.events, [&](const Event& event) {
     return event.kind != EventKind::opening && event.time <= impact.time + follow;
   });
   return {impact, mean_rates(history, 0, 1), count == 1};

@@ -92,7 +92,7 @@ double clearness(const DrawnImpact& drawn, const LawVerdict& verdict) {
 
 void note_disagreement(const ImpactKind& kind, const DrawnImpact& drawn, const LawVerdict& verdict,
                        std::vector<Disagreement>& list) {
-  auto found = std::find_if(list.begin(), list.end(), [&](const Disagreement& known) {
+  auto found = std::ranges::find_if(list, [&](const Disagreement& known) {
     return known.kind.before == kind.before && known.kind.interface == kind.interface &&
            known.paper == verdict.paper.pattern && known.consistent == verdict.consistent->pattern;
   });
@@ -150,8 +150,7 @@ std::string name(const ImpactKind& kind) {
 std::vector<ImpactKind> impact_kinds(int blocks) {
   const Impact<double> standing{{closed_pattern(blocks), {}, {}}, {}};
   std::vector<Pattern> all = candidates(standing.before.pattern, standing.touching());
-  std::sort(all.begin(), all.end(),
-            [](const Pattern& a, const Pattern& b) { return a.contacts < b.contacts; });
+  std::ranges::sort(all, [](const Pattern& a, const Pattern& b) { return a.contacts < b.contacts; });
   std::vector<ImpactKind> kinds;
   for (const Pattern& pattern : all) {
     int lowest = 0;

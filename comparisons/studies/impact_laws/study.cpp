@@ -66,12 +66,10 @@ std::string spaced(const std::vector<double>& values) {
   return fmt::format("{}", fmt::join(values, " "));
 }
 
-struct Definition {
-  const char* name;
-  const char* text;
-};
+/// Columns and what they mean.
+using Definitions = std::initializer_list<std::pair<const char*, const char*>>;
 
-constexpr Definition share_columns[]{
+constexpr Definitions share_columns{
     {"blocks", "number of blocks"},
     {"kind", "pattern before the impact, and where it takes place; one of each pair of mirror images"},
     {"aspect_ratio_from", "height over width of the top block: the cell's edges"},
@@ -86,7 +84,7 @@ constexpr Definition share_columns[]{
     {"missed", "impacts with a consistent pattern that the solver's search does not find"},
 };
 
-constexpr Definition verdict_columns[]{
+constexpr Definitions verdict_columns{
     {"case", "kind of impact, pattern after it under law paper, and under law consistent"},
     {"kind", "pattern before the impact, and where it takes place"},
     {"engine", "name of the engine"},
@@ -109,16 +107,14 @@ constexpr Definition verdict_columns[]{
     {"rates", "likewise in the engine"},
 };
 
-template <std::size_t count>
-void add_header(CsvWriter& csv, const Definition (&columns)[count]) {
-  for (const Definition& column : columns) csv.add(column.name);
+void add_header(CsvWriter& csv, Definitions columns) {
+  for (const auto& [name, meaning] : columns) csv.add(name);
   csv.end_line();
 }
 
-template <std::size_t count>
-Json definitions(const Definition (&columns)[count]) {
+Json definitions(Definitions columns) {
   Json json;
-  for (const Definition& column : columns) json[column.name] = column.text;
+  for (const auto& [name, meaning] : columns) json[name] = meaning;
   return json;
 }
 
@@ -233,9 +229,8 @@ std::vector<EngineTally> tallies(const std::vector<ImpactCase>& cases) {
   for (const ImpactCase& question : cases) {
     for (const EngineVerdict& verdict : question.verdicts) {
       const std::string engine = fmt::format("{}:{} {}", verdict.engine, verdict.solver, verdict.settings);
-      auto tally = std::find_if(list.begin(), list.end(), [&](const EngineTally& known) {
-        return known.engine == engine && known.dt == verdict.dt;
-      });
+      auto tally = std::ranges::find_if(
+          list, [&](const EngineTally& known) { return known.engine == engine && known.dt == verdict.dt; });
       if (tally == list.end()) tally = list.insert(list.end(), {engine, verdict.dt});
       ++(!verdict.failure.empty()          ? tally->failed
          : verdict.follows == "consistent" ? tally->consistent

@@ -109,11 +109,6 @@ Distribution read_distribution(const Node& node) {
   return {Distribution::Kind::lognormal, positive_number(node, "median"), positive_number(node, "beta")};
 }
 
-/// Whether the exact motion is the same whatever its value.
-bool is_label(const std::string& key) {
-  return key == "title" || key == "engine.depth";
-}
-
 std::vector<std::string> read_keys(const Node& node) {
   std::vector<std::string> keys;
   if (node.kind == Node::Kind::text) {
@@ -143,8 +138,7 @@ const Node& way(const Node& table) {
 
 bool Variation::is_record(const Value& value) const {
   return value.node.kind == Node::Kind::text &&
-         std::any_of(keys.begin(), keys.end(),
-                     [](const std::string& key) { return key.ends_with(".record"); });
+         std::ranges::any_of(keys, [](const std::string& key) { return key.ends_with(".record"); });
 }
 
 std::size_t run_count(const Ensemble& ensemble) {
@@ -219,7 +213,9 @@ Variation read_variation(const Node& table, const std::filesystem::path& folder)
   variation.place = table.place;
   const Node& key = required(table, "key", "a key of the scene");
   variation.keys = read_keys(key);
-  if (find(table, "group") == nullptr && std::all_of(variation.keys.begin(), variation.keys.end(), is_label))
+  // Whatever the value of these, the exact motion is the same.
+  const auto is_label = [](const std::string& one) { return one == "title" || one == "engine.depth"; };
+  if (find(table, "group") == nullptr && std::ranges::all_of(variation.keys, is_label))
     throw wrong_value(key, "a key that changes the exact motion, or one of a group");
   const Node& given = way(table);
   if (given.name == "values") {

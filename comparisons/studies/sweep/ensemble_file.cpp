@@ -59,7 +59,7 @@ void require_new_keys(const Ensemble& ensemble, const Variation& variation) {
     taken.insert(taken.end(), other.keys.begin(), other.keys.end());
   }
   for (const std::string& key : variation.keys) {
-    if (std::find(taken.begin(), taken.end(), key) != taken.end()) {
+    if (std::ranges::find(taken, key) != taken.end()) {
       throw InputError(fmt::format("{}: key = {}: must be varied only once", variation.place, one_line(key)));
     }
     taken.push_back(key);
@@ -85,7 +85,7 @@ void require_unvaried(const Ensemble& ensemble, const std::vector<std::string>& 
     std::string key = each.substr(0, each.find('='));
     std::erase(key, ' ');
     for (const Variation& variation : ensemble.variations) {
-      if (std::find(variation.keys.begin(), variation.keys.end(), key) != variation.keys.end())
+      if (std::ranges::find(variation.keys, key) != variation.keys.end())
         throw InputError(fmt::format("--set {}: must be a key that is not varied, as {} does", one_line(each),
                                      variation.place));
     }
@@ -93,9 +93,8 @@ void require_unvaried(const Ensemble& ensemble, const std::vector<std::string>& 
 }
 
 void read_drawing(Ensemble& ensemble, const Node& root) {
-  const bool draws =
-      std::any_of(ensemble.variations.begin(), ensemble.variations.end(),
-                  [](const Variation& variation) { return variation.distribution.has_value(); });
+  const bool draws = std::ranges::any_of(
+      ensemble.variations, [](const Variation& variation) { return variation.distribution.has_value(); });
   for (const char* name : {"samples", "seed"}) {
     const Node* node = find(root, name);
     if (draws && node == nullptr) throw missing_key(root, name, "given where values are drawn");
@@ -116,11 +115,10 @@ void read_drawing(Ensemble& ensemble, const Node& root) {
 /// The name of the variation that a summary's key stands for; its values must be numbers.
 std::string read_axis_name(const Node& node, const Ensemble& ensemble) {
   for (const Variation& variation : ensemble.variations) {
-    const bool numbers =
-        std::all_of(variation.values.begin(), variation.values.end(),
-                    [](const Value& value) { return value.node.kind == Node::Kind::number; });
+    const bool numbers = std::ranges::all_of(
+        variation.values, [](const Value& value) { return value.node.kind == Node::Kind::number; });
     const auto& keys = variation.keys;
-    if (std::find(keys.begin(), keys.end(), text(node)) != keys.end() && numbers) return variation.name();
+    if (std::ranges::find(keys, text(node)) != keys.end() && numbers) return variation.name();
   }
   throw wrong_value(node, "a key that is varied over numbers");
 }

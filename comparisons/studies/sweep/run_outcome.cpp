@@ -1,24 +1,12 @@
 #include "comparisons/studies/sweep/run_outcome.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {
-
-/// Nothing where there are none.
-std::optional<double> largest(const std::vector<double>& sizes) {
-  if (sizes.empty()) return std::nullopt;
-  double most = 0;
-  for (const double size : sizes) most = std::max(most, std::abs(size));
-  return most;
-}
-
-bool is_impact(const Event& event) {
-  return event.kind == EventKind::impact || event.kind == EventKind::closure || event.kind == EventKind::rest;
-}
 
 /// What interfaces do, at a time or ever.
 struct Freedom {
@@ -46,14 +34,14 @@ Freedom freedom(const Pattern& pattern) {
 Freedom freedom(const InitialState& initial) {
   const auto differs = [](const std::vector<double>& values) {
     double below = 0;
-    return std::any_of(values.begin(), values.end(), [&](double value) {
+    return std::ranges::any_of(values, [&](double value) {
       const bool other = value != below;
       below = value;
       return other;
     });
   };
   const auto has_any = [](const std::vector<double>& values) {
-    return std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });
+    return std::ranges::any_of(values, [](double value) { return value != 0; });
   };
   return {.slips = has_any(initial.slip_velocities),
           .opens = differs(initial.angles) || differs(initial.velocities),
@@ -85,7 +73,7 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
   }
   for (const Event& event : history.events) {
     outcome.events += event.count;
-    if (is_impact(event)) outcome.impacts += event.count;
+    if (is_impact(event.kind)) outcome.impacts += event.count;
   }
   if (!history.events.empty()) {
     const Event& last = history.events.back();
@@ -99,8 +87,8 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
   outcome.motion = whole_mode(scene, history);
   outcome.force = worst_of(history.forces);
   outcome.impulse = worst_of(history.impulses);
-  outcome.slip = largest(history.slips_left);
-  outcome.lift = largest(history.lifts);
+  if (!history.slips_left.empty()) outcome.slip = largest_magnitude(history.slips_left);
+  if (!history.lifts.empty()) outcome.lift = largest_magnitude(history.lifts);
   return outcome;
 }
 

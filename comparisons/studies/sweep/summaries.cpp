@@ -27,32 +27,29 @@ struct Run {
 
 /// Values of varied keys stand between `run` and `peak_1`.
 Run run_in(const CsvLine& line, const SummaryKeys& keys) {
-  const auto at = [&](const std::string& name) { return line.value(line.index(name)); };
   Run run;
-  run.intensity = at(keys.intensity);
-  if (!keys.period.empty()) run.period = at(keys.period);
-  if (!keys.friction.empty()) run.friction = at(keys.friction);
+  run.intensity = line.value(keys.intensity);
+  if (!keys.period.empty()) run.period = line.value(keys.period);
+  if (!keys.friction.empty()) run.friction = line.value(keys.friction);
   const std::size_t first_outcome = line.index("peak_1");
   for (std::size_t c = 1; c < first_outcome; ++c) {
     const std::string& name = line.names()[c];
     if (name == keys.intensity || name == keys.period || name == keys.friction) continue;
     run.others += (run.others.empty() ? "" : ", ") + name + "=" + line.text(c);
   }
-  run.failed = line.text(line.index("status")) == "failed";
+  run.failed = line.text("status") == "failed";
   if (run.failed) return run;
-  if (!keys.friction.empty())
-    run.onset = line.text(line.index("onset")), run.motion = line.text(line.index("motion"));
-  run.toppled = at("toppled") > 0;
-  run.moved = at("events") > 0;
-  run.with_impact = at("impacts") > 0;
-  run.peak_ratio = at("peak_ratio");
+  if (!keys.friction.empty()) run.onset = line.text("onset"), run.motion = line.text("motion");
+  run.toppled = line.value("toppled") > 0;
+  run.moved = line.value("events") > 0;
+  run.with_impact = line.value("impacts") > 0;
+  run.peak_ratio = line.value("peak_ratio");
   return run;
 }
 
 std::vector<Run> read_runs(const std::filesystem::path& file, const SummaryKeys& keys) {
   std::vector<Run> runs;
-  CsvLine line(file);
-  line.read([] {}, [&] { runs.push_back(run_in(line, keys)); });
+  for (CsvLine line(file); line.next();) runs.push_back(run_in(line, keys));
   return runs;
 }
 
@@ -128,7 +125,7 @@ void write_incremental(std::vector<Run> runs, const std::map<double, double>& le
   std::vector<std::pair<std::size_t, const Run*>> ordered;
   ordered.reserve(runs.size());
   for (const Run& run : runs) ordered.emplace_back(numbers[run.others], &run);
-  std::stable_sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) {
+  std::ranges::stable_sort(ordered, [](const auto& a, const auto& b) {
     return std::pair(a.first, a.second->intensity) < std::pair(b.first, b.second->intensity);
   });
   CsvWriter curves;

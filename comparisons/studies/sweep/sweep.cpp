@@ -13,10 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::size_t block_count(std::size_t runs) {
-  return (runs + block_size(runs) - 1) / block_size(runs);
-}
-
 std::size_t length_of(std::size_t block, std::size_t runs) {
   return std::min(block_size(runs), runs - block * block_size(runs));
 }
@@ -51,9 +47,8 @@ void write_results(const Ensemble& ensemble, const Journal& journal, const std::
 }
 
 std::size_t count_failed(const std::filesystem::path& runs) {
-  std::size_t status = 0, count = 0;
-  CsvLine line(runs);
-  line.read([&] { status = line.index("status"); }, [&] { count += line.text(status) == "failed" ? 1 : 0; });
+  std::size_t count = 0;
+  for (CsvLine line(runs); line.next();) count += line.text("status") == "failed" ? 1 : 0;
   return count;
 }
 
@@ -84,7 +79,7 @@ SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& ex
   SweepResult result{.runs = run_count(ensemble)};
   Journal journal(options.folder, identity(ensemble, library) + std::to_string(block_size(result.runs)));
   std::vector<std::size_t> blocks;
-  for (std::size_t block = 0; block < block_count(result.runs); ++block) {
+  for (std::size_t block = 0; block * block_size(result.runs) < result.runs; ++block) {
     if (journal.has(block)) {
       result.done += length_of(block, result.runs);
     } else {

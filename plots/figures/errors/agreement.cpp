@@ -1,4 +1,3 @@
-#include <utility>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "plots/drawing/rows.hpp"

@@ -185,9 +185,9 @@ Drawing ranking(const SceneSubject& subject) {
 
 Drawings solver_scores(const ComparisonSubject& subject) {
   if (!has_scores(subject.comparison)) return {};
-  const auto question =
-      std::find_if(solver_questions().begin(), solver_questions().end(),
-                   [&](const SolverQuestion& one) { return "solvers." + one.name == subject.figure.name; });
+  const auto question = std::ranges::find_if(solver_questions(), [&](const SolverQuestion& one) {
+    return "solvers." + one.name == subject.figure.name;
+  });
   std::vector<Score> list = scores(subject.comparison, *question);
   if (list.empty()) return {};
   return {{"", drawing(subject, *question, std::move(list))}};

@@ -11,14 +11,10 @@ struct Marks {
   std::vector<std::pair<double, double>> at;  ///< from law paper, from law consistent
 };
 
-bool visible(const LawRun& one) {
-  return one.from_paper > 0 && one.from_consistent > 0;
-}
-
 std::vector<Marks> marks_of(const std::vector<LawRun>& runs) {
   std::vector<Marks> list;
   for (const LawRun& one : runs) {
-    if (!visible(one)) continue;
+    if (!(one.from_paper > 0 && one.from_consistent > 0)) continue;
     const std::string label = run_label(one.run);
     found_or_added(list, [&](const Marks& m) { return run_label(m.run) == label; }, {one.run, {}})
         .at.emplace_back(one.from_paper, one.from_consistent);

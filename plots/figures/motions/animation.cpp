@@ -53,11 +53,6 @@ std::vector<double> values_at(const History& history, const std::vector<double>&
   return values;
 }
 
-/// Where the middle of a block is: its centre of mass as the results have it, less its way from the middle.
-Point<double> reported_middle(const Block& block, double x, double y, double angle) {
-  return Point<double>(x, y) - turned(block.offset_x, block.offset_y, std::cos(angle), std::sin(angle));
-}
-
 /// The middles of all blocks: as the results tell them, else from the angles, about the corners.
 Points<double> middles_at(const Stage& stage, const std::vector<double>& angles,
                           const std::vector<double>& places) {
@@ -68,9 +63,13 @@ Points<double> middles_at(const Stage& stage, const std::vector<double>& angles,
     return centres(make_chain(stage.stack, pattern_of(openings, openings), turns));
   }
   Points<double> middles(2, blocks);
-  for (std::size_t k = 0; k < angles.size(); ++k)
+  // A centre of mass as the results have it, less its way from the middle.
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const Block& block = stage.scene.stack[k];
     middles.col(static_cast<Eigen::Index>(k)) =
-        reported_middle(stage.scene.stack[k], places[2 * k], places[2 * k + 1], angles[k]);
+        Point<double>(places[2 * k], places[2 * k + 1]) -
+        turned(block.offset_x, block.offset_y, std::cos(angles[k]), std::sin(angles[k]));
+  }
   return middles;
 }
 
@@ -125,10 +124,6 @@ double speed_of(double duration) {
   return duration > long_motion ? 1 : duration > short_motion ? 0.5 : 0.1;
 }
 
-std::string speed_text(double speed) {
-  return speed < 1 ? fmt::format(" (1/{:.0f} of the speed)", 1 / speed) : "";
-}
-
 /// Two engines at most: more would be too small to look at.
 std::vector<Actor> actors_of(const Comparison& comparison, const ComparedScene& scene) {
   const Shown shown = shown_runs(comparison, scene.name);
@@ -176,7 +171,8 @@ Animation animation_of(const Stage& stage) {
       "0.02, screen 0.93\n" +
       fmt::format("set xrange [0:{}]\nset yrange [{}:{}]\nset title {} noenhanced offset 0,-0.6\n",
                   plain(wide), plain(-0.08 * stage.above), plain(stage.above),
-                  in_quotes(stage.scene.title + speed_text(speed))) +
+                  in_quotes(stage.scene.title +
+                            (speed < 1 ? fmt::format(" (1/{:.0f} of the speed)", 1 / speed) : ""))) +
       fmt::format("set arrow from 0,0 to {},0 nohead lw 2 lc rgb '#555555'\n", plain(wide));
   for (std::size_t i = 0; i < stage.actors.size(); ++i)
     animation.settings += fmt::format(

@@ -26,17 +26,11 @@ std::string end_words(const std::string& ends, const std::string& like, bool mir
 
 std::vector<BranchRow> read_branches(const std::filesystem::path& folder) {
   std::vector<BranchRow> rows;
-  const std::filesystem::path file = folder / "branches.csv";
-  CsvLine line(file);
-  line.read(
-      [] {},
-      [&] {
-        const auto value = [&](const char* name) { return line.value(line.index(name)); };
-        const auto text = [&](const char* name) { return line.text(line.index(name)); };
-        rows.push_back({value("parent"), value("time"), value("like"), value("like_from"), value("end_time"),
-                        text("takes"), end_words(text("ends"), text("like"), text("mirrored") == "true"),
-                        read_history(rows.empty() ? folder : folder / "branches" / text("branch"))});
-      });
+  for (CsvLine line(folder / "branches.csv"); line.next();)
+    rows.push_back({line.value("parent"), line.value("time"), line.value("like"), line.value("like_from"),
+                    line.value("end_time"), line.text("takes"),
+                    end_words(line.text("ends"), line.text("like"), line.text("mirrored") == "true"),
+                    read_history(rows.empty() ? folder : folder / "branches" / line.text("branch"))});
   return rows;
 }
 

@@ -1,3 +1,4 @@
+#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/patterns.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/figures/figure.hpp"
@@ -56,7 +57,7 @@ void add_band(Sheet& sheet, const History& exact, double end) {
   const auto slides = [](const PatternSpan& span) {
     return name(span.pattern).find_first_of("<>-") != std::string::npos;
   };
-  if (sheet.width() == full_width && std::any_of(spans.begin(), spans.end(), slides))
+  if (sheet.width() == full_width && std::ranges::any_of(spans, slides))
     sheet.note(
         "patterns from the ground up: C closed, L and R on the left and right corner, – apart, ← → the way "
         "it slides",
@@ -66,11 +67,9 @@ void add_band(Sheet& sheet, const History& exact, double end) {
 /// The largest angles of the first motion, the exact one where there is one, or of all that are asked about.
 std::string answer(const std::vector<Run>& runs, bool all) {
   std::string text = "Largest angles: ";
-  for (std::size_t i = 0; i < (all ? runs.size() : 1); ++i) {
-    double largest = 0;
-    for (const double angle : history_of(runs[i])->angles) largest = std::max(largest, std::abs(angle));
-    text += fmt::format("{}{} {:.3g} rad", i > 0 ? "; " : "", line_label(runs[i]), largest);
-  }
+  for (std::size_t i = 0; i < (all ? runs.size() : 1); ++i)
+    text += fmt::format("{}{} {:.3g} rad", i > 0 ? "; " : "", line_label(runs[i]),
+                        largest_magnitude(history_of(runs[i])->angles));
   return text;
 }
 
@@ -189,8 +188,7 @@ Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
     for (const Run& run : ends_of(line)) runs.push_back(run);
   Legend legend;
   if (!exact.empty()) legend.emplace_back(exact_style, "exact");
-  const bool dashed =
-      std::any_of(lines.begin(), lines.end(), [](const StepLine& line) { return line.size() > 1; });
+  const bool dashed = std::ranges::any_of(lines, [](const StepLine& line) { return line.size() > 1; });
   const auto explain = [&](const char* style, const char* words) {
     legend.emplace_back(fmt::format("{} lc rgb '#000000'", style), words);
   };

@@ -96,22 +96,19 @@ double median_size(const Verdicts& verdicts) {
 }
 
 /// From the engine that has least to the one that has most.
-template <class Value>
-std::string span_of(const std::vector<Verdicts>& all, const Value& value, std::string (*text)(double)) {
+template <class Value, class Text>
+std::string span_of(const std::vector<Verdicts>& all, const Value& value, const Text& text) {
   Reach reach;
   for (const Verdicts& one : all)
     if (!is_variant(one.run) && std::isfinite(value(one))) reach.add(value(one));
   return reach.low > reach.high ? "none" : span_text(text(reach.low), text(reach.high));
 }
 
-std::string count_text(double count) {
-  return fmt::format("{:g}", count);
-}
-
 std::string answer(const std::vector<Verdicts>& all) {
   const auto count = [&](std::vector<double> Verdicts::*list) {
     return span_of(
-        all, [list](const Verdicts& one) { return static_cast<double>((one.*list).size()); }, count_text);
+        all, [list](const Verdicts& one) { return static_cast<double>((one.*list).size()); },
+        [](double number) { return fmt::format("{:g}", number); });
   };
   return fmt::format("Half of an engine's {} matched impacts within {}; {} missed, {} extra",
                      count(&Verdicts::numbers), span_of(all, median_size, rounded_duration),
@@ -187,13 +184,6 @@ Excess excess_of(const Losses& one, double aside) {
   return excess;
 }
 
-/// The impacts by number: exact losses of the run that has the most.
-Curve exact_losses(const Losses& most) {
-  Curve curve;
-  for (const ImpactLoss& loss : most.impacts) curve.add(loss.number, loss.exact);
-  return curve;
-}
-
 std::string numbers(double last) {
   return fmt::format("set xrange [0.4:{}]\nset xtics {}\n", plain(last + 0.6),
                      std::max(1, static_cast<int>(last / 8))) +
@@ -230,7 +220,9 @@ Drawing impact_energy(const SceneSubject& subject) {
   const auto most = std::ranges::max_element(all, {}, count) - all.begin();
   for (Losses& one : all)
     std::erase_if(one.impacts, [&](const ImpactLoss& loss) { return !(loss.exact > counted * largest); });
-  const Curve exact = exact_losses(all[static_cast<std::size_t>(most)]);
+  Curve exact;  // of the run that has the most, by number
+  for (const ImpactLoss& loss : all[static_cast<std::size_t>(most)].impacts)
+    exact.add(loss.number, loss.exact);
   const double last = exact.times.empty() ? 1 : exact.times.back();
   std::vector<Run> runs;
   std::vector<Series> series;

@@ -14,13 +14,13 @@ struct Occupancy {
 
 Occupancy read_occupancy(const Run& run) {
   Occupancy result{.run = run, .exact = {}, .engine = {}};
-  each_row(run.folder / "patterns.csv", [&](const TableRow& row) {
+  for (CsvLine row(run.folder / "patterns.csv"); row.next();) {
     const std::string &exact = row.text("exact"), &engine = row.text("engine");
     const double share = row.value("share");
     result.exact[exact] += share;
     result.engine[engine] += share;
     if (exact == engine) result.same += share;
-  });
+  }
   return result;
 }
 

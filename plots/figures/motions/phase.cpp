@@ -1,3 +1,4 @@
+#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/figures/figure.hpp"
 
@@ -46,10 +47,9 @@ void add_block(Sheet& sheet, const std::vector<Run>& runs, int block, double hei
 
 /// The largest angle of any block, the exact motion's where there is one.
 std::string answer(const std::vector<Run>& runs) {
-  double largest = 0;
-  for (const double angle : history_of(runs.front())->angles) largest = std::max(largest, std::abs(angle));
   return fmt::format("{} goes as far as {:.3g} rad",
-                     runs.front().exact() ? "The exact motion" : run_phrase(runs.front()), largest);
+                     runs.front().exact() ? "The exact motion" : run_phrase(runs.front()),
+                     largest_magnitude(history_of(runs.front())->angles));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/figures/figure.hpp"
 
+// Beside what a test has measured: the motions of a comparison, and a fitted one.
 namespace rockstack::plots {
 namespace {
 
@@ -25,6 +26,8 @@ std::string readings_answer(std::vector<Run> runs, const std::string& unit) {
   return "RMS differences up to the horizon: " + off_phrase(runs.front(), unit) +
          (nearest == runs.end() ? "" : ", the nearest engine " + off_phrase(*nearest, unit));
 }
+
+constexpr auto model_style = "with lines lw 2 lc rgb '#0B4F8A'";
 
 }  // namespace
 
@@ -64,6 +67,41 @@ Drawing readings(const SceneSubject& subject) {
     add_curves(sheet, panel, runs, curves, "motion_" + number);
   }
   return sheet.finish();
+}
+
+/// What was measured and the fitted motion, and under both what they differ by, of each column.
+Drawings fit(const FolderSubject& subject) {
+  const Json json = read_json(subject.folder / "fit.json");
+  const std::string unit = json.at("unit");
+  Sheet sheet = subject.figure.sheet(json.at("title"), {{reading_style, "measured"}, {model_style, "fitted"}},
+                                     json.at("meaning").front());
+  const double horizon = json.at("horizon");
+  int panels = 0;
+  for (const std::string column : json.at("columns")) {
+    const auto read =
+        read_columns(subject.folder / "fit.csv", {"time", "measured_" + column, "fitted_" + column});
+    Numbers both, off;
+    for (std::size_t i = 0; i < read[0].size(); ++i) {
+      if (std::isnan(read[1][i])) continue;
+      both.push_back({read[0][i], read[1][i], read[2][i]});
+      off.push_back({read[0][i], read[2][i] - read[1][i]});
+    }
+    const std::string range =
+        fmt::format("set xrange [0:{0}]\nset arrow from {1}, graph 0 to {1}, graph 1 nohead dt 2\n",
+                    plain(read[0].back()), plain(horizon));
+    const std::string number = std::to_string(++panels);
+    Plots motion(sheet, "motion_" + number), residual(sheet, "residual_" + number);
+    motion.add(both, {fmt::format("using 1:2 {}", reading_style), fmt::format("using 1:3 {}", model_style)});
+    residual.add(off, {fmt::format("using 1:2 {}", reading_style)});
+    sheet.panel(
+        300, 16,
+        range + without_horizontal_labels() +
+            fmt::format("set ylabel {} offset 0.5\n", in_quotes(fmt::format("{} ({})", column, unit))),
+        motion.list());
+    sheet.panel(150, 16, range + time_numbers + fmt::format("set ylabel 'residual ({})' offset 0.5\n", unit),
+                residual.list());
+  }
+  return {{"", sheet.finish()}};
 }
 
 }  // namespace rockstack::plots

@@ -42,18 +42,17 @@ struct StabilityMap {
 
 std::map<std::string, StabilityMap> read_maps(const std::filesystem::path& results) {
   std::map<std::string, StabilityMap> maps;
-  const auto map_of = [&](const TableRow& row) -> StabilityMap& {
+  const auto map_of = [&](const CsvLine& row) -> StabilityMap& {
     return maps[row.text("engine") + "-" + row.text("solver") + "-" + row.text("settings")];
   };
-  each_row(results / "stability.csv", [&](const TableRow& row) {
-    if (std::isnan(row.value("dt"))) return;
+  for (CsvLine row(results / "stability.csv"); row.next();) {
+    if (std::isnan(row.value("dt"))) continue;
     StabilityMap& map = map_of(row);
     map.solver = fmt::format("{} {}, {}", row.text("engine"), row.text("solver"), row.text("settings"));
     map.cells.push_back({row.value("value"), row.value("dt"), row.text("verdict")});
-  });
-  each_row(results / "steps.csv", [&](const TableRow& row) {
+  }
+  for (CsvLine row(results / "steps.csv"); row.next();)
     map_of(row).stable.emplace_back(row.value("value"), row.value("largest_stable_step"));
-  });
   return maps;
 }
 

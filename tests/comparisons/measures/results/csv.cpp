@@ -104,10 +104,14 @@ TEST(Table, AWordInPlaceOfANumberIsNamedByFileLineAndColumn) {
 }
 
 TEST(Table, AWholeNumberIsWithinItsRangeOrNamed) {
-  EXPECT_EQ(whole_number("3", "runs.csv:2", "interface", 1, 3), 3);
+  const auto whole = [](const std::string& cell) {
+    CsvLine line(file_with("number,interface\n1," + cell + "\n"));
+    line.next();
+    return line.whole(line.index("interface"), 1, 3);
+  };
+  EXPECT_EQ(whole("3"), 3);
   for (const char* cell : {"0", "4", "1.5", "1e300", "-1e300", "inf", "nan", ""})
-    expect_part(error_of([&] { whole_number(cell, "runs.csv:2", "interface", 1, 3); }),
-                "runs.csv:2: interface = ");
+    expect_part(error_of([&] { whole(cell); }), "table.csv:2: interface = ");
 }
 
 TEST(Table, AMissingColumnIsNamed) {

@@ -134,16 +134,12 @@ values = [0.01]
   const TemporaryFolder folder;
   const SweepResult result = sweep_into(folder.path(), ensemble);
   EXPECT_TRUE(result.finished());
-  const Table table = read_table(folder.path() / "runs.csv");
-  const auto cell = [&](const std::vector<std::string>& row, const char* name) {
-    return row[column(table, name, folder.path())];
-  };
   std::map<std::string, int> count;
-  for (const auto& row : table.rows) {
-    const bool tall = number(cell(row, "blocks.1.height"), "", "") > 0;
-    EXPECT_EQ(cell(row, "status"), tall ? "done" : "failed");
-    EXPECT_EQ(cell(row, "reason").empty(), tall);
-    ++count[cell(row, "status")];
+  for (CsvLine row(folder.path() / "runs.csv"); row.next();) {
+    const bool tall = row.value("blocks.1.height") > 0;
+    EXPECT_EQ(row.text("status"), tall ? "done" : "failed");
+    EXPECT_EQ(row.text("reason").empty(), tall);
+    ++count[row.text("status")];
   }
   EXPECT_GT(count["done"], 0);
   EXPECT_GT(count["failed"], 0);
