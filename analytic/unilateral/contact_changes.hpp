@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "analytic/scene/history.hpp"
@@ -60,7 +61,8 @@ class ContactChatter {
         respond<Real>({stack_, after, free, ContactLevel::accelerations}, mode).motion;
     const FreeVector<Real> rates = vector_of(after.rate);
     Joints<Real> result = mode;
-    const bool one_flies = std::ranges::count(mode, false, &Joint<Real>::touches) == 1;
+    const bool one_flies =
+        std::count_if(mode.begin(), mode.end(), std::mem_fn(&Joint<Real>::touches)) == stack_.size() - 1;
     for (int k = 0; k < stack_.size(); ++k) {
       const auto slow = [&](const Joint<Real>& held) {
         return parts_slowly(k, held, mode[k], after, acceleration, one_flies);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Cholesky>
+#include <functional>
 
 #include "analytic/scene/branching.hpp"
 #include "analytic/unilateral/contact/expansion.hpp"
@@ -24,7 +25,7 @@ struct ContactCollision {
 
 template <class Real>
 bool same_modes(const Joints<Real>& first, const Joints<Real>& second) {
-  return std::ranges::equal(first, second, &Joint<Real>::same_mode);
+  return std::equal(first.begin(), first.end(), second.begin(), std::mem_fn(&Joint<Real>::same_mode));
 }
 
 /// The velocities that joints leave, by impulses of a stack without friction: a projection in the metric of
@@ -155,7 +156,8 @@ std::optional<EventKind> change_of(const Joint<Real>& before, const Joint<Real>&
 /// The lowest interface that differs, from 1, and how.
 template <class Real>
 int lowest_change(const Joints<Real>& from, const Joints<Real>& to) {
-  const auto first = std::ranges::mismatch(from, to, &Joint<Real>::same_mode).in1;
+  const auto first =
+      std::mismatch(from.begin(), from.end(), to.begin(), std::mem_fn(&Joint<Real>::same_mode)).first;
   return static_cast<int>(std::min(first, from.end() - 1) - from.begin()) + 1;
 }
 

@@ -132,7 +132,7 @@ class ContactSolver {
     for (std::size_t k = 0; k < before.size(); ++k)
       if (const auto kind = change_of(before[k], after[k], passes[k]))
         note_shown(*kind, static_cast<int>(k) + 1, before, state_.bodies.rate);
-    if (std::ranges::any_of(state_.joints, &Joint<Real>::touches))
+    if (std::any_of(state_.joints.begin(), state_.joints.end(), std::mem_fn(&Joint<Real>::touches)))
       decide(Joints<Real>(state_.joints), state_.bodies, 0);
   }
 

@@ -35,7 +35,8 @@ bool is_shown(std::uint32_t code) {
   };
   constexpr std::array<Span, 5> hidden{
       {{0, 0x1f}, {0x7f, 0x9f}, {0x200e, 0x200f}, {0x2028, 0x202e}, {0x2066, 0x2069}}};
-  return std::ranges::none_of(hidden, [&](auto& span) { return code >= span.first && code <= span.last; });
+  return std::none_of(hidden.begin(), hidden.end(),
+                      [&](auto& span) { return code >= span.first && code <= span.last; });
 }
 
 std::string escaped(std::string_view bytes) {
