@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <type_traits>
 
 #include "analytic/solve.hpp"
@@ -124,7 +123,9 @@ Statement amplitudes(const Evidence& evidence) {
   bool falls = list.size() > 4 && list[1].peak > list[0].peak;
   for (std::size_t i = 2; i < 5 && falls; ++i) falls = list[i].peak < list[i - 1].peak;
   const auto first_four = [](const History& history) {
-    auto peaks = swings(history, top) | std::views::take(4) | std::views::transform(&Swing::peak);
+    std::vector<double> peaks;
+    for (const Swing& swing : swings(history, top))
+      if (peaks.size() < 4) peaks.push_back(swing.peak);
     return fmt::format("{:.4f}", fmt::join(peaks, " "));
   };
   return {
