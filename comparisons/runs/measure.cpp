@@ -96,6 +96,9 @@ void write_motion(const NamedScene& scene, const History& history, const Support
     summary["verdict"] = motion_verdict(scene.scene, history, support);
   summary["scene_as_run"] = scene_json(scene.scene);
   summary["page"] = page_text(scene.document, scene.scene);
+  // The longest first: where the disk is full, none is left behind.
+  const auto longest = files.extract("history.csv");
+  write_file(folder / longest.key(), longest.mapped());
   for (const auto& [name, text] : files) write_file(folder / name, text);
   write_file(folder / summary_name, summary.dump(2) + "\n");
 }
