@@ -66,11 +66,17 @@ struct LabelPlace {
   double side;
 };
 
+constexpr double half_height = 8;  ///< of a word
+
+double width_of(const LabelledMark& mark) {
+  return 9.5 * static_cast<double>(mark.word.size()) + 4;
+}
+
 /// The first of four corners of a mark that is free of all boxes.
 std::optional<LabelPlace> free_corner(const LabelledPanel& panel, const LabelledMark& mark,
                                       const std::vector<Box>& taken, const std::vector<Box>& lines) {
-  const double width = 9.5 * static_cast<double>(mark.word.size()) + 4;
-  constexpr double aside = 11, half_height = 8, rise = 12;
+  const double width = width_of(mark);
+  constexpr double aside = 11, rise = 12;
   for (const double side : {1.0, -1.0})
     for (const double lift : {rise, -rise}) {
       const double near = mark.x + side * aside, far = near + side * width;
@@ -170,6 +176,8 @@ std::string placed_labels(const LabelledPanel& panel) {
   std::vector<Box> taken;
   for (const std::vector<LabelledMark>& line : panel.lines)
     for (const LabelledMark& mark : line) taken.push_back(around(mark.x, mark.y, half_mark));
+  for (const LabelledMark& word : panel.words)
+    taken.push_back({word.x, word.x + width_of(word), word.y - half_height, word.y + half_height});
   const std::vector<Box> crossed = line_boxes(panel);
   std::string text;
   for (const std::vector<LabelledMark>& line : panel.lines)

@@ -77,6 +77,7 @@ struct LabelledMark {
 struct LabelledPanel {
   double width = 0, height = 0;                  ///< pixels
   std::vector<std::vector<LabelledMark>> lines;  ///< marks that a line joins in their order
+  std::vector<LabelledMark> words = {};          ///< that stand there already, from their place to the right
 };
 
 /// gnuplot's commands for the words beside their marks: clear of lines where there is room, and left out

@@ -1,4 +1,3 @@
-
 #include "analytic/scene/messages/number_text.hpp"
 #include "plots/drawing/rows.hpp"
 #include "plots/figures/figure.hpp"

@@ -8,8 +8,8 @@ namespace {
 /// One run as a point: wall time a second of motion, its error in rad, and what it is labelled with.
 struct Cost {
   double time, error;
-  std::string label;
-  double lower, upper;  ///< quartiles over replicates; the error itself where there are none
+  std::string label = {};
+  double lower = 0, upper = 0;  ///< quartiles over replicates; the error itself where there are none
 };
 
 constexpr double panel_up = 520;  ///< height of the one panel of few, pixels
@@ -100,14 +100,57 @@ Frame frame_of(const std::vector<CostLine>& lines, double exact) {
   return {frame.across.wider_times(room), frame.up.wider_times(above)};
 }
 
+/// What a method of an order would gain by smaller steps, from the fastest run on.
+struct Slope {
+  int order;
+  Cost from, to;
+
+  std::string words() const { return fmt::format(" order {}", order); }
+};
+
+/// Of orders one and two; none where no solver has more than one run, or where errors differ too little for
+/// slopes to be told apart.
+std::vector<Slope> slopes_of(const std::vector<CostLine>& lines, const Frame& frame) {
+  constexpr double enough = 30;
+  const bool single = std::ranges::none_of(lines, [](const CostLine& line) { return line.costs.size() > 1; });
+  const auto& [across, up] = frame;
+  std::vector<Slope> slopes;
+  if (single || up.high < enough * up.low) return slopes;
+  for (const int order : {1, 2}) {
+    const double from = across.low * std::pow(across.high / across.low, 0.04 + 0.05 * (order - 1));
+    const double high = up.high / 1.4;
+    const double gain = std::min(std::pow(high / up.low / 1.4, 1.0 / order), across.high / from / 2);
+    slopes.push_back(
+        {order, {.time = from, .error = high}, {.time = from * gain, .error = high / std::pow(gain, order)}});
+  }
+  return slopes;
+}
+
+std::string slope_guides(const std::vector<Slope>& slopes, bool named) {
+  std::string text;
+  for (const Slope& slope : slopes) {
+    const std::string to = plain(slope.to.time) + ", " + plain(slope.to.error);
+    text += fmt::format("set arrow from {}, {} to {} nohead lw 1.5 dt (2,5) lc rgb '#707070' back\n",
+                        plain(slope.from.time), plain(slope.from.error), to);
+    if (named)
+      text += fmt::format("set label '{}' at {} left font ',11' tc rgb '#606060'\n", slope.words(), to);
+  }
+  return text;
+}
+
 /// The time steps beside their marks: where there is no room, the other runs with that step lie beside it.
-std::string labels(const std::vector<CostLine>& lines, const Frame& frame, double width, double height) {
+std::string labels(const std::vector<CostLine>& lines, const std::vector<Slope>& slopes, const Frame& frame,
+                   double width, double height) {
+  const auto mark = [&](const Cost& cost, const std::string& words, const std::string& colour) {
+    return LabelledMark{frame.across.place(cost.time, width), frame.up.place(cost.error, height), words,
+                        colour};
+  };
   LabelledPanel panel{width, height, {}};
+  for (const Slope& slope : slopes) panel.words.push_back(mark(slope.to, slope.words(), ""));
   for (const CostLine& line : lines) {
     panel.lines.emplace_back();
     for (const Cost& cost : line.costs)
-      panel.lines.back().push_back({frame.across.place(cost.time, width), frame.up.place(cost.error, height),
-                                    cost.label, style_of(line.run).colour});
+      panel.lines.back().push_back(mark(cost, cost.label, style_of(line.run).colour));
   }
   return placed_labels(panel);
 }
@@ -119,27 +162,6 @@ std::vector<std::string> plots_of(const std::vector<CostLine>& lines, std::size_
                   i, style.colour, style.dash),
       fmt::format("$line_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i, style.colour),
       fmt::format("$line_{} using 1:2 {} notitle", i, mark_style(lines[i].run, size))};
-}
-
-/// What a method of order one and of order two would gain by smaller steps, from the fastest run on; nothing
-/// where no solver has more than one, or where errors differ too little for slopes to be told apart.
-std::string slope_guides(const std::vector<CostLine>& lines, const Frame& frame, bool named) {
-  constexpr double enough = 30;
-  const bool single = std::ranges::none_of(lines, [](const CostLine& line) { return line.costs.size() > 1; });
-  const auto& [across, up] = frame;
-  if (single || up.high < enough * up.low) return "";
-  std::string text;
-  for (const int order : {1, 2}) {
-    const double from = across.low * std::pow(across.high / across.low, 0.04 + 0.05 * (order - 1));
-    const double high = up.high / 1.4;
-    const double gain = std::min(std::pow(high / up.low / 1.4, 1.0 / order), across.high / from / 2);
-    const std::string to = plain(from * gain) + ", " + plain(high / std::pow(gain, order));
-    text += fmt::format("set arrow from {}, {} to {} nohead lw 1.5 dt (2,5) lc rgb '#707070' back\n",
-                        plain(from), plain(high), to);
-    if (named)
-      text += fmt::format("set label ' order {}' at {} left font ',11' tc rgb '#606060'\n", order, to);
-  }
-  return text;
 }
 
 /// A series a line; where they are many, one a solver with all of its sets.
@@ -224,7 +246,8 @@ Drawing error_time(const SceneSubject& subject) {
   for (std::size_t i = 0; i < lines.size(); ++i)
     sheet.data(number_block(fmt::format("line_{}", i), numbers_of(lines[i])) +
                number_block(fmt::format("pieces_{}", i), pieces(lines[i], comparable)));
-  const std::string guides = slope_guides(lines, frame, !many);
+  const std::vector<Slope> slopes = slopes_of(lines, frame);
+  const std::string guides = slope_guides(slopes, !many);
   const auto axes = [&](double width, double up) {
     return logarithmic_axes(frame.across, frame.up, width, up);
   };
@@ -237,11 +260,11 @@ Drawing error_time(const SceneSubject& subject) {
                     height,
                     0};
   if (!many) panel.under = floors(lines);
-  panel.few = guides + exact_line(exact, true) + labels(lines, frame, subject.panel(), height);
+  panel.few = guides + exact_line(exact, true) + labels(lines, slopes, frame, subject.panel(), height);
   panel.many = guides + exact_line(exact, false);
   add_series(sheet, panel, series_of(lines, many), many);
   subject.add_replicates_note(sheet);
-  if (!subject.on_slide) add_notes(sheet, lines, !guides.empty(), many);
+  if (!subject.on_slide) add_notes(sheet, lines, !slopes.empty(), many);
   return sheet.finish();
 }
 
