@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -64,7 +63,9 @@ const Setting& find_setting(const std::string& engine, const std::vector<Setting
                             const std::string& name) {
   const auto found = std::ranges::find(settings, name, &Setting::name);
   if (found == settings.end()) {
-    auto names = std::views::transform(settings, &Setting::name);
+    std::vector<std::string> names;
+    names.reserve(settings.size());
+    for (const Setting& setting : settings) names.push_back(setting.name);
     throw std::invalid_argument(
         fmt::format("{}: {}: no such parameter; there are {}", engine, name, fmt::join(names, ", ")));
   }
