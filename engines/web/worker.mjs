@@ -8,6 +8,7 @@
 // Optional are `warnings()`, how many there were so far, and `end()`, which gives back what it holds.
 
 import { readFileSync, writeSync } from 'node:fs';
+import { setFlagsFromString } from 'node:v8';
 
 import { NotFinite, pullOf, record } from './simulation.mjs';
 
@@ -33,7 +34,14 @@ function peakMemory() {
   return 1024 * Number(/VmHWM:\s*(\d+)/.exec(readFileSync('/proc/self/status', 'utf8'))[1]);
 }
 
+/**
+ * A run this short is over before WebAssembly that is compiled anew, for speed, gives back what that takes. Either code computes
+ * the same numbers.
+ */
+const shortRun = 20000;
+
 async function answer(engine, question) {
+  if (question.repeats === 0 && question.steps <= shortRun) setFlagsFromString('--liftoff-only');
   const library = await engine.load();
   const simulate = (use) => {
     const simulation = engine.start(library, question);
