@@ -90,10 +90,10 @@ class ShortVector {
     room_ = few;
   }
 
+  std::array<T, few> own_;
   T* data_ = own_.data();
   std::size_t size_ = 0;
   std::size_t room_ = few;
-  std::array<T, few> own_;
 };
 
 }  // namespace rockstack
