@@ -96,7 +96,7 @@ const std::vector<Kind>& kinds() {
       {"a record", {"record.json", "record.csv", "spectrum.csv", "figures", "report.html"}},
       {"results held together", {"diff.json", "diff.csv"}},
       {"a canon", {"canon.json", "canon.csv", "report.html"}},
-      {"a course", {"index.html", "course.json"}},
+      {"a course", {"index.html", "glossary.html", "course.json"}},
       {"problem sheets", {}},
       {"a fit", {"fit.json", "fit.csv", "figures", "report.html"}},
   };

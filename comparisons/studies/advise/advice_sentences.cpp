@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
-#include <map>
 #include <optional>
 
 #include "analytic/scene/messages/number_text.hpp"
@@ -31,17 +29,6 @@ std::string nearest(const std::vector<Trial>& trials) {
              : fmt::format(" The nearest is {}, off by {:.2g}.", solver_at_step(*best), *distance_of(*best));
 }
 
-/// "own:one and own:two below 1 ms", from large steps to small ones.
-std::string listed(const std::vector<Untried>& untried) {
-  std::map<double, std::vector<std::string>, std::greater<>> solvers;
-  for (const Untried& one : untried) solvers[one.below].push_back(one.engine->full_name());
-  std::vector<std::string> parts;
-  parts.reserve(solvers.size());
-  for (const auto& [step, names] : solvers)
-    parts.push_back(fmt::format("{} below {}", joined_up_to(2, names), quantity_text(step, "s")));
-  return rockstack::joined(parts);
-}
-
 }  // namespace
 
 std::vector<std::string> advice_sentences(const AdviceRequest& request, const Advice& advice,
@@ -64,9 +51,13 @@ std::vector<std::string> advice_sentences(const AdviceRequest& request, const Ad
   if (advice.predictable_time < duration)
     sentences.push_back(
         fmt::format("This holds until {:.4g} s, the horizon of predictability.", advice.predictable_time));
-  if (!advice.untried.empty())
-    sentences.push_back(fmt::format("In {:g} s the search has not come to {}; --within gives it more.",
-                                    request.within, listed(advice.untried)));
+  std::vector<std::string> untried;
+  untried.reserve(advice.untried.size());
+  for (const Untried& one : advice.untried) untried.push_back(one.engine->full_name());
+  if (!untried.empty())
+    sentences.push_back(
+        fmt::format("In {:g} s the search has not come to smaller steps of {}; --within gives it more.",
+                    request.within, joined_up_to(2, untried)));
   return sentences;
 }
 

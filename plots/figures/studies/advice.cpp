@@ -8,6 +8,8 @@ namespace rockstack::plots {
 namespace {
 
 constexpr double tall = 460;  // pixels
+constexpr auto other_colour = "#808080";
+const std::string other_style = "with points lw 2 pt 2 ps 1.1*mark lc rgb '#808080'";
 constexpr auto ring = "with points pt 6 lw 2.5 lc rgb '#000000'";
 constexpr auto limit_style = "with lines lw 2 dt (8,6) lc rgb '#404040'";
 
@@ -37,6 +39,11 @@ TrialLines lines_of(const Json& advice) {
   return lines;
 }
 
+/// Whether a solver is within the error at some step. Those that are not are drawn alike.
+bool holds(const std::vector<TrialMark>& line) {
+  return std::ranges::any_of(line, &TrialMark::passes);
+}
+
 Numbers numbers_of(const std::vector<TrialMark>& marks) {
   return each_of(marks, [](const TrialMark& mark) { return std::vector{mark.time, mark.error}; });
 }
@@ -64,7 +71,9 @@ Drawings advice(const FolderSubject& subject) {
   across = across.wider_times(2), up = up.wider_times(2);
   Legend legend;
   for (const auto& line : lines)
-    legend.emplace_back(mark_style(line.front().run, 1.5), solver_name(line.front().run));
+    if (holds(line)) legend.emplace_back(mark_style(line.front().run, 1.5), solver_name(line.front().run));
+  if (!std::ranges::all_of(lines, holds))
+    legend.emplace_back(other_style, "others, at no step that was tried");
   legend.emplace_back(limit_style, fmt::format("asked for: {:g}", error));
   legend.emplace_back(fmt::format("{} ps 2.6*mark", ring), "nine of ten replicates are within");
   Sheet sheet = subject.sheet(title, legend, answer_of(lines, error));
@@ -74,7 +83,7 @@ Drawings advice(const FolderSubject& subject) {
   std::vector<TrialMark> passing, picked;
   for (const auto& line : lines) {
     const Run& run = line.front().run;
-    const std::string colour = style_of(run).colour;
+    const std::string colour = holds(line) ? style_of(run).colour : other_colour;
     labelled.lines.emplace_back();
     for (const TrialMark& mark : line) {
       labelled.lines.back().push_back({across.place(mark.time, width), up.place(mark.error, tall),
@@ -83,7 +92,7 @@ Drawings advice(const FolderSubject& subject) {
       if (mark.picked) picked.push_back(mark);
     }
     trials.add(numbers_of(line), {fmt::format("using 1:2 with lines lw 1.5 lc rgb '{}'", paler(colour, 0.6)),
-                                  "using 1:2 " + mark_style(run, 1.5)});
+                                  "using 1:2 " + (holds(line) ? mark_style(run, 1.5) : other_style)});
   }
   for (const auto& [marks, size] : {std::pair{&passing, 2.6}, {&picked, 3.6}})
     if (!marks->empty()) trials.add(numbers_of(*marks), {fmt::format("using 1:2 {} ps {}*mark", ring, size)});

@@ -73,7 +73,7 @@ TEST(Advice, SaysWhatToTakeHowSureItIsAndUntilWhenItHolds) {
       "Take own:one at 1 ms with tuned settings: of all that was tried the cheapest that stays within 10 mrad of the exact angles and 1 % of the least block height of the exact centres.");
   EXPECT_EQ(told[1], "39 of 41 replicates at nearby steps are within; nine of ten must be.");
   EXPECT_EQ(told[2], "This holds until 2.5 s, the horizon of predictability.");
-  EXPECT_EQ(told[3], "In 60 s the search has not come to own:two below 2 ms; --within gives it more.");
+  EXPECT_EQ(told[3], "In 60 s the search has not come to smaller steps of own:two; --within gives it more.");
   EXPECT_EQ(advice_sentences({.error = 0.01}, advice, 2.5).size(), 3U);
 }
 
