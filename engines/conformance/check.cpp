@@ -1,144 +1,21 @@
 #include "engines/conformance/check.hpp"
 
-#include <fmt/format.h>
-
+#include <algorithm>
+#include <iterator>
+#include <sstream>
 #include <utility>
 
 namespace rockstack {
+
+extern const std::string_view limits_txt;  ///< of this folder
+
 namespace {
 
-/// An empty text stands for all; engines and checks have blanks between them.
-struct Limit {
-  std::string_view engines, solver, settings;
-  const char* reason;
-  std::string_view checks;
-};
-
-constexpr std::array limits{
-    Limit{"", "mlcp-lemke", "",
-          "Bullet's Lemke solver takes the coefficient of friction for a bound on the impulse",
-          "SlidingBlockStops EachInterfaceHasItsFriction WithoutFrictionBlocksSlideOn"},
-    Limit{"", "mlcp-lemke", "default", "with its defaults, Bullet's Lemke solver throws resting blocks about",
-          ""},
-    Limit{"bullet bullet-single ode", "", "default",
-          "by default an overlap goes into the velocities: the block bounces by a fifth, without restitution",
-          "FlatLandingDoesNotBounce"},
-    Limit{
-        "dart", "", "default",
-        "FCL, DART's own choice of a detector, takes boxes for meshes: corners of faces on each other lack a normal",
-        "EachInterfaceHasItsFriction WithoutFrictionBlocksSlideOn PairMeetsTheGroundInTime"},
-    Limit{"mujoco mujoco-js", "", "default",
-          "by default contacts are damped so little that a block bounces by an eighth (solref_dampratio 1)",
-          "FlatLandingDoesNotBounce"},
-    Limit{"mujoco mujoco-js", "pgs", "default",
-          "with blocks of tonnes MuJoCo's PGS takes small friction in elliptic cones for none",
-          "EachInterfaceHasItsFriction"},
-    // With solimp at 0.995 alone these checks hold, with solref_dampratio at 6 a block lands flat, and with
-    // masses a hundredth as large PGS has its friction.
-    Limit{"mujoco mujoco-js", "", "default",
-          "by default contacts give way by a tenth, whatever the step (solimp 0.9)",
-          "FirstStepIsFreeFallOrAHinge WithoutFrictionBlocksSlideOn WeakPushDoesNotRock StrongPushRocks "
-          "QuarterPeriodIsHousners QuarterPeriodErrorIsOfFirstOrder ImpactLosesHousnersShare "
-          "PairMeetsTheGroundInTime"},
-    Limit{"mujoco mujoco-js", "", "default",
-          "by default a contact takes 20 ms to carry a block, which sinks by 0.4 mm (solref_timeconst)",
-          "StackKeepsItsHeight"},
-    Limit{"ode", "quickstep", "default",
-          "after 20 iterations QuickStep's contacts still let a block turn, twice as far as one step's fall",
-          "WeakPushDoesNotRock"},
-    Limit{"ode", "quickstep", "default",
-          "after 20 iterations QuickStep's planar joints still let blocks out of the plane, by 0.2 mm",
-          "MotionStaysInThePlane"},
-    Limit{
-        "box2d planck", "", "default",
-        "by default, not with polygonRadius = 0, Box2D's polygons have a skin of 1 cm: blocks that touch overlap "
-        "by 2 cm and are pushed apart",
-        "FreeFallIsTheSchemes BlockAtRestStays StackAtRestStays StackKeepsItsHeight "
-        "WithoutFrictionBlocksSlideOn WeakPushDoesNotRock QuarterPeriodIsHousners "
-        "QuarterPeriodErrorIsOfFirstOrder ImpactLosesHousnersShare PairMeetsTheGroundInTime"},
-    Limit{"chipmunk", "", "default",
-          "after 10 iterations, not after 50, Chipmunk's contacts still let a flat block turn: it slides "
-          "on down that slope",
-          "WithoutFrictionBlocksSlideOn"},
-    Limit{"siconos", "nsgs", "default",
-          "Gauss–Seidel's own tolerance of 1e-4 leaves the block 5 µm off; with 1e-8 it is 0.6 nm",
-          "WithoutFrictionBlocksSlideOn"},
-    // Each holds, or fails, where this alone is changed in the default or the tuned set (README.md of each
-    // engine).
-    Limit{
-        "simbody", "", "default",
-        "by default Simbody's friction fades below 1 cm/s of slip: what sticks creeps (transition_velocity)",
-        "FirstStepIsFreeFallOrAHinge QuarterPeriodIsHousners QuarterPeriodErrorIsOfFirstOrder"},
-    Limit{
-        "simbody", "", "default",
-        "by default a contact is a spring of 1e8 N/m, in which a block of tonnes sinks by 0.1 mm (stiffness)",
-        "StackKeepsItsHeight WithoutFrictionBlocksSlideOn WeakPushDoesNotRock StrongPushRocks "
-        "ImpactLosesHousnersShare"},
-    Limit{"simbody", "", "default",
-          "by default contacts are damped so little that a block bounces by half (dissipation)",
-          "FlatLandingDoesNotBounce PairMeetsTheGroundInTime"},
-    Limit{"simbody", "", "default",
-          "an accuracy of 1e-3, Simbody's own, parts a motion from its mirror image; 1e-7 alone does not",
-          "MirroredSceneMirrorsMotion"},
-    Limit{
-        "physx", "", "default",
-        "by default, not with frictionOffsetThreshold = 1 mm, a corner 4 cm above the ground brakes in PhysX",
-        "MirroredSceneMirrorsMotion QuarterPeriodIsHousners QuarterPeriodErrorIsOfFirstOrder "
-        "ImpactLosesHousnersShare"},
-    Limit{"physx", "pgs", "",
-          "after one velocity iteration, not after 50, PhysX's PGS still lets a block sink on one side",
-          "FirstStepIsFreeFallOrAHinge WeakPushDoesNotRock StrongPushRocks"},
-    Limit{"physx", "tgs", "tuned", "4 position iterations, not 32, leave PhysX's TGS 0.25 % off",
-          "FirstStepIsFreeFallOrAHinge"},
-    Limit{"rapier", "", "default",
-          "by default, not with lengthUnit = 5 cm, Rapier leaves overlaps of millimetres alone",
-          "QuarterPeriodIsHousners QuarterPeriodErrorIsOfFirstOrder ImpactLosesHousnersShare "
-          "PairMeetsTheGroundInTime"},
-    Limit{"rapier", "", "default", "after 4 iterations, not after 20, Rapier's contacts still give way",
-          "StackKeepsItsHeight WeakPushDoesNotRock StrongPushRocks"},
-    Limit{
-        "rapier", "", "",
-        "in single precision a place is rounded in each substep: with 50 of them by 80 µm in the end, with one not",
-        "WithoutFrictionBlocksSlideOn"},
-    Limit{
-        "cannon-es", "", "default",
-        "by default contacts of cannon-es are springs that are soft for tonnes (unitMass, "
-        "contactEquationStiffness, iterations)",
-        "FirstStepIsFreeFallOrAHinge StackKeepsItsHeight PushedBlockDoesNotSlide WithoutFrictionBlocksSlideOn "
-        "WeakPushDoesNotRock StrongPushRocks QuarterPeriodIsHousners QuarterPeriodErrorIsOfFirstOrder "
-        "ImpactLosesHousnersShare PairMeetsTheGroundInTime"},
-    Limit{
-        "cannon-es", "", "",
-        "cannon-es takes friction's bound of a contact point, μ m g, for an impulse: at 1 ms a thousand times as "
-        "much",
-        "SlidingBlockStops EachInterfaceHasItsFriction"},
-    Limit{
-        "cannon-es", "", "default",
-        "with contactEquationRelaxation = 3, not with 10, cannon-es lets a block bounce by a fifth and more",
-        "FlatLandingDoesNotBounce"},
-    Limit{"havok", "", "", "until it moves at 0.1 m/s, a body in Havok has 31/32 of what gravity gives it",
-          "FreeFallIsTheSchemes FirstStepIsFreeFallOrAHinge"},
-    // With either idealStepTime, at any step; the binary is closed.
-    Limit{"havok", "", "", "Havok's blocks turn late about a corner, by a sixth of the time that it takes",
-          "StrongPushRocks QuarterPeriodIsHousners QuarterPeriodErrorIsOfFirstOrder ImpactLosesHousnersShare "
-          "TopplesFromItsSlenderness PairMeetsTheGroundInTime"},
-    Limit{"havok", "", "default",
-          "with its idealStepTime of 1/60 s, not with 0, Havok's contacts are soft at 1 ms",
-          "StackAtRestStays StackKeepsItsHeight WithoutFrictionBlocksSlideOn WeakPushDoesNotRock"},
-    Limit{"havok", "", "tuned",
-          "with idealStepTime = 0, not with 1/60 s, a block in Havok bounces by a tenth",
-          "FlatLandingDoesNotBounce"},
-    Limit{"havok", "", "", "Havok has no locks, and nothing holds its blocks in the plane",
-          "MotionStaysInThePlane"},
-    Limit{"havok", "", "",
-          "two blocks of Havok that fly lose 0.3 % of what they exchange, and miss each other with "
-          "idealStepTime = 0; the binary is closed",
-          "PairKeepsItsMomentum"},
-};
-
-/// Whether words with blanks between them have this one among them, or are none at all.
-bool fits(std::string_view words, const std::string& word) {
-  return words.empty() || fmt::format(" {} ", words).find(" " + word + " ") != std::string::npos;
+/// Whether words have this one or * among them.
+bool fits(const std::string& words, const std::string& word) {
+  std::istringstream each(words);
+  return std::any_of(std::istream_iterator<std::string>(each), {},
+                     [&](const std::string& one) { return one == "*" || one == word; });
 }
 
 }  // namespace
@@ -264,10 +141,17 @@ const std::vector<Check>& checks() {
 
 std::string known_limit(const std::string& engine, const std::string& solver, const std::string& settings,
                         const std::string& check) {
-  for (const Limit& limit : limits)
-    if (fits(limit.engines, engine) && fits(limit.solver, solver) && fits(limit.settings, settings) &&
-        fits(limit.checks, check))
-      return limit.reason;
+  std::istringstream text{std::string(limits_txt)};
+  for (std::string line; std::getline(text, line);) {
+    if (line.empty() || line.starts_with('#')) continue;
+    std::istringstream whose(line);
+    std::string engines, solvers, sets, reason, checks;
+    for (std::string* part : {&engines, &solvers, &sets}) std::getline(whose, *part, '|');
+    std::getline(text, reason);
+    while (std::getline(text, line) && !line.empty()) checks += line + " ";
+    if (fits(engines, engine) && fits(solvers, solver) && fits(sets, settings) && fits(checks, check))
+      return reason;
+  }
   return "";
 }
 
