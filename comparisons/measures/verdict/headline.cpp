@@ -50,7 +50,8 @@ std::vector<double> reported_steps(const EndsOfSteps& steps) {
   return all;
 }
 
-/// After how long engines leave the exact motion. Of many the first alone says little of the others.
+/// After how long engines leave the exact motion. Of many runs the first alone says little: how many do, and
+/// when half of those have.
 std::string leaving(Ends ends) {
   constexpr std::size_t many = 8;
   std::ranges::sort(ends.times);
@@ -59,9 +60,9 @@ std::string leaving(Ends ends) {
   const auto text = [](double time) { return fmt::format("{:.2g}", time); };
   if (std::isinf(first)) return stays;
   if (ends.times.size() > many) {
-    const double half = ends.times[ends.times.size() / 2];
-    return fmt::format("the first after {} s and half of them {}", text(first),
-                       std::isinf(half) ? stays : fmt::format("after {} s or later", text(half)));
+    const auto leave = std::ranges::count_if(ends.times, [](double time) { return std::isfinite(time); });
+    return fmt::format("in {} of {} runs, half of them by {} s", leave, ends.times.size(),
+                       text(ends.times[static_cast<std::size_t>(leave - 1) / 2]));
   }
   if (std::isinf(last)) return fmt::format("after {} s or {}", text(first), stays);
   return text(first) == text(last) ? fmt::format("after {} s", text(first))

@@ -29,6 +29,8 @@ std::string at_rest(const RunMetrics& row, const SceneScale& scale, const std::s
   const bool sinks = event.starts_with("sinks");
   if (!event.empty() && !(sinks && !turns)) return event;
   if (sinks) return "rests, but " + event;
+  if (row.gap.value_or(0) > scale.tolerance * scale.least_height)
+    return "does not rest: rises by " + quantity_text(*row.gap, "m", 2);
   const std::string off = quantity_text(row.largest_position_difference.value_or(0), "m", 2) + " off";
   if (turns)
     return fmt::format("does not rest: {} and {}", quantity_text(*row.largest_angle_difference, "rad", 2),

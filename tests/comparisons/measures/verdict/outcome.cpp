@@ -61,6 +61,14 @@ TEST(Outcome, WhatSlidesAwayDoesNotRest) {
   EXPECT_EQ(outcome(row, scale), "rests, but is 20 mm off");
 }
 
+TEST(Outcome, WhatIsThrownUpDoesNotRest) {
+  RunMetrics row = resting();
+  row.largest_position_difference = 1;
+  row.relative_position_difference = 0.5;
+  row.gap = 1;
+  EXPECT_EQ(outcome(row, scale), "does not rest: rises by 1 m");
+}
+
 TEST(Outcome, ReplicatesThatToppleOtherwiseAreCounted) {
   RunMetrics row = moving();
   row.toppling_verdict = TopplingVerdict::both;
