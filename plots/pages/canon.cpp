@@ -1,3 +1,4 @@
+#include "comparisons/measures/results/sentences.hpp"
 #include "plots/pages/html.hpp"
 
 namespace rockstack::plots {
@@ -37,17 +38,23 @@ std::string scenes_of(const Json& canon) {
   });
 }
 
-/// Which engines agree or converge on every scene.
+/// Which sets agree or converge in the most scenes.
 std::string answer_of(const Json& canon) {
-  std::vector<std::string> whole;
-  for (const Json& row : canon.at("rows"))
-    if (std::ranges::all_of(row.at("answers"), [](const Json& answer) {
-          return answer.at("verdict") == "agrees" || answer.at("verdict") == "converges";
-        }))
-      whole.push_back(fmt::format("{} ({})", solver_named(row), text_at(row, "settings")));
-  return fmt::format("{} of {} rows agree with the exact solution or converge to it on every scene{}{}.",
-                     whole.size(), canon.at("rows").size(), whole.empty() ? "" : ": ",
-                     text_of_each(whole, std::identity(), ", "));
+  std::vector<std::string> first;
+  std::ptrdiff_t most = 0;
+  for (const Json& row : canon.at("rows")) {
+    const auto follows = std::ranges::count_if(row.at("answers"), [](const Json& answer) {
+      return answer.at("verdict") == "agrees" || answer.at("verdict") == "converges";
+    });
+    if (follows > most) first.clear();
+    most = std::max(most, follows);
+    if (follows == most) first.push_back(fmt::format("{} ({})", solver_named(row), text_at(row, "settings")));
+  }
+  const std::size_t sets = canon.at("rows").size();
+  return fmt::format("{} {} with the exact solution, or {} to it, in {} of {} scenes{}.",
+                     joined_up_to(3, first), first.size() == 1 ? "agrees" : "agree",
+                     first.size() == 1 ? "converges" : "converge", most, canon.at("scenes").size(),
+                     sets == 1 ? "" : fmt::format("; none of {} sets in more", sets));
 }
 
 std::string content(const Json& canon) {
