@@ -39,9 +39,22 @@ TrialLines lines_of(const Json& advice) {
   return lines;
 }
 
-/// Whether a solver is within the error at some step. Those that are not are drawn alike.
 bool holds(const std::vector<TrialMark>& line) {
   return std::ranges::any_of(line, &TrialMark::passes);
+}
+
+double nearest(const std::vector<TrialMark>& line) {
+  return std::ranges::min(line, {}, &TrialMark::error).error;
+}
+
+/// The solvers that are told apart: those that hold at some step, or where none does, those that come nearest
+/// up to a factor of two. All others are drawn alike.
+std::vector<bool> told_of(const TrialLines& lines) {
+  const bool any = std::ranges::any_of(lines, holds);
+  const double least = nearest(std::ranges::min(lines, {}, nearest));
+  return each_of(lines, [&](const std::vector<TrialMark>& line) {
+    return any ? holds(line) : nearest(line) <= 2 * least;
+  });
 }
 
 Numbers numbers_of(const std::vector<TrialMark>& marks) {
@@ -70,10 +83,11 @@ Drawings advice(const FolderSubject& subject) {
     for (const TrialMark& mark : line) across.add(mark.time), up.add(mark.error);
   across = across.wider_times(2), up = up.wider_times(2);
   Legend legend;
-  for (const auto& line : lines)
-    if (holds(line)) legend.emplace_back(mark_style(line.front().run, 1.5), solver_name(line.front().run));
-  if (!std::ranges::all_of(lines, holds))
-    legend.emplace_back(other_style, "others, at no step that was tried");
+  const std::vector<bool> told = told_of(lines);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (told[i])
+      legend.emplace_back(mark_style(lines[i].front().run, 1.5), solver_name(lines[i].front().run));
+  if (std::ranges::find(told, false) != told.end()) legend.emplace_back(other_style, "other solvers");
   legend.emplace_back(limit_style, fmt::format("asked for: {:g}", error));
   legend.emplace_back(fmt::format("{} ps 2.6*mark", ring), "nine of ten replicates are within");
   Sheet sheet = subject.sheet(title, legend, answer_of(lines, error));
@@ -81,9 +95,10 @@ Drawings advice(const FolderSubject& subject) {
   LabelledPanel labelled{width, tall, {}};
   Plots trials(sheet, "trials");
   std::vector<TrialMark> passing, picked;
-  for (const auto& line : lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto& line = lines[i];
     const Run& run = line.front().run;
-    const std::string colour = holds(line) ? style_of(run).colour : other_colour;
+    const std::string colour = told[i] ? style_of(run).colour : other_colour;
     labelled.lines.emplace_back();
     for (const TrialMark& mark : line) {
       labelled.lines.back().push_back({across.place(mark.time, width), up.place(mark.error, tall),
@@ -92,7 +107,7 @@ Drawings advice(const FolderSubject& subject) {
       if (mark.picked) picked.push_back(mark);
     }
     trials.add(numbers_of(line), {fmt::format("using 1:2 with lines lw 1.5 lc rgb '{}'", paler(colour, 0.6)),
-                                  "using 1:2 " + (holds(line) ? mark_style(run, 1.5) : other_style)});
+                                  "using 1:2 " + (told[i] ? mark_style(run, 1.5) : other_style)});
   }
   for (const auto& [marks, size] : {std::pair{&passing, 2.6}, {&picked, 3.6}})
     if (!marks->empty()) trials.add(numbers_of(*marks), {fmt::format("using 1:2 {} ps {}*mark", ring, size)});
