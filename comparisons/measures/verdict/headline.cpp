@@ -61,8 +61,9 @@ std::string leaving(Ends ends) {
   if (std::isinf(first)) return stays;
   if (ends.times.size() > many) {
     const auto leave = std::ranges::count_if(ends.times, [](double time) { return std::isfinite(time); });
-    return fmt::format("in {} of {} runs, half of them by {} s", leave, ends.times.size(),
-                       text(ends.times[static_cast<std::size_t>(leave - 1) / 2]));
+    const std::string half = text(ends.times[static_cast<std::size_t>(leave - 1) / 2]);
+    return fmt::format("in {} of {} runs, {} {} s", leave, ends.times.size(),
+                       leave == 1 ? "after" : "half of them by", half);
   }
   if (std::isinf(last)) return fmt::format("after {} s or {}", text(first), stays);
   return text(first) == text(last) ? fmt::format("after {} s", text(first))

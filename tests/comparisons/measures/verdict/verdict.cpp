@@ -150,6 +150,9 @@ TEST(Verdict, OfManySetsSaysHowManyLeaveAndUntilWhenHalfOfThoseAgree) {
       headline(rows, {scene("a")})[0].find("at a time step of 10 ms in 7 of 12 runs, half of them by 2 s"),
       std::string::npos)
       << headline(rows, {scene("a")})[0];
+  for (std::size_t i = 1; i < rows.size(); ++i) rows[i] = row("a", "set" + std::to_string(i), 1e-2, 0.001);
+  EXPECT_NE(headline(rows, {scene("a")})[0].find("in 1 of 12 runs, after 0.01 s"), std::string::npos)
+      << headline(rows, {scene("a")})[0];
 }
 
 // Replicates tell the sets apart at either step, but the other way about: over both they are as near.
