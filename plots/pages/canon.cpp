@@ -51,10 +51,14 @@ std::string answer_of(const Json& canon) {
     if (follows == most) first.push_back(fmt::format("{} ({})", solver_named(row), text_at(row, "settings")));
   }
   const std::size_t sets = canon.at("rows").size();
+  const auto scenes = std::ssize(canon.at("scenes"));
+  if (most == 0)
+    return fmt::format("No set agrees with the exact solution, or converges to it, in any of {} scenes.",
+                       scenes);
   return fmt::format("{} {} with the exact solution, or {} to it, in {} of {} scenes{}.",
                      joined_up_to(3, first), first.size() == 1 ? "agrees" : "agree",
-                     first.size() == 1 ? "converges" : "converge", most, canon.at("scenes").size(),
-                     sets == 1 ? "" : fmt::format("; none of {} sets in more", sets));
+                     first.size() == 1 ? "converges" : "converge", most, scenes,
+                     sets == 1 || most == scenes ? "" : fmt::format("; none of {} sets in more", sets));
 }
 
 std::string content(const Json& canon) {

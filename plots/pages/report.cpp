@@ -112,15 +112,19 @@ std::string whole_summary(const Comparison& comparison) {
   return text;
 }
 
-/// What a page begins with.
+/// What a page begins with, and what its words mean.
 constexpr auto first_figure = "agreement";
+constexpr auto first_words =
+    "Default: the library's own parameters. Tuned: those that came nearest on other scenes. Replicates: the same "
+    "run with its step changed a little.";
 
 /// The verdict and its figure, and beside them the first motion to look at.
 std::string first_screen(const fs::path& results, const Comparison& comparison) {
   const std::string stem = first_figure;
   std::string verdict = answer_box(comparison.verdict.headline);
   if (fs::exists(results / "figures" / (stem + ".svg")))
-    verdict += drawn_figure(results, stem, stem + "-", figure_in(stem)->title);
+    verdict += drawn_figure(results, stem, stem + "-", figure_in(stem)->title) +
+               element("p", first_words, " class=\"hint\"");
   std::string parts = element("div", verdict);
   if (const std::size_t scene = first_motion(comparison); scene < comparison.scenes.size())
     parts += element(

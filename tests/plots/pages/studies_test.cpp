@@ -128,6 +128,75 @@ TEST(StudyPage, AdviceBeginsWithItsWordsAndMarksWhatToTake) {
   EXPECT_EQ(picture.marks_of(testing::shown_colour("#000000")).size(), 4U);
 }
 
+/// Trials of three solvers, of which the last is far off at any step.
+std::string advice_with(double passing_off) {
+  Json advice = Json::parse(made_up_advice());
+  Json far = advice["trials"][0];
+  far.update({{"solver", "three"}, {"largest_angle_difference", 0.5}});
+  advice["trials"].push_back(far);
+  if (passing_off > 0) return advice.dump();
+  for (Json& trial : advice["trials"]) trial["passes"] = false;
+  advice["pick"] = nullptr;
+  return advice.dump();
+}
+
+/// Whether the figure of advice draws solver `words` in a colour of its own: the others share one line of the
+/// legend.
+bool names_solver(const testing::Picture& picture, const std::string& words) {
+  return std::ranges::any_of(picture.texts, [&](const auto& text) { return text.words == words; });
+}
+
+TEST(StudyPage, AdviceColoursTheSolversThatHoldOrWhereNoneDoesTheNearest) {
+  for (const double passing : {1.0, 0.0}) {
+    const fs::path folder = testing::fresh_folder();
+    put(folder / "advice.json", advice_with(passing));
+    draw_figures(folder);
+    const testing::Picture picture = testing::read_picture(folder / "figures/advice.svg");
+    EXPECT_TRUE(names_solver(picture, "own:one"));  // holds at 1 ms, and is off by twice the least
+    EXPECT_TRUE(names_solver(picture, "own:two"));
+    EXPECT_FALSE(names_solver(picture, "own:three"));
+    EXPECT_TRUE(names_solver(picture, "other solvers"));
+  }
+}
+
+/// The canon's page for sets with so many answers of each verdict, on three scenes.
+std::string canon_page(const std::vector<std::vector<std::string>>& sets) {
+  Json canon{{"title", "The canon"},
+             {"steps", {0.004, 0.00025}},
+             {"agreement", 0.5},
+             {"replicates", 5},
+             {"rows", Json::array()},
+             {"scenes", Json::array()},
+             {"command", "rockstack canon"}};
+  for (const char* name : {"rest", "rock", "slide"})
+    canon["scenes"].push_back({{"name", name}, {"title", "A scene"}, {"scene_file", ""}});
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    Json row{{"engine", "own"}, {"solver", fmt::format("s{}", i)}, {"settings", "tuned"}};
+    for (const std::string& verdict : sets[i])
+      row["answers"].push_back({{"verdict", verdict}, {"reason", ""}, {"steps_off", {1.0, 0.1}}});
+    canon["rows"].push_back(row);
+  }
+  const fs::path folder = testing::fresh_folder();
+  put(folder / "canon.json", canon.dump());
+  write_study_page(folder);
+  return study_page(folder);
+}
+
+TEST(CanonPage, TheHeadlineNamesTheSetsThatFollowTheLawInTheMostScenes) {
+  EXPECT_TRUE(
+      tells(canon_page({{"agrees", "another law", "cannot tell"},
+                        {"agrees", "converges", "another law"},
+                        {"no run", "no run", "agrees"}}),
+            "own:s1 (tuned) agrees with the exact solution, or converges to it, in 2 of 3 scenes; none of "
+            "3 sets in more."));
+  EXPECT_TRUE(
+      tells(canon_page({{"agrees", "converges", "agrees"}, {"converges", "converges", "agrees"}}),
+            "own:s0 (tuned) and own:s1 (tuned) agree with the exact solution, or converge to it, in 3 of 3 "
+            "scenes."));
+  EXPECT_TRUE(tells(canon_page({{"another law", "cannot tell", "no run"}}),
+                    "No set agrees with the exact solution, or converges to it, in any of 3 scenes."));
+}
+
 TEST(StudyPage, AFitSaysItsParametersAndWhatTheResidualMeans) {
   const fs::path folder = testing::fresh_folder();
   put(folder / "fit.json",
