@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <set>
 #include <string_view>
 
@@ -81,7 +82,15 @@ std::vector<StepLine> shown_lines(const Comparison& comparison, const std::strin
   std::erase_if(lines, [&](const StepLine& line) {
     return line.front().settings == "default" && tuned.contains(solver_name(line.front()));
   });
-  return lines;
+  if (lines.size() <= most_lines) return lines;
+  const auto error = [](const StepLine& line) { return line.front().error.value_or(HUGE_VAL); };
+  std::vector<StepLine> nearest;
+  for (const StepLine& line : lines) {
+    const auto is_own = [&](const StepLine& one) { return one.front().engine == line.front().engine; };
+    StepLine& own = found_or_added(nearest, is_own, line);
+    if (error(line) < error(own)) own = line;
+  }
+  return nearest;
 }
 
 Shown shown_runs(const Comparison& comparison, const std::string& scene) {

@@ -20,7 +20,11 @@ Shown shown_runs(const Comparison& comparison, const std::string& scene);
 /// too, by falling iterations.
 using StepLine = std::vector<Run>;
 
-/// Of each engine, solver and settings one line; default settings only where there are no tuned ones.
+/// More lines than a figure over time has room for.
+inline constexpr std::size_t most_lines = 12;
+
+/// Of each engine, solver and settings one line; default settings only where there are no tuned ones. Where
+/// these are more than `most_lines`, of each engine the one that comes nearest at its finest step.
 std::vector<StepLine> shown_lines(const Comparison& comparison, const std::string& scene);
 
 /// A line's runs at its coarsest and its finest step; one where it has no more.

@@ -61,12 +61,22 @@ std::size_t first_motion(const Comparison& comparison) {
   return static_cast<std::size_t>(found - comparison.scenes.begin());
 }
 
+std::size_t count_solvers(const std::vector<StepLine>& lines) {
+  std::set<std::string> names;
+  for (const StepLine& line : lines) names.insert(solver_name(line.front()));
+  return names.size();
+}
+
 /// Of any but the first motion, which stands where the page begins.
 std::string scene_section(const fs::path& results, const Comparison& comparison, std::size_t scene) {
   const ComparedScene& compared = comparison.scenes[scene];
   std::string body = ground_of(compared);
   if (has_motion(comparison, compared) && scene != first_motion(comparison))
     body += element("h3", "The motion to look at") + player_section(comparison, scene) + "\n";
+  if (count_solvers(shown_lines(comparison, compared.name)) <
+      count_solvers(step_lines(comparison, compared.name)))
+    body += element(
+        "p", "Figures over time show the solver of each engine that comes nearest at its finest step.");
   for (const Figure* figure : figures_of(compared))
     body += element("h3", escaped(figure->title)) + scene_figure(results, comparison, scene, *figure) + "\n";
   body += terms_table(comparison, compared.name) + impacts_table(comparison, compared.name) +

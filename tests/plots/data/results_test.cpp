@@ -77,6 +77,37 @@ TEST(Results, ShowsTheSmallestStepOfEachSolverAndTunedBeforeDefault) {
   EXPECT_EQ(run_label(shown.engines[1]), "ode step, default, 1 ms");
 }
 
+/// So many engines of two solvers each, of which the second is nearer at its finest step and the first at its
+/// coarsest.
+Comparison many_solvers(int engines) {
+  Comparison comparison;
+  for (int i = 0; i < engines; ++i)
+    for (const char* solver : {"one", "two"})
+      for (const double dt : {4e-3, 1e-3}) {
+        Run run;
+        run.scene = "sample";
+        run.engine = std::string(1, static_cast<char>('a' + i));
+        run.solver = solver;
+        run.settings = "tuned";
+        run.dt = dt;
+        run.status = RunStatus::done;
+        run.error = (run.solver == "two") == (dt < 2e-3) ? 1e-4 : 1e-2;
+        comparison.runs.push_back(run);
+      }
+  return comparison;
+}
+
+TEST(Results, WhereFiguresOverTimeLackRoomTheyShowTheNearestSolverOfEachEngine) {
+  const int few = most_lines / 2;
+  EXPECT_EQ(shown_lines(many_solvers(few), "sample").size(), most_lines);
+  const std::vector<StepLine> lines = shown_lines(many_solvers(few + 1), "sample");
+  ASSERT_EQ(lines.size(), static_cast<std::size_t>(few) + 1);
+  for (const StepLine& line : lines) {
+    EXPECT_EQ(line.front().solver, "two");
+    EXPECT_EQ(line.size(), 2U);
+  }
+}
+
 TEST(Results, PatternSpansCoverTheWholeMotionWithoutGaps) {
   const fs::path folder = testing::fresh_folder();
   testing::write_sample(folder, testing::Sample{});
