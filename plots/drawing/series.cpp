@@ -156,7 +156,11 @@ Series mark_series(const Run& run, const std::string& block, double size) {
           style_of(run).colour,
           {plot_of(block, mark_style(run, size))},
           {plot_of(block, mark_style(run, small))},
-          {plot_of(block, fmt::format("with points pt 7 ps 0.6*mark lc rgb '{}'", context_colour))}};
+          {context_marks(block)}};
+}
+
+std::string context_marks(const std::string& block) {
+  return plot_of(block, fmt::format("with points pt 7 ps 0.6*mark lc rgb '{}'", context_colour));
 }
 
 std::string exact_core(const std::string& block) {

@@ -60,6 +60,9 @@ Series curve_series(const Run& run, const std::string& block, std::size_t order,
 /// The marks of a run, of a size; smaller where it has a panel of its own.
 Series mark_series(const Run& run, const std::string& block, double size);
 
+/// All marks of a data block, as what others are seen before.
+std::string context_marks(const std::string& block);
+
 /// The line in the middle of the exact curve, over all others.
 std::string exact_core(const std::string& block);
 

@@ -90,6 +90,16 @@ std::string version_of(const Comparison& comparison, const Run& run) {
   return "";
 }
 
+/// What a run's summary says beside its scene and the columns of the table, its parameters above all.
+Facts beside_columns(const Run& run) {
+  Facts facts = read_summary(run);
+  std::erase_if(facts, [](const auto& fact) {
+    return fact.first == "title" || fact.first == "scene_file" ||
+           std::ranges::any_of(columns(), [&](const auto& column) { return column.name == fact.first; });
+  });
+  return facts;
+}
+
 /// A failed run may have stopped before it wrote anything.
 std::string details_of(const Comparison& comparison, std::size_t index) {
   const Run& run = comparison.runs[index];
@@ -101,7 +111,7 @@ std::string details_of(const Comparison& comparison, std::size_t index) {
                                   {"history.csv", "readings.csv", "difference.csv", "events.csv",
                                    "impacts.csv", "parts.csv", "draws.csv", "summary.json"});
   if (!files.empty()) text += element("p", "Files beside this page: " + files);
-  if (fs::exists(run.folder / "summary.json")) text += definition_list(read_summary(run));
+  if (fs::exists(run.folder / "summary.json")) text += definition_list(beside_columns(run));
   return details(escaped(run.run), text, fmt::format(" id=\"{}\"", run_anchor(index)));
 }
 

@@ -12,6 +12,7 @@ constexpr std::size_t scenes_in_a_row = 3, most_scenes = 12;
 struct CommonAxes {
   std::vector<std::string> sets;
   std::vector<double> steps;  ///< s, falling
+  std::string note = {};      ///< which sets these are of all; empty: all
 
   /// How much of a set's colour a step has, from a least share on: the coarser, the paler.
   double strength(double dt, double palest) const {
@@ -29,16 +30,33 @@ bool is_shown(const Run& run) {
   return is_engine(run) && !is_variant(run);
 }
 
+/// The solver of each engine that the verdict ranks first, or where it ranks none, that of its first run.
+std::map<std::string, std::string> first_solvers(const Comparison& comparison) {
+  std::map<std::string, std::string> first;
+  for (const RankedSet& set : comparison.verdict.ranking) first.try_emplace(set.engine, set.solver);
+  for (const Run& run : comparison.runs) first.try_emplace(run.engine, run.solver);
+  return first;
+}
+
+/// Where all sets are more than a page shows, those of each engine's first solver.
 CommonAxes frame_of(const Comparison& comparison) {
-  CommonAxes frame;
+  CommonAxes frame, first;
   std::vector<Run> runs;
+  const std::map<std::string, std::string> solvers = first_solvers(comparison);
   for (const Run& run : comparison.runs) {
     if (!is_shown(run)) continue;
     runs.push_back(run);
-    if (std::ranges::find(frame.sets, line_label(run)) == frame.sets.end())
-      frame.sets.push_back(line_label(run));
+    found_or_added(
+        frame.sets, [&](const std::string& set) { return set == line_label(run); }, line_label(run));
+    if (solvers.at(run.engine) == run.solver)
+      found_or_added(
+          first.sets, [&](const std::string& set) { return set == line_label(run); }, line_label(run));
   }
-  frame.sets.resize(std::min(frame.sets.size(), most_rows));
+  if (frame.sets.size() > most_rows) {
+    frame.sets = first.sets;
+    frame.sets.resize(std::min(frame.sets.size(), most_rows));
+    frame.note = "of each engine the solver that comes nearest over all scenes";
+  }
   frame.steps = chosen_steps(runs);
   return frame;
 }
@@ -191,6 +209,7 @@ Drawing drawn(Sheet sheet, const Comparison& comparison, const CommonAxes& frame
     add_scenes(sheet, comparison, frame, from, std::min(from + beside, scenes));
   if (scenes < comparison.scenes.size())
     sheet.note(fmt::format("the first {} of {} scenes", scenes, comparison.scenes.size()));
+  if (!frame.note.empty()) sheet.note(frame.note);
   return sheet.finish();
 }
 

@@ -175,7 +175,6 @@ std::vector<Series> series_of(const std::vector<CostLine>& lines, bool many) {
     Series& all = found_or_added(list, [&](const Series& other) { return many && other.words == one.words; },
                                  {one.words, one.colour, one.plots, {}, {}});
     all.alone.insert(all.alone.end(), one.alone.begin(), one.alone.end());
-    all.context.insert(all.context.end(), one.context.begin(), one.context.end());
   }
   return list;
 }
@@ -243,6 +242,9 @@ Drawing error_time(const SceneSubject& subject) {
   if (!many)
     for (const CostLine& line : lines) legend.emplace_back(mark_style(line.run, 1.7), line.label);
   Sheet sheet = subject.sheet(legend, answer(lines, subject.comparison.tolerance));
+  Numbers all;
+  for (const CostLine& line : lines) std::ranges::copy(numbers_of(line), std::back_inserter(all));
+  sheet.data(number_block("all", all));
   for (std::size_t i = 0; i < lines.size(); ++i)
     sheet.data(number_block(fmt::format("line_{}", i), numbers_of(lines[i])) +
                number_block(fmt::format("pieces_{}", i), pieces(lines[i], comparable)));
@@ -259,7 +261,7 @@ Drawing error_time(const SceneSubject& subject) {
                     axes,
                     height,
                     0};
-  if (!many) panel.under = floors(lines);
+  panel.under = many ? std::vector{context_marks("all")} : floors(lines);
   panel.few = guides + exact_line(exact, true) + labels(lines, slopes, frame, subject.panel(), height);
   panel.many = guides + exact_line(exact, false);
   add_series(sheet, panel, series_of(lines, many), many);
