@@ -168,9 +168,9 @@ void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal) {
   const auto count = [&](const auto& counts) {
     return static_cast<int>(std::ranges::count_if(replicates, counts));
   };
-  nominal.replicates = static_cast<int>(replicates.size()) + 1;
-  nominal.replicates_failed = count([](const RunMetrics& row) { return row.status != RunStatus::done; });
-  nominal.replicates_other_verdict =
+  nominal.draws = static_cast<int>(replicates.size()) + 1;
+  nominal.draws_failed = count([](const RunMetrics& row) { return row.status != RunStatus::done; });
+  nominal.draws_other_verdict =
       (differ(first.toppling_verdict) ? 1 : 0) + count([](const RunMetrics& row) {
         return row.status == RunStatus::done && differ(row.toppling_verdict);
       });

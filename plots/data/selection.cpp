@@ -182,7 +182,7 @@ std::string rounded_duration(double seconds) {
 std::string draws_note(const Comparison& comparison, const std::string& scene) {
   int draws = 1;
   for (const Run& run : comparison.runs)
-    if (run.scene == scene) draws = std::max(draws, run.replicates.value_or(1));
+    if (run.scene == scene) draws = std::max(draws, run.draws.value_or(1));
   return draws > 1 ? fmt::format("marks: medians of {} replicates at nearby steps; bars: quartiles", draws)
                    : "";
 }

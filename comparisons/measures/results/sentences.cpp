@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <sstream>
 #include <stdexcept>
 
 namespace rockstack {
@@ -22,6 +23,24 @@ std::string joined_up_to(std::size_t most, const std::vector<std::string>& words
   std::vector<std::string> some(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(most));
   some.push_back(fmt::format("{} others", words.size() - most));
   return joined(some);
+}
+
+std::vector<Paragraph> paragraphs(std::string_view text) {
+  std::vector<Paragraph> list;
+  std::istringstream lines{std::string(text)};
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('#')) continue;
+    if (inside && !line.empty()) {
+      std::string& words = list.back().words;
+      words += (words.empty() ? "" : " ") + line;
+    } else if (!line.empty()) {
+      const std::size_t colon = std::min(line.find(": "), line.size());
+      list.push_back({line.substr(0, colon), line.substr(std::min(colon + 2, line.size())), ""});
+    }
+    inside = !line.empty();
+  }
+  return list;
 }
 
 std::string filled_in(std::string_view text, const std::map<std::string, std::string>& values) {

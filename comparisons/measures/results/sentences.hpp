@@ -16,6 +16,15 @@ std::string joined(const std::vector<std::string>& words);
 /// The same of at most `most`: "a, b and 5 others".
 std::string joined_up_to(std::size_t most, const std::vector<std::string>& words);
 
+/// A paragraph of a text that the program holds: "NAME" or "NAME: KIND" in its first line, and the others as
+/// one.
+struct Paragraph {
+  std::string name, kind, words;
+};
+
+/// All of them; lines that begin with # are left out.
+std::vector<Paragraph> paragraphs(std::string_view text);
+
 /// Puts each value in the place of its {{name}}. @throws std::logic_error for a place without a value.
 std::string filled_in(std::string_view text, const std::map<std::string, std::string>& values);
 

@@ -20,7 +20,7 @@ std::string fall_of(const RunMetrics& row) {
 
 /// In how many runs it topples otherwise, where not in all or none.
 std::string share_of_replicates(const RunMetrics& row) {
-  const int other = row.replicates_other_verdict.value_or(0), all = row.replicates.value_or(1);
+  const int other = row.draws_other_verdict.value_or(0), all = row.draws.value_or(1);
   return other > 0 && other < all ? fmt::format("in {} of {} replicates", other, all) : "";
 }
 

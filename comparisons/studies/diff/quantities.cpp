@@ -4,20 +4,16 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <utility>
+
+#include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack {
+
+extern const std::string_view quantities_txt;  ///< of this folder
+
 namespace {
 
 using Better = ReportedQuantity::Better;
-
-const Column& column_of(const std::string& name) {
-  const auto found =
-      std::ranges::find_if(columns(), [&](const Column& column) { return column.name == name; });
-  if (found == columns().end()) throw std::logic_error(name + ": no column of a comparison");
-  return *found;
-}
 
 std::optional<double> failed(const RunMetrics& row) {
   return row.status == RunStatus::done ? 0.0 : 1.0;
@@ -28,53 +24,25 @@ std::optional<double> other_verdict(const RunMetrics& row) {
   return differ(row.toppling_verdict) ? 1.0 : 0.0;
 }
 
-constexpr std::pair<const char*, Better> reported_columns[]{
-    {"largest_angle_difference", Better::less},
-    {"rms_angle_difference", Better::less},
-    {"rms_test_difference", Better::less},
-    {"error", Better::less},
-    {"largest_position_difference", Better::less},
-    {"rms_position_difference", Better::less},
-    {"position_agreement_time", Better::more},
-    {"sinking", Better::less},
-    {"peak_angle", Better::neither},
-    {"magnitude_error", Better::nearer_zero},
-    {"phase_error", Better::less},
-    {"second_peak_difference", Better::nearer_zero},
-    {"agreement_time", Better::more},
-    {"first_impact_time_difference", Better::nearer_zero},
-    {"impacts_missed", Better::less},
-    {"impacts_extra", Better::less},
-    {"rms_impact_time_difference", Better::less},
-    {"largest_impact_time_difference", Better::less},
-    {"settlings_missed", Better::less},
-    {"settlings_extra", Better::less},
-    {"slip_error", Better::less},
-    {"final_slip_error", Better::less},
-    {"pattern_agreement", Better::more},
-    {"pattern_sequence_time", Better::more},
-    {"energy_gain", Better::less},
-    {"penetration", Better::less},
-    {"gap", Better::neither},
-    {"slip", Better::neither},
-    {"out_of_plane", Better::less},
-    {"out_of_plane_tilt", Better::less},
-    {"complementarity_residual", Better::less},
-    {"friction_cone_violation", Better::less},
-    {"contact_stiffness", Better::neither},
-    {"contact_damping", Better::neither},
-    {"contact_points", Better::neither},
-    {"contact_damping_ratio", Better::neither},
-    {"contact_restitution", Better::neither},
-    {"contact_impacts_missed", Better::less},
-    {"contact_impacts_extra", Better::less},
-    {"impact_readings_differ", Better::less},
-    {"residual_motion", Better::less},
-    {"warnings", Better::less},
-    {"model_difference", Better::neither},
-    {"softness_difference", Better::neither},
-    {"step_difference", Better::less},
-};
+/// Of a column, without its sign where none is the best.
+std::function<std::optional<double>(const RunMetrics&)> value_of(const Column& column, Better better) {
+  return [&column, better](const RunMetrics& row) -> std::optional<double> {
+    if (row.status != RunStatus::done) return {};
+    const nlohmann::ordered_json cell = column.cell(row);
+    if (!cell.is_number()) return {};
+    return better == Better::nearer_zero ? std::abs(cell.get<double>()) : cell.get<double>();
+  };
+}
+
+ReportedQuantity quantity_of(const Paragraph& line) {
+  constexpr std::array names{"less", "more", "nearer zero", "neither"};  // as Better has them
+  const auto better = static_cast<Better>(std::ranges::find(names, line.kind) - names.begin());
+  if (line.words.empty()) {
+    const Column& column = column_named(line.name);
+    return {line.name, column.definition, better, value_of(column, better)};
+  }
+  return {line.name, line.words, better, line.name == "failed" ? failed : other_verdict};
+}
 
 std::vector<double> values_of(const ReportedQuantity& quantity, const RecordedRun& run) {
   std::vector<double> values;
@@ -126,22 +94,8 @@ ValueSpread step_time(const RunMetrics& row) {
 
 const std::vector<ReportedQuantity>& reported_quantities() {
   static const std::vector<ReportedQuantity> list = [] {
-    std::vector<ReportedQuantity> all{
-        {"failed", "1 for a run, or a draw, that is not done, else 0", Better::less, failed},
-        {"other_verdict", "1 where engine or exact solution topples alone, else 0", Better::less,
-         other_verdict}};
-    all.reserve(all.size() + std::size(reported_columns));
-    for (const auto& [name, better] : reported_columns) {
-      const Column& column = column_of(name);
-      const auto value = [&column, nearer_zero = better == Better::nearer_zero](
-                             const RunMetrics& row) -> std::optional<double> {
-        if (row.status != RunStatus::done) return {};
-        const nlohmann::ordered_json cell = column.cell(row);
-        if (!cell.is_number()) return {};
-        return nearer_zero ? std::abs(cell.get<double>()) : cell.get<double>();
-      };
-      all.push_back({name, column.definition, better, value});
-    }
+    std::vector<ReportedQuantity> all;
+    for (const Paragraph& line : paragraphs(quantities_txt)) all.push_back(quantity_of(line));
     return all;
   }();
   return list;

@@ -109,7 +109,7 @@ RecordedResults read_recorded_results(const std::filesystem::path& folder) {
     if (row.run.empty() || std::filesystem::path(row.run).filename() != row.run)
       throw InputError(
           fmt::format("{}: run = {}: must be a name without a slash", file.string(), one_line(row.run)));
-    results.runs.push_back(read_run(folder / "runs" / row.run, row.replicates.value_or(1) > 1));
+    results.runs.push_back(read_run(folder / "runs" / row.run, row.draws.value_or(1) > 1));
   }
   return results;
 }

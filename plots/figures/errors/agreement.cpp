@@ -179,7 +179,7 @@ Legend legend_of(const Comparison& comparison, const CommonAxes& frame) {
         fmt::format("with lines lw 6 lc rgb '{}'", paler("#333333", frame.strength(dt, palest_line))),
         "step " + duration_text(dt));
   legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
-  if (any([](const Run& run) { return run.replicates.value_or(1) > 1; }))
+  if (any([](const Run& run) { return run.draws.value_or(1) > 1; }))
     legend.emplace_back(fmt::format("with lines {}", quartiles_style), "quartiles of replicates");
   for (const ComparedScene& scene : comparison.scenes) {
     const TimeAxis axis = axis_of(comparison, scene);

@@ -67,8 +67,8 @@ TEST(Replicates, ARowGetsMediansAndQuartiles) {
   EXPECT_EQ(nominal.rms_angle_difference_lower, 6);
   EXPECT_EQ(nominal.rms_angle_difference_upper, 16);
   EXPECT_EQ(nominal.impacts_matched, 11);
-  EXPECT_EQ(nominal.replicates, 22);
-  EXPECT_EQ(nominal.replicates_failed, 1);
+  EXPECT_EQ(nominal.draws, 22);
+  EXPECT_EQ(nominal.draws_failed, 1);
   replicates.pop_back();
   replicates.pop_back();
   nominal = row_with(21);
@@ -84,7 +84,7 @@ TEST(Replicates, StandBehindARowAndAreNotMadeAgain) {
   const TemporaryFolder folder;
   Suite suite = suite_of(folder, native_engines().front());
   const RunMetrics row = compare({suite}, folder.path(), {}).rows.at(1);
-  EXPECT_EQ(row.replicates, 5);
+  EXPECT_EQ(row.draws, 5);
   const auto file = folder.path() / "runs" / row.run / "draws.csv";
   const auto read = [&] { return read_columns(file, {"dt", "rms_angle_difference"}); };
   auto errors = read().at(1);

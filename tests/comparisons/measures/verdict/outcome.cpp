@@ -72,8 +72,8 @@ TEST(Outcome, WhatIsThrownUpDoesNotRest) {
 TEST(Outcome, ReplicatesThatToppleOtherwiseAreCounted) {
   RunMetrics row = moving();
   row.toppling_verdict = TopplingVerdict::both;
-  row.replicates = 21;
-  row.replicates_other_verdict = 3;
+  row.draws = 21;
+  row.draws_other_verdict = 3;
   EXPECT_EQ(outcome(row, scale), "agrees to the end; topples otherwise in 3 of 21 replicates");
 }
 
