@@ -27,23 +27,9 @@ class SweepTable {
  public:
   explicit SweepTable(const Ensemble& ensemble) : runs_(static_cast<py::ssize_t>(run_count(ensemble))) {
     for (std::size_t v = 0; v < ensemble.variations.size(); ++v) add_variation(ensemble.variations[v], v);
-    const std::size_t blocks = find(ensemble.base.root, "blocks")->children.size();
-    for (std::size_t k = 0; k < blocks; ++k)
-      add_measure("peak_" + std::to_string(k + 1), [k](const RunOutcome& of) { return of.peaks[k]; });
-    add_measure("peak_ratio", [](const RunOutcome& of) { return of.peak_ratio; });
-    add_measure("topple_time",
-                [](const RunOutcome& of) { return of.toppled > 0 ? of.topple_time : nothing; });
-    add_measure("last_event_time",
-                [](const RunOutcome& of) { return of.events > 0 ? of.last_event_time : nothing; });
-    add_demand("least_normal_force", "force_friction", &RunOutcome::force);
-    add_demand("least_normal_impulse", "impulse_friction", &RunOutcome::impulse);
-    add_measure("slip", [](const RunOutcome& of) { return of.slip.value_or(nothing); });
-    add_measure("lift", [](const RunOutcome& of) { return of.lift.value_or(nothing); });
-    add_count("toppled", &RunOutcome::toppled);
-    add_count("impacts", &RunOutcome::impacts);
-    add_count("events", &RunOutcome::events);
-    add_mode("onset", &RunOutcome::onset);
-    add_mode("motion", &RunOutcome::motion);
+    std::vector<OutcomeColumn> columns = outcome_columns(ensemble);
+    std::ranges::stable_sort(columns, {}, [](const OutcomeColumn& column) { return column.value.index(); });
+    for (const OutcomeColumn& column : columns) add_outcome(column);
     for (const Axis& axis : ensemble.axes) {
       py::list names;
       for (const std::size_t v : axis.variations) names.append(ensemble.variations[v].name());
@@ -75,36 +61,23 @@ class SweepTable {
     columns_[py::str(name)] = std::move(array);
   }
 
-  template <class Of>
-  void add_measure(const std::string& name, const Of& of) {
-    add<double>(name,
-                [of](const RunResult& result) { return result.outcome ? of(*result.outcome) : nothing; });
-  }
-
-  void add_demand(const char* least_normal, const char* friction, Demand RunOutcome::*demand) {
-    add_measure(least_normal, [demand](const RunOutcome& of) {
-      const double least = (of.*demand).least_normal;
-      return std::isfinite(least) ? least : nothing;
-    });
-    add_measure(friction, [demand](const RunOutcome& of) {
-      return std::isfinite((of.*demand).least_normal) ? (of.*demand).friction : nothing;
-    });
-  }
-
-  template <class Count>
-  void add_count(const char* name, Count RunOutcome::*count) {
-    add<std::int32_t>(name, [count](const RunResult& result) {
-      return result.outcome ? static_cast<std::int32_t>(result.outcome->*count) : 0;
-    });
-  }
-
-  void add_mode(const char* name, MotionMode RunOutcome::*mode) {
-    add<std::int8_t>(name, [mode](const RunResult& result) {
-      return result.outcome ? static_cast<int>(result.outcome->*mode) : -1;
+  void add_outcome(const OutcomeColumn& column) {
+    if (const auto* measure = std::get_if<OutcomeColumn::Measure>(&column.value))
+      add<double>(column.name, [of = *measure](const RunResult& result) {
+        return result.outcome ? of(*result.outcome).value_or(nothing) : nothing;
+      });
+    if (const auto* count = std::get_if<OutcomeColumn::Count>(&column.value))
+      add<std::int32_t>(column.name, [of = *count](const RunResult& result) {
+        return result.outcome ? of(*result.outcome) : 0;
+      });
+    const auto* mode = std::get_if<OutcomeColumn::Mode>(&column.value);
+    if (mode == nullptr) return;
+    add<std::int8_t>(column.name, [of = *mode](const RunResult& result) {
+      return result.outcome ? static_cast<int>(result.outcome->*of) : -1;
     });
     py::list names;
-    for (const MotionMode one : motion_modes) names.append(rockstack::name(one));
-    words_[name] = names;
+    for (const MotionMode one : motion_modes) names.append(name(one));
+    words_[py::str(column.name)] = names;
   }
 
   /// The values that runs have of one variation: numbers, or texts by their number in a list.

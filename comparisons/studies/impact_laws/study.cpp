@@ -12,8 +12,12 @@
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack {
+
+extern const std::string_view share_columns_txt, verdict_columns_txt;  ///< of this folder
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -66,62 +70,21 @@ std::string spaced(const std::vector<double>& values) {
   return fmt::format("{}", fmt::join(values, " "));
 }
 
-/// Columns and what they mean.
-using Definitions = std::initializer_list<std::pair<const char*, const char*>>;
-
-constexpr Definitions share_columns{
-    {"blocks", "number of blocks"},
-    {"kind", "pattern before the impact, and where it takes place; one of each pair of mirror images"},
-    {"aspect_ratio_from", "height over width of the top block: the cell's edges"},
-    {"aspect_ratio_to", "likewise"},
-    {"mass_ratio_from", "mass of the top block over that of the block below: the cell's edges"},
-    {"mass_ratio_to", "likewise"},
-    {"drawn", "states drawn, among them those whose pattern before cannot carry itself"},
-    {"impacts", "states that were judged: every pivot pushes, every centre of pressure lies inside"},
-    {"differ", "impacts after which the laws have different patterns"},
-    {"none", "impacts after which no pattern is consistent"},
-    {"several", "impacts after which more than one pattern is consistent"},
-    {"missed", "impacts with a consistent pattern that the solver's search does not find"},
-};
-
-constexpr Definitions verdict_columns{
-    {"case", "kind of impact, pattern after it under law paper, and under law consistent"},
-    {"kind", "pattern before the impact, and where it takes place"},
-    {"engine", "name of the engine"},
-    {"solver", "its constraint solver"},
-    {"settings", "its parameter set"},
-    {"dt", "time step, s"},
-    {"status", "done, or failed"},
-    {"reason", "why a run failed"},
-    {"paper", "pattern after the impact under law paper"},
-    {"consistent", "pattern after the impact under law consistent"},
-    {"pattern", "the engine's pattern, from the signs of the relative angles 5 ms after the impact"},
-    {"follows", "the law whose pattern that is, or neither"},
-    {"from_paper",
-     "largest difference of the engine's angular velocities from law paper's, means from 2.5 to 5 ms after "
-     "the impact, over the largest relative angular velocity before"},
-    {"from_consistent", "likewise from law consistent's"},
-    {"before", "angular velocities just before the impact, bottom to top, rad/s"},
-    {"rates_paper", "mean angular velocities after it under law paper, rad/s"},
-    {"rates_consistent", "likewise under law consistent"},
-    {"rates", "likewise in the engine"},
-};
-
-void add_header(CsvWriter& csv, Definitions columns) {
-  for (const auto& [name, meaning] : columns) csv.add(name);
+void add_header(CsvWriter& csv, std::string_view columns) {
+  for (const Paragraph& column : paragraphs(columns)) csv.add(column.name);
   csv.end_line();
 }
 
-Json definitions(Definitions columns) {
+Json definitions(std::string_view columns) {
   Json json;
-  for (const auto& [name, meaning] : columns) json[name] = meaning;
+  for (const Paragraph& column : paragraphs(columns)) json[column.name] = column.words;
   return json;
 }
 
 /// One row a case, engine and time step.
 std::string verdicts_csv(const std::vector<ImpactCase>& cases) {
   CsvWriter csv;
-  add_header(csv, verdict_columns);
+  add_header(csv, verdict_columns_txt);
   for (const ImpactCase& question : cases) {
     const Disagreement& found = question.disagreement;
     for (const EngineVerdict& verdict : question.verdicts) {
@@ -157,8 +120,8 @@ Json case_json(const ImpactCase& question) {
 
 Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, const std::string& command) {
   Json json{{"title", study.title}, {"study", "impact-laws"}, {"suite_file", study.text}};
-  json["definitions"] = {{"impact-laws.csv", definitions(share_columns)},
-                         {"impact-laws-engines.csv", definitions(verdict_columns)}};
+  json["definitions"] = {{"impact-laws.csv", definitions(share_columns_txt)},
+                         {"impact-laws-engines.csv", definitions(verdict_columns_txt)}};
   json["disagreements"] = Json::array();
   for (const Disagreement& found : results.laws.disagreements) {
     json["disagreements"].push_back({{"kind", name(found.kind)},
@@ -243,7 +206,7 @@ std::vector<EngineTally> tallies(const std::vector<ImpactCase>& cases) {
 
 std::string shares_csv(const std::vector<ImpactShare>& shares) {
   CsvWriter csv;
-  add_header(csv, share_columns);
+  add_header(csv, share_columns_txt);
   for (const ImpactShare& share : shares) {
     csv.line(share.blocks, name(share.kind), share.aspect_ratio.from, share.aspect_ratio.to,
              share.mass_ratio.from, share.mass_ratio.to, share.drawn, share.impacts, share.differ, share.none,

@@ -41,13 +41,13 @@ MotionMode whole_mode(const Scene& scene, const History& history);
 
 /// What a sweep keeps of one run. SI units.
 struct RunOutcome {
-  std::vector<double> peaks;   ///< largest absolute angle of each block, rad
-  double peak_ratio = 0;       ///< the largest of these over the block's slenderness
-  int toppled = 0;             ///< number of the block that toppled or fell off first, from 1; 0: none
-  double topple_time = 0;      ///< s, where one has
-  std::size_t impacts = 0;     ///< with those that end chatter
-  std::size_t events = 0;      ///< of any kind
-  double last_event_time = 0;  ///< s, where there is an event
+  std::vector<double> peaks;          ///< largest absolute angle of each block, rad
+  double peak_ratio = 0;              ///< the largest of these over the block's slenderness
+  int toppled = 0;                    ///< number of the block that toppled or fell off first, from 1; 0: none
+  std::optional<double> topple_time;  ///< s, where one has
+  std::size_t impacts = 0;            ///< with those that end chatter
+  std::size_t events = 0;             ///< of any kind
+  std::optional<double> last_event_time;                           ///< s, where there is an event
   MotionMode onset = MotionMode::rest, motion = MotionMode::rest;  ///< how it begins; all of it
   Demand force;    ///< on whichever interface bears the most, by forces
   Demand impulse;  ///< likewise, by impulses

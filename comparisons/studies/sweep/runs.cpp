@@ -5,12 +5,17 @@
 #include <map>
 #include <new>
 #include <optional>
+#include <string_view>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve_batch.hpp"
 #include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack {
+
+extern const std::string_view run_columns_txt;  ///< of this folder: behind the peaks of the blocks
+
 namespace {
 
 /// What `part` throws, as a text; empty where it throws nothing.
@@ -86,52 +91,25 @@ class Runs {
   std::map<std::size_t, Run> under_way_;  ///< by the number of the scene
 };
 
-const std::vector<ColumnMeaning>& outcome_columns() {
-  static const std::vector<ColumnMeaning> list{
-      {"peak_ratio", "largest angle over slenderness, of the block where that is largest"},
-      {"toppled", "number of the block that toppled, or fell off what it was over; 0: none"},
-      {"topple_time", "when it passed its toppling angle or fell off, s; the run ends there"},
-      {"impacts", "number of impacts; one that ends chatter stands for all that would follow"},
-      {"events", "number of events of any kind, impacts among them"},
-      {"last_event_time", "time of the last event, s"},
-      {"least_normal_force", "least normal force at any interface, N; negative: the stack would lift off"},
-      {"force_friction", "largest friction coefficient needed between impacts"},
-      {"least_normal_impulse",
-       "least normal impulse of any impact, but for chatter of less than a millionth of a fall's momentum, N "
-       "s; negative: likewise"},
-      {"impulse_friction", "largest friction coefficient needed by impacts"},
-      {"onset", "mode in which motion begins: slide, rock, slide-rock or free flight; or rest"},
-      {"motion",
-       "all of the motion: topple or fall where it ends so; else rest, slide, rock, slide-rock or free flight"},
-      {"status", "done or failed"},
-      {"reason", "why a run failed"},
-      {"slip", "largest slip left at the end at any interface, m; under law unilateral"},
-      {"lift", "highest lift of any block off what is below it, m; likewise"}};
-  return list;
+OutcomeColumn::Measure demand(Demand RunOutcome::*of, double Demand::*value) {
+  return [of, value](const RunOutcome& outcome) -> std::optional<double> {
+    const Demand& demand = outcome.*of;
+    if (!std::isfinite(demand.least_normal)) return {};
+    return demand.*value;
+  };
 }
 
-std::size_t block_count(const Ensemble& ensemble) {
-  return find(ensemble.base.root, "blocks")->children.size();
-}
-
-void add_outcome(CsvWriter& line, const RunOutcome& outcome) {
-  const auto cell = [](bool there, double value) { return there ? number_text(value) : ""; };
-  for (const double peak : outcome.peaks) line.add(number_text(peak));
-  line.add(number_text(outcome.peak_ratio), outcome.toppled, cell(outcome.toppled > 0, outcome.topple_time),
-           outcome.impacts, outcome.events, cell(outcome.events > 0, outcome.last_event_time));
-  for (const Demand& demand : {outcome.force, outcome.impulse}) {
-    const bool there = std::isfinite(demand.least_normal);
-    line.add(cell(there, demand.least_normal), cell(there, demand.friction));
+void add_cell(CsvWriter& line, const OutcomeColumn& column, const RunResult& result) {
+  const RunOutcome* outcome = result.outcome;
+  if (column.name == "status") return line.add(outcome ? "done" : "failed");
+  if (column.name == "reason") return line.add(result.reason);
+  if (!outcome) return line.add("");
+  if (const auto* measure = std::get_if<OutcomeColumn::Measure>(&column.value)) {
+    const std::optional<double> value = (*measure)(*outcome);
+    line.add(value ? number_text(*value) : "");
   }
-  line.add(name(outcome.onset), name(outcome.motion), "done", "");
-  for (const auto& length : {outcome.slip, outcome.lift})
-    line.add(cell(length.has_value(), length.value_or(0)));
-}
-
-void add_failure(CsvWriter& line, std::size_t blocks, const std::string& reason) {
-  const std::size_t status_to_lift = 4;
-  const std::vector<std::string> no_cells(blocks + outcome_columns().size() - status_to_lift);
-  line.add(no_cells, "failed", reason, "", "");
+  if (const auto* count = std::get_if<OutcomeColumn::Count>(&column.value)) line.add((*count)(*outcome));
+  if (const auto* mode = std::get_if<OutcomeColumn::Mode>(&column.value)) line.add(name(outcome->**mode));
 }
 
 }  // namespace
@@ -144,6 +122,38 @@ void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, Mo
   solve_batch([&] { return runs.next_scene(); }, options, [&](const Solved& solved) { runs.take(solved); });
 }
 
+std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble) {
+  using Measure = OutcomeColumn::Measure;
+  using Count = OutcomeColumn::Count;
+  const std::map<std::string, OutcomeColumn::Value> values{
+      {"peak_ratio", Measure(&RunOutcome::peak_ratio)},
+      {"toppled", Count(&RunOutcome::toppled)},
+      {"topple_time", Measure(&RunOutcome::topple_time)},
+      {"impacts", Count(&RunOutcome::impacts)},
+      {"events", Count(&RunOutcome::events)},
+      {"last_event_time", Measure(&RunOutcome::last_event_time)},
+      {"least_normal_force", demand(&RunOutcome::force, &Demand::least_normal)},
+      {"force_friction", demand(&RunOutcome::force, &Demand::friction)},
+      {"least_normal_impulse", demand(&RunOutcome::impulse, &Demand::least_normal)},
+      {"impulse_friction", demand(&RunOutcome::impulse, &Demand::friction)},
+      {"onset", &RunOutcome::onset},
+      {"motion", &RunOutcome::motion},
+      {"status", {}},
+      {"reason", {}},
+      {"slip", Measure(&RunOutcome::slip)},
+      {"lift", Measure(&RunOutcome::lift)}};
+  std::vector<OutcomeColumn> columns;
+  const std::size_t blocks = find(ensemble.base.root, "blocks")->children.size();
+  for (std::size_t k = 0; k < blocks; ++k) {
+    const std::string number = std::to_string(k + 1);
+    columns.push_back({"peak_" + number, "largest absolute angle of block " + number + ", rad",
+                       Measure([k](const RunOutcome& outcome) { return outcome.peaks[k]; })});
+  }
+  for (const Paragraph& column : paragraphs(run_columns_txt))
+    columns.push_back({column.name, column.words, values.at(column.name)});
+  return columns;
+}
+
 std::vector<ColumnMeaning> run_columns(const Ensemble& ensemble) {
   std::vector<ColumnMeaning> columns{{"run", "number of the run, from 0"}};
   for (const Variation& variation : ensemble.variations) {
@@ -151,25 +161,19 @@ std::vector<ColumnMeaning> run_columns(const Ensemble& ensemble) {
     for (std::size_t k = 1; k < variation.keys.size(); ++k) meaning += ", also of " + variation.keys[k];
     columns.emplace_back(variation.name(), meaning);
   }
-  for (std::size_t k = 1; k <= block_count(ensemble); ++k) {
-    const std::string number = std::to_string(k);
-    columns.emplace_back("peak_" + number, "largest absolute angle of block " + number + ", rad");
-  }
-  columns.insert(columns.end(), outcome_columns().begin(), outcome_columns().end());
+  for (const OutcomeColumn& column : outcome_columns(ensemble))
+    columns.emplace_back(column.name, column.meaning);
   return columns;
 }
 
 std::string run_lines(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library) {
   std::vector<CsvWriter> lines(last - first);
+  const std::vector<OutcomeColumn> columns = outcome_columns(ensemble);
   make_runs(ensemble, first, last, library, [&](const RunResult& result) {
     CsvWriter& line = lines[result.run - first];
     line.add(result.run);
     for (const Value& value : result.values) line.add(value.text);
-    if (result.outcome != nullptr) {
-      add_outcome(line, *result.outcome);
-    } else {
-      add_failure(line, block_count(ensemble), result.reason);
-    }
+    for (const OutcomeColumn& column : columns) add_cell(line, column, result);
     line.end_line();
   });
   std::string text;

@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "comparisons/runs/execution/executor.hpp"
@@ -27,6 +29,20 @@ struct RunResult {
 void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library,
                const std::function<void(const RunResult&)>& take,
                const std::function<bool()>* unwanted = nullptr);
+
+/// A column of what came out of runs.
+struct OutcomeColumn {
+  using Measure = std::function<std::optional<double>(const RunOutcome&)>;
+  using Count = std::function<std::size_t(const RunOutcome&)>;
+  using Mode = MotionMode RunOutcome::*;
+  using Value = std::variant<std::monostate, Measure, Count, Mode>;
+
+  std::string name, meaning;
+  Value value;  ///< of a run that did not fail; none of the columns that say whether and why it did
+};
+
+/// In the order of runs.csv.
+std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble);
 
 /// A column of runs.csv and what it means.
 using ColumnMeaning = std::pair<std::string, std::string>;
