@@ -1,7 +1,8 @@
-#include <sstream>
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 
+#include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/scores.hpp"
 #include "plots/figures/figure.hpp"
 
@@ -39,20 +40,14 @@ constexpr auto split = [](const auto& scene) { return scene.split; };
 constexpr auto fitted = [](const auto& scene) { return scene.fitted; };
 constexpr auto perturbed = [](const auto& scene) { return scene.perturbed; };
 
-/// A figure with its words. figures.txt has them, those of each figure behind its name: title, question, and
-/// up to an empty line how to read it.
+/// A figure with its words. figures.txt has them: behind its name the title, then a question and how to read
+/// it.
 Figure figure(const std::string& name, const decltype(Figure::of)& of) {
-  std::istringstream words{std::string(figures_txt)};
-  for (std::string line; std::getline(words, line);) {
-    if (line != name) continue;
-    Figure made{name, "", "", "", of};
-    std::getline(words, made.title);
-    std::getline(words, made.question);
-    while (std::getline(words, line) && !line.empty())
-      made.explanation += (made.explanation.empty() ? "" : " ") + line;
-    return made;
-  }
-  throw std::logic_error(name + ": a figure without words in figures.txt");
+  static const std::vector<Paragraph> list = paragraphs(figures_txt);
+  const auto words = std::ranges::find(list, name, &Paragraph::name);
+  if (words == list.end()) throw std::logic_error(name + ": a figure without words in figures.txt");
+  const std::size_t end = words->words.find("? ") + 1;
+  return {name, words->kind, words->words.substr(0, end), words->words.substr(end + 1), of};
 }
 
 std::vector<Figure> all_figures() {
