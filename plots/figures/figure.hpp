@@ -70,8 +70,8 @@ using Drawings = std::map<std::string, Drawing>;
 inline constexpr auto narrow_part = "narrow";
 
 struct OfScene {
-  bool (*needs)(const ComparedScene&);  ///< whether a scene's results have what it shows
   Drawing (*draw)(const SceneSubject&);
+  bool (*needs)(const ComparedScene&);  ///< whether a scene's results have what it shows
 };
 
 struct OfComparison {
@@ -79,8 +79,8 @@ struct OfComparison {
 };
 
 struct OfFolder {
-  const char* needs;  ///< a file of results
   Drawings (*draw)(const FolderSubject&);
+  const char* needs;    ///< a file of results
   bool narrow = false;  ///< whether it is drawn once more, as narrow as narrow_width
 };
 

@@ -11,14 +11,10 @@ namespace rockstack::plots {
 extern const std::string_view figures_txt;  ///< of this folder
 
 using DrawScene = Drawing(const SceneSubject&);
-DrawScene histories, readings, slip, friction, differences, impact_times, impact_energy, ranking, split_parts,
-    error_time, error_step, first_impact_step, toppling, distributions, equations, energy, phase, occupancy,
-    ground_motion;
 using DrawComparison = Drawings(const ComparisonSubject&);
-DrawComparison agreement, solver_scores;
 using DrawFolder = Drawings(const FolderSubject&);
-DrawFolder fragility, incremental, overturning, modes, law_maps, law_engines, stability, record, advice, fit,
-    branches;
+#include "plots/figures/drawers.inc"
+DrawComparison solver_scores;
 
 namespace {
 
@@ -40,55 +36,25 @@ constexpr auto split = [](const auto& scene) { return scene.split; };
 constexpr auto fitted = [](const auto& scene) { return scene.fitted; };
 constexpr auto perturbed = [](const auto& scene) { return scene.perturbed; };
 
-/// A figure with its words. figures.txt has them: behind its name the title, then a question and how to read
-/// it.
+/// A figure with its words, from figures.txt.
 Figure figure(const std::string& name, const decltype(Figure::of)& of) {
   static const std::vector<Paragraph> list = paragraphs(figures_txt);
-  const auto words = std::ranges::find(list, name, &Paragraph::name);
-  if (words == list.end()) throw std::logic_error(name + ": a figure without words in figures.txt");
-  const std::size_t end = words->words.find("? ") + 1;
-  return {name, words->kind, words->words.substr(0, end), words->words.substr(end + 1), of};
+  const Paragraph& words = *std::ranges::find(list, name, &Paragraph::name);
+  const std::size_t end = words.words.find("? ") + 1;
+  return {name, words.kind.substr(words.kind.find("| ") + 2), words.words.substr(0, end),
+          words.words.substr(end + 1), of};
 }
 
 std::vector<Figure> all_figures() {
-  std::vector<Figure> list{figure("agreement", OfComparison{agreement}),
-                           figure("histories", OfScene{sampled, histories}),
-                           figure("readings", OfScene{tested, readings}),
-                           figure("slip", OfScene{slips, slip}),
-                           figure("friction", OfScene{frictions, friction}),
-                           figure("differences", OfScene{compared, differences}),
-                           figure("impact-times", OfScene{impacts, impact_times}),
-                           figure("impact-energy", OfScene{losses, impact_energy}),
-                           figure("ranking", OfScene{errors, ranking}),
-                           figure("parts", OfScene{split, split_parts}),
-                           figure("error-time", OfScene{errors, error_time}),
-                           figure("error-step", OfScene{fitted, error_step}),
-                           figure("first-impact-step", OfScene{fitted, first_impact_step}),
-                           figure("toppling", OfScene{perturbed, toppling}),
-                           figure("distributions", OfScene{perturbed, distributions}),
-                           figure("equations", OfScene{both_equations, equations}),
-                           figure("energy", OfScene{bodies, energy}),
-                           figure("phase", OfScene{compared, phase}),
-                           figure("occupancy", OfScene{patterns, occupancy}),
-                           figure("ground-motion", OfScene{shaken, ground_motion})};
+  std::vector<Figure> list{
+#include "plots/figures/entries.inc"
+  };
   for (const SolverQuestion& one : solver_questions())
     list.push_back(
         {"solvers." + one.name, "All solvers: " + one.name, one.question,
          "A row a solver and set, those first that answer for all scenes; a small cross a scene, a large "
          "mark the median of all. Rows whose scenes lie among each other are not told apart.",
          OfComparison{solver_scores}});
-  for (const Figure& one :
-       {figure("fragility", OfFolder{"fragility.csv", fragility, true}),
-        figure("incremental", OfFolder{"incremental.csv", incremental}),
-        figure("overturning", OfFolder{"overturning.csv", overturning}),
-        figure("modes", OfFolder{"modes.csv", modes}),
-        figure("stability", OfFolder{"stability.csv", stability}),
-        figure("impact-laws.engines", OfFolder{"impact-laws-engines.csv", law_engines}),
-        figure("impact-laws", OfFolder{"impact-laws.csv", law_maps}),
-        figure("advice", OfFolder{"advice.json", advice, true}),
-        figure("branches", OfFolder{"branches.csv", branches}), figure("fit", OfFolder{"fit.json", fit}),
-        figure("record", OfFolder{"record.csv", record, true})})
-    list.push_back(one);
   return list;
 }
 
