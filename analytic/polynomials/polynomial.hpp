@@ -37,6 +37,15 @@ Real select(bool truth, const Real& one, const Real& other) {
   return truth ? one : other;
 }
 
+/// Of a number, or of a vector.
+template <class Coefficient>
+Coefficient zero() {
+  if constexpr (requires { Coefficient::Zero(); })
+    return Coefficient::Zero();
+  else
+    return Coefficient(0);
+}
+
 /// 1/i.
 template <class Real>
 inline const std::array<Real, max_terms<Real> + 1> reciprocals = [] {
@@ -45,11 +54,12 @@ inline const std::array<Real, max_terms<Real> + 1> reciprocals = [] {
   return result;
 }();
 
-/// c₀ + c₁s + … over one step, s in [0, 1]. Coefficients from `terms` on have no value.
-template <class Real>
+/// c₀ + c₁s + … over one step, s in [0, 1]: numbers, or vectors of them. Coefficients from `terms` on have no
+/// value.
+template <class Real, class Coefficient = Real>
 struct Polynomial {
   std::size_t terms = 0;
-  std::array<Real, max_terms<Real>> coefficients;
+  std::array<Coefficient, max_terms<Real>> coefficients;
 
   Polynomial() {}  // a step makes many, most of them to be filled
   Polynomial(const Polynomial& other) { *this = other; }
@@ -59,16 +69,16 @@ struct Polynomial {
     return *this;
   }
   ~Polynomial() = default;
-  Polynomial(std::initializer_list<Real> values) {
-    for (const Real& coefficient : values) coefficients[terms++] = coefficient;
+  Polynomial(std::initializer_list<Coefficient> values) {
+    for (const Coefficient& coefficient : values) coefficients[terms++] = coefficient;
   }
 
-  Real& operator[](std::size_t i) { return coefficients[i]; }
-  const Real& operator[](std::size_t i) const { return coefficients[i]; }
-  Real* begin() { return coefficients.data(); }
-  Real* end() { return coefficients.data() + terms; }
-  const Real* begin() const { return coefficients.data(); }
-  const Real* end() const { return coefficients.data() + terms; }
+  Coefficient& operator[](std::size_t i) { return coefficients[i]; }
+  const Coefficient& operator[](std::size_t i) const { return coefficients[i]; }
+  Coefficient* begin() { return coefficients.data(); }
+  Coefficient* end() { return coefficients.data() + terms; }
+  const Coefficient* begin() const { return coefficients.data(); }
+  const Coefficient* end() const { return coefficients.data() + terms; }
 };
 
 template <class Real>
@@ -85,9 +95,9 @@ struct Tangent {
   Real height, slope;
 };
 
-template <class Real>
-Tangent<Real> tangent(const Polynomial<Real>& polynomial, const Real& s) {
-  Tangent<Real> result{0, 0};
+template <class Real, class Coefficient>
+Tangent<Coefficient> tangent(const Polynomial<Real, Coefficient>& polynomial, const Real& s) {
+  Tangent<Coefficient> result{zero<Coefficient>(), zero<Coefficient>()};
   Real order(polynomial.terms);
   for (std::size_t i = polynomial.terms; i-- > 1;) {
     order -= 1;
@@ -156,10 +166,10 @@ bool is_monotone(const Polynomial<Real>& polynomial) {
 }
 
 /// The polynomial in s/ratio: what a step becomes that is `ratio` times as long.
-template <class Real>
-void rescale(Polynomial<Real>& polynomial, const Real& ratio) {
+template <class Real, class Coefficient>
+void rescale(Polynomial<Real, Coefficient>& polynomial, const Real& ratio) {
   Real power = 1;
-  for (Real& coefficient : polynomial) {
+  for (Coefficient& coefficient : polynomial) {
     coefficient *= power;
     power *= ratio;
   }
@@ -252,9 +262,11 @@ Polynomial<Real> product(const Polynomial<Real>& first, const Polynomial<Real>& 
 
 /// Of each coefficient.
 template <class Real>
-Polynomial<Real> times(const std::type_identity_t<Real>& factor, Polynomial<Real> series) {
-  for (Real& coefficient : series) coefficient *= factor;
-  return series;
+Polynomial<Real> times(const std::type_identity_t<Real>& factor, const Polynomial<Real>& series) {
+  Polynomial<Real> result;
+  result.terms = series.terms;
+  for (std::size_t i = 0; i < series.terms; ++i) result[i] = factor * series[i];
+  return result;
 }
 
 /// constant + factor · series.
@@ -267,10 +279,13 @@ Polynomial<Real> line(const std::type_identity_t<Real>& constant, const std::typ
   return result;
 }
 
+/// factor · first + other · second.
 template <class Real>
-Polynomial<Real> sum(Polynomial<Real> first, const Polynomial<Real>& second) {
-  add(second, Real(1), first);
-  return first;
+Polynomial<Real> combined(const std::type_identity_t<Real>& factor, const Polynomial<Real>& first,
+                          const std::type_identity_t<Real>& other, const Polynomial<Real>& second) {
+  Polynomial<Real> result = times<Real>(factor, first);
+  add<Real>(second, other, result);
+  return result;
 }
 
 }  // namespace rockstack

@@ -61,7 +61,7 @@ void note_first_along(BasicDemand<Real>& demand, const ForcePolynomials<Real>& f
                       const Real& available, const Real& start, const Real& length) {
   // Where `share` · N + side · T first falls below zero.
   const auto first_below = [&](const Real& share, const Real& side) {
-    const Polynomial<Real> room = sum(times(share, force.normal), times(side, force.tangential));
+    const Polynomial<Real> room = combined(share, force.normal, side, force.tangential);
     if (room[0] < 0) return start;
     const auto crossing = first_crossing(room);
     return start + std::min(crossing.value_or(end), end) * length;

@@ -106,9 +106,10 @@ std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
                                               const FreeVector<Real>& free, const Turn& turn) {
   const FreeVector<Real> before = vector_of(bodies.rate);
   const ContactQuestion<Real> question{stack, bodies, before, ContactLevel::impacts};
-  auto found = find_mode(question, touching);
+  const TouchingContacts<Real> contacts(question, touching);
+  auto found = find_mode(contacts, touching);
   if (!found) return std::nullopt;
-  const bool several = turn(question, touching, *found);
+  const bool several = turn(contacts, touching, *found);
   ModeResponse<Real> response = respond(question, *found);
   std::optional<Joints<Real>> mode = found;
   if (stack.bounces_by(RestitutionLaw::poisson)) mode = expand(question, touching, *found, response);
@@ -223,12 +224,12 @@ bool one_motion_obeys(const TouchingContacts<Real>& contacts, const Joints<Real>
 /// Up to `most` modes besides one that obey as well, where there are few to try: for one they are sought
 /// where friction couples at a point, for more wherever there may be any.
 template <class Real>
-std::vector<Joints<Real>> other_modes(const ContactQuestion<Real>& question, const Joints<Real>& joints,
+std::vector<Joints<Real>> other_modes(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
                                       const Joints<Real>& mode, std::size_t most) {
+  const ContactQuestion<Real>& question = contacts.question();
   OtherModes<Real> others(question, mode, most);
   add_on_other_faces(question, joints, mode, others);
   if (!question.of_accelerations() || others.full()) return std::move(others).take();
-  const TouchingContacts<Real> contacts(question, joints);
   const auto& interfaces = contacts.interfaces();
   const bool sought = most > 1 ? !one_motion_obeys(contacts, joints)
                                : std::any_of(interfaces.begin(), interfaces.end(),
@@ -257,11 +258,12 @@ std::vector<Joints<Real>> other_modes(const ContactQuestion<Real>& question, con
 
 /// Whether modes besides one obey as well; where branches are followed, it becomes the one that is taken.
 template <class Real>
-bool turn(const ContactQuestion<Real>& question, const Joints<Real>& joints,
+bool turn(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
           const SpringContacts<Real>& springs, const Real& time, Branching* branching, Joints<Real>& mode) {
   constexpr std::size_t most = 32;
-  std::vector<Joints<Real>> ways = other_modes(question, joints, mode, branching != nullptr ? most : 1);
+  std::vector<Joints<Real>> ways = other_modes(contacts, joints, mode, branching != nullptr ? most : 1);
   if (branching == nullptr || ways.empty()) return !ways.empty();
+  const ContactQuestion<Real>& question = contacts.question();
   const ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
   for (Joints<Real>& way : ways) settle(question, pairs, way);
   ways.insert(ways.begin(), mode);

@@ -173,7 +173,7 @@ class ContactSolver {
     state_.bodies.rate = rates;
     const auto impact = collide(
         stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies),
-        [&](const auto& question, const auto& joints, auto& mode) { return turn(question, joints, mode); });
+        [&](const auto& contacts, const auto& joints, auto& mode) { return turn(contacts, joints, mode); });
     if (!impact) stop("no impulses end an impact at", time());
     recorder_.note_impact(impact->found, state_.bodies, impact->impulses, time());
     state_ = {{state_.bodies.at, impact->rates}, impact->mode};
@@ -191,14 +191,16 @@ class ContactSolver {
     const Joints<Real> joined = later > 0 ? fresh_.joined(touching, time(), 2 * look_ahead_.time) : touching;
     Joints<Real> joints = joined;
     const ContactQuestion<Real> question{stack_, bodies, free, ContactLevel::accelerations};
-    auto mode = find_mode(question, joints);
+    std::optional<TouchingContacts<Real>> contacts(std::in_place, question, joints);
+    auto mode = find_mode(*contacts, joints);
     if (!mode) {
       joints = follow_without_solution(joints);
       bodies = state_.bodies;
-      mode = find_mode(question, joints);
+      contacts.emplace(question, joints);
+      mode = find_mode(*contacts, joints);
       if (!mode) stop("no forces let the motion go on at", time());
     }
-    const bool others = turn(question, joints, *mode);
+    const bool others = turn(*contacts, joints, *mode);
     const Poses<Real> rates = state_.bodies.rate;
     state_.joints = *mode;
     fresh_.mark(touching, joined, state_.joints, time());
@@ -209,9 +211,9 @@ class ContactSolver {
   }
 
   /// As turn() of contact_decision.hpp, which chatter does not come to.
-  bool turn(const ContactQuestion<Real>& question, const Joints<Real>& joints, Joints<Real>& mode) {
+  bool turn(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, Joints<Real>& mode) {
     const bool follows = branching_ != nullptr && burst_ <= longest_followed_burst;
-    return rockstack::turn(question, joints, springs_, time(), follows ? branching_ : nullptr, mode);
+    return rockstack::turn(contacts, joints, springs_, time(), follows ? branching_ : nullptr, mode);
   }
 
   /// The impulse that lets the motion go on where no forces do: that of a vanishing step of Moreau's.

@@ -16,6 +16,7 @@ struct ContactKinematics {
 /// A body vector turned clockwise by an angle.
 template <class Real>
 Point<Real> turned(const Point<Real>& vector, const Real& angle) {
+  if (angle == 0) return vector;  // as all of the ground
   using std::cos;
   using std::sin;
   const Real cosine = cos(angle);

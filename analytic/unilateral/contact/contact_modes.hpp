@@ -41,10 +41,9 @@ std::optional<Joints<Real>> sticking_mode(const TouchingContacts<Real>& contacts
   }
   // What sticks takes tangential forces of the free motion, and of a unit of each normal force.
   const std::size_t size = points.size(), held = sticking.size();
-  NumberTable<Real> matrix(held, held), tangential_per_normal(held, size), reduced(size, size);
-  for (std::size_t i = 0; i < held; ++i)
-    for (std::size_t j = 0; j < held; ++j) matrix(i, j) = contacts.effect(sticking[i].row, sticking[j].row);
-  const LinearSystem<Real> system(std::move(matrix), held);
+  NumberTable<Real> tangential_per_normal(held, size), reduced(size, size);
+  const LinearSystem<Real> system(
+      held, [&](std::size_t i, std::size_t j) { return contacts.effect(sticking[i].row, sticking[j].row); });
   const auto answer = [&](const auto& condition) {
     ShortNumbers<Real> conditions(held);
     for (std::size_t i = 0; i < held; ++i) conditions[i] = -condition(sticking[i].row);
@@ -190,8 +189,8 @@ std::optional<Joints<Real>> nearest_mode(const TouchingContacts<Real>& contacts,
 
 /// The mode on given faces of all pairs of corners; see find_mode().
 template <class Real>
-std::optional<Joints<Real>> mode_on_faces(const ContactQuestion<Real>& question, const Joints<Real>& joints) {
-  const TouchingContacts<Real> contacts(question, joints);
+std::optional<Joints<Real>> mode_on_faces(const TouchingContacts<Real>& contacts,
+                                          const Joints<Real>& joints) {
   if (contacts.empty()) return joints;
   if (auto mode = sticking_mode(contacts, joints)) return mode;
   auto rubbing = rub(contacts, joints);
@@ -199,6 +198,34 @@ std::optional<Joints<Real>> mode_on_faces(const ContactQuestion<Real>& question,
   auto other = nearest_mode(contacts, joints);
   if (!other && rubbing) other = std::move(rubbing->mode);
   return other;
+}
+
+/// True where forces tell, by more than rounding, that all that touches sticks from here on, and pairs of
+/// corners do on their faces. Forces that hold all have one solution: their equations are those of a least
+/// kinetic energy.
+template <class Real>
+bool surely_sticks(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
+                   const ShortVector<int>& pairs) {
+  using std::abs;
+  const ContactQuestion<Real>& question = contacts.question();
+  Joints<Real> mode = joints;
+  for (Joint<Real>& joint : mode) {
+    if (question.slip_before(joint) != 0) return false;
+    joint.slip = 0;
+  }
+  const auto forces = held_forces(contacts, mode, holding(contacts, held_by(contacts, mode)));
+  const Real rounding = tolerance<Real>(1e-9) * largest_force(forces);
+  for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
+    const ContactForce<Real>& force = forces[contact.interface];
+    if (!(abs(force.tangential) + rounding < contact.friction * force.normal)) return false;
+    if (!contact.flat) continue;
+    const auto [left, right] = contact.ends;
+    const Real least = rounding * (right - left);
+    if (!(force.normal * right + force.moment > least)) return false;
+    if (!(-force.moment - force.normal * left > least)) return false;
+  }
+  return std::ranges::none_of(
+      pairs, [&](int k) { return changes_face<Real>(question, forces, k, mode[k], -rounding); });
 }
 
 /// The mode that obeys all laws of contact among those in which what touches may stay, part or pivot, and
@@ -209,12 +236,20 @@ std::optional<Joints<Real>> mode_on_faces(const ContactQuestion<Real>& question,
 /// happens for accelerations alone (Painlevé). Pairs of corners slide by the rule of contact_laws.hpp, found
 /// as Murty's least-index method finds what is active: the first pair that changes its face does.
 template <class Real>
-std::optional<Joints<Real>> find_mode(const ContactQuestion<Real>& question, Joints<Real> joints) {
+std::optional<Joints<Real>> find_mode(const TouchingContacts<Real>& contacts, Joints<Real> joints) {
+  const ContactQuestion<Real>& question = contacts.question();
   for (Joint<Real>& joint : joints) joint.settled = joint.settled && joint.pivots();
-  auto first = mode_on_faces(question, joints);
+  ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
+  if (surely_sticks(contacts, joints, pairs)) {
+    for (Joint<Real>& joint : joints) joint.slip = 0;
+    for (const int k : pairs) meet_face(question.stack, k, joints[k]);
+    return joints;
+  }
+  const auto on_faces = [&] { return mode_on_faces(TouchingContacts<Real>(question, joints), joints); };
+  auto first = mode_on_faces(contacts, joints);
   const bool goes_on = question.level != ContactLevel::impacts;  // else the slip passes the corner
-  while (first && goes_on && unsettle(*first, joints)) first = mode_on_faces(question, joints);
-  const ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
+  while (first && goes_on && unsettle(*first, joints)) first = on_faces();
+  pairs = open_pairs(question.stack, joints, question.level);
   if (pairs.empty() || !first) return first;
   auto mode = first;
   int changing = -1;
@@ -223,12 +258,17 @@ std::optional<Joints<Real>> find_mode(const ContactQuestion<Real>& question, Joi
     if (changing < 0) break;
     bool& below = joints[changing].corner_below;
     below = !below;
-    mode = mode_on_faces(question, joints);
+    mode = on_faces();
     if (!mode) break;
   }
   if (!mode || changing >= 0) mode = first;
   for (const int k : pairs) meet_face(question.stack, k, (*mode)[k]);
   return mode;
+}
+
+template <class Real>
+std::optional<Joints<Real>> find_mode(const ContactQuestion<Real>& question, const Joints<Real>& joints) {
+  return find_mode(TouchingContacts<Real>(question, joints), joints);
 }
 
 /// Modes that obey besides one, up to a number of them, none of which moves as another.
@@ -282,8 +322,9 @@ void add_on_other_faces(const ContactQuestion<Real>& question, Joints<Real> join
   if (pairs.size() > most || !any_pair([&](std::size_t k) { return !mode[k].sticks(); })) return;
   for (unsigned faces = 0; faces < 1U << pairs.size() && !others.full(); ++faces) {
     for (std::size_t i = 0; i < pairs.size(); ++i) joints[pairs[i]].corner_below = (faces >> i & 1U) != 0;
-    const auto other = mode_on_faces(question, joints);
-    if (!other || !obeys(TouchingContacts<Real>(question, joints), joints, *other)) continue;
+    const TouchingContacts<Real> contacts(question, joints);
+    const auto other = mode_on_faces(contacts, joints);
+    if (!other || !obeys(contacts, joints, *other)) continue;
     if (question.of_accelerations() && any_pair([&](std::size_t k) { return slides_off((*other)[k]); }))
       continue;
     others.add(*other, pairs);

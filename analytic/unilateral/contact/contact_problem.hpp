@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/LU>
-
 #include "analytic/unilateral/contact/touching_contacts.hpp"
 
 namespace rockstack {
@@ -49,14 +47,10 @@ ContactForceRows<Real> held_by(const TouchingContacts<Real>& contacts, const Joi
 /// The forces that leave nothing of the conditions of their rows.
 template <class Real>
 ShortNumbers<Real> holding(const TouchingContacts<Real>& contacts, const ContactForceRows<Real>& held) {
-  const std::size_t size = held.size();
-  NumberTable<Real> matrix(size, size);
-  ShortNumbers<Real> right_side(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t j = 0; j < size; ++j) matrix(i, j) = contacts.effect(held[i].row, held[j]);
-    right_side[i] = -contacts.free(held[i].row);
-  }
-  return LinearSystem<Real>(std::move(matrix), size).solve(right_side);
+  const auto entry = [&](std::size_t i, std::size_t j) { return contacts.effect(held[i].row, held[j]); };
+  ShortNumbers<Real> right_side(held.size());
+  for (std::size_t i = 0; i < held.size(); ++i) right_side[i] = -contacts.free(held[i].row);
+  return LinearSystem<Real>(held.size(), entry).solve(right_side);
 }
 
 /// The forces of a mode, as held_by() lists them, interface by interface.
@@ -97,6 +91,7 @@ ModeResponse<Real> respond(const ContactQuestion<Real>& question, const Joints<R
 /// reciprocal condition number, by largest rows' sums, of what forces do, each in the unit of its own effect.
 template <class Real>
 Real conditioning(const ContactModel<Real>& stack) {
+  using std::abs;
   using std::sqrt;
   Joints<Real> joints(stack.blocks.size());
   Bodies<Real> bodies{Poses<Real>(joints.size()), Poses<Real>(joints.size())};
@@ -107,11 +102,21 @@ Real conditioning(const ContactModel<Real>& stack) {
   const ContactForceRows<Real> held = held_by(contacts, joints);
   const std::size_t size = held.size();
   const auto effect = [&](std::size_t i, std::size_t j) { return contacts.effect(held[i].row, held[j].row); };
-  Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> scaled(size, size);
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = 0; j < size; ++j) scaled(i, j) = effect(i, j) / sqrt(effect(i, i) * effect(j, j));
-  const auto largest_sum = [](const auto& matrix) { return matrix.cwiseAbs().rowwise().sum().maxCoeff(); };
-  return 1 / (largest_sum(scaled) * largest_sum(scaled.inverse().eval()));
+  const auto scaled = [&](std::size_t i, std::size_t j) {
+    return effect(i, j) / sqrt(effect(i, i) * effect(j, j));
+  };
+  const LinearSystem<Real> system(size, scaled);
+  ShortNumbers<Real> sums(size, 0), inverse_sums(size, 0);
+  for (std::size_t j = 0; j < size; ++j) {
+    ShortNumbers<Real> unit(size, 0);
+    unit[j] = 1;
+    const ShortNumbers<Real> column = system.solve(unit);
+    for (std::size_t i = 0; i < size; ++i) {
+      sums[i] += abs(scaled(i, j));
+      inverse_sums[i] += abs(column[i]);
+    }
+  }
+  return 1 / (*std::ranges::max_element(sums) * *std::ranges::max_element(inverse_sums));
 }
 
 /// A rounding of poses over what it makes of the smallest half-size, in shares of that.

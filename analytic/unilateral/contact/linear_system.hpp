@@ -32,18 +32,25 @@ template <class Real>
 class LinearSystem {
  public:
   LinearSystem() = default;
-  LinearSystem(NumberTable<Real> matrix, std::size_t size)
-      : size_(size), table_(std::move(matrix)), order_(size) {
+  /// `entry(i, j)` tells what equation i takes of unknown j.
+  template <class Entry>
+  LinearSystem(std::size_t size, const Entry& entry) : size_(size), table_(size, size), order_(size) {
     using std::abs;
-    for (std::size_t i = 0; i < size; ++i) order_[i] = i;
+    for (std::size_t i = 0; i < size; ++i) {
+      order_[i] = i;
+      for (std::size_t j = 0; j < size; ++j) table_(i, j) = entry(i, j);
+    }
     for (std::size_t column = 0; column + 1 < size; ++column) {
       std::size_t pivot = column;
       for (std::size_t i = column + 1; i < size; ++i)
-        if (abs(table_(order_[i], column)) > abs(table_(order_[pivot], column))) pivot = i;
-      std::swap(order_[column], order_[pivot]);
-      const Real* upper = table_.row(order_[column]);
+        if (abs(table_(i, column)) > abs(table_(pivot, column))) pivot = i;
+      Real* upper = table_.row(column);
+      if (pivot != column) {
+        std::swap(order_[column], order_[pivot]);
+        std::swap_ranges(upper, upper + size, table_.row(pivot));
+      }
       for (std::size_t i = column + 1; i < size; ++i) {
-        Real* row = table_.row(order_[i]);
+        Real* row = table_.row(i);
         const Real factor = row[column] /= upper[column];
         for (std::size_t j = column + 1; j < size; ++j) row[j] -= factor * upper[j];
       }
@@ -55,16 +62,23 @@ class LinearSystem {
   /// The unknowns of a right side.
   ShortNumbers<Real> solve(const ShortNumbers<Real>& right_side) const {
     ShortNumbers<Real> unknowns(size_);
-    for (std::size_t i = 0; i < size_; ++i) {
-      const Real* row = table_.row(order_[i]);
+    const Real* row = table_.row(0);
+    if (size_ == 2) {  // as below, without loops that are longer than what they do
+      const Real upper = right_side[order_[0]];
+      unknowns[1] = (right_side[order_[1]] - row[2] * upper) / row[3];
+      unknowns[0] = (upper - row[1] * unknowns[1]) / row[0];
+      return unknowns;
+    }
+    for (std::size_t i = 0; i < size_; ++i, row += size_) {
       Real rest = right_side[order_[i]];
       for (std::size_t j = 0; j < i; ++j) rest -= row[j] * unknowns[j];
       unknowns[i] = rest;
     }
     for (std::size_t i = size_; i-- > 0;) {
-      const Real* row = table_.row(order_[i]);
-      for (std::size_t j = i + 1; j < size_; ++j) unknowns[i] -= row[j] * unknowns[j];
-      unknowns[i] /= row[i];
+      row -= size_;
+      Real rest = unknowns[i];
+      for (std::size_t j = i + 1; j < size_; ++j) rest -= row[j] * unknowns[j];
+      unknowns[i] = rest / row[i];
     }
     return unknowns;
   }
@@ -72,7 +86,7 @@ class LinearSystem {
  private:
   std::size_t size_ = 0;
   NumberTable<Real> table_;
-  ShortVector<std::size_t, 12> order_;  ///< rows, as pivots take them
+  ShortVector<std::size_t, 12> order_;  ///< of conditions, as pivots take them
 };
 
 }  // namespace rockstack

@@ -43,7 +43,7 @@ class GuardCollector {
       : stack_(stack), joints_(joints), series_(series) {
     using std::abs;
     for (std::size_t k = 0; k < joints.size(); ++k)
-      inertia_ += 2 * stack.blocks[k].mass * (abs(series.bodies[k].x[2]) + abs(series.bodies[k].y[2]));
+      inertia_ += 2 * stack.blocks[k].mass * series.bodies[k].centre[2].template lpNorm<1>();
   }
 
   void add_interface(int k) {
@@ -52,7 +52,7 @@ class GuardCollector {
       add_pressure(k);
     } else if (joint.pivots()) {
       push_force(force(k).normal, 1, k);
-      push_if_needed(times(joint.side(), opening_angle(k)), Change::closing, k);
+      push_if_needed(opening_angle(k), Change::closing, k);
     } else if (!stack_.soft(static_cast<std::size_t>(k))) {
       add_landings(k);
     }
@@ -97,11 +97,13 @@ class GuardCollector {
   const ForceSeries<Real>& force(int k) const { return series_.forces[k]; }
   Polynomial<Real> slip(int k) const {
     const CornerOnFace<Real> point = stack_.held_point(k, joints_[k]);
-    return times(point.upward, series_.held[k].along);
+    return times(point.upward, series_.along[k]);
   }
+  /// Of a pivot.
   Polynomial<Real> opening_angle(int k) const {
     const Polynomial<Real>& upper = series_.bodies[k].angle;
-    return k == 0 ? upper : sum(upper, times(-1, series_.bodies[k - 1].angle));
+    const int side = joints_[k].side();
+    return k == 0 ? times(side, upper) : combined(side, upper, -side, series_.bodies[k - 1].angle);
   }
   Guard<Real>& push(const Polynomial<Real>& series, Change change, int k) {
     guards_.push_back({series, change, k});
@@ -122,7 +124,7 @@ class GuardCollector {
   /// What is left of friction, μN ± T, by forces on the face that a slip goes along.
   void push_cone_side(const ForceSeries<Real>& force, int sign, int k) {
     const Real friction = stack_.friction[k];
-    push_force(sum(times(friction, force.normal), times(sign, force.tangential)), 1 + friction, k);
+    push_force(combined(friction, force.normal, sign, force.tangential), 1 + friction, k);
   }
 
   /// Whether bounds tell that a pair of corners keeps its friction on the upper face. With φ the angle
@@ -156,7 +158,7 @@ class GuardCollector {
     for (const int side : {-1, 1}) {
       Polynomial<Real> arm{stack_.half_width(k)};
       if (k > 0 && ends_below(k, side)) arm = line(stack_.half_width(k - 1), -side, slip(k));
-      push_force(sum(product(force(k).normal, arm), times(side, force(k).moment)), stack_.half_width(k), k);
+      push_force(combined(1, product(force(k).normal, arm), side, force(k).moment), stack_.half_width(k), k);
     }
   }
 
@@ -173,7 +175,7 @@ class GuardCollector {
   void add_pivot_ends(int k) {
     const Joint<Real>& joint = joints_[k];
     const CornerOnFace<Real> point = stack_.held_point(k, joint);
-    const Polynomial<Real>& along = series_.held[k].along;
+    const Polynomial<Real>& along = series_.along[k];
     const Real end = stack_.half_width(point.face);
     // A pair of corners that slides along its face comes to a halt before it can be back.
     if (!is_corner_pair(stack_, k, joint) || slides_off(joint))
@@ -223,13 +225,16 @@ class GuardCollector {
   }
   /// Bounds of how low or high a body's corners come within the step, from the ground, m.
   Real lowest(int k) const {
-    const Polynomial<Real>& y = series_.bodies[k].y;
+    const Polynomial<Real> y = height(k);
     return y[0] - reach(y) - stack_.half_height(k) - stack_.centre(k).y() - swing(k);
   }
   Real highest(int k) const {
     if (k < 0) return 0;
-    const Polynomial<Real>& y = series_.bodies[k].y;
+    const Polynomial<Real> y = height(k);
     return y[0] + reach(y) + stack_.half_height(k) - stack_.centre(k).y() + swing(k);
+  }
+  Polynomial<Real> height(int k) const {
+    return component(series_.bodies[k].centre, 1, series_.bodies[k].centre.terms);
   }
 
   const ContactModel<Real>& stack_;

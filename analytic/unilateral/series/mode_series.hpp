@@ -5,43 +5,62 @@
 
 namespace rockstack {
 
-/// A block's pose over a step, with the cosine and sine of its angle.
+/// Plane vectors over a step, or pairs of what is across and along a face.
+template <class Real>
+using PlaneSeries = Polynomial<Real, Point<Real>>;
+
+/// A block's pose over a step, with the directions of its axes on those of the ground: along its faces, (cos
+/// θ, −sin θ), and up, (sin θ, cos θ).
 template <class Real>
 struct BodySeries {
-  Polynomial<Real> x, y, angle, cosine, sine;
+  PlaneSeries<Real> centre;
+  Polynomial<Real> angle;
+  PlaneSeries<Real> along, up;
   Polynomial<Real> turning;  ///< coefficients of the angle, each times its order, while series grow
 };
 
-/// Coefficient m of cosine and sine, but for what that of the angle will add: c' = −s θ', s' = c θ'.
+/// One of the two numbers of each coefficient.
 template <class Real>
-void begin_direction(BodySeries<Real>& body, std::size_t m) {
-  Real cosine = 0;
-  Real sine = 0;
-  for (std::size_t j = 1; j < m; ++j) {
-    cosine -= body.turning[j] * body.sine[m - j];
-    sine += body.turning[j] * body.cosine[m - j];
-  }
-  put(body.cosine, m, cosine / Real(m));
-  put(body.sine, m, sine / Real(m));
+Polynomial<Real> component(const PlaneSeries<Real>& series, int which, std::size_t terms) {
+  Polynomial<Real> result;
+  for (; result.terms < terms; ++result.terms) result[result.terms] = series[result.terms][which];
+  return result;
+}
+
+template <class Real>
+void set_axes(BodySeries<Real>& body, std::size_t m, const Point<Real>& up) {
+  body.up[m] = up;
+  body.along[m] = quarter_turned(up);
+}
+
+/// Coefficient m of the axes, but for what that of the angle will add: up' = along θ', along' = −up θ'.
+template <class Real>
+void begin_axes(BodySeries<Real>& body, std::size_t m) {
+  Point<Real> sum = Point<Real>::Zero();
+  for (std::size_t j = 1; j < m; ++j) sum += body.turning[j] * body.along[m - j];
+  set_axes<Real>(body, m, sum / Real(m));
 }
 
 /// Coefficient m of the angle, and what it adds.
 template <class Real>
 void turn(BodySeries<Real>& body, std::size_t m, const Real& angle) {
-  put(body.angle, m, angle);
-  put(body.turning, m, Real(m) * angle);
-  body.cosine[m] -= angle * body.sine[0];
-  body.sine[m] += angle * body.cosine[0];
+  body.angle[m] = angle;
+  body.turning[m] = Real(m) * angle;
+  set_axes<Real>(body, m, body.up[m] + angle * body.along[0]);
 }
 
 /// The ground stands still.
 template <class Real>
-BodySeries<Real> ground_series() {
+inline const BodySeries<Real> ground_series = [] {
   BodySeries<Real> ground;
-  ground.x = ground.y = ground.angle = ground.sine = {Real(0)};
-  ground.cosine = {Real(1)};
+  for (std::size_t m = 0; m < max_terms<Real>; ++m) {
+    ground.centre[m] = Point<Real>::Zero();
+    ground.angle[m] = 0;
+    set_axes<Real>(ground, m, {Real(0), Real(m == 0 ? 1 : 0)});
+  }
+  ground.up.terms = ground.along.terms = 1;
   return ground;
-}
+}();
 
 /// A point over a face along a step: its place along the face and above the middle of the face's body, in
 /// that body's frame, m.
@@ -54,53 +73,42 @@ struct FaceSeries {
 template <class Real>
 struct ForceSeries {
   Polynomial<Real> normal, tangential, moment;
+
+  Point<Real> operator[](std::size_t i) const { return {normal[i], tangential[i]}; }
 };
 
+/// Three numbers, x, y and angle, of the ground, which are zero, and of each block.
 template <class Real>
-struct PlaneCoefficient {
-  Real x, y;
-};
+using ChainVector = std::array<Real, 3 * (max_blocks + 1)>;
 
 /// Coefficient n of a body vector in the frame of the ground.
 template <class Real>
-PlaneCoefficient<Real> turned(const BodySeries<Real>& body, const Point<Real>& vector, std::size_t n) {
-  const Real cosine = coefficient(body.cosine, n);
-  const Real sine = coefficient(body.sine, n);
-  return {vector.x() * cosine + vector.y() * sine, vector.y() * cosine - vector.x() * sine};
+Point<Real> turned(const BodySeries<Real>& body, const Point<Real>& vector, std::size_t n) {
+  return vector.x() * body.along[n] + vector.y() * body.up[n];
 }
 
 /// Coefficient n of a plane vector (x, y) across and along a face, x sin θ + y cos θ and x cos θ − y sin θ
-/// with θ the angle of its body. A force across and along it is turned back so: to (N sin θ + T cos θ, N cos
-/// θ − T sin θ).
-template <class Real>
-struct FaceCoefficient {
-  Real across, along;
-};
-
-template <class Real>
-FaceCoefficient<Real> on_face(const Polynomial<Real>& x, const Polynomial<Real>& y,
-                              const BodySeries<Real>& face, std::size_t n) {
-  FaceCoefficient<Real> sum{0, 0};
-  const std::size_t first = n < face.cosine.terms ? 0 : n + 1 - face.cosine.terms;
-  for (std::size_t i = first, end = std::min(n + 1, x.terms); i < end; ++i) {
-    const Real& cosine = face.cosine[n - i];
-    const Real& sine = face.sine[n - i];
-    sum.across += x[i] * sine + y[i] * cosine;
-    sum.along += x[i] * cosine - y[i] * sine;
+/// with θ the angle of its body. A force across and along it is turned back by the same: to (N sin θ + T cos
+/// θ, N cos θ − T sin θ). The vector has so many terms.
+template <class Real, class Series>
+Point<Real> on_face(const Series& vector, std::size_t terms, const BodySeries<Real>& face, std::size_t n) {
+  Point<Real> sum = Point<Real>::Zero();
+  const std::size_t first = n < face.up.terms ? 0 : n + 1 - face.up.terms;
+  for (std::size_t i = first, end = std::min(n + 1, terms); i < end; ++i) {
+    const Point<Real> at = vector[i];
+    sum += at.x() * face.up[n - i] + at.y() * face.along[n - i];
   }
   return sum;
 }
 
-/// Coefficient n of x y' − y x', of vectors (x, y) and (x', y') whose own coefficients end where they may.
-template <class Real>
-Real moment(const Polynomial<Real>& x, const Polynomial<Real>& y, const Polynomial<Real>& arm_x,
-            const Polynomial<Real>& arm_y, std::size_t n) {
-  if (arm_x.terms != arm_y.terms || x.terms != y.terms)
-    return convolution(x, arm_y, n) - convolution(y, arm_x, n);
+/// Coefficient n of x y' − y x', of vectors (x, y) and (x', y') of which the first has so many terms.
+template <class Real, class Series>
+Real moment(const Series& force, std::size_t terms, const PlaneSeries<Real>& arm, std::size_t n) {
   Real sum = 0;
-  const std::size_t first = n < arm_x.terms ? 0 : n + 1 - arm_x.terms;
-  for (std::size_t i = first, end = std::min(n + 1, x.terms); i < end; ++i)
-    sum += x[i] * arm_y[n - i] - y[i] * arm_x[n - i];
+  for (std::size_t i = 0, end = std::min(n + 1, terms); i < end; ++i) {
+    const Point<Real> at = force[i];
+    sum += at.x() * arm[n - i].y() - at.y() * arm[n - i].x();
+  }
   return sum;
 }
 
@@ -112,11 +120,12 @@ struct GrowingPoint {
   Point<Real> face_centre;  ///< of mass of the face's body, from its middle, m
   const BodySeries<Real>* face;
   const BodySeries<Real>* body;
-  Polynomial<Real> apart_x, apart_y;  ///< from the centre of mass of the face's body
-  Polynomial<Real> arm_x, arm_y;
-  FaceSeries<Real> place;             ///< from there too
-  Polynomial<Real> force_x, force_y;  ///< on the point's body
+  PlaneSeries<Real> apart;  ///< from the centre of mass of the face's body
+  PlaneSeries<Real> arm;
+  PlaneSeries<Real> place;  ///< as apart, above and along the face
+  PlaneSeries<Real> force;  ///< on the point's body
 
+  GrowingPoint() {}  // of a list that has room for it
   GrowingPoint(const ContactModel<Real>& stack, const CornerOnFace<Real>& point,
                const BodySeries<Real>* face_body, const BodySeries<Real>* point_body)
       : corner(point),
@@ -125,51 +134,45 @@ struct GrowingPoint {
         face(face_body),
         body(point_body) {}
 
-  /// Of the block above it, from 0.
-  std::size_t interface() const { return static_cast<std::size_t>(std::max(corner.body, corner.face)); }
-
   /// Coefficient n of places, from those of bodies.
   void extend(std::size_t n) {
     extend_apart(n);
-    const FaceCoefficient<Real> there = on_face(apart_x, apart_y, *face, n);
-    put(place.along, n, there.along);
-    put(place.above, n, there.across);
+    place[n] = on_face(apart, max_terms<Real>, *face, n);
   }
 
   void extend_apart(std::size_t n) {
-    const PlaneCoefficient<Real> arm = turned(*body, body_arm, n);
-    put(arm_x, n, arm.x);
-    put(arm_y, n, arm.y);
-    put(apart_x, n, coefficient(body->x, n) - coefficient(face->x, n) + arm.x);
-    put(apart_y, n, coefficient(body->y, n) - coefficient(face->y, n) + arm.y);
+    arm[n] = turned(*body, body_arm, n);
+    apart[n] = body->centre[n] - face->centre[n] + arm[n];
   }
 
-  FaceSeries<Real> place_from_middle() const {
-    FaceSeries<Real> result = place;
+  /// Of `terms` terms.
+  FaceSeries<Real> place_from_middle(std::size_t terms) const {
+    FaceSeries<Real> result{component(place, 1, terms), component(place, 0, terms)};
     result.along[0] += face_centre.x();
     result.above[0] += face_centre.y();
     return result;
   }
 
-  /// Coefficient n on the ground's axes of a force across and along the face, as far as that is known.
-  void extend_force(const ForceSeries<Real>& force, std::size_t n) {
-    const FaceCoefficient<Real> turned_back = on_face(force.normal, force.tangential, *face, n);
-    put(force_x, n, corner.upward * turned_back.across);
-    put(force_y, n, corner.upward * turned_back.along);
+  /// Coefficient n on the ground's axes of a force across and along the face, of which so many terms are
+  /// known.
+  void extend_force(const ForceSeries<Real>& carried, std::size_t terms, std::size_t n) {
+    force[n] = Real(corner.upward) * on_face(carried, terms, *face, n);
   }
 
   /// Adds coefficient n of the force, and of its moment, on both bodies.
-  void add_force(const ForceSeries<Real>& force, std::size_t n, FreeVector<Real>& result) const {
+  void add_force(const ForceSeries<Real>& carried, std::size_t terms, std::size_t n,
+                 ChainVector<Real>& forces) const {
     if (corner.body >= 0) {
-      result[Eigen::Index{3} * corner.body] += force_x[n];
-      result[Eigen::Index{3} * corner.body + 1] += force_y[n];
-      result[Eigen::Index{3} * corner.body + 2] += moment(force_x, force_y, arm_x, arm_y, n);
+      Real* own = &forces[3 * static_cast<std::size_t>(corner.body + 1)];
+      own[0] += force[n].x();
+      own[1] += force[n].y();
+      own[2] += moment(force, n + 1, arm, n);
     }
     if (corner.face >= 0) {
-      result[Eigen::Index{3} * corner.face] -= force_x[n];
-      result[Eigen::Index{3} * corner.face + 1] -= force_y[n];
-      result[Eigen::Index{3} * corner.face + 2] +=
-          corner.upward * moment(force.normal, force.tangential, place.above, place.along, n);
+      Real* other = &forces[3 * static_cast<std::size_t>(corner.face + 1)];
+      other[0] -= force[n].x();
+      other[1] -= force[n].y();
+      other[2] += corner.upward * moment(carried, terms, place, n);
     }
   }
 };
@@ -184,16 +187,15 @@ struct ModeSeries {
   Real force_unit = 0;  ///< of the series of forces, N; that of moments is N·m
   ShortVector<BodySeries<Real>> bodies;
   ShortVector<ForceSeries<Real>> forces;
-  ShortVector<FaceSeries<Real>> held;  ///< of held points; empty where apart
+  ShortVector<Polynomial<Real>> along;  ///< the faces: of held points, m
 
   Bodies<Real> at(const Real& s) const {
-    Bodies<Real> result;
-    for (const BodySeries<Real>& body : bodies) {
-      const auto x = tangent(body.x, s);
-      const auto y = tangent(body.y, s);
-      const auto angle = tangent(body.angle, s);
-      result.at.push_back({x.height, y.height, angle.height});
-      result.rate.push_back({x.slope / length, y.slope / length, angle.slope / length});
+    Bodies<Real> result{Poses<Real>(bodies.size()), Poses<Real>(bodies.size())};
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      const auto centre = tangent(bodies[k].centre, s);
+      const auto angle = tangent(bodies[k].angle, s);
+      result.at[k] = {centre.height.x(), centre.height.y(), angle.height};
+      result.rate[k] = {centre.slope.x() / length, centre.slope.y() / length, angle.slope / length};
     }
     return result;
   }
@@ -203,11 +205,11 @@ struct ModeSeries {
 template <class Real>
 FaceSeries<Real> corner_series(const ContactModel<Real>& stack, const ModeSeries<Real>& series,
                                const CornerOnFace<Real>& corner) {
-  const BodySeries<Real> ground = ground_series<Real>();
-  const auto of = [&](int body) { return body < 0 ? &ground : &series.bodies[body]; };
+  const auto of = [&](int body) { return body < 0 ? &ground_series<Real> : &series.bodies[body]; };
   GrowingPoint<Real> point(stack, corner, of(corner.face), of(corner.body));
-  for (std::size_t n = 0; n < series.bodies.front().x.terms; ++n) point.extend(n);
-  return point.place_from_middle();
+  const std::size_t terms = series.bodies.front().centre.terms;
+  for (std::size_t n = 0; n < terms; ++n) point.extend(n);
+  return point.place_from_middle(terms);
 }
 
 /// What an interface between blocks carries along and across the upper face, where `force` tells it of the
@@ -217,11 +219,14 @@ ForceSeries<Real> on_upper_face(const ModeSeries<Real>& series, int interface,
                                 const ForceSeries<Real>& force) {
   const BodySeries<Real>& upper = series.bodies[interface];
   const BodySeries<Real>& lower = series.bodies[interface - 1];
-  const Polynomial<Real> cosine = sum(product(upper.cosine, lower.cosine), product(upper.sine, lower.sine));
+  const auto sine_of = [](const BodySeries<Real>& body) { return component(body.up, 0, body.up.terms); };
+  const auto cosine_of = [](const BodySeries<Real>& body) { return component(body.up, 1, body.up.terms); };
+  const Polynomial<Real> cosine =
+      combined(1, product(cosine_of(upper), cosine_of(lower)), 1, product(sine_of(upper), sine_of(lower)));
   const Polynomial<Real> sine =
-      sum(product(upper.sine, lower.cosine), times(-1, product(upper.cosine, lower.sine)));
-  return {sum(product(force.tangential, sine), product(force.normal, cosine)),
-          sum(product(force.tangential, cosine), times(-1, product(force.normal, sine))), force.moment};
+      combined(1, product(sine_of(upper), cosine_of(lower)), -1, product(cosine_of(upper), sine_of(lower)));
+  return {combined(1, product(force.tangential, sine), 1, product(force.normal, cosine)),
+          combined(1, product(force.tangential, cosine), -1, product(force.normal, sine)), force.moment};
 }
 
 }  // namespace rockstack

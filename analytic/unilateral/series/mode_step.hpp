@@ -13,17 +13,20 @@ class SeriesMaker {
  public:
   SeriesMaker(const ContactModel<Real>& stack, const Joints<Real>& joints, const Bodies<Real>& start,
               Known& known, ModeSeries<Real>& series)
-      : stack_(stack),
-        joints_(joints),
-        start_(start),
-        known_(known),
-        ground_(ground_series<Real>()),
-        series_(series),
-        held_(stack) {
+      : stack_(stack), joints_(joints), start_(start), known_(known), series_(series) {
+    using std::cos;
+    using std::sin;
     series_.bodies.resize(joints.size());
     series_.forces.resize(joints.size());
-    series_.held.resize(joints.size());
-    points_.reserve(joints.size());
+    series_.along.resize(joints.size());
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      BodySeries<Real>& body = series_.bodies[k];
+      const Pose<Real>& at = start.at[k];
+      body.centre[0] = {at.x, at.y};
+      body.angle[0] = at.angle;
+      body.up.terms = max_terms<Real>;
+      set_axes<Real>(body, 0, {sin(at.angle), cos(at.angle)});
+    }
     hold();
   }
 
@@ -31,10 +34,14 @@ class SeriesMaker {
   void begin(const Real& length) {
     series_.length = length;
     series_.force_unit = 1 / (length * length);
-    for (std::size_t k = 0; k < joints_.size(); ++k) begin(series_.bodies[k], start_.at[k], start_.rate[k]);
-    for (ForceSeries<Real>& force : series_.forces)
-      force.normal.terms = force.tangential.terms = force.moment.terms = 0;
-    begin_points();
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+      BodySeries<Real>& body = series_.bodies[k];
+      const Pose<Real>& rate = start_.rate[k];
+      body.centre[1] = {rate.x * length, rate.y * length};
+      body.up[1] = Point<Real>::Zero();
+      turn<Real>(body, 1, rate.angle * length);
+    }
+    for (HeldJoint<Real>& joint : held_) joint.begin();
     known_.begin([this](int body) { return body_of(body); }, length);
   }
 
@@ -56,24 +63,21 @@ class SeriesMaker {
   void extend(std::size_t n, const ScaledBodyForce<Real>& body_force) {
     const std::size_t m = n + 2;
     const Real factor = Real(m) * Real(m - 1);
-    for (BodySeries<Real>& body : series_.bodies) begin_direction(body, m);
-    for (std::size_t k = 0; k < joints_.size(); ++k) {
-      ForceSeries<Real>& force = series_.forces[k];
-      if (!joints_[k].touches())
-        for (Polynomial<Real>* part : {&force.normal, &force.tangential}) put(*part, n, 0);
-    }
-    for (HeldPoint<Real>& point : points_) point.begin(series_.forces[point.interface()], m);
+    for (BodySeries<Real>& body : series_.bodies) begin_axes(body, m);
+    for (std::size_t k = 0; k < joints_.size(); ++k)
+      if (!joints_[k].touches()) series_.forces[k].normal[n] = series_.forces[k].tangential[n] = 0;
+    for (HeldJoint<Real>& joint : held_) joint.begin(series_.forces[joint.interface()], m);
     known_.extend_forces(n, series_.forces);
-    FreeVector<Real> motion = stack_.inverse_mass.cwiseProduct(forces(n, body_force));
-    held_.constrain(points_, n, motion, series_.forces);
+    ChainVector<Real> motion;
+    accelerate(n, body_force, motion);
+    constrain(n, factor, motion);
     for (std::size_t k = 0; k < series_.bodies.size(); ++k) {
       BodySeries<Real>& body = series_.bodies[k];
-      const auto first = 3 * static_cast<Eigen::Index>(k);
-      put(body.x, m, motion[first] / factor);
-      put(body.y, m, motion[first + 1] / factor);
-      turn<Real>(body, m, motion[first + 2] / factor);
+      const Real* own = &motion[3 * (k + 1)];
+      body.centre[m] = {own[0] / factor, own[1] / factor};
+      turn<Real>(body, m, own[2] / factor);
     }
-    for (HeldPoint<Real>& point : points_) point.end(series_.forces[point.interface()], m);
+    for (HeldJoint<Real>& joint : held_) joint.end(series_.forces[joint.interface()], m);
     known_.extend_places(m);
   }
 
@@ -84,9 +88,9 @@ class SeriesMaker {
     Real place = known_.size_of(m);
     Real turn = 0;
     for (const BodySeries<Real>& body : series_.bodies) {
-      place = max<Real>(place, max<Real>(abs(body.x[m]), abs(body.y[m])));
+      place = max<Real>(place, max<Real>(abs(body.centre[m].x()), abs(body.centre[m].y())));
       turn =
-          max<Real>(turn, max<Real>(abs(body.angle[m]), max<Real>(abs(body.cosine[m]), abs(body.sine[m]))));
+          max<Real>(turn, max<Real>(abs(body.angle[m]), max<Real>(abs(body.up[m].y()), abs(body.up[m].x()))));
     }
     return max<Real>(place / unit, turn) * Real(m);
   }
@@ -100,80 +104,107 @@ class SeriesMaker {
     return size;
   }
 
-  void finish(const Real& ratio) {
-    for (const HeldPoint<Real>& point : points_)
-      series_.held[point.interface()] = point.point().place_from_middle();
+  /// Of so many orders of accelerations, over a step `ratio` times as long where that is less than one.
+  void finish(std::size_t orders, const Real& ratio) {
+    for (BodySeries<Real>& body : series_.bodies)
+      body.centre.terms = body.angle.terms = body.along.terms = body.up.terms = orders + 2;
+    for (ForceSeries<Real>& force : series_.forces) force.normal.terms = force.tangential.terms = orders;
+    for (const HeldJoint<Real>& joint : held_) {
+      if (joint.flat()) series_.forces[joint.interface()].moment.terms = orders;
+      series_.along[joint.interface()] =
+          joint.point().place_from_middle(joint.sticks() ? 1 : orders + 2).along;
+    }
     if (ratio < 1) {
       known_.rescale_by(ratio);
       series_.length *= ratio;
-      for (BodySeries<Real>& body : series_.bodies)
-        for (Polynomial<Real>* part : {&body.x, &body.y, &body.angle, &body.cosine, &body.sine})
-          rescale(*part, ratio);
+      for (BodySeries<Real>& body : series_.bodies) {
+        rescale(body.angle, ratio);
+        for (PlaneSeries<Real>* part : {&body.centre, &body.along, &body.up}) rescale(*part, ratio);
+      }
       for (ForceSeries<Real>& force : series_.forces)
         for (Polynomial<Real>* part : {&force.normal, &force.tangential, &force.moment})
           rescale(*part, ratio);
-      for (FaceSeries<Real>& point : series_.held)
-        for (Polynomial<Real>* part : {&point.along, &point.above}) rescale(*part, ratio);
+      for (Polynomial<Real>& along : series_.along) rescale(along, ratio);
     }
   }
 
  private:
-  void begin(BodySeries<Real>& body, const Pose<Real>& at, const Pose<Real>& rate) const {
-    using std::cos;
-    using std::sin;
-    const Real length = series_.length;
-    body.x = {at.x, rate.x * length};
-    body.y = {at.y, rate.y * length};
-    body.angle = {at.angle};
-    body.turning = {Real(0)};
-    body.cosine = {cos(at.angle)};
-    body.sine = {sin(at.angle)};
-    begin_direction(body, 1);
-    turn<Real>(body, 1, rate.angle * length);
+  const BodySeries<Real>* body_of(int body) const {
+    return body < 0 ? &ground_series<Real> : &series_.bodies[body];
   }
-
-  const BodySeries<Real>* body_of(int body) const { return body < 0 ? &ground_ : &series_.bodies[body]; }
 
   void hold() {
-    std::size_t point = 0;
-    for (std::size_t k = 0; k < joints_.size(); ++k)
-      if (joints_[k].touches())
-        held_.add(joints_[k], point++, kinematics_of(stack_, start_, k, joints_[k]), k);
-    held_.prepare();
-  }
-
-  void begin_points() {
-    points_.clear();
-    for (std::size_t k = 0; k < joints_.size(); ++k) {
+    std::size_t count = 0;
+    for (const Joint<Real>& joint : joints_) count += joint.touches();
+    held_.resize(count);
+    std::size_t at = 0, rows = 0;
+    for (int k = 0; k < stack_.size(); ++k) {
       const Joint<Real>& joint = joints_[k];
       if (!joint.touches()) continue;
       const CornerOnFace<Real> corner = stack_.held_point(k, joint);
-      points_.emplace_back(stack_, corner, body_of(corner.face), body_of(corner.body), joint.slip == 0);
+      held_[at].start(stack_, joint, static_cast<std::size_t>(k),
+                      {stack_, corner, body_of(corner.face), body_of(corner.body)});
+      held_[at++].each_row([&](const auto&, const Real&) { ++rows; });
     }
+    NumberTable<Real> matrix(rows, rows);
+    std::size_t column = 0;
+    for (const HeldJoint<Real>& acting : held_)
+      acting.each_row([&](const auto& action, const Real&) {
+        ChainVector<Real> motion;
+        std::fill_n(motion.begin(), 3 * (joints_.size() + 1), Real(0));
+        action.act(1, &motion[3 * acting.interface()]);
+        std::size_t row = 0;
+        for (const HeldJoint<Real>& joint : held_)
+          joint.each_row([&](const auto& held, const Real&) {
+            matrix(row++, column) = held.dot(&motion[3 * joint.interface()]);
+          });
+        ++column;
+      });
+    system_ = LinearSystem<Real>(rows, matrix);
   }
 
-  /// Coefficient n of all forces and moments, of those contact forces that are known.
-  FreeVector<Real> forces(std::size_t n, const ScaledBodyForce<Real>& body_force) const {
-    FreeVector<Real> result = FreeVector<Real>::Zero(Eigen::Index{3} * stack_.size());
-    for (int k = 0; k < stack_.size(); ++k) {
+  /// Coefficient n of accelerations by all forces, of contact forces by those that are known.
+  void accelerate(std::size_t n, const ScaledBodyForce<Real>& body_force, ChainVector<Real>& motion) const {
+    const Real x = coefficient(body_force.x, n), y = coefficient(body_force.y, n);
+    std::fill_n(motion.begin(), 3, Real(0));
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
       const Real mass = stack_.blocks[k].mass;
-      result[Eigen::Index{3} * k] = mass * coefficient(body_force.x, n);
-      result[Eigen::Index{3} * k + 1] = mass * coefficient(body_force.y, n);
+      Real* own = &motion[3 * (k + 1)];
+      own[0] = mass * x;
+      own[1] = mass * y;
+      own[2] = 0;
     }
-    for (const HeldPoint<Real>& point : points_)
-      point.point().add_force(series_.forces[point.interface()], n, result);
-    known_.add_forces(n, result);
-    return result;
+    for (const HeldJoint<Real>& joint : held_) joint.add_force(series_.forces[joint.interface()], n, motion);
+    known_.add_forces(n, motion);
+    for (std::size_t e = 0; e < 3 * joints_.size(); ++e) motion[e + 3] *= stack_.inverse_mass[e];
+  }
+
+  /// Changes coefficient n of accelerations so that what is held stays zero at order n + 2, and notes the
+  /// forces that do it.
+  void constrain(std::size_t n, const Real& factor, ChainVector<Real>& motion) {
+    if (held_.empty()) return;
+    ShortNumbers<Real> conditions(system_.size());
+    std::size_t row = 0;
+    for (const HeldJoint<Real>& joint : held_)
+      joint.each_row([&](const auto& held, const Real& left) {
+        conditions[row++] = -(held.dot(&motion[3 * joint.interface()]) + factor * left);
+      });
+    const ShortNumbers<Real> unknowns = system_.solve(conditions);
+    row = 0;
+    for (const HeldJoint<Real>& joint : held_) {
+      joint.note_force(&unknowns[row], n, series_.forces[joint.interface()]);
+      joint.each_row(
+          [&](const auto& held, const Real&) { held.act(unknowns[row++], &motion[3 * joint.interface()]); });
+    }
   }
 
   const ContactModel<Real>& stack_;
   const Joints<Real>& joints_;
   const Bodies<Real>& start_;
   Known& known_;
-  BodySeries<Real> ground_;
   ModeSeries<Real>& series_;
-  std::vector<HeldPoint<Real>> points_;
-  HeldRows<Real> held_;
+  ShortVector<HeldJoint<Real>> held_;
+  LinearSystem<Real> system_;
 };
 
 /// A step's series, of the length that was planned or of less. `lengthens` tells whether they reached that
@@ -181,7 +212,7 @@ class SeriesMaker {
 template <class Real>
 struct ModeStep {
   Real planned = 0;  ///< s
-  ModeSeries<Real> series = {};
+  ModeSeries<Real> series;
   bool lengthens = false;
 };
 
@@ -239,7 +270,7 @@ ModeStep<Real> mode_step(const ContactModel<Real>& stack, const Joints<Real>& jo
   }
   using std::pow;
   const Real ratio = reached ? Real(1) : Real(0.9) * pow(1 / left, 1 / Real(most));
-  maker.finish(std::min(ratio, Real(1)));
+  maker.finish(orders, std::min(ratio, Real(1)));
   step.lengthens = orders + 2 < most;
   return step;
 }

@@ -55,7 +55,7 @@ Real elastic_energy(const ContactModel<Real>& stack, const SpringPoint<Real>& po
 template <class Real>
 Real work_on_bed(const GrowingSpring<Real>& spring, const Real& s) {
   const GrowingBed<Real>& bed = spring.bed;
-  const Polynomial<Real> turning = sum(bed.depth[1], times(-1, bed.depth[0]));
+  const Polynomial<Real> turning = combined(1, bed.depth[1], -1, bed.depth[0]);
   return integral_of_product(bed.normal, derivative(spring.depth), s) +
          integral_of_product(bed.couple, derivative(turning), s);
 }
@@ -79,7 +79,7 @@ void add_losses(const GrowingSpring<Real>& spring, const SpringSeries<Real>& ser
   if (law.friction == 0) return;
   lost.damped += dissipated(law.tangential_damping, spring.stretch);
   if (spring.start.slide == 0) return;
-  const Polynomial<Real> slider = sum(spring.slip, times(-1, spring.stretch));
+  const Polynomial<Real> slider = combined(1, spring.slip, -1, spring.stretch);
   lost.rubbed -= integral_of_product(spring.force.tangential, derivative(slider), s) / series.unit();
 }
 

@@ -102,7 +102,7 @@ class SpringGuards {
       found_.consider({spring.force.normal, SpringChange::part, i}, series_.unit() * rounding_.normal(law));
     if (law.friction == 0) return add_ends(spring, spring.slip);
     if (start.slide == 0) return add_sliding(spring);
-    const Polynomial<Real> slider = sum(spring.slip, times(-1, spring.stretch));
+    const Polynomial<Real> slider = combined(1, spring.slip, -1, spring.stretch);
     found_.consider({times(start.slide, derivative(slider)), SpringChange::grip, i},
                     motion_.length * rounding_.slider_rate(law));
     add_ends(spring, slider);
@@ -117,7 +117,7 @@ class SpringGuards {
         parts && *parts > parting_look_ahead<Real> ? Real(*parts - parting_look_ahead<Real>) : Real(1);
     const Real rounding = series_.unit() * rounding_.strength(law);
     for (const int way : {-1, 1}) {
-      SpringGuard<Real> guard{sum(times(law.friction, normal), times(way, spring.force.tangential)),
+      SpringGuard<Real> guard{combined(law.friction, normal, way, spring.force.tangential),
                               SpringChange::slide, spring.index, way};
       std::optional<Real> crossing = told_crossing(guard.series, rounding);
       if (crossing && value(normal, *crossing) <= series_.unit() * rounding_.normal(law))
@@ -135,7 +135,7 @@ class SpringGuards {
     const int outward = spring.start.side * corner.upward;
     const int way = spring.start.slide * outward;  // zero where there is no friction, and no way it must go
     if (way >= 0)
-      found_.consider({sum(inside_of(spring.start), times(-1, inside_of(other_corner(spring.start)))),
+      found_.consider({combined(1, inside_of(spring.start), -1, inside_of(other_corner(spring.start))),
                        SpringChange::pass, spring.index},
                       rounding_.place);
     if (way <= 0) found_.consider({line(end, outward, slider), SpringChange::fall, spring.index}, 0);
@@ -170,7 +170,7 @@ class SpringGuards {
       depth[end] = depth_of(corner, corner_series(stack_, motion_, corner));
       if (sign.at_face) depth[end][0] = 0;
       pressure[end] =
-          sum(times(law.stiffness, depth[end]), times(law.damping / motion_.length, derivative(depth[end])));
+          combined(law.stiffness, depth[end], law.damping / motion_.length, derivative(depth[end]));
     }
     for (std::size_t end = 0; end < 2; ++end) {
       consider_sign(i, SpringChange::bed_depth, end, &BedEnd::deep, rounding_.place, depth);
@@ -205,7 +205,7 @@ class SpringGuards {
     using std::abs;
     const int way = points_[i].bed.crossed ? 1 : -1;
     const Polynomial<Real> difference =
-        sum(product(pressure[0], depth[1]), times(-1, product(pressure[1], depth[0])));
+        combined(1, product(pressure[0], depth[1]), -1, product(pressure[1], depth[0]));
     found_.consider({times(way, difference), SpringChange::bed_crossing, i, way},
                     rounding_.place * (abs(pressure[0][0]) + abs(pressure[1][0])) +
                         rounding * (abs(depth[0][0]) + abs(depth[1][0])));
@@ -222,7 +222,7 @@ class SpringGuards {
     const PointLaw<Real> law = law_of(stack_, point.interface);
     found_.consider({depth, SpringChange::leave, i}, rounding_.place);
     const Polynomial<Real> force =
-        sum(times(law.stiffness, depth), times(law.damping / motion_.length, derivative(depth)));
+        combined(law.stiffness, depth, law.damping / motion_.length, derivative(depth));
     found_.consider({times(-1, force), SpringChange::push_again, i}, rounding_.normal(law));
   }
 

@@ -64,14 +64,14 @@ class SpringSeries {
       spring.point.extend(m);
       if (m == 0) continue;
       const int sign = spring.point.corner.upward;
-      put(spring.depth, m, -sign * spring.point.place.above[m]);
-      put(spring.slip, m, sign * spring.point.place.along[m]);
+      put(spring.depth, m, -sign * spring.point.place[m].x());
+      put(spring.slip, m, sign * spring.point.place[m].y());
     }
     for (GrowingSpring<Real>& spring : growing_)
       for (std::size_t end = 0; end < spring.ends.size(); ++end) {
         GrowingPoint<Real>& point = spring.ends[end].point;
         point.extend(m);
-        if (m > 0) put(spring.bed.depth[end], m, -point.corner.upward * point.place.above[m]);
+        if (m > 0) put(spring.bed.depth[end], m, -point.corner.upward * point.place[m].x());
       }
   }
 
@@ -92,18 +92,18 @@ class SpringSeries {
       }
       put(spring.force.normal, n, unit_ * normal);
       put(spring.force.tangential, n, unit_ * tangential);
-      spring.point.extend_force(spring.force, n);
+      spring.point.extend_force(spring.force, n + 1, n);
       ForceSeries<Real>& sum = forces[spring.start.interface];
       sum.normal[n] += unit_ * normal;
       sum.tangential[n] += unit_ * tangential;
     }
   }
 
-  void add_forces(std::size_t n, FreeVector<Real>& result) const {
+  void add_forces(std::size_t n, ChainVector<Real>& result) const {
     for (const GrowingSpring<Real>& spring : growing_) {
-      spring.point.add_force(spring.force, n, result);
+      spring.point.add_force(spring.force, n + 1, n, result);
       if (!spring.start.is_bed()) continue;
-      for (const BedEndSeries<Real>& end : spring.ends) end.point.add_force(end.force, n, result);
+      for (const BedEndSeries<Real>& end : spring.ends) end.point.add_force(end.force, n + 1, n, result);
     }
   }
 
@@ -131,8 +131,7 @@ class SpringSeries {
     for (GrowingSpring<Real>& spring : growing_)
       for (Polynomial<Real>* part :
            {&spring.depth, &spring.slip, &spring.stretch, &spring.force.normal, &spring.force.tangential,
-            &spring.point.place.along, &spring.bed.depth[0], &spring.bed.depth[1], &spring.bed.normal,
-            &spring.bed.couple})
+            &spring.bed.depth[0], &spring.bed.depth[1], &spring.bed.normal, &spring.bed.couple})
         rescale(*part, ratio);
   }
 
@@ -164,7 +163,7 @@ class SpringSeries {
       BedEndSeries<Real>& series = spring.ends[end];
       put(series.force.normal, n, (end == 0 ? -unit_ : unit_) * bed.couple[n]);
       put(series.force.tangential, n, 0);
-      series.point.extend_force(series.force, n);
+      series.point.extend_force(series.force, n + 1, n);
     }
     return bed.normal[n];
   }

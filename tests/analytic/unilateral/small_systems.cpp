@@ -54,7 +54,7 @@ TEST(LinearSystem, LeavesNoMoreThanRoundingOfAnySize) {
       right_side[i] = any(generator);
       for (std::size_t j = 0; j < size; ++j) matrix(i, j) = i == j && size > 1 ? 0 : any(generator);
     }
-    const ShortNumbers<double> unknowns = LinearSystem<double>(matrix, size).solve(right_side);
+    const ShortNumbers<double> unknowns = LinearSystem<double>(size, matrix).solve(right_side);
     double norm = 0, largest = 0;
     for (std::size_t i = 0; i < size; ++i) {
       double row = 0;
