@@ -19,7 +19,8 @@ namespace rockstack {
 template <class Real>
 class ContactSolver {
  public:
-  /// Keeps references to all. @throws std::domain_error as require_digits().
+  /// Keeps references to all. Of double, double_does() asks for more than other number types need.
+  /// @throws std::domain_error as require_digits().
   ContactSolver(const Scene& scene, const SolveOptions& options, Branching* branching = nullptr)
       : scene_(scene),
         stack_(contact_model_of<Real>(scene)),
@@ -35,7 +36,7 @@ class ContactSolver {
         cancelled_(options.cancelled),
         branching_(branching) {
     using std::cos;
-    require_digits(stack_);
+    if constexpr (!std::is_same_v<Real, double>) require_digits(stack_);
     across_ = Real(scene.gravity) * cos(Real(scene.inclination));
     for (int k = 0; k < stack_.size(); ++k) toppling_angles_.push_back(Real(toppling_angle(scene, k)));
   }
@@ -200,7 +201,9 @@ class ContactSolver {
       mode = find_mode(*contacts, joints);
       if (!mode) stop("no forces let the motion go on at", time());
     }
-    const bool others = turn(*contacts, joints, *mode);
+    // Without an event nothing tells of others.
+    const bool others =
+        (branching_ != nullptr || !same_modes(before, *mode)) && turn(*contacts, joints, *mode);
     const Poses<Real> rates = state_.bodies.rate;
     state_.joints = *mode;
     fresh_.mark(touching, joined, state_.joints, time());

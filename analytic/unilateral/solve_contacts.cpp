@@ -6,8 +6,6 @@ namespace rockstack {
 
 template <class Real>
 ContactHistory<Real> solve_contacts(const Scene& scene, const SolveOptions& options, Branching* branching) {
-  validate(scene);
-  validate(options);
   ContactSolver<Real> solver(scene, options, branching);
   try {
     solver.run();
@@ -21,7 +19,6 @@ template ContactHistory<double> solve_contacts(const Scene&, const SolveOptions&
 template ContactHistory<long double> solve_contacts(const Scene&, const SolveOptions&, Branching*);
 
 bool double_does(const Scene& scene) {
-  validate(scene);
   return keeps_digits(ContactModel<>(scene.blocks, friction_of(scene)), 10);
 }
 

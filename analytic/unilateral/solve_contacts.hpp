@@ -19,15 +19,15 @@ class UnfinishedContacts : public std::runtime_error {
 /// in one number type, double or long double. The law and the equations of the scene are not asked for:
 /// blocks rub, and their equations are nonlinear; springs of the scene act. Other number types:
 /// ContactSolver<Real> in contact_solver.hpp. `branching` leads it where contact leaves several motions.
-/// @throws FieldError for a scene out of range; std::invalid_argument for options out of range;
-/// UnfinishedContacts<> where events do not come to an end; std::domain_error where masses or sizes are so
-/// far apart that contact forces keep fewer than six digits.
+/// Precondition: scene and options pass validate(), and double is asked for where double_does().
+/// @throws UnfinishedContacts<> where events do not come to an end; std::domain_error where masses or sizes
+/// are so far apart that contact forces keep fewer than six digits.
 template <class Real>
 ContactHistory<Real> solve_contacts(const Scene& scene, const SolveOptions& options,
                                     Branching* branching = nullptr);
 
 /// Whether contact forces and sizes keep ten digits in double. Where they do not, the energy that events make
-/// is more than a thousand roundings.
+/// is more than a thousand roundings. Precondition: the scene passes validate().
 bool double_does(const Scene& scene);
 
 }  // namespace rockstack

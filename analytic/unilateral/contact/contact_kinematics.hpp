@@ -54,7 +54,10 @@ ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bod
   rows.slip_bias = sign * (bend.dot(tangent) - turning * speed.dot(normal) - turning * above_rate);
   rows.gap_row = rows.slip_row = FreeRow<Real>::Zero(Eigen::Index{3} * stack.size());
   const auto set = [](FreeRow<Real>& row, int at, const Real& x, const Real& y, const Real& angle) {
-    row.template segment<3>(Eigen::Index{3} * at) << x, y, angle;
+    Real* entries = row.data() + Eigen::Index{3} * at;
+    entries[0] = x;
+    entries[1] = y;
+    entries[2] = angle;
   };
   if (corner.body >= 0) {
     set(rows.gap_row, corner.body, sign * normal.x(), sign * normal.y(), sign * normal.dot(turn));
@@ -110,11 +113,10 @@ void place_upper(const ContactModel<Real>& stack, const Joint<Real>& joint, int 
   const Real on_lower = below ? point.x : Real(point.x + joint.offset);
   const Plane lower_arm = turned<Real>(Plane(on_lower, lower_top) - stack.centre(k - 1), lower.angle);
   const Plane upper_arm = turned<Real>(Plane(on_upper, upper_bottom) - stack.centre(k), upper.angle);
-  const Plane tangent = turned<Real>({Real(1), Real(0)}, below ? upper.angle : lower.angle);
   upper.x = lower.x + (lower_arm.x() - upper_arm.x());
   upper.y = lower.y + (lower_arm.y() - upper_arm.y());
-  const Plane change = quarter_turned(lower_arm) * lower_rate.angle -
-                       quarter_turned(upper_arm) * upper_rate.angle + tangent * slip_rate;
+  Plane change = quarter_turned(lower_arm) * lower_rate.angle - quarter_turned(upper_arm) * upper_rate.angle;
+  if (slip_rate != 0) change += turned<Real>({slip_rate, Real(0)}, below ? upper.angle : lower.angle);
   upper_rate.x = lower_rate.x + change.x();
   upper_rate.y = lower_rate.y + change.y();
 }

@@ -161,14 +161,14 @@ bool changes_face(const ContactQuestion<Real>& question, const ShortVector<Conta
   return against * other.tangential > question.stack.friction[k] * other.normal + rounding;
 }
 
-/// The first of `pairs` that changes its face in a mode, or −1.
+/// The first of `pairs` that changes its face in a mode of `contacts`, or −1.
 template <class Real>
-int first_to_change(const ContactQuestion<Real>& question, const ShortVector<int>& pairs,
+int first_to_change(const TouchingContacts<Real>& contacts, const ShortVector<int>& pairs,
                     const Joints<Real>& mode) {
-  const auto forces = respond(question, mode).forces;
+  const auto forces = held_forces(contacts, mode);
   const Real rounding = tolerance<Real>(1e-12) * largest_force(forces);
   for (const int k : pairs)
-    if (changes_face(question, forces, k, mode[k], rounding)) return k;
+    if (changes_face(contacts.question(), forces, k, mode[k], rounding)) return k;
   return -1;
 }
 

@@ -208,12 +208,9 @@ bool surely_sticks(const TouchingContacts<Real>& contacts, const Joints<Real>& j
                    const ShortVector<int>& pairs) {
   using std::abs;
   const ContactQuestion<Real>& question = contacts.question();
-  Joints<Real> mode = joints;
-  for (Joint<Real>& joint : mode) {
-    if (question.slip_before(joint) != 0) return false;
-    joint.slip = 0;
-  }
-  const auto forces = held_forces(contacts, mode, holding(contacts, held_by(contacts, mode)));
+  if (!question.of_accelerations()) return false;  // what meets seldom stays together
+  if (std::ranges::any_of(joints, [](const Joint<Real>& joint) { return joint.slip != 0; })) return false;
+  const auto forces = held_forces(contacts, joints);
   const Real rounding = tolerance<Real>(1e-9) * largest_force(forces);
   for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
     const ContactForce<Real>& force = forces[contact.interface];
@@ -225,8 +222,11 @@ bool surely_sticks(const TouchingContacts<Real>& contacts, const Joints<Real>& j
     if (!(-force.moment - force.normal * left > least)) return false;
   }
   return std::ranges::none_of(
-      pairs, [&](int k) { return changes_face<Real>(question, forces, k, mode[k], -rounding); });
+      pairs, [&](int k) { return changes_face<Real>(question, forces, k, joints[k], -rounding); });
 }
+
+template <class Real>
+std::optional<Joints<Real>> find_mode(const ContactQuestion<Real>& question, const Joints<Real>& joints);
 
 /// The mode that obeys all laws of contact among those in which what touches may stay, part or pivot, and
 /// what sticks may slide; of velocities everything may stick. Where several do, the one in which all that
@@ -239,27 +239,24 @@ template <class Real>
 std::optional<Joints<Real>> find_mode(const TouchingContacts<Real>& contacts, Joints<Real> joints) {
   const ContactQuestion<Real>& question = contacts.question();
   for (Joint<Real>& joint : joints) joint.settled = joint.settled && joint.pivots();
-  ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
+  const ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
   if (surely_sticks(contacts, joints, pairs)) {
-    for (Joint<Real>& joint : joints) joint.slip = 0;
     for (const int k : pairs) meet_face(question.stack, k, joints[k]);
     return joints;
   }
-  const auto on_faces = [&] { return mode_on_faces(TouchingContacts<Real>(question, joints), joints); };
   auto first = mode_on_faces(contacts, joints);
   const bool goes_on = question.level != ContactLevel::impacts;  // else the slip passes the corner
-  while (first && goes_on && unsettle(*first, joints)) first = on_faces();
-  pairs = open_pairs(question.stack, joints, question.level);
+  if (first && goes_on && unsettle(*first, joints)) return find_mode(question, joints);
   if (pairs.empty() || !first) return first;
   auto mode = first;
-  int changing = -1;
-  for (std::size_t changes = 0; changes <= 4 * pairs.size(); ++changes) {
-    changing = first_to_change(question, pairs, *mode);
-    if (changing < 0) break;
+  int changing = first_to_change(contacts, pairs, *mode);
+  for (std::size_t changes = 0; changing >= 0 && changes < 4 * pairs.size(); ++changes) {
     bool& below = joints[changing].corner_below;
     below = !below;
-    mode = on_faces();
+    const TouchingContacts<Real> others(question, joints);
+    mode = mode_on_faces(others, joints);
     if (!mode) break;
+    changing = first_to_change(others, pairs, *mode);
   }
   if (!mode || changing >= 0) mode = first;
   for (const int k : pairs) meet_face(question.stack, k, (*mode)[k]);

@@ -58,7 +58,7 @@ template <class Real>
 ShortVector<ContactForce<Real>> held_forces(const TouchingContacts<Real>& contacts, const Joints<Real>& mode,
                                             const ShortNumbers<Real>& values) {
   const ContactModel<Real>& stack = contacts.question().stack;
-  ShortVector<ContactForce<Real>> forces(mode.size(), {});
+  ShortVector<ContactForce<Real>> forces(mode.size());
   std::size_t at = 0;
   for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
     const Joint<Real>& joint = mode[contact.interface];
@@ -69,6 +69,12 @@ ShortVector<ContactForce<Real>> held_forces(const TouchingContacts<Real>& contac
     force.tangential = joint.slip == 0 ? values[at++] : Real(-joint.slip * contact.friction * force.normal);
   }
   return forces;
+}
+
+template <class Real>
+ShortVector<ContactForce<Real>> held_forces(const TouchingContacts<Real>& contacts,
+                                            const Joints<Real>& mode) {
+  return held_forces(contacts, mode, holding(contacts, held_by(contacts, mode)));
 }
 
 /// The motion that is left of a free one where `contacts` are in a mode of theirs.

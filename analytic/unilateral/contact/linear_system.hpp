@@ -27,6 +27,16 @@ class NumberTable {
 template <class Real>
 using ShortNumbers = ShortVector<Real, 20>;
 
+/// Calls f with a size that the compiler knows, where it is small: it writes short loops out.
+template <class F>
+void with_known(std::size_t size, const F& f) {
+  if (size == 1) return f(std::integral_constant<std::size_t, 1>());
+  if (size == 2) return f(std::integral_constant<std::size_t, 2>());
+  if (size == 3) return f(std::integral_constant<std::size_t, 3>());
+  if (size == 4) return f(std::integral_constant<std::size_t, 4>());
+  f(size);
+}
+
 /// As many linear equations as unknowns, few, by Gauss's elimination with the largest pivot of each column.
 template <class Real>
 class LinearSystem {
@@ -35,26 +45,11 @@ class LinearSystem {
   /// `entry(i, j)` tells what equation i takes of unknown j.
   template <class Entry>
   LinearSystem(std::size_t size, const Entry& entry) : size_(size), table_(size, size), order_(size) {
-    using std::abs;
     for (std::size_t i = 0; i < size; ++i) {
       order_[i] = i;
       for (std::size_t j = 0; j < size; ++j) table_(i, j) = entry(i, j);
     }
-    for (std::size_t column = 0; column + 1 < size; ++column) {
-      std::size_t pivot = column;
-      for (std::size_t i = column + 1; i < size; ++i)
-        if (abs(table_(i, column)) > abs(table_(pivot, column))) pivot = i;
-      Real* upper = table_.row(column);
-      if (pivot != column) {
-        std::swap(order_[column], order_[pivot]);
-        std::swap_ranges(upper, upper + size, table_.row(pivot));
-      }
-      for (std::size_t i = column + 1; i < size; ++i) {
-        Real* row = table_.row(i);
-        const Real factor = row[column] /= upper[column];
-        for (std::size_t j = column + 1; j < size; ++j) row[j] -= factor * upper[j];
-      }
-    }
+    with_known(size, [&](auto known) { eliminate(known); });
   }
 
   std::size_t size() const { return size_; }
@@ -62,28 +57,48 @@ class LinearSystem {
   /// The unknowns of a right side.
   ShortNumbers<Real> solve(const ShortNumbers<Real>& right_side) const {
     ShortNumbers<Real> unknowns(size_);
-    const Real* row = table_.row(0);
-    if (size_ == 2) {  // as below, without loops that are longer than what they do
-      const Real upper = right_side[order_[0]];
-      unknowns[1] = (right_side[order_[1]] - row[2] * upper) / row[3];
-      unknowns[0] = (upper - row[1] * unknowns[1]) / row[0];
-      return unknowns;
-    }
-    for (std::size_t i = 0; i < size_; ++i, row += size_) {
-      Real rest = right_side[order_[i]];
-      for (std::size_t j = 0; j < i; ++j) rest -= row[j] * unknowns[j];
-      unknowns[i] = rest;
-    }
-    for (std::size_t i = size_; i-- > 0;) {
-      row -= size_;
-      Real rest = unknowns[i];
-      for (std::size_t j = i + 1; j < size_; ++j) rest -= row[j] * unknowns[j];
-      unknowns[i] = rest / row[i];
-    }
+    with_known(size_, [&](auto known) { substitute(known, right_side.begin(), unknowns.begin()); });
     return unknowns;
   }
 
  private:
+  template <class Size>
+  void eliminate(Size size) {
+    using std::abs;
+    Real* const rows = table_.row(0);
+    for (std::size_t column = 0; column + 1 < size; ++column) {
+      Real* upper = rows + column * size;
+      std::size_t pivot = column;
+      for (std::size_t i = column + 1; i < size; ++i)
+        if (abs(rows[i * size + column]) > abs(rows[pivot * size + column])) pivot = i;
+      if (pivot != column) {
+        std::swap(order_[column], order_[pivot]);
+        std::swap_ranges(upper, upper + size, rows + pivot * size);
+      }
+      for (std::size_t i = column + 1; i < size; ++i) {
+        Real* row = rows + i * size;
+        const Real factor = row[column] /= upper[column];
+        for (std::size_t j = column + 1; j < size; ++j) row[j] -= factor * upper[j];
+      }
+    }
+  }
+
+  template <class Size>
+  void substitute(Size size, const Real* right_side, Real* unknowns) const {
+    const Real* row = table_.row(0);
+    for (std::size_t i = 0; i < size; ++i, row += size) {
+      Real rest = right_side[order_[i]];
+      for (std::size_t j = 0; j < i; ++j) rest -= row[j] * unknowns[j];
+      unknowns[i] = rest;
+    }
+    for (std::size_t i = size; i-- > 0;) {
+      row -= size;
+      Real rest = unknowns[i];
+      for (std::size_t j = i + 1; j < size; ++j) rest -= row[j] * unknowns[j];
+      unknowns[i] = rest / row[i];
+    }
+  }
+
   std::size_t size_ = 0;
   NumberTable<Real> table_;
   ShortVector<std::size_t, 12> order_;  ///< of conditions, as pivots take them

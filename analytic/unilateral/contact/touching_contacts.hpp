@@ -140,9 +140,11 @@ class TouchingContacts {
     }
     interfaces_.push_back(contact);
   }
-  void add_row(const FreeRow<Real>& row, const Real& bias) {
-    rows_.push_back(row);
-    free_.push_back(row.dot(question_.free) + bias);
+  template <class Row>
+  void add_row(const Eigen::MatrixBase<Row>& row, const Real& bias) {
+    rows_.resize(rows_.size() + 1);
+    rows_.back() = row;
+    free_.push_back(rows_.back().dot(question_.free) + bias);
   }
 
   const ContactQuestion<Real>& question_;

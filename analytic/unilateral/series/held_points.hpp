@@ -21,6 +21,14 @@ class HeldJoint {
       for (int e = 0; e < 6; ++e) sum += gradient[e] * motion[e];
       return sum;
     }
+    /// The same of what another one does, of a joint so many interfaces below.
+    Real dot(const Row& other, int below) const {
+      Real sum = 0;
+      for (int e = 0; e < 6; ++e)
+        if (const int of_other = e + 3 * below; of_other >= 0 && of_other < 6)
+          sum += gradient[e] * other.effect[of_other];
+      return sum;
+    }
     void act(const Real& force, Real* motion) const {
       Eigen::Map<Eigen::Matrix<Real, 6, 1>>{motion} += force * effect;
     }

@@ -100,7 +100,7 @@ class SeriesMaker {
     using std::abs;
     Real size = 0;
     for (const ForceSeries<Real>& force : series_.forces)
-      size = std::max<Real>({size, abs(force.normal[n]), abs(force.tangential[n])});
+      size = std::max<Real>(std::max<Real>(size, abs(force.normal[n])), abs(force.tangential[n]));
     return size;
   }
 
@@ -150,14 +150,12 @@ class SeriesMaker {
     std::size_t column = 0;
     for (const HeldJoint<Real>& acting : held_)
       acting.each_row([&](const auto& action, const Real&) {
-        ChainVector<Real> motion;
-        std::fill_n(motion.begin(), 3 * (joints_.size() + 1), Real(0));
-        action.act(1, &motion[3 * acting.interface()]);
         std::size_t row = 0;
-        for (const HeldJoint<Real>& joint : held_)
-          joint.each_row([&](const auto& held, const Real&) {
-            matrix(row++, column) = held.dot(&motion[3 * joint.interface()]);
-          });
+        for (const HeldJoint<Real>& joint : held_) {
+          const int below = static_cast<int>(joint.interface()) - static_cast<int>(acting.interface());
+          joint.each_row(
+              [&](const auto& held, const Real&) { matrix(row++, column) = held.dot(action, below); });
+        }
         ++column;
       });
     system_ = LinearSystem<Real>(rows, matrix);
@@ -176,7 +174,9 @@ class SeriesMaker {
     }
     for (const HeldJoint<Real>& joint : held_) joint.add_force(series_.forces[joint.interface()], n, motion);
     known_.add_forces(n, motion);
-    for (std::size_t e = 0; e < 3 * joints_.size(); ++e) motion[e + 3] *= stack_.inverse_mass[e];
+    const Real* lightness = stack_.inverse_mass.data();
+    for (Real *own = &motion[3], *end = own + 3 * joints_.size(); own != end; own += 3, lightness += 3)
+      for (std::size_t e = 0; e < 3; ++e) own[e] *= lightness[e];
   }
 
   /// Changes coefficient n of accelerations so that what is held stays zero at order n + 2, and notes the

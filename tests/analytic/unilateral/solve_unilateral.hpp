@@ -77,6 +77,8 @@ ContactHistory<> in_double(const ContactHistory<Real>& history) {
 
 /// The motion of solve_contacts(), in double or, where that does not do, in long double. @throws likewise.
 inline ContactHistory<> solve_unilateral(const Scene& scene, const SolveOptions& options = {}) {
+  validate(scene);
+  validate(options);
   if (double_does(scene)) return solve_contacts<double>(scene, options);
   try {
     return in_double(solve_contacts<long double>(scene, options));
