@@ -57,8 +57,11 @@ class LinearSystem {
   /// The unknowns of a right side.
   ShortNumbers<Real> solve(const ShortNumbers<Real>& right_side) const {
     ShortNumbers<Real> unknowns(size_);
-    with_known(size_, [&](auto known) { substitute(known, right_side.begin(), unknowns.begin()); });
+    solve(right_side.begin(), unknowns.begin());
     return unknowns;
+  }
+  void solve(const Real* right_side, Real* unknowns) const {
+    with_known(size_, [&](auto known) { substitute(known, right_side, unknowns); });
   }
 
  private:

@@ -38,14 +38,14 @@ template <class Real>
 void begin_axes(BodySeries<Real>& body, std::size_t m) {
   Point<Real> sum = Point<Real>::Zero();
   for (std::size_t j = 1; j < m; ++j) sum += body.turning[j] * body.along[m - j];
-  set_axes<Real>(body, m, sum / Real(m));
+  set_axes<Real>(body, m, sum / Real(static_cast<int>(m)));
 }
 
 /// Coefficient m of the angle, and what it adds.
 template <class Real>
 void turn(BodySeries<Real>& body, std::size_t m, const Real& angle) {
   body.angle[m] = angle;
-  body.turning[m] = Real(m) * angle;
+  body.turning[m] = Real(static_cast<int>(m)) * angle;
   set_axes<Real>(body, m, body.up[m] + angle * body.along[0]);
 }
 
@@ -95,7 +95,7 @@ Point<Real> on_face(const Series& vector, std::size_t terms, const BodySeries<Re
   Point<Real> sum = Point<Real>::Zero();
   const std::size_t first = n < face.up.terms ? 0 : n + 1 - face.up.terms;
   for (std::size_t i = first, end = std::min(n + 1, terms); i < end; ++i) {
-    const Point<Real> at = vector[i];
+    auto&& at = vector[i];
     sum += at.x() * face.up[n - i] + at.y() * face.along[n - i];
   }
   return sum;
@@ -106,7 +106,7 @@ template <class Real, class Series>
 Real moment(const Series& force, std::size_t terms, const PlaneSeries<Real>& arm, std::size_t n) {
   Real sum = 0;
   for (std::size_t i = 0, end = std::min(n + 1, terms); i < end; ++i) {
-    const Point<Real> at = force[i];
+    auto&& at = force[i];
     sum += at.x() * arm[n - i].y() - at.y() * arm[n - i].x();
   }
   return sum;

@@ -62,12 +62,13 @@ class SeriesMaker {
 
   void extend(std::size_t n, const ScaledBodyForce<Real>& body_force) {
     const std::size_t m = n + 2;
-    const Real factor = Real(m) * Real(m - 1);
+    const auto order = static_cast<int>(m);
+    const Real factor = Real(order) * Real(order - 1);
     for (BodySeries<Real>& body : series_.bodies) begin_axes(body, m);
-    for (std::size_t k = 0; k < joints_.size(); ++k)
+    for (std::size_t k = 0; held_.size() < joints_.size() && k < joints_.size(); ++k)
       if (!joints_[k].touches()) series_.forces[k].normal[n] = series_.forces[k].tangential[n] = 0;
     for (HeldJoint<Real>& joint : held_) joint.begin(series_.forces[joint.interface()], m);
-    known_.extend_forces(n, series_.forces);
+    if (!known_.springs().empty()) known_.extend_forces(n, series_.forces);
     ChainVector<Real> motion;
     accelerate(n, body_force, motion);
     constrain(n, factor, motion);
@@ -99,8 +100,10 @@ class SeriesMaker {
   Real force_of(std::size_t n) const {
     using std::abs;
     Real size = 0;
-    for (const ForceSeries<Real>& force : series_.forces)
-      size = std::max<Real>(std::max<Real>(size, abs(force.normal[n])), abs(force.tangential[n]));
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+      size = std::max<Real>(size, abs(series_.forces[k].normal[n]));
+      size = std::max<Real>(size, abs(series_.forces[k].tangential[n]));
+    }
     return size;
   }
 
@@ -174,22 +177,21 @@ class SeriesMaker {
     }
     for (const HeldJoint<Real>& joint : held_) joint.add_force(series_.forces[joint.interface()], n, motion);
     known_.add_forces(n, motion);
-    const Real* lightness = stack_.inverse_mass.data();
-    for (Real *own = &motion[3], *end = own + 3 * joints_.size(); own != end; own += 3, lightness += 3)
-      for (std::size_t e = 0; e < 3; ++e) own[e] *= lightness[e];
+    for (std::size_t k = 0; k < joints_.size(); ++k)
+      for (std::size_t e = 3 * k; e < 3 * k + 3; ++e) motion[e + 3] *= stack_.inverse_mass[e];
   }
 
   /// Changes coefficient n of accelerations so that what is held stays zero at order n + 2, and notes the
   /// forces that do it.
   void constrain(std::size_t n, const Real& factor, ChainVector<Real>& motion) {
     if (held_.empty()) return;
-    ShortNumbers<Real> conditions(system_.size());
+    std::array<Real, 3 * max_blocks> conditions, unknowns;
     std::size_t row = 0;
     for (const HeldJoint<Real>& joint : held_)
       joint.each_row([&](const auto& held, const Real& left) {
         conditions[row++] = -(held.dot(&motion[3 * joint.interface()]) + factor * left);
       });
-    const ShortNumbers<Real> unknowns = system_.solve(conditions);
+    system_.solve(conditions.data(), unknowns.data());
     row = 0;
     for (const HeldJoint<Real>& joint : held_) {
       joint.note_force(&unknowns[row], n, series_.forces[joint.interface()]);
@@ -216,20 +218,6 @@ struct ModeStep {
   bool lengthens = false;
 };
 
-/// What the last two coefficients of a series leave out, in shares of what is negligible.
-template <class Real>
-class LeftOut {
- public:
-  explicit LeftOut(const Real& negligible) : negligible_(negligible) {}
-
-  void note(const Real& coefficient) { before_ = std::exchange(last_, coefficient); }
-  Real share() const { return std::max(last_, before_) / negligible_; }
-
- private:
-  Real negligible_;
-  Real last_ = 0, before_ = 0;
-};
-
 /// The series over `length`, or over less of it: no longer than until a pivot has come back, but for
 /// `shortest`, and not where they would leave out more than rounding of positions, or of forces, their second
 /// derivatives, more than what events need. `unit_time` is √(H/g), s.
@@ -253,23 +241,26 @@ ModeStep<Real> mode_step(const ContactModel<Real>& stack, const Joints<Real>& jo
   const std::size_t body_force_terms = std::max(body_force.x.terms, body_force.y.terms);
   constexpr std::size_t most = max_orders<Real>;
   std::size_t orders = 0;
-  LeftOut<Real> positions(std::numeric_limits<Real>::epsilon() / 16);
-  LeftOut<Real> forces(tolerance<Real>(1e-8));
+  // What the last two coefficients leave out, in shares of what is negligible.
+  const auto of_positions = [&] {
+    return std::max(maker.size_of(orders + 1, unit), maker.size_of(orders, unit)) /
+           (std::numeric_limits<Real>::epsilon() / 16);
+  };
   Real force = std::numeric_limits<Real>::min();
-  Real left = 0;
+  Real last = 0, of_forces = 0;
   bool reached = false;
   while (orders < most && !(reached && orders >= body_force_terms)) {
     if (orders > 0) maker.extend(orders, body_force);
-    positions.note(maker.size_of(orders + 2, unit));
     const Real own = maker.force_of(orders);
     force = std::max(force, own);
-    forces.note(own / force);
+    const Real before = std::exchange(last, own / force);
+    of_forces = std::max(last, before) / tolerance<Real>(1e-8);
     ++orders;
-    left = std::max(positions.share(), forces.share());
-    reached = orders > 2 + known.silent_orders() && left <= 1;
+    reached = orders > 2 + known.silent_orders() && of_forces <= 1 && of_positions() <= 1;
   }
   using std::pow;
-  const Real ratio = reached ? Real(1) : Real(0.9) * pow(1 / left, 1 / Real(most));
+  const Real ratio =
+      reached ? Real(1) : Real(0.9) * pow(1 / std::max(of_positions(), of_forces), 1 / Real(most));
   maker.finish(orders, std::min(ratio, Real(1)));
   step.lengthens = orders + 2 < most;
   return step;
